@@ -1,0 +1,2 @@
+//! Mechanism declarations to Rust kernels.
+pub mod symbolic;

@@ -1,0 +1,221 @@
+//! The shared graph of expressions.
+
+use super::facts::Facts;
+use super::{Function, Number};
+use indexmap::IndexSet;
+use rustc_hash::FxBuildHasher;
+
+/// An expression of a [`Graph`]. Equal handles are equal expressions.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Expr(u32);
+
+impl Expr {
+    /// Position in the graph: operands stand before what is made of them.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A free variable of the graph.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Symbol(u32);
+
+/// A constant that is not rational.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Constant {
+    /// The circle's ratio.
+    Pi,
+    /// Euler's number.
+    E,
+}
+
+impl Constant {
+    /// The nearest `f64`.
+    pub fn to_f64(self) -> f64 {
+        match self {
+            Constant::Pi => std::f64::consts::PI,
+            Constant::E => std::f64::consts::E,
+        }
+    }
+}
+
+/// What an expression is made of. Canonical: see the constructors, which alone make nodes.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    /// An exact rational.
+    Number(Number),
+    /// pi or e.
+    Constant(Constant),
+    /// A free variable.
+    Symbol(Symbol),
+    /// `constant + sum of coefficient * term`; terms are sorted, distinct, no sums, no numbers, and of
+    /// coefficient one themselves; coefficients are not zero.
+    Sum {
+        /// The rational part.
+        constant: Number,
+        /// Terms with their coefficients.
+        terms: Box<[(Expr, Number)]>,
+    },
+    /// `coefficient * product of base^exponent`; exponents are integers, not zero. A base stands twice
+    /// only with exponents of opposite sign, when it may be zero.
+    Product {
+        /// The rational factor, not zero.
+        coefficient: Number,
+        /// Bases, sorted, with their exponents.
+        factors: Box<[(Expr, i64)]>,
+    },
+    /// `base^exponent` for exponents that are not integers. A fraction p/q is kept as the p-th power (in
+    /// a product) of `base^(1/q)`.
+    Power {
+        /// What is raised.
+        base: Expr,
+        /// A fraction 1/q, or an expression.
+        exponent: Expr,
+    },
+    /// An elementary function.
+    Call(Function, Expr),
+    /// The angle of the point (x, y), given as (y, x).
+    Atan2(Expr, Expr),
+}
+
+/// The owner of expressions.
+#[derive(Clone, Default)]
+pub struct Graph {
+    nodes: IndexSet<Node, FxBuildHasher>,
+    facts: Vec<Facts>,
+    symbols: Vec<String>,
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Graph {
+        Graph::default()
+    }
+
+    /// What `expr` is made of.
+    pub fn node(&self, expr: Expr) -> &Node {
+        &self.nodes[expr.index()]
+    }
+
+    /// How many distinct expressions there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no expression yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Adds a node that is already canonical. Every constructor ends here.
+    pub(super) fn intern(&mut self, node: Node) -> Expr {
+        let (index, new) = self.nodes.insert_full(node);
+        if new {
+            let facts = Facts::of(self, &self.nodes[index]);
+            self.facts.push(facts);
+        }
+        // A graph of 2^32 nodes would take hundreds of gigabytes; memory ends first.
+        Expr(index as u32)
+    }
+
+    pub(super) fn facts(&self, expr: Expr) -> Facts {
+        self.facts[expr.index()]
+    }
+
+    /// A new free variable. The name is for printing; two symbols may share one.
+    pub fn symbol(&mut self, name: &str) -> Symbol {
+        self.symbols.push(name.to_owned());
+        Symbol(self.symbols.len() as u32 - 1)
+    }
+
+    /// The name given to a symbol.
+    pub fn symbol_name(&self, symbol: Symbol) -> &str {
+        &self.symbols[symbol.0 as usize]
+    }
+
+    /// The expression that is just this variable.
+    pub fn variable(&mut self, symbol: Symbol) -> Expr {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// An exact rational.
+    pub fn number(&mut self, value: Number) -> Expr {
+        self.intern(Node::Number(value))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i64) -> Expr {
+        self.number(value.into())
+    }
+
+    /// 0.
+    pub fn zero(&mut self) -> Expr {
+        self.integer(0)
+    }
+
+    /// 1.
+    pub fn one(&mut self) -> Expr {
+        self.integer(1)
+    }
+
+    /// pi or e.
+    pub fn constant(&mut self, constant: Constant) -> Expr {
+        self.intern(Node::Constant(constant))
+    }
+
+    /// The value of an expression that is a rational number.
+    pub fn as_number(&self, expr: Expr) -> Option<&Number> {
+        match self.node(expr) {
+            Node::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether the expression is the number 0.
+    pub fn is_zero(&self, expr: Expr) -> bool {
+        self.as_number(expr).is_some_and(Number::is_zero)
+    }
+
+    /// The expressions a node is made of, in order.
+    pub fn operands(&self, expr: Expr) -> Vec<Expr> {
+        match self.node(expr) {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => vec![],
+            Node::Sum { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
+            Node::Product { factors, .. } => factors.iter().map(|(base, _)| *base).collect(),
+            Node::Power { base, exponent } => vec![*base, *exponent],
+            Node::Call(_, argument) => vec![*argument],
+            Node::Atan2(y, x) => vec![*y, *x],
+        }
+    }
+
+    /// Everything the given expressions are made of, themselves included, operands first.
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        let mut seen = vec![false; self.len()];
+        let mut stack = roots.to_vec();
+        while let Some(expr) = stack.pop() {
+            if !std::mem::replace(&mut seen[expr.index()], true) {
+                stack.extend(self.operands(expr));
+            }
+        }
+        (0..self.len() as u32).map(Expr).filter(|expr| seen[expr.index()]).collect()
+    }
+
+    /// The symbols that occur in the given expressions, sorted.
+    pub fn symbols_of(&self, roots: &[Expr]) -> Vec<Symbol> {
+        let mut found: Vec<Symbol> = self
+            .reachable(roots)
+            .into_iter()
+            .filter_map(|expr| match self.node(expr) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        found.sort();
+        found
+    }
+
+    /// Whether any of these symbols occurs in the expression.
+    pub fn depends_on(&self, expr: Expr, symbols: &[Symbol]) -> bool {
+        self.symbols_of(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+    }
+}

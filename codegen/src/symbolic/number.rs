@@ -1,0 +1,299 @@
+//! Exact rational numbers, the only constants of the engine.
+//!
+//! Nearly all numbers of a mechanism are small fractions, so they live in two machine words; what does
+//! not fit moves to arbitrary precision and comes back when it can. The representation is unique (a
+//! value that fits in words never stays large), so equality and hashing are structural.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An exact rational number in lowest terms.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Number(Repr);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    /// Numerator and positive denominator, coprime.
+    Small(i64, i64),
+    /// Only what does not fit in [`Repr::Small`].
+    Big(Box<BigRational>),
+}
+
+impl Number {
+    /// 0.
+    pub const ZERO: Number = Number(Repr::Small(0, 1));
+    /// 1.
+    pub const ONE: Number = Number(Repr::Small(1, 1));
+    /// -1.
+    pub const MINUS_ONE: Number = Number(Repr::Small(-1, 1));
+
+    /// The fraction `numerator / denominator`; `None` if the denominator is zero.
+    pub fn fraction(numerator: i64, denominator: i64) -> Option<Number> {
+        (denominator != 0).then(|| Number::reduced(numerator.into(), denominator.into()))
+    }
+
+    /// The fraction of two 128-bit integers, the denominator not zero.
+    fn reduced(numerator: i128, denominator: i128) -> Number {
+        let divisor = num_integer::gcd(numerator, denominator) * denominator.signum();
+        let (n, d) = (numerator / divisor, denominator / divisor);
+        match (i64::try_from(n), i64::try_from(d)) {
+            (Ok(n), Ok(d)) => Number(Repr::Small(n, d)),
+            _ => Number(Repr::Big(Box::new(BigRational::new_raw(n.into(), d.into())))),
+        }
+    }
+
+    fn from_big(value: BigRational) -> Number {
+        match (value.numer().to_i64(), value.denom().to_i64()) {
+            (Some(n), Some(d)) => Number(Repr::Small(n, d)),
+            _ => Number(Repr::Big(Box::new(value))),
+        }
+    }
+
+    fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Repr::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Repr::Big(value) => (**value).clone(),
+        }
+    }
+
+    /// Reads a decimal literal such as `0.2`, `1_000` or `6.02e23` exactly.
+    ///
+    /// `None` if it is not one, or if its magnitude is outside the range of `f64`.
+    pub fn parse_decimal(text: &str) -> Option<Number> {
+        let text: String = text.chars().filter(|c| *c != '_').collect();
+        let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
+            None => (text.as_str(), 0),
+        };
+        let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = format!("{whole}{decimals}");
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let exponent = exponent.checked_sub(i32::try_from(decimals.len()).ok()?)?;
+        if digits.len() > 400 || exponent.unsigned_abs() > 700 {
+            return None;
+        }
+        let digits = BigInt::parse_bytes(digits.as_bytes(), 10)?;
+        let power = BigInt::from(10).pow(exponent.unsigned_abs());
+        let value = match exponent >= 0 {
+            true => BigRational::from(digits * power),
+            false => BigRational::new(digits, power),
+        };
+        let number = Number::from_big(value);
+        number.to_f64().is_finite().then_some(number)
+    }
+
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        match &self.0 {
+            Repr::Small(n, d) if n.unsigned_abs() <= 1 << 53 && *d <= 1 << 53 => *n as f64 / *d as f64,
+            _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+        }
+    }
+
+    /// The value as an integer, if it is one that fits.
+    pub fn to_integer(&self) -> Option<i64> {
+        match self.0 {
+            Repr::Small(n, 1) => Some(n),
+            _ => None,
+        }
+    }
+
+    /// Numerator and denominator, if both fit in a word.
+    pub fn to_fraction(&self) -> Option<(i64, i64)> {
+        match self.0 {
+            Repr::Small(n, d) => Some((n, d)),
+            Repr::Big(_) => None,
+        }
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        *self == Number::ZERO
+    }
+
+    /// Whether this is 1.
+    pub fn is_one(&self) -> bool {
+        *self == Number::ONE
+    }
+
+    /// Whether this is below 0.
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Repr::Small(n, _) => *n < 0,
+            Repr::Big(value) => value.is_negative(),
+        }
+    }
+
+    /// The absolute value.
+    pub fn abs(&self) -> Number {
+        if self.is_negative() { -self } else { self.clone() }
+    }
+
+    /// `1 / self`; `None` for 0.
+    pub fn recip(&self) -> Option<Number> {
+        match &self.0 {
+            Repr::Small(0, _) => None,
+            Repr::Small(n, d) => Some(Number::reduced((*d).into(), (*n).into())),
+            Repr::Big(value) => Some(Number::from_big(value.recip())),
+        }
+    }
+
+    /// `self` to an integer power.
+    ///
+    /// `None` for a negative power of 0, and for results of more than about 4,000 bits, which are better
+    /// left unevaluated.
+    pub fn pow(&self, exponent: i64) -> Option<Number> {
+        let base = if exponent < 0 { self.recip()?.to_big() } else { self.to_big() };
+        let bits = base.numer().bits() + base.denom().bits();
+        let exponent = u32::try_from(exponent.unsigned_abs()).ok()?;
+        if bits > 2 && bits.saturating_mul(exponent.into()) > 4096 {
+            return None;
+        }
+        Some(Number::from_big(num_traits::pow(base, exponent as usize)))
+    }
+
+    /// The exact root of the given degree of a number that is not negative, if it is rational.
+    pub fn exact_root(&self, degree: u32) -> Option<Number> {
+        if self.is_negative() {
+            return None;
+        }
+        let big = self.to_big();
+        let (n, d) = (big.numer().nth_root(degree), big.denom().nth_root(degree));
+        let root = BigRational::new(n, d);
+        (num_traits::pow(root.clone(), degree as usize) == big).then(|| Number::from_big(root))
+    }
+
+    /// The largest number `g > 0` such that both are integer multiples of it; the magnitude of the other if
+    /// one is 0.
+    pub fn gcd(&self, other: &Number) -> Number {
+        use num_integer::Integer;
+        let (a, b) = (self.to_big(), other.to_big());
+        let numerator = (a.numer() * b.denom()).gcd(&(b.numer() * a.denom()));
+        if numerator.is_zero() {
+            return Number::ZERO;
+        }
+        Number::from_big(BigRational::new(numerator, a.denom() * b.denom()))
+    }
+}
+
+impl From<i64> for Number {
+    fn from(value: i64) -> Number {
+        Number(Repr::Small(value, 1))
+    }
+}
+
+impl Add for &Number {
+    type Output = Number;
+    fn add(self, other: &Number) -> Number {
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
+            let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
+            // |a d|, |c b| < 2^126, so the sum cannot overflow.
+            return Number::reduced(a * d + c * b, b * d);
+        }
+        Number::from_big(self.to_big() + other.to_big())
+    }
+}
+
+impl Mul for &Number {
+    type Output = Number;
+    fn mul(self, other: &Number) -> Number {
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
+            return Number::reduced(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
+        }
+        Number::from_big(self.to_big() * other.to_big())
+    }
+}
+
+impl Neg for &Number {
+    type Output = Number;
+    fn neg(self) -> Number {
+        self * &Number::MINUS_ONE
+    }
+}
+
+impl Sub for &Number {
+    type Output = Number;
+    fn sub(self, other: &Number) -> Number {
+        self + &-other
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Number) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Number {
+    fn cmp(&self, other: &Number) -> Ordering {
+        let difference = self - other;
+        match (difference.is_zero(), difference.is_negative()) {
+            (true, _) => Ordering::Equal,
+            (_, true) => Ordering::Less,
+            _ => Ordering::Greater,
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let value = self.to_big();
+        match value.denom().is_one() {
+            true => write!(f, "{}", value.numer()),
+            false => write!(f, "{}/{}", value.numer(), value.denom()),
+        }
+    }
+}
+
+impl fmt::Debug for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn n(text: &str) -> Number {
+        Number::parse_decimal(text).unwrap()
+    }
+
+    #[test]
+    fn decimal_literals_are_exact() {
+        assert_eq!(n("0.2"), Number::fraction(1, 5).unwrap());
+        assert_eq!(n("1.5e-3"), Number::fraction(3, 2000).unwrap());
+        assert_eq!(n("1_000"), Number::from(1000));
+        assert_eq!(n("6.02e23").to_string(), "602000000000000000000000");
+        assert_eq!(n("1e-300").to_f64(), 1e-300);
+        for bad in ["", ".", "1e999", "1e99999999999", "x", "1.2.3"] {
+            assert_eq!(Number::parse_decimal(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn representation_is_unique_across_the_word_limit() {
+        let large = Number::from(i64::MAX);
+        let larger = &large + &Number::ONE;
+        assert_eq!(&larger - &Number::ONE, large);
+        assert_eq!(&(&large * &large) * &(&large * &large).recip().unwrap(), Number::ONE);
+        assert_eq!((&Number::from(i64::MIN) * &Number::MINUS_ONE).to_string(), "9223372036854775808");
+    }
+
+    #[test]
+    fn powers_and_roots() {
+        assert_eq!(n("0.5").pow(-3), Some(Number::from(8)));
+        assert_eq!(Number::ZERO.pow(-1), None);
+        assert_eq!(n("10").pow(1_000_000), None);
+        assert_eq!(Number::MINUS_ONE.pow(1_000_001), Some(Number::MINUS_ONE));
+        assert_eq!(n("2.25").exact_root(2), Some(n("1.5")));
+        assert_eq!(n("2").exact_root(2), None);
+        assert_eq!(n("1.5").gcd(&n("2.5")), n("0.5"));
+    }
+}

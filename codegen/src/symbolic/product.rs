@@ -1,0 +1,132 @@
+//! Products in canonical form.
+//!
+//! `x^a x^b` become `x^(a+b)` only if both exponents are positive, or both negative, or x is never zero:
+//! `x^2/x` is not 0 at x = 0. Exponents in a product are integers; fractional powers are atoms.
+
+use super::{Expr, Graph, Node, Number};
+
+impl Graph {
+    /// The product of any number of factors; 1 for none.
+    pub fn product(&mut self, factors: &[Expr]) -> Expr {
+        let powers: Vec<_> = factors.iter().map(|factor| (*factor, 1)).collect();
+        self.product_of_powers(&powers)
+    }
+
+    /// `a * b`.
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        self.product(&[a, b])
+    }
+
+    /// `a / b`. Division by the number 0 stays in the expression, and evaluates as it does in `f64`.
+    pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
+        self.product_of_powers(&[(a, 1), (b, -1)])
+    }
+
+    /// The product of integer powers.
+    pub(super) fn product_of_powers(&mut self, powers: &[(Expr, i64)]) -> Expr {
+        let mut coefficient = Number::ONE;
+        let mut factors = Vec::with_capacity(powers.len());
+        for (base, exponent) in powers {
+            self.collect_factors(*base, *exponent, &mut coefficient, &mut factors);
+        }
+        if coefficient.is_zero() {
+            return self.zero();
+        }
+        let factors = self.merge_factors(factors);
+        self.canonical_product(coefficient, factors)
+    }
+
+    /// Splits `base^exponent` into a number and powers of atoms.
+    fn collect_factors(&mut self, base: Expr, exponent: i64, coefficient: &mut Number, factors: &mut Vec<(Expr, i64)>) {
+        if exponent == 0 {
+            return;
+        }
+        match self.node(base).clone() {
+            Node::Number(value) => match value.pow(exponent) {
+                Some(value) => *coefficient = &*coefficient * &value,
+                None => factors.push((base, exponent)),
+            },
+            Node::Product { coefficient: inner, factors: inner_factors } => {
+                let folds = inner.pow(exponent).filter(|_| self.may_distribute(&inner_factors, exponent));
+                let scaled: Option<Vec<_>> =
+                    inner_factors.iter().map(|(b, e)| Some((*b, e.checked_mul(exponent)?))).collect();
+                match (folds, scaled) {
+                    (Some(value), Some(scaled)) => {
+                        *coefficient = &*coefficient * &value;
+                        factors.extend(scaled);
+                    }
+                    _ => factors.push((base, exponent)),
+                }
+            }
+            Node::Sum { .. } => {
+                let (content, primitive) = self.split_content(base);
+                match content.pow(exponent) {
+                    Some(value) => {
+                        *coefficient = &*coefficient * &value;
+                        factors.push((primitive, exponent));
+                    }
+                    None => factors.push((base, exponent)),
+                }
+            }
+            _ => factors.push((base, exponent)),
+        }
+    }
+
+    /// Whether `(x^a y^b ..)^exponent` is `x^(a exponent) y^(b exponent) ..` everywhere: raising to a
+    /// negative power turns a pole into a zero, which 0 * infinity would not.
+    fn may_distribute(&self, factors: &[(Expr, i64)], exponent: i64) -> bool {
+        exponent > 0 || factors.iter().all(|(base, e)| *e > 0 || self.facts(*base).nonzero)
+    }
+
+    /// A sum as a number times a sum with coprime integer coefficients, the first one positive.
+    fn split_content(&mut self, sum: Expr) -> (Number, Expr) {
+        let Node::Sum { constant, terms } = self.node(sum).clone() else {
+            return (Number::ONE, sum);
+        };
+        let mut content = terms.iter().fold(constant.abs(), |gcd, (_, c)| gcd.gcd(c)).abs();
+        if terms.first().is_some_and(|(_, c)| c.is_negative()) {
+            content = -&content;
+        }
+        match content.recip() {
+            Some(inverse) if !content.is_one() => {
+                let primitive = Node::Sum {
+                    constant: &constant * &inverse,
+                    terms: terms.iter().map(|(term, c)| (*term, c * &inverse)).collect(),
+                };
+                (content, self.intern(primitive))
+            }
+            _ => (Number::ONE, sum),
+        }
+    }
+
+    /// Merges powers of equal bases where that is sound, and sorts.
+    fn merge_factors(&self, mut factors: Vec<(Expr, i64)>) -> Vec<(Expr, i64)> {
+        // Positive before negative, so that neighbours of equal base and sign merge in one pass.
+        factors.sort_by_key(|(base, exponent)| (*base, *exponent < 0));
+        let mut merged: Vec<(Expr, i64)> = Vec::with_capacity(factors.len());
+        for (base, exponent) in factors {
+            if let Some((last, sum)) = merged.last_mut()
+                && *last == base
+                && ((*sum > 0) == (exponent > 0) || self.facts(base).nonzero)
+                && let Some(total) = sum.checked_add(exponent)
+            {
+                *sum = total;
+                continue;
+            }
+            merged.push((base, exponent));
+        }
+        merged.retain(|(_, exponent)| *exponent != 0);
+        merged
+    }
+
+    /// The node for a coefficient and factors already merged and sorted.
+    pub(super) fn canonical_product(&mut self, coefficient: Number, factors: Vec<(Expr, i64)>) -> Expr {
+        match factors.as_slice() {
+            [] => self.number(coefficient),
+            [(base, 1)] if coefficient.is_one() => *base,
+            // A number distributes over a sum, so that a - (a + b) is seen to be -b.
+            [(base, 1)] if matches!(self.node(*base), Node::Sum { .. }) => self.scale(&coefficient, *base),
+            _ => self.intern(Node::Product { coefficient, factors: factors.into() }),
+        }
+    }
+}
