@@ -1,2 +1,4 @@
 //! Mechanism declarations to Rust kernels.
+pub mod dsl;
+pub mod nearest;
 pub mod symbolic;

@@ -22,7 +22,8 @@ impl Facts {
             Node::Sum { constant, terms } => {
                 let nonnegative = !constant.is_negative()
                     && terms.iter().all(|(term, c)| !c.is_negative() && graph.facts(*term).nonnegative);
-                let one_positive = *constant > Number::ZERO || terms.iter().any(|(term, _)| graph.facts(*term) == POSITIVE);
+                let one_positive =
+                    *constant > Number::ZERO || terms.iter().any(|(term, _)| graph.facts(*term) == POSITIVE);
                 Facts { nonnegative, nonzero: nonnegative && one_positive }
             }
             Node::Product { coefficient, factors } => Facts {

@@ -105,7 +105,13 @@ impl Graph {
             (_, value) if value.is_zero() => function.at_zero()?.into(),
             (Function::Ln, value) if value.is_one() => Number::ZERO,
             (Function::Abs, value) => value.abs(),
-            (Function::Sign, _) => if facts.nonnegative { Number::ONE } else { Number::MINUS_ONE },
+            (Function::Sign, _) => {
+                if facts.nonnegative {
+                    Number::ONE
+                } else {
+                    Number::MINUS_ONE
+                }
+            }
             _ => return None,
         };
         Some(self.number(value))

@@ -1,0 +1,15 @@
+//! Stage 1: text to parsed declaration, with the place of every word kept.
+
+mod block;
+mod expression;
+mod parse;
+mod region;
+mod source;
+mod tree;
+mod unit;
+
+pub use parse::{Head, parse, parse_head};
+pub use region::Region;
+pub use source::source_text;
+pub use tree::*;
+pub use unit::parse_unit;

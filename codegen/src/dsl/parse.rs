@@ -1,0 +1,175 @@
+//! The frame of a declaration: its head and its blocks. A mistake in one line does not hide the next.
+
+use super::block;
+use super::*;
+use proc_macro2::{TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Ident, Token, Visibility};
+
+const BLOCKS: [&str; 9] =
+    ["coordinates", "parameters", "bodies", "loads", "constraints", "initial", "events", "outputs", "drawing"];
+
+/// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
+#[derive(Clone)]
+pub struct Head {
+    /// Documentation, one line each.
+    pub docs: String,
+    /// `pub` and its like.
+    pub visibility: Visibility,
+    /// The type's name.
+    pub name: Ident,
+}
+
+/// Reads only the head.
+///
+/// # Errors
+/// Where the head itself is not `/// docs  pub Name;`.
+pub fn parse_head(tokens: TokenStream) -> Result<Head> {
+    let parser = |input: ParseStream| {
+        let head = head(input)?;
+        input.parse::<TokenStream>()?;
+        Ok(head)
+    };
+    parser.parse2(tokens)
+}
+
+/// Reads a whole declaration.
+///
+/// # Errors
+/// All mistakes of form, each at the user's own word, combined into one error.
+pub fn parse(tokens: TokenStream) -> Result<Declaration> {
+    declaration.parse2(tokens)
+}
+
+fn head(input: ParseStream) -> Result<Head> {
+    const FORM: &str = "a declaration starts with the mechanism's name: `pub QuickReturn;`";
+    let docs = block::docs(input)?;
+    let visibility: Visibility = input.parse()?;
+    let name = block::name(input, FORM).map_err(|e| syn::Error::new(e.span(), FORM))?;
+    if input.parse::<Option<Token![;]>>()?.is_none() {
+        return Err(input.error(FORM));
+    }
+    Ok(Head { docs, visibility, name })
+}
+
+fn declaration(input: ParseStream) -> Result<Declaration> {
+    let mut declaration = Declaration {
+        head: head(input)?,
+        coordinates: vec![],
+        parameters: vec![],
+        lets: vec![],
+        bodies: vec![],
+        loads: vec![],
+        constraints: vec![],
+        initial: vec![],
+        events: vec![],
+        outputs: vec![],
+        drawing: vec![],
+    };
+    let mut mistakes = Mistakes::default();
+    while !input.is_empty() {
+        if let Err(mistake) = item(input, &mut declaration, &mut mistakes) {
+            mistakes.add(mistake);
+            skip_line(input)?;
+        }
+    }
+    mistakes.or(declaration)
+}
+
+/// One `let` or one block.
+fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistakes) -> Result<()> {
+    block::docs(input)?;
+    if input.peek(Token![let]) {
+        declaration.lets.push(ended(block::definition)(input)?);
+        return Ok(());
+    }
+    let list = BLOCKS.map(|word| format!("`{word}`")).join(", ");
+    let word =
+        Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {list}")))?;
+    if !BLOCKS.iter().any(|block| word == block) {
+        let near = crate::nearest::suggestion(&word.to_string(), BLOCKS.iter().copied());
+        return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {list}")));
+    }
+    if !input.peek(syn::token::Brace) {
+        return Err(input.error(format!("expected `{{`: `{word} {{ .. }}`")));
+    }
+    let content;
+    syn::braced!(content in input);
+    let d = declaration;
+    match word.to_string().as_str() {
+        "coordinates" => mistakes.keep(lines(&content, ended(block::coordinate)), &mut d.coordinates),
+        "parameters" => mistakes.keep(lines(&content, ended(block::parameter)), &mut d.parameters),
+        "bodies" => mistakes.keep(lines(&content, ended(block::body)), &mut d.bodies),
+        "loads" => mistakes.keep(lines(&content, ended(block::load)), &mut d.loads),
+        "constraints" => mistakes.keep(lines(&content, ended(block::equation)), &mut d.constraints),
+        "initial" => mistakes.keep(lines(&content, ended(block::initial)), &mut d.initial),
+        "events" => mistakes.keep(lines(&content, ended(block::equation)), &mut d.events),
+        "outputs" => mistakes.keep(lines(&content, block::output_group), &mut d.outputs),
+        _ => mistakes.keep(lines(&content, ended(block::shape)), &mut d.drawing),
+    }
+    Ok(())
+}
+
+/// The lines of a block. All of their mistakes come together.
+pub(super) fn lines<T>(content: ParseStream, parse: impl Fn(ParseStream) -> Result<T>) -> Result<Vec<T>> {
+    let mut parsed = Vec::new();
+    let mut mistakes = Mistakes::default();
+    while !content.is_empty() {
+        match parse(content) {
+            Ok(item) => parsed.push(item),
+            Err(mistake) => {
+                mistakes.add(mistake);
+                skip_line(content)?;
+            }
+        }
+    }
+    mistakes.or(parsed)
+}
+
+/// An item and the `;` after it.
+pub(super) fn ended<T>(parse: impl Fn(ParseStream) -> Result<T>) -> impl Fn(ParseStream) -> Result<T> {
+    move |input| {
+        let item = parse(input)?;
+        match input.parse::<Option<Token![;]>>()? {
+            Some(_) => Ok(item),
+            None => Err(input.error("expected `;` at the end of this line")),
+        }
+    }
+}
+
+/// Drops tokens up to and including the next `;` or block.
+fn skip_line(input: ParseStream) -> Result<()> {
+    while !input.is_empty() {
+        match input.parse::<TokenTree>()? {
+            TokenTree::Punct(punct) if punct.as_char() == ';' => break,
+            TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => break,
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Mistakes collected so far.
+#[derive(Default)]
+struct Mistakes(Option<syn::Error>);
+
+impl Mistakes {
+    fn add(&mut self, mistake: syn::Error) {
+        match &mut self.0 {
+            Some(all) => all.combine(mistake),
+            None => self.0 = Some(mistake),
+        }
+    }
+
+    fn keep<T>(&mut self, parsed: Result<Vec<T>>, into: &mut Vec<T>) {
+        match parsed {
+            Ok(items) => into.extend(items),
+            Err(mistake) => self.add(mistake),
+        }
+    }
+
+    fn or<T>(self, value: T) -> Result<T> {
+        self.0.map_or(Ok(value), Err)
+    }
+}

@@ -1,0 +1,227 @@
+//! The parsed declaration: what the user wrote, and where.
+
+use super::Region;
+use syn::Ident;
+
+/// A whole `mechanism! { .. }`.
+pub struct Declaration {
+    /// Documentation, visibility and name.
+    pub head: super::Head,
+    /// `coordinates { .. }`
+    pub coordinates: Vec<Coordinate>,
+    /// `parameters { .. }`
+    pub parameters: Vec<Parameter>,
+    /// `let name = expression;`, in order.
+    pub lets: Vec<Let>,
+    /// `bodies { .. }`
+    pub bodies: Vec<Body>,
+    /// `loads { .. }`
+    pub loads: Vec<Load>,
+    /// `constraints { .. }`: each holds throughout the motion.
+    pub constraints: Vec<Equation>,
+    /// `initial { .. }`
+    pub initial: Vec<Initial>,
+    /// `events { .. }`: each marks the times at which it comes to hold.
+    pub events: Vec<Equation>,
+    /// `outputs { .. }`; outputs that stand alone form a group of their own.
+    pub outputs: Vec<OutputGroup>,
+    /// `drawing { .. }`
+    pub drawing: Vec<Shape>,
+}
+
+/// `alpha [rad];`
+pub struct Coordinate {
+    /// Documentation, one line each.
+    pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `m3 [kg] = 0.5;`
+pub struct Parameter {
+    /// Documentation.
+    pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// Its unit, in which a plain number is read.
+    pub unit: Option<Unit>,
+    /// Its default.
+    pub value: Expression,
+}
+
+/// `let A = O2 + O2A*[cos(alpha), sin(alpha)];`
+pub struct Let {
+    /// The name it gives.
+    pub name: Ident,
+    /// What it names.
+    pub value: Expression,
+}
+
+/// `rocker4: mass m4 at G4, inertia J4, angle beta;`
+pub struct Body {
+    /// Its name.
+    pub name: Ident,
+    /// `mass m at P`, the position absent only by mistake.
+    pub mass: Option<(Expression, Option<Expression>)>,
+    /// `inertia J`
+    pub inertia: Option<Expression>,
+    /// `angle phi`
+    pub angle: Option<Expression>,
+}
+
+/// One line of `loads`.
+pub enum Load {
+    /// `force [F, 0] at C;`
+    Force {
+        /// The force vector.
+        force: Expression,
+        /// The point it acts at.
+        point: Expression,
+    },
+    /// `torque T on crank2;`
+    Torque {
+        /// The moment, positive as the body's angle.
+        moment: Expression,
+        /// The body's name.
+        body: Ident,
+    },
+    /// `gravity [0, -9.81];`
+    Gravity {
+        /// The word `gravity`.
+        keyword: Region,
+        /// The acceleration of free fall.
+        acceleration: Expression,
+    },
+}
+
+/// `slot: left = right;`
+pub struct Equation {
+    /// Its name.
+    pub name: Ident,
+    /// What stands left.
+    pub left: Expression,
+    /// What stands right.
+    pub right: Expression,
+}
+
+/// One line of `initial`.
+pub struct Initial {
+    /// The coordinate it speaks of.
+    pub coordinate: Ident,
+    /// What it says of it.
+    pub kind: InitialKind,
+    /// The value.
+    pub value: Expression,
+}
+
+/// What a line of `initial` fixes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum InitialKind {
+    /// `alpha = 0;` the coordinate itself.
+    Position,
+    /// `dot(alpha) = 75 [rpm];` its speed.
+    Speed,
+    /// `guess gamma = 2.6;` where assembly starts to look.
+    Guess,
+}
+
+/// Outputs that belong in one figure.
+pub struct OutputGroup {
+    /// The group's name; `None` for an output that stands alone.
+    pub name: Option<Ident>,
+    /// What to print above the figure.
+    pub title: Option<String>,
+    /// Its outputs.
+    pub outputs: Vec<Output>,
+}
+
+/// `x6 [m] = C.x;`
+pub struct Output {
+    /// Documentation.
+    pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// The unit it is reported in.
+    pub unit: Option<Unit>,
+    /// What it is.
+    pub value: Expression,
+}
+
+/// One line of `drawing`.
+pub enum Shape {
+    /// `line O4, B, C;`
+    Line(Vec<Expression>),
+    /// `slider A along beta;`
+    Slider {
+        /// Its centre.
+        at: Expression,
+        /// The angle of its guide.
+        along: Expression,
+    },
+    /// `ground O2, O4;`
+    Ground(Vec<Expression>),
+    /// `point G4, G5;`
+    Points(Vec<Expression>),
+    /// `circle O2 radius r;`
+    Circle {
+        /// Its centre.
+        at: Expression,
+        /// Its radius.
+        radius: Expression,
+    },
+}
+
+/// A scalar or vector expression.
+pub struct Expression {
+    /// Where it stands.
+    pub region: Region,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// What an expression is.
+pub enum Kind {
+    /// `0.2` or `75 [rpm]`
+    Number {
+        /// The decimal literal, as written.
+        literal: String,
+        /// Its unit.
+        unit: Option<Unit>,
+    },
+    /// `alpha`
+    Name(Ident),
+    /// `[x, y]`
+    Vector(Vec<Expression>),
+    /// `-x`
+    Negate(Box<Expression>),
+    /// `a + b` and its like
+    Binary(Operator, Box<Expression>, Box<Expression>),
+    /// `sin(x)`
+    Call(Ident, Vec<Expression>),
+    /// `C.y`
+    Component(Box<Expression>, Ident),
+}
+
+/// An operation on two operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+/// `[kg*m^2]`
+#[derive(Clone)]
+pub struct Unit {
+    /// Where it stands.
+    pub region: Region,
+    /// Names with their exponents, in order.
+    pub factors: Vec<(Ident, i32)>,
+    /// As written, without spaces.
+    pub text: String,
+}
