@@ -1,4 +1,52 @@
-//! Mechanism declarations to Rust kernels.
+//! Mechanism declarations to specialised Rust kernels.
+//!
+//! [`generate`] is the whole path, and its body names the stages: the macro, the command and the tests all call
+//! it. The folder list is the data flow, and no stage imports a later one; [`symbolic`] serves them all and
+//! knows no mechanics; [`oracle`] shares nothing with what it checks.
+
 pub mod dsl;
+pub mod dynamics;
+pub mod emit;
+pub mod mistakes;
+pub mod model;
 pub mod nearest;
+pub mod program;
 pub mod symbolic;
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+/// A declaration's tokens to the Rust items of the mechanism. `path` is where `sim_kernel` is found.
+///
+/// # Errors
+/// All mistakes of the first stage that finds any, each at the user's own word.
+pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
+    let declaration = dsl::parse(tokens.clone())?;
+    let model = model::resolve(&declaration)?;
+    let mut equations = dynamics::derive(model);
+    let program = program::plan(&mut equations);
+    let text = dsl::source_text(tokens);
+    Ok(emit::emit(&declaration.head, &text, &equations, &program, path))
+}
+
+/// The equations of motion of a declaration, as far as the symbols go.
+///
+/// # Errors
+/// As [`generate`].
+pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion> {
+    Ok(dynamics::derive(model::resolve(&dsl::parse(tokens)?)?))
+}
+
+/// What the procedural macro does: `path; declaration` to items, or to the mistakes and a stand-in.
+pub fn expand(input: TokenStream) -> TokenStream {
+    let mut tokens = input.into_iter();
+    let is_semicolon = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
+    let path: TokenStream = tokens.by_ref().take_while(|token| !is_semicolon(token)).collect();
+    let declaration: TokenStream = tokens.collect();
+    generate(declaration.clone(), &path).unwrap_or_else(|mistakes| {
+        let mistakes = mistakes.to_compile_error();
+        let stub = dsl::parse_head(declaration).map(|head| emit::stub(&head, &path)).ok();
+        let stub = stub.map(ToTokens::into_token_stream);
+        quote! { #mistakes #stub }
+    })
+}

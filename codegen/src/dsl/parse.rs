@@ -2,6 +2,7 @@
 
 use super::block;
 use super::*;
+use crate::mistakes::Mistakes;
 use proc_macro2::{TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
@@ -98,15 +99,21 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
     syn::braced!(content in input);
     let d = declaration;
     match word.to_string().as_str() {
-        "coordinates" => mistakes.keep(lines(&content, ended(block::coordinate)), &mut d.coordinates),
-        "parameters" => mistakes.keep(lines(&content, ended(block::parameter)), &mut d.parameters),
-        "bodies" => mistakes.keep(lines(&content, ended(block::body)), &mut d.bodies),
-        "loads" => mistakes.keep(lines(&content, ended(block::load)), &mut d.loads),
-        "constraints" => mistakes.keep(lines(&content, ended(block::equation)), &mut d.constraints),
-        "initial" => mistakes.keep(lines(&content, ended(block::initial)), &mut d.initial),
-        "events" => mistakes.keep(lines(&content, ended(block::equation)), &mut d.events),
-        "outputs" => mistakes.keep(lines(&content, block::output_group), &mut d.outputs),
-        _ => mistakes.keep(lines(&content, ended(block::shape)), &mut d.drawing),
+        "coordinates" => {
+            d.coordinates.extend(mistakes.note(lines(&content, ended(block::coordinate))).into_iter().flatten())
+        }
+        "parameters" => {
+            d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
+        }
+        "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
+        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(block::load))).into_iter().flatten()),
+        "constraints" => {
+            d.constraints.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten())
+        }
+        "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
+        "events" => d.events.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten()),
+        "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
     Ok(())
 }
@@ -148,28 +155,4 @@ fn skip_line(input: ParseStream) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Mistakes collected so far.
-#[derive(Default)]
-struct Mistakes(Option<syn::Error>);
-
-impl Mistakes {
-    fn add(&mut self, mistake: syn::Error) {
-        match &mut self.0 {
-            Some(all) => all.combine(mistake),
-            None => self.0 = Some(mistake),
-        }
-    }
-
-    fn keep<T>(&mut self, parsed: Result<Vec<T>>, into: &mut Vec<T>) {
-        match parsed {
-            Ok(items) => into.extend(items),
-            Err(mistake) => self.add(mistake),
-        }
-    }
-
-    fn or<T>(self, value: T) -> Result<T> {
-        self.0.map_or(Ok(value), Err)
-    }
 }

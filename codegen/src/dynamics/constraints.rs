@@ -1,0 +1,62 @@
+//! Constraints with the derivatives that the equations of motion and the projection need.
+
+use super::{Derivatives, inner};
+use crate::model::Model;
+use crate::symbolic::{Expr, Function, Node, Number};
+
+/// m constraint rows C(q, t) = 0.
+pub struct Constraints {
+    /// C, m.
+    pub values: Vec<Expr>,
+    /// The sum of the magnitudes of the terms of C, m: what rounding in C is relative to.
+    pub magnitudes: Vec<Expr>,
+    /// C_q, m x n.
+    pub jacobian: Vec<Vec<Expr>>,
+    /// C_t, m.
+    pub time_derivative: Vec<Expr>,
+    /// (C_q q' + C_t)_q q' + (..)_t, m: the part of C'' without accelerations.
+    pub convective: Vec<Expr>,
+}
+
+impl Constraints {
+    pub(super) fn derive(model: &mut Model, derivatives: &mut Derivatives) -> Constraints {
+        let values: Vec<Expr> = model.constraints.iter().map(|constraint| constraint.value).collect();
+        let speeds = model.speeds();
+        let mut constraints = Constraints {
+            values: values.clone(),
+            magnitudes: vec![],
+            jacobian: vec![],
+            time_derivative: vec![],
+            convective: vec![],
+        };
+        for value in values {
+            let gradient = derivatives.gradient(model, value);
+            let by_time = derivatives.by_time(model, value);
+            let moving = inner(model, &gradient, &speeds);
+            let rate = model.graph.add(moving, by_time);
+            constraints.convective.push(derivatives.convective(model, rate));
+            constraints.magnitudes.push(magnitude(model, value));
+            constraints.jacobian.push(gradient);
+            constraints.time_derivative.push(by_time);
+        }
+        constraints
+    }
+}
+
+/// The sum of the absolute values of an expression's terms.
+fn magnitude(model: &mut Model, value: Expr) -> Expr {
+    let graph = &mut model.graph;
+    let (constant, terms) = match graph.node(value).clone() {
+        Node::Sum { constant, terms } => (constant, terms.into_vec()),
+        _ => (Number::ZERO, vec![(value, Number::ONE)]),
+    };
+    let mut sizes: Vec<Expr> = terms
+        .into_iter()
+        .map(|(term, coefficient)| {
+            let size = graph.call(Function::Abs, term);
+            graph.scale(&coefficient.abs(), size)
+        })
+        .collect();
+    sizes.push(graph.number(constant.abs()));
+    graph.sum(&sizes)
+}

@@ -1,0 +1,36 @@
+//! Kinetic energy, and the power that changes it.
+
+use super::{Constraints, Tmt, inner};
+use crate::model::Model;
+use crate::symbolic::{Expr, Number};
+
+/// Kinetic energy minus the time integral of the power is constant, whatever the loads.
+pub struct Energy {
+    /// v' M v / 2.
+    pub kinetic: Expr,
+    /// F' v + lambda' C_t + T_t' (M x'' - F): the power of the loads, and of the drives that explicit time
+    /// stands for. Depends on accelerations and multipliers only if time is explicit.
+    pub power: Expr,
+}
+
+impl Energy {
+    pub(super) fn derive(model: &mut Model, tmt: &Tmt, constraints: &Constraints) -> Energy {
+        let (mut twice_kinetic, mut power) = (Vec::new(), Vec::new());
+        let accelerations = model.accelerations();
+        for row in &tmt.rows {
+            let squared = model.graph.mul(row.velocity, row.velocity);
+            twice_kinetic.push(model.graph.mul(row.inertia, squared));
+            power.push(model.graph.mul(row.force, row.velocity));
+            let moving = inner(model, &row.jacobian, &accelerations);
+            let acceleration = model.graph.add(moving, row.convective);
+            let inertia_force = model.graph.mul(row.inertia, acceleration);
+            let drive = model.graph.sub(inertia_force, row.force);
+            power.push(model.graph.mul(row.time_derivative, drive));
+        }
+        let multipliers = model.multipliers();
+        power.push(inner(model, &multipliers, &constraints.time_derivative));
+        let twice = model.graph.sum(&twice_kinetic);
+        let half = Number::fraction(1, 2).unwrap_or(Number::ONE);
+        Energy { kinetic: model.graph.scale(&half, twice), power: model.graph.sum(&power) }
+    }
+}

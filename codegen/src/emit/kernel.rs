@@ -1,0 +1,170 @@
+//! Each program as a function of the mechanism.
+
+use super::record::record_type;
+use super::tree::{receiver, tree};
+use super::{ident, size, types};
+use crate::model::Model;
+use crate::program::{Arguments, Kernel, Program, Results, Statement, Tree};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, format_ident, quote};
+
+/// All kernels, as methods.
+pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
+    let name = ident(&model.name);
+    let functions = program.kernels.iter().map(|kernel| function(model, kernel, path));
+    quote! {
+        #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+        impl<S: #path::Scalar> #name<S> { #(#functions)* }
+    }
+}
+
+fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    let name = format_ident!("{}", kernel.name);
+    let docs = format!("{}\n\nOperations: {}.", kernel.docs, kernel.operations);
+    let docs = docs.lines().map(|line| format!(" {line}"));
+    let arguments = arguments(model, kernel.arguments);
+    let returns = returns(model, kernel, path);
+    let entries = entries(kernel);
+    let statements = kernel.statements.iter().map(statement);
+    let results = results(model, kernel, path);
+    quote! {
+        #(#[doc = #docs])*
+        #[inline]
+        pub fn #name(&self #(, #arguments)*) -> #returns {
+            #entries
+            #(#statements)*
+            #results
+        }
+    }
+}
+
+/// `t: S, q: &[S; n], ..`
+pub(super) fn arguments(model: &Model, arguments: Arguments) -> Vec<TokenStream> {
+    let (n, m) = (size(model.coordinates.len()), size(model.constraints.len()));
+    let mut list = Vec::new();
+    if arguments >= Arguments::Positions {
+        list.extend([quote! { t: S }, quote! { q: &[S; #n] }]);
+    }
+    if arguments >= Arguments::Speeds {
+        list.push(quote! { qd: &[S; #n] });
+    }
+    if arguments >= Arguments::Accelerations {
+        list.push(quote! { qdd: &[S; #n] });
+    }
+    if arguments >= Arguments::Multipliers {
+        list.push(quote! { lambda: &[S; #m] });
+    }
+    list
+}
+
+/// Names for the entries of the arguments.
+fn entries(kernel: &Kernel) -> TokenStream {
+    let e = &kernel.entries;
+    let levels = [("q", &e.positions), ("qd", &e.speeds), ("qdd", &e.accelerations), ("lambda", &e.multipliers)];
+    let bindings = levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(array, names)| {
+        let array = ident(array);
+        let names = names.iter().map(|name| match name {
+            Some(name) => ident(name).into_token_stream(),
+            None => quote! { _ },
+        });
+        quote! { let [#(#names),*] = *#array; }
+    });
+    quote! { #(#bindings)* }
+}
+
+fn statement(statement: &Statement) -> TokenStream {
+    match statement {
+        Statement::Let { name, value } => {
+            let (name, value) = (ident(name), tree(value));
+            quote! { let #name = #value; }
+        }
+        Statement::SinCos { sin, cos, argument } => {
+            let (sin, cos) = (ident(sin), ident(cos));
+            let argument = receiver(argument);
+            quote! { let (#sin, #cos) = #argument.sin_cos(); }
+        }
+    }
+}
+
+fn vector(trees: &[Tree]) -> TokenStream {
+    let entries = trees.iter().map(tree);
+    quote! { [#(#entries),*] }
+}
+
+fn matrix(rows: &[Vec<Tree>]) -> TokenStream {
+    let rows = rows.iter().map(|row| vector(row));
+    quote! { [#(#rows),*] }
+}
+
+fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    let (n, m) = (size(model.coordinates.len()), size(model.constraints.len()));
+    match &kernel.results {
+        Results::Scalar(_) => quote! { S },
+        Results::Vector(entries) => match record_of(model, kernel) {
+            Some(record) => record_type(&record, entries.len()),
+            None => {
+                let len = size(entries.len());
+                quote! { [S; #len] }
+            }
+        },
+        Results::Matrix(rows) => {
+            let rows = size(rows.len());
+            quote! { [[S; #n]; #rows] }
+        }
+        Results::Linearization(..) => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
+        Results::Initial(..) => quote! { #path::Initial<[S; #n]> },
+        Results::Dynamics { .. } => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
+    }
+}
+
+/// The struct that a kernel returns instead of an array.
+pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<proc_macro2::Ident> {
+    match kernel.name {
+        "outputs" => Some(types::outputs_name(model)),
+        "output_rates" => Some(types::output_rates_name(model)),
+        _ => None,
+    }
+}
+
+fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    match &kernel.results {
+        Results::Scalar(value) => tree(value),
+        Results::Vector(entries) => {
+            let array = vector(entries);
+            let named = record_of(model, kernel).is_some() && !entries.is_empty();
+            if named {
+                quote! { #array.into() }
+            } else {
+                array
+            }
+        }
+        Results::Matrix(rows) => matrix(rows),
+        Results::Linearization(values, jacobian, rates) => {
+            let (values, jacobian, rates) = (vector(values), matrix(jacobian), vector(rates));
+            quote! { #path::ConstraintLinearization { values: #values, jacobian: #jacobian, time_derivative: #rates } }
+        }
+        Results::Initial(positions, speeds) => {
+            let (positions, speeds) = (vector(positions), vector(speeds));
+            quote! { #path::Initial { positions: #positions, speeds: #speeds } }
+        }
+        Results::Dynamics { accelerations, multipliers, power, pivots } => {
+            let (accelerations, multipliers, power) = (vector(accelerations), vector(multipliers), tree(power));
+            let refused = refused(pivots.as_deref(), path);
+            quote! {
+                let refused = #refused;
+                #path::Dynamics { accelerations: #accelerations, multipliers: #multipliers, power: #power, refused }
+            }
+        }
+    }
+}
+
+fn refused(pivots: Option<&[(Tree, Tree)]>, path: &TokenStream) -> TokenStream {
+    let Some(pivots) = pivots else {
+        return quote! { S::not(<S::Mask as #path::Mask>::NONE) };
+    };
+    let checks = pivots.iter().map(|(pivot, terms)| {
+        let (pivot, terms) = (tree(pivot), tree(terms));
+        quote! { #path::pivot_is_refused(#pivot, #terms) }
+    });
+    quote! { #(#checks)|* }
+}

@@ -1,0 +1,60 @@
+//! Stage 5: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
+//! the same programs.
+
+mod description;
+mod format;
+mod kernel;
+mod record;
+mod stub;
+mod tree;
+mod types;
+
+pub use format::format;
+pub use stub::stub;
+
+use crate::dsl::Head;
+use crate::dynamics::EquationsOfMotion;
+use crate::program::Program;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+/// Everything a mechanism is made of in Rust: its type with its parameters, named coordinates and outputs, its
+/// kernels, and the impl of the runtime's trait. `path` is where `sim_kernel` is found.
+pub fn emit(
+    head: &Head,
+    declaration: &str,
+    equations: &EquationsOfMotion,
+    program: &Program,
+    path: &TokenStream,
+) -> TokenStream {
+    let types = types::types(head, &equations.model, path);
+    let kernels = kernel::kernels(&equations.model, program, path);
+    let mechanism = types::mechanism_impl(&equations.model, program, declaration, path);
+    quote! { #types #kernels #mechanism }
+}
+
+/// A name of the user's, raw where it is a keyword.
+fn ident(name: &str) -> Ident {
+    syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
+}
+
+/// A size, without a suffix.
+fn size(value: usize) -> Literal {
+    Literal::usize_unsuffixed(value)
+}
+
+/// `QuickReturn` to `quick-return`.
+fn kebab_case(name: &str) -> String {
+    let mut out = String::new();
+    let letters: Vec<char> = name.chars().collect();
+    for (i, letter) in letters.iter().enumerate() {
+        let after_small = i > 0 && (letters[i - 1].is_lowercase() || letters[i - 1].is_ascii_digit());
+        let before_small =
+            i > 0 && letters[i - 1].is_uppercase() && letters.get(i + 1).is_some_and(|c| c.is_lowercase());
+        if letter.is_uppercase() && (after_small || before_small) {
+            out.push('-');
+        }
+        out.extend(if *letter == '_' { vec!['-'] } else { letter.to_lowercase().collect() });
+    }
+    out
+}

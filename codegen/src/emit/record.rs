@@ -1,0 +1,49 @@
+//! Structs with a field for each entry of a vector.
+
+use super::{ident, size};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use syn::Visibility;
+
+/// A struct of scalars that converts from and to an array. Nothing for no fields.
+pub(super) fn record(
+    visibility: &Visibility,
+    name: &Ident,
+    docs: &str,
+    fields: &[(String, String)],
+    path: &TokenStream,
+) -> TokenStream {
+    if fields.is_empty() {
+        return TokenStream::new();
+    }
+    let (names, field_docs): (Vec<_>, Vec<_>) = fields.iter().map(|(name, docs)| (ident(name), docs)).unzip();
+    let n = size(names.len());
+    quote! {
+        #[doc = #docs]
+        #[allow(non_snake_case)]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #visibility struct #name<S = f64> { #(#[doc = #field_docs] pub #names: S,)* }
+
+        #[allow(non_snake_case)]
+        impl<S: #path::Scalar> From<[S; #n]> for #name<S> {
+            fn from([#(#names),*]: [S; #n]) -> Self {
+                Self { #(#names),* }
+            }
+        }
+
+        impl<S: #path::Scalar> From<#name<S>> for [S; #n] {
+            fn from(record: #name<S>) -> Self {
+                [#(record.#names),*]
+            }
+        }
+    }
+}
+
+/// The type of a vector that has a struct of its own if it has entries.
+pub(super) fn record_type(name: &Ident, len: usize) -> TokenStream {
+    if len == 0 {
+        quote! { [S; 0] }
+    } else {
+        quote! { #name<S> }
+    }
+}

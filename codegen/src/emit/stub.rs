@@ -1,0 +1,82 @@
+//! What stands in for a mechanism whose declaration has mistakes, so that each mistake shows once.
+
+use crate::dsl::Head;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The type and the trait's impl, of size zero, never to be run.
+pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
+    let Head { visibility, name, .. } = head;
+    let kernel = |name: &str, arguments: &[&str], returns: TokenStream| {
+        let name = super::ident(name);
+        let arguments = arguments.iter().map(|argument| {
+            let argument = super::ident(argument);
+            quote! { #argument: &[S; 0] }
+        });
+        quote! { fn #name(&self, t: S #(, #arguments)*) -> #returns { loop {} } }
+    };
+    let (vector, matrix) = (quote! { [S; 0] }, quote! { [[S; 0]; 0] });
+    let kernels = [
+        kernel("mass_matrix", &["q"], matrix.clone()),
+        kernel("convective_forces", &["q", "qd"], vector.clone()),
+        kernel("generalized_forces", &["q", "qd"], vector.clone()),
+        kernel("constraints", &["q"], vector.clone()),
+        kernel("constraint_magnitudes", &["q"], vector.clone()),
+        kernel("constraint_jacobian", &["q"], matrix),
+        kernel("constraint_time_derivative", &["q"], vector.clone()),
+        kernel("constraint_convective", &["q", "qd"], vector.clone()),
+        kernel("constraint_linearization", &["q"], quote! { #path::ConstraintLinearization<[S; 0], [[S; 0]; 0]> }),
+        kernel("kinetic_energy", &["q", "qd"], quote! { S }),
+        kernel("dynamics", &["q", "qd"], quote! { #path::Dynamics<S, [S; 0], [S; 0]> }),
+        kernel("power", &["q", "qd", "qdd", "lambda"], quote! { S }),
+        kernel("outputs", &["q", "qd", "qdd", "lambda"], vector.clone()),
+        kernel("output_rates", &["q", "qd", "qdd"], vector.clone()),
+        kernel("events", &["q", "qd"], vector.clone()),
+        kernel("drawing", &["q"], vector),
+    ];
+    quote! {
+        #[derive(Clone, Copy, Debug)]
+        #visibility struct #name<S = f64>(core::marker::PhantomData<S>);
+
+        impl<S: #path::Scalar> Default for #name<S> {
+            fn default() -> Self {
+                Self(core::marker::PhantomData)
+            }
+        }
+
+        #[allow(unused_variables, clippy::all)]
+        impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
+            type Q = [S; 0];
+            type L = [S; 0];
+            type Z = [S; 0];
+            type QQ = [[S; 0]; 0];
+            type LQ = [[S; 0]; 0];
+            type LL = [[S; 0]; 0];
+            type ZZ = [[S; 0]; 0];
+            type Parameters = [S; 0];
+            type Outputs = [S; 0];
+            type OutputRates = [S; 0];
+            type Events = [S; 0];
+            type Drawing = [S; 0];
+
+            const DESCRIPTION: #path::Description = #path::Description {
+                name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
+                events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
+            };
+
+            fn defaults() -> Self {
+                Self(core::marker::PhantomData)
+            }
+            fn parameters(&self) -> [S; 0] {
+                []
+            }
+            fn with_parameters(parameters: [S; 0]) -> Self {
+                Self(core::marker::PhantomData)
+            }
+            fn initial(&self) -> #path::Initial<[S; 0]> {
+                loop {}
+            }
+            #(#kernels)*
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The mechanism's type, its named vectors, and the impl of the runtime's trait.
+
+use super::description::description;
+use super::kernel::{arguments, record_of};
+use super::record::record;
+use super::{ident, size};
+use crate::dsl::Head;
+use crate::model::Model;
+use crate::program::{Arguments, Kernel, Program, Results};
+use crate::symbolic::{Expr, evaluate};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+pub(super) fn outputs_name(model: &Model) -> Ident {
+    format_ident!("{}Outputs", ident(&model.name))
+}
+
+pub(super) fn output_rates_name(model: &Model) -> Ident {
+    format_ident!("{}OutputRates", ident(&model.name))
+}
+
+/// The types that a user names.
+pub(super) fn types(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
+    let visibility = &head.visibility;
+    let mechanism = mechanism(head, model, path);
+    let name = &model.name;
+    let documented = |docs: &str, unit: &str| match docs {
+        "" => format!("In `{unit}`."),
+        _ => format!("{docs}\n\nIn `{unit}`."),
+    };
+    let coordinates: Vec<_> = model
+        .coordinates
+        .iter()
+        .map(|c| (c.name.clone(), documented(&c.docs, &c.unit.dimension().si_unit())))
+        .collect();
+    let outputs: Vec<_> =
+        model.outputs.iter().map(|o| (o.name.clone(), documented(&o.docs, &o.unit.dimension().si_unit()))).collect();
+    let rates: Vec<_> = rated_outputs(model)
+        .into_iter()
+        .map(|i| (model.outputs[i].name.clone(), format!("Rate of `{}`.", model.outputs[i].name)))
+        .collect();
+    let records = [
+        record(
+            visibility,
+            &format_ident!("{name}Coordinates"),
+            &format!("Coordinates of [`{name}`] by name, in SI units; also for their speeds and accelerations."),
+            &coordinates,
+            path,
+        ),
+        record(
+            visibility,
+            &outputs_name(model),
+            &format!("Outputs of [`{name}`] by name, in SI units."),
+            &outputs,
+            path,
+        ),
+        record(
+            visibility,
+            &output_rates_name(model),
+            &format!("Rates of the outputs of [`{name}`] by name, in SI units."),
+            &rates,
+            path,
+        ),
+    ];
+    quote! { #mechanism #(#records)* }
+}
+
+/// The outputs that have a rate.
+pub(super) fn rated_outputs(model: &Model) -> Vec<usize> {
+    use crate::model::Dependence;
+    let no_rate = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
+    let mut dependences = model.dependences.clone();
+    let has_rate = |i: &usize| !dependences.of(&model.graph, model.outputs[*i].value).meets(no_rate);
+    (0..model.outputs.len()).filter(has_rate).collect()
+}
+
+fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
+    let (visibility, name) = (&head.visibility, ident(&model.name));
+    let docs = model.docs.lines().map(|line| format!(" {line}"));
+    let fields = model.parameters.iter().map(|p| {
+        let (name, unit) = (ident(&p.name), p.unit.dimension().si_unit());
+        let docs = if p.docs.is_empty() { format!("In `{unit}`.") } else { format!("{}\n\nIn `{unit}`.", p.docs) };
+        quote! { #[doc = #docs] pub #name: S, }
+    });
+    let marker = model.parameters.is_empty().then(|| quote! { scalar: core::marker::PhantomData<S>, });
+    quote! {
+        #(#[doc = #docs])*
+        ///
+        /// The fields are its parameters, in SI units; the methods are its kernels.
+        #[allow(non_snake_case)]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #visibility struct #name<S = f64> { #(#fields)* #marker }
+
+        impl<S: #path::Scalar> Default for #name<S> {
+            /// The declared values.
+            fn default() -> Self {
+                <Self as #path::Mechanism<S>>::defaults()
+            }
+        }
+    }
+}
+
+/// The runtime's trait: sizes, description, and every kernel by name.
+pub(super) fn mechanism_impl(model: &Model, program: &Program, declaration: &str, path: &TokenStream) -> TokenStream {
+    let name = ident(&model.name);
+    let [n, m] = [model.coordinates.len(), model.constraints.len()];
+    let z = size(n + m);
+    let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
+    let [events, rates, drawing] =
+        [model.events.len(), rated_outputs(model).len(), kernel_len(program, "drawing")].map(size);
+    let description = description(model, declaration, path);
+    let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
+    let marker = model.parameters.is_empty().then(|| quote! { scalar: core::marker::PhantomData });
+    let defaults = model.parameters.iter().map(|p| constant(model, p.default));
+    let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
+    quote! {
+        #[allow(non_snake_case, clippy::all, clippy::pedantic)]
+        impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
+            type Q = [S; #n];
+            type L = [S; #m];
+            type Z = [S; #z];
+            type QQ = [[S; #n]; #n];
+            type LQ = [[S; #n]; #m];
+            type LL = [[S; #m]; #m];
+            type ZZ = [[S; #z]; #z];
+            type Parameters = [S; #p];
+            type Outputs = [S; #outputs];
+            type OutputRates = [S; #rates];
+            type Events = [S; #events];
+            type Drawing = [S; #drawing];
+
+            const DESCRIPTION: #path::Description = #description;
+
+            fn defaults() -> Self {
+                Self { #(#fields: S::from_f64(#defaults),)* #marker }
+            }
+
+            fn parameters(&self) -> [S; #p] {
+                [#(self.#fields),*]
+            }
+
+            fn with_parameters([#(#fields),*]: [S; #p]) -> Self {
+                Self { #(#fields,)* #marker }
+            }
+
+            #(#forwards)*
+        }
+    }
+}
+
+fn kernel_len(program: &Program, name: &str) -> usize {
+    program.kernels.iter().find(|kernel| kernel.name == name).map_or(0, |kernel| match &kernel.results {
+        Results::Vector(entries) => entries.len(),
+        _ => 0,
+    })
+}
+
+fn constant(model: &Model, expr: Expr) -> f64 {
+    evaluate(&model.graph, &[expr], |_| f64::NAN)[0]
+}
+
+/// The trait's function, which calls the inherent one of the same name.
+fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    let function = format_ident!("{}", kernel.name);
+    let list = arguments(model, kernel.arguments);
+    let names: Vec<Ident> = ["t", "q", "qd", "qdd", "lambda"][..list.len()].iter().map(|name| ident(name)).collect();
+    let [n, m] = [model.coordinates.len(), model.constraints.len()].map(size);
+    let returns = match &kernel.results {
+        Results::Scalar(_) => quote! { S },
+        Results::Vector(entries) => {
+            let len = size(entries.len());
+            quote! { [S; #len] }
+        }
+        Results::Matrix(rows) => {
+            let rows = size(rows.len());
+            quote! { [[S; #n]; #rows] }
+        }
+        Results::Linearization(..) => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
+        Results::Initial(..) => quote! { #path::Initial<[S; #n]> },
+        Results::Dynamics { .. } => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
+    };
+    let to_array = record_of(model, kernel).map(|_| quote! { .into() });
+    debug_assert!(kernel.arguments >= Arguments::Parameters);
+    quote! {
+        #[inline(always)]
+        fn #function(&self #(, #list)*) -> #returns {
+            self.#function(#(#names),*) #to_array
+        }
+    }
+}

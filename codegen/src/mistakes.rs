@@ -1,0 +1,28 @@
+//! Mistakes of a stage, collected so that all of them show at once.
+
+/// Errors met so far, in order.
+#[derive(Default)]
+pub struct Mistakes(Option<syn::Error>);
+
+impl Mistakes {
+    /// Takes note of one more.
+    pub fn add(&mut self, mistake: syn::Error) {
+        match &mut self.0 {
+            Some(all) => all.combine(mistake),
+            None => self.0 = Some(mistake),
+        }
+    }
+
+    /// The value, or what was wrong with it, taken note of.
+    pub fn note<T>(&mut self, result: syn::Result<T>) -> Option<T> {
+        result.map_err(|mistake| self.add(mistake)).ok()
+    }
+
+    /// The value of the stage if there was no mistake.
+    ///
+    /// # Errors
+    /// All mistakes, combined.
+    pub fn or<T>(self, value: T) -> syn::Result<T> {
+        self.0.map_or(Ok(value), Err)
+    }
+}

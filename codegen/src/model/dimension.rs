@@ -1,0 +1,69 @@
+//! Physical dimensions: exponents of metre, kilogram, second, ampere and kelvin. Angles have none.
+
+use crate::symbolic::Number;
+
+/// Names of the base units, in the order of the exponents.
+const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
+
+/// A physical dimension.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Dimension([Number; 5]);
+
+impl Dimension {
+    /// A pure number.
+    pub fn none() -> Dimension {
+        Dimension::of([0; 5])
+    }
+
+    /// By exponents of m, kg, s, A and K.
+    pub fn of(exponents: [i64; 5]) -> Dimension {
+        Dimension(exponents.map(Number::from))
+    }
+
+    /// Energy, which is also the dimension of a torque.
+    pub fn energy() -> Dimension {
+        Dimension::of([2, 1, -2, 0, 0])
+    }
+
+    /// Time.
+    pub fn time() -> Dimension {
+        Dimension::of([0, 0, 1, 0, 0])
+    }
+
+    /// The dimension of a product.
+    pub fn times(&self, other: &Dimension) -> Dimension {
+        Dimension(std::array::from_fn(|i| &self.0[i] + &other.0[i]))
+    }
+
+    /// The dimension of a power.
+    pub fn to_the(&self, exponent: &Number) -> Dimension {
+        Dimension(std::array::from_fn(|i| &self.0[i] * exponent))
+    }
+
+    /// The dimension of a quotient.
+    pub fn over(&self, other: &Dimension) -> Dimension {
+        self.times(&other.to_the(&Number::MINUS_ONE))
+    }
+
+    /// The coherent SI unit of this dimension, by its own name if it has one: `N`, `J`, `kg*m/s`.
+    pub fn si_unit(&self) -> String {
+        let named =
+            [([1, 1, -2, 0, 0], "N"), ([2, 1, -2, 0, 0], "J"), ([2, 1, -3, 0, 0], "W"), ([-1, 1, -2, 0, 0], "Pa")];
+        if let Some((_, name)) = named.iter().find(|(exponents, _)| Dimension::of(*exponents) == *self) {
+            return (*name).to_owned();
+        }
+        let part = |negative: bool| -> Vec<String> {
+            let exponents = BASE.iter().zip(&self.0).filter(|(_, e)| !e.is_zero() && e.is_negative() == negative);
+            exponents
+                .map(|(base, e)| if e.abs().is_one() { (*base).into() } else { format!("{base}^{}", e.abs()) })
+                .collect()
+        };
+        let (above, below) = (part(false), part(true));
+        let above = if above.is_empty() { "1".to_owned() } else { above.join("*") };
+        match below.as_slice() {
+            [] => above,
+            [one] => format!("{above}/{one}"),
+            _ => format!("{above}/({})", below.join("*")),
+        }
+    }
+}

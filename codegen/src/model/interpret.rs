@@ -1,0 +1,356 @@
+//! Expressions of the language to symbolic values.
+
+use super::scope::{self, Names, Values, plain};
+use super::value::{Shape, Value, common_dimension};
+use super::{Dependence, Dependences, Dimension, Point, Unit};
+use crate::dsl::{Expression, Kind, Operator, Region};
+use crate::mistakes::Mistakes;
+use crate::nearest;
+use crate::symbolic::{Constant, Differential, Expr, Function, Graph, Number, evaluate};
+use syn::Ident;
+
+/// Turns expressions into values. `None` means a mistake that has been taken note of.
+pub(super) struct Interpreter {
+    pub(super) graph: Graph,
+    pub(super) dependences: Dependences,
+    pub(super) values: Values,
+    /// The multipliers of each constraint; absent until constraints are resolved.
+    pub(super) reactions: Option<Names<Value>>,
+    pub(super) time: Expr,
+    pub(super) motion: Differential,
+    pub(super) mistakes: Mistakes,
+}
+
+impl Interpreter {
+    /// A mistake at a place.
+    pub(super) fn refuse<T>(&mut self, region: Region, message: impl std::fmt::Display) -> Option<T> {
+        self.mistakes.add(region.error(message));
+        None
+    }
+
+    /// A scalar.
+    pub(super) fn scalar(&mut self, expression: &Expression) -> Option<Expr> {
+        self.scalar_value(expression).map(|(value, _)| value)
+    }
+
+    fn scalar_value(&mut self, expression: &Expression) -> Option<(Expr, Option<Dimension>)> {
+        let value = self.value(expression)?;
+        match value.shape {
+            Shape::Scalar(scalar) => Some((scalar, value.dimension)),
+            Shape::Vector(_) => self.refuse(
+                expression.region,
+                "a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`",
+            ),
+        }
+    }
+
+    /// A vector of the plane.
+    pub(super) fn point(&mut self, expression: &Expression) -> Option<Point> {
+        match self.value(expression)?.shape {
+            Shape::Vector(point) => Some(point),
+            Shape::Scalar(_) => {
+                self.refuse(expression.region, "a scalar stands where a vector belongs; a vector is written `[x, y]`")
+            }
+        }
+    }
+
+    /// Refuses an expression that depends on what it must not depend on here; `rule` says why.
+    pub(super) fn restrict(&mut self, place: Region, values: &[Expr], forbidden: Dependence, rule: &str) -> Option<()> {
+        for value in values {
+            if self.dependences.of(&self.graph, *value).meets(forbidden) {
+                return self.refuse(place, rule);
+            }
+        }
+        Some(())
+    }
+
+    /// Any value.
+    pub(super) fn value(&mut self, expression: &Expression) -> Option<Value> {
+        let region = expression.region;
+        let value = match &expression.kind {
+            Kind::Number { literal, unit } => self.number(region, literal, unit.as_ref()),
+            Kind::Name(name) => self.name(name),
+            Kind::Vector(components) => self.vector(region, components),
+            Kind::Negate(operand) => {
+                let value = self.value(operand)?;
+                Some(value.map(|x| self.graph.neg(x)))
+            }
+            Kind::Binary(operator, left, right) => self.binary(*operator, left, right),
+            Kind::Call(function, arguments) => self.call(region, function, arguments),
+            Kind::Component(vector, name) => self.component(vector, name),
+        }?;
+        self.check_constants(region, &value)?;
+        Some(value)
+    }
+
+    /// Refuses a constant that is no real number, such as `sqrt(-1)`.
+    fn check_constants(&mut self, region: Region, value: &Value) -> Option<()> {
+        for component in value.components() {
+            let constant = self.dependences.of(&self.graph, component) == Dependence::NONE;
+            if constant && !evaluate(&self.graph, &[component], |_| f64::NAN)[0].is_finite() {
+                return self.refuse(region, "this is not a finite real number");
+            }
+        }
+        Some(())
+    }
+
+    fn number(&mut self, region: Region, literal: &str, unit: Option<&crate::dsl::Unit>) -> Option<Value> {
+        let Some(number) = Number::parse_decimal(literal) else {
+            return self.refuse(region, format!("`{literal}` is outside the range of numbers (about 1e-308 to 1e308)"));
+        };
+        let zero = number.is_zero();
+        let value = self.graph.number(number);
+        let Some(unit) = unit else {
+            return Some(Value::scalar(value, (!zero).then(Dimension::none)));
+        };
+        let unit = self.mistakes.note(Unit::resolve(unit))?;
+        let factor = unit.factor_expression(&mut self.graph);
+        Some(Value::scalar(self.graph.mul(value, factor), Some(unit.dimension().clone())))
+    }
+
+    fn name(&mut self, name: &Ident) -> Option<Value> {
+        let text = plain(name);
+        match text.as_str() {
+            "pi" => return Some(Value::scalar(self.graph.constant(Constant::Pi), Some(Dimension::none()))),
+            "e" => return Some(Value::scalar(self.graph.constant(Constant::E), Some(Dimension::none()))),
+            "t" => return Some(Value::scalar(self.time, Some(Dimension::time()))),
+            _ => {}
+        }
+        if scope::functions().any(|function| function == text) {
+            return self.refuse(name.into(), format!("`{text}` is a function; call it: `{text}(..)`"));
+        }
+        self.values.find(name, &mut self.mistakes)
+    }
+
+    fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {
+        let values: Vec<_> = components.iter().map(|c| self.scalar_value(c)).collect();
+        match values.as_slice() {
+            [x, y] => {
+                let ((x, dx), (y, dy)) = (x.clone()?, y.clone()?);
+                Some(Value { shape: Shape::Vector([x, y]), dimension: common_dimension(dx, dy) })
+            }
+            _ => self.refuse(
+                region,
+                format!("a vector of the plane has two components, `[x, y]`; this has {}", values.len()),
+            ),
+        }
+    }
+
+    fn component(&mut self, vector: &Expression, name: &Ident) -> Option<Value> {
+        let value = self.value(vector)?;
+        let Shape::Vector([x, y]) = value.shape else {
+            return self.refuse(name.into(), format!("a scalar has no component `.{name}`"));
+        };
+        match plain(name).as_str() {
+            "x" => Some(Value::scalar(x, value.dimension)),
+            "y" => Some(Value::scalar(y, value.dimension)),
+            _ => self
+                .refuse(name.into(), format!("a vector of the plane has the components `.x` and `.y`, not `.{name}`")),
+        }
+    }
+
+    fn binary(&mut self, operator: Operator, left: &Expression, right: &Expression) -> Option<Value> {
+        let (a, b) = (self.value(left), self.value(right));
+        let (a, b) = (a?, b?);
+        match operator {
+            Operator::Add => self.sum(left, right, a, b, Graph::add),
+            Operator::Subtract => self.sum(left, right, a, b, Graph::sub),
+            Operator::Multiply => self.multiply(left, right, a, b),
+            Operator::Divide => self.divide(right, a, b),
+            Operator::Power => self.power(left, right, a, b),
+        }
+    }
+
+    fn sum(
+        &mut self,
+        left: &Expression,
+        right: &Expression,
+        a: Value,
+        b: Value,
+        operation: fn(&mut Graph, Expr, Expr) -> Expr,
+    ) -> Option<Value> {
+        let dimension = common_dimension(a.dimension.clone(), b.dimension.clone());
+        let shape = match (a.shape, b.shape) {
+            (Shape::Scalar(a), Shape::Scalar(b)) => Shape::Scalar(operation(&mut self.graph, a, b)),
+            (Shape::Vector([ax, ay]), Shape::Vector([bx, by])) => {
+                Shape::Vector([operation(&mut self.graph, ax, bx), operation(&mut self.graph, ay, by)])
+            }
+            _ => {
+                let (a, b) = (a.kind(), b.kind());
+                let message = format!(
+                    "{a} and {b} cannot be added or subtracted; take a component (`.x`, `.y`) or build a vector `[x, y]`"
+                );
+                return self.refuse(left.region.to(right.region), message);
+            }
+        };
+        Some(Value { shape, dimension })
+    }
+
+    fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
+        let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.times(b));
+        let (scalar, other) = match (a.shape, b.shape) {
+            (Shape::Scalar(scalar), _) => (scalar, b),
+            (_, Shape::Scalar(scalar)) => (scalar, a),
+            _ => {
+                return self.refuse(
+                    left.region.to(right.region),
+                    "two vectors cannot be multiplied with `*`; the scalar product is `inner(a, b)`",
+                );
+            }
+        };
+        let product = other.map(|x| self.graph.mul(scalar, x));
+        Some(Value { dimension, ..product })
+    }
+
+    fn divide(&mut self, right: &Expression, a: Value, b: Value) -> Option<Value> {
+        let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.over(b));
+        let Shape::Scalar(divisor) = b.shape else {
+            return self.refuse(right.region, "a vector cannot divide; divide by `norm(..)` or by a component");
+        };
+        if self.graph.is_zero(divisor) {
+            return self.refuse(right.region, "division by zero");
+        }
+        let quotient = a.map(|x| self.graph.div(x, divisor));
+        Some(Value { dimension, ..quotient })
+    }
+
+    fn power(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
+        let Shape::Scalar(base) = a.shape else {
+            return self.refuse(
+                left.region,
+                "a vector cannot be raised to a power; the square of its length is `inner(a, a)`",
+            );
+        };
+        let Shape::Scalar(exponent) = b.shape else {
+            return self.refuse(right.region, "an exponent is a scalar");
+        };
+        let dimension = match self.graph.as_number(exponent) {
+            Some(number) => a.dimension.map(|d| d.to_the(number)),
+            None => a.dimension.filter(|d| *d == Dimension::none()),
+        };
+        Some(Value::scalar(self.graph.power(base, exponent), dimension))
+    }
+
+    fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
+        let text = plain(name);
+        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text && *f != Function::Sign) {
+            let [argument] = self.arguments(region, &text, arguments, ["x"])?;
+            let (x, dimension) = self.scalar_value(argument)?;
+            let dimension = if function == Function::Abs { dimension } else { Some(Dimension::none()) };
+            return Some(Value::scalar(self.graph.call(function, x), dimension));
+        }
+        match text.as_str() {
+            "sqrt" => {
+                let [argument] = self.arguments(region, &text, arguments, ["x"])?;
+                let (x, dimension) = self.scalar_value(argument)?;
+                let root = self.graph.sqrt(x);
+                Some(Value::scalar(root, dimension.zip(Number::fraction(1, 2)).map(|(d, half)| d.to_the(&half))))
+            }
+            "atan2" => {
+                let [y, x] = self.arguments(region, &text, arguments, ["y", "x"])?;
+                let (y, x) = (self.scalar(y), self.scalar(x));
+                Some(Value::scalar(self.graph.atan2(y?, x?), Some(Dimension::none())))
+            }
+            "norm" => {
+                let [a] = self.arguments(region, &text, arguments, ["a"])?;
+                let dimension = self.value(a)?.dimension;
+                let a = self.point(a)?;
+                let square = self.inner(a, a);
+                Some(Value::scalar(self.graph.sqrt(square), dimension))
+            }
+            "inner" => {
+                let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
+                let dimensions = (self.value(a)?.dimension, self.value(b)?.dimension);
+                let (a, b) = (self.point(a)?, self.point(b)?);
+                let dimension = dimensions.0.zip(dimensions.1).map(|(a, b)| a.times(&b));
+                Some(Value::scalar(self.inner(a, b), dimension))
+            }
+            "dot" => {
+                let [x] = self.arguments(region, &text, arguments, ["x"])?;
+                self.rate(x)
+            }
+            "ddot" => {
+                let [x] = self.arguments(region, &text, arguments, ["x"])?;
+                let rate = self.rate(x)?;
+                self.rate_of(x.region, rate)
+            }
+            "reaction" => self.reaction(region, arguments),
+            _ => {
+                if self.values.get_region(&text).is_some() {
+                    return self.refuse(
+                        name.into(),
+                        format!("`{text}` is not a function; a product is written `{text}*(..)`"),
+                    );
+                }
+                let near = nearest::suggestion(&text, scope::functions());
+                let all = if near.is_empty() {
+                    format!("; there are {}", scope::functions().collect::<Vec<_>>().join(", "))
+                } else {
+                    String::new()
+                };
+                self.refuse(name.into(), format!("no function is called `{text}`{near}{all}"))
+            }
+        }
+    }
+
+    fn arguments<'a, const N: usize>(
+        &mut self,
+        region: Region,
+        function: &str,
+        arguments: &'a [Expression],
+        names: [&str; N],
+    ) -> Option<&'a [Expression; N]> {
+        match arguments.try_into() {
+            Ok(arguments) => Some(arguments),
+            Err(_) => {
+                let (form, given) = (names.join(", "), arguments.len());
+                self.refuse(
+                    region,
+                    format!("`{function}` is written `{function}({form})`; {given} arguments are given"),
+                )
+            }
+        }
+    }
+
+    fn inner(&mut self, a: Point, b: Point) -> Expr {
+        let products = [self.graph.mul(a[0], b[0]), self.graph.mul(a[1], b[1])];
+        self.graph.sum(&products)
+    }
+
+    /// The total time derivative of an expression.
+    fn rate(&mut self, expression: &Expression) -> Option<Value> {
+        let value = self.value(expression)?;
+        self.rate_of(expression.region, value)
+    }
+
+    fn rate_of(&mut self, region: Region, value: Value) -> Option<Value> {
+        let components = value.components();
+        self.restrict(
+            region,
+            &components,
+            Dependence::MULTIPLIER,
+            "a reaction has no derivative here: its rate is not computed",
+        )?;
+        self.restrict(
+            region,
+            &components,
+            Dependence::ACCELERATION,
+            "a third derivative is not computed; `ddot` of positions is the highest",
+        )?;
+        let dimension = value.dimension.as_ref().map(|d| d.over(&Dimension::time()));
+        let Interpreter { graph, motion, .. } = self;
+        let rate = value.map(|x| motion.of(graph, x));
+        Some(Value { dimension, ..rate })
+    }
+
+    fn reaction(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {
+        let [argument] = self.arguments(region, "reaction", arguments, ["constraint"])?;
+        let Kind::Name(name) = &argument.kind else {
+            return self.refuse(argument.region, "`reaction(..)` takes the name of a constraint");
+        };
+        match &self.reactions {
+            Some(reactions) => reactions.find(name, &mut self.mistakes),
+            None => self.refuse(region, "`reaction(..)` can stand only in outputs"),
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
+//! user's text goes beyond this stage.
+
+mod dependence;
+mod dimension;
+mod interpret;
+mod resolve;
+mod scope;
+mod start;
+mod units;
+mod value;
+
+pub use dependence::{Dependence, Dependences};
+pub use dimension::Dimension;
+pub use resolve::resolve;
+pub use units::Unit;
+
+use crate::symbolic::{Differential, Expr, Graph, Symbol};
+
+/// A mechanism in symbols. All expressions are in SI units and live in `graph`.
+pub struct Model {
+    /// The type's name.
+    pub name: String,
+    /// Documentation, one line each.
+    pub docs: String,
+    /// Where the expressions live.
+    pub graph: Graph,
+    /// What each expression depends on.
+    pub dependences: Dependences,
+    /// Time.
+    pub time: Symbol,
+    /// Generalised coordinates, in the order of declaration.
+    pub coordinates: Vec<Coordinate>,
+    /// Parameters, in the order of declaration.
+    pub parameters: Vec<Parameter>,
+    /// Scalars that the declaration names with `let`; components as `A_x`.
+    pub named: Vec<(String, Expr)>,
+    /// Bodies.
+    pub bodies: Vec<Body>,
+    /// Acceleration of free fall, on every mass.
+    pub gravity: Option<Point>,
+    /// Forces at points.
+    pub forces: Vec<Force>,
+    /// Torques about angles.
+    pub torques: Vec<Torque>,
+    /// Constraints, one row each, in the order of declaration.
+    pub constraints: Vec<Constraint>,
+    /// Conditions whose crossings are looked for.
+    pub events: Vec<Event>,
+    /// Outputs, in the order of declaration.
+    pub outputs: Vec<Output>,
+    /// Which outputs belong in one figure.
+    pub groups: Vec<OutputGroup>,
+    /// What to draw.
+    pub drawing: Vec<Shape>,
+}
+
+/// A scalar for each axis of the plane.
+pub type Point = [Expr; 2];
+
+/// A generalised coordinate with its rates and its start.
+pub struct Coordinate {
+    /// Its name.
+    pub name: String,
+    /// Documentation.
+    pub docs: String,
+    /// The unit it is shown in.
+    pub unit: Unit,
+    /// q
+    pub position: Symbol,
+    /// q'
+    pub speed: Symbol,
+    /// q''
+    pub acceleration: Symbol,
+    /// Where it starts.
+    pub start: Start,
+    /// The speed it starts with, if that is given.
+    pub start_speed: Option<Expr>,
+}
+
+/// What the declaration says of where a coordinate starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Start {
+    /// Exactly here.
+    Given(Expr),
+    /// Near here.
+    Guess(Expr),
+    /// Nothing.
+    Free,
+}
+
+/// A parameter: a symbol with a default.
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// Documentation.
+    pub docs: String,
+    /// The unit it is shown and set in.
+    pub unit: Unit,
+    /// Its symbol.
+    pub symbol: Symbol,
+    /// Its default, a constant.
+    pub default: Expr,
+}
+
+/// A body: a mass at a point, an inertia about an angle, or both.
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Mass and where its centre is.
+    pub mass: Option<(Expr, Point)>,
+    /// Moment of inertia, 0 if only the angle is declared, and the angle.
+    pub rotation: Option<(Expr, Expr)>,
+}
+
+/// A force at a point.
+pub struct Force {
+    /// The force.
+    pub force: Point,
+    /// Where it acts.
+    pub at: Point,
+}
+
+/// A torque about an angle.
+pub struct Torque {
+    /// The moment.
+    pub moment: Expr,
+    /// The angle it turns.
+    pub angle: Expr,
+}
+
+/// One constraint row, C = 0.
+pub struct Constraint {
+    /// Its name; `closure_x` for a row of a vector equation.
+    pub name: String,
+    /// C = left - right.
+    pub value: Expr,
+    /// The multiplier's symbol.
+    pub multiplier: Symbol,
+    /// The multiplier's unit: joules per unit of C. `1` where the constraint's own unit is not known.
+    pub unit: Unit,
+}
+
+/// A condition that comes to hold at certain times.
+pub struct Event {
+    /// Its name.
+    pub name: String,
+    /// left - right, zero when the event happens.
+    pub value: Expr,
+}
+
+/// A quantity to watch.
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// Documentation.
+    pub docs: String,
+    /// The unit it is reported in.
+    pub unit: Unit,
+    /// Its value, in SI units.
+    pub value: Expr,
+}
+
+/// Consecutive outputs that belong in one figure.
+pub struct OutputGroup {
+    /// Its name, for files.
+    pub name: String,
+    /// Its title.
+    pub title: String,
+    /// How many outputs it has.
+    pub len: usize,
+}
+
+/// Something to draw.
+pub enum Shape {
+    /// A polyline.
+    Line(Vec<Point>),
+    /// A slider at a point, turned by an angle.
+    Slider(Point, Expr),
+    /// Fixed supports.
+    Ground(Vec<Point>),
+    /// Marked points.
+    Points(Vec<Point>),
+    /// A circle by centre and radius.
+    Circle(Point, Expr),
+}
+
+impl Model {
+    /// The total time derivative, as long as no acceleration occurs in what is differentiated.
+    pub fn time_derivative(&mut self) -> Differential {
+        time_derivative(&mut self.graph, self.time, &self.coordinates)
+    }
+
+    /// The speeds as expressions.
+    pub fn speeds(&mut self) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| self.graph.variable(c.speed)).collect()
+    }
+
+    /// The accelerations as expressions.
+    pub fn accelerations(&mut self) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| self.graph.variable(c.acceleration)).collect()
+    }
+
+    /// The multipliers as expressions.
+    pub fn multipliers(&mut self) -> Vec<Expr> {
+        self.constraints.iter().map(|c| self.graph.variable(c.multiplier)).collect()
+    }
+}
+
+fn time_derivative(graph: &mut Graph, time: Symbol, coordinates: &[Coordinate]) -> Differential {
+    let mut rates = vec![(time, graph.one())];
+    for c in coordinates {
+        rates.push((c.position, graph.variable(c.speed)));
+        rates.push((c.speed, graph.variable(c.acceleration)));
+    }
+    Differential::along(rates)
+}

@@ -1,0 +1,103 @@
+//! The names of a declaration.
+
+use super::value::Value;
+use crate::dsl::Region;
+use crate::mistakes::Mistakes;
+use crate::nearest;
+use crate::symbolic::Function;
+use indexmap::IndexMap;
+use syn::Ident;
+use syn::ext::IdentExt;
+
+/// Functions of the language that are not functions of the engine.
+pub(super) const OTHER_FUNCTIONS: [&str; 7] = ["atan2", "sqrt", "norm", "inner", "dot", "ddot", "reaction"];
+
+/// The name as the user thinks of it, without Rust's `r#`.
+pub(super) fn plain(ident: &Ident) -> String {
+    ident.unraw().to_string()
+}
+
+/// Named things of one kind, in the order of their definition. A thing that had a mistake keeps its name, so
+/// that its uses are not mistakes too.
+pub(super) struct Names<T> {
+    /// What the names are, for messages: "body".
+    kind: &'static str,
+    entries: IndexMap<String, (Region, Option<T>)>,
+}
+
+impl<T: Clone> Names<T> {
+    pub(super) fn new(kind: &'static str) -> Names<T> {
+        Names { kind, entries: IndexMap::new() }
+    }
+
+    /// Adds a name; a second definition is a mistake shown with the first.
+    pub(super) fn define(&mut self, name: &Ident, thing: Option<T>, mistakes: &mut Mistakes) {
+        let text = plain(name);
+        if let Some((first, _)) = self.entries.get(&text) {
+            let mut mistake =
+                Region::from(name).error(format!("`{text}` is defined twice; choose another name for one of them"));
+            mistake.combine(first.error(format!("the first definition of `{text}` is here")));
+            return mistakes.add(mistake);
+        }
+        self.entries.insert(text, (name.into(), thing));
+    }
+
+    /// Whether a name is taken.
+    pub(super) fn get_region(&self, name: &str) -> Option<Region> {
+        self.entries.get(name).map(|(region, _)| *region)
+    }
+
+    /// The names, in order.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.entries.keys().map(String::as_str)
+    }
+
+    /// The thing of that name; a mistake if there is none, silence if it had a mistake of its own.
+    pub(super) fn find(&self, name: &Ident, mistakes: &mut Mistakes) -> Option<T> {
+        let text = plain(name);
+        match self.entries.get(&text) {
+            Some((_, thing)) => thing.clone(),
+            None => {
+                mistakes.add(self.unknown(name));
+                None
+            }
+        }
+    }
+
+    fn unknown(&self, name: &Ident) -> syn::Error {
+        let text = plain(name);
+        let near = nearest::suggestion(&text, self.names());
+        let all: Vec<_> = self.names().map(|name| format!("`{name}`")).collect();
+        let known = match (near.is_empty(), all.len()) {
+            (true, 0) => format!("; no {} is declared", self.kind),
+            (true, 1..=8) => format!("; declared: {}", all.join(", ")),
+            _ => String::new(),
+        };
+        Region::from(name).error(format!("no {} is called `{text}`{near}{known}", self.kind))
+    }
+}
+
+/// Refuses a name that the language itself uses.
+pub(super) fn check_reserved(name: &Ident) -> syn::Result<()> {
+    let text = plain(name);
+    let meaning = match text.as_str() {
+        "t" => "time",
+        "pi" => "the circle's ratio",
+        "e" => "Euler's number",
+        _ if is_function(&text) => "a function",
+        _ => return Ok(()),
+    };
+    Err(Region::from(name).error(format!("`{text}` is {meaning} in the language; choose another name")))
+}
+
+fn is_function(name: &str) -> bool {
+    functions().any(|function| function == name)
+}
+
+/// The functions a user may call.
+pub(super) fn functions() -> impl Iterator<Item = &'static str> {
+    Function::ALL.into_iter().filter(|f| *f != Function::Sign).map(Function::name).chain(OTHER_FUNCTIONS)
+}
+
+/// Coordinates, parameters and `let`s.
+pub(super) type Values = Names<Value>;

@@ -1,0 +1,68 @@
+//! The `initial` block.
+
+use super::interpret::Interpreter;
+use super::scope::plain;
+use super::{Coordinate, Dependence, Start, Unit};
+use crate::dsl::{self, Expression, InitialKind, Kind, Region};
+use crate::symbolic::Expr;
+
+/// Enters the start values into their coordinates.
+pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordinate], interpreter: &mut Interpreter) {
+    let mut seen: Vec<(String, bool, Region)> = Vec::new();
+    for line in lines {
+        let name = plain(&line.coordinate);
+        let Some(at) = coordinates.iter().position(|c| c.name == name) else {
+            let near = crate::nearest::suggestion(&name, coordinates.iter().map(|c| c.name.as_str()));
+            interpreter.mistakes.add(
+                Region::from(&line.coordinate)
+                    .error(format!("no coordinate is called `{name}`{near}; only coordinates have start values")),
+            );
+            continue;
+        };
+        let is_speed = line.kind == InitialKind::Speed;
+        let place = Region::from(&line.coordinate);
+        if let Some((.., first)) = seen.iter().find(|(n, speed, _)| *n == name && *speed == is_speed) {
+            let what = if is_speed { "speed" } else { "start" };
+            let mut mistake = place.error(format!("the {what} of `{name}` is given twice; keep one"));
+            mistake.combine(first.error("it is first given here"));
+            interpreter.mistakes.add(mistake);
+            continue;
+        }
+        seen.push((name, is_speed, place));
+        let unit = if is_speed { coordinates[at].unit.per_time(1) } else { coordinates[at].unit.clone() };
+        let Some(value) = start_value(&line.value, &unit, interpreter) else { continue };
+        match line.kind {
+            InitialKind::Position => coordinates[at].start = Start::Given(value),
+            InitialKind::Guess => coordinates[at].start = Start::Guess(value),
+            InitialKind::Speed => coordinates[at].start_speed = Some(value),
+        }
+    }
+}
+
+fn start_value(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
+    let value = in_unit(expression, unit, interpreter)?;
+    let moving = Dependence::COORDINATE.or(Dependence::SPEED).or(Dependence::TIME);
+    interpreter.restrict(expression.region, &[value], moving, "a start value is made of numbers and parameters")?;
+    Some(value)
+}
+
+/// A scalar; if it is made of plain numbers only, they are in the declared unit.
+pub(super) fn in_unit(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
+    let value = interpreter.scalar(expression)?;
+    if !is_plain(expression) {
+        return Some(value);
+    }
+    let factor = unit.factor_expression(&mut interpreter.graph);
+    Some(interpreter.graph.mul(value, factor))
+}
+
+/// Whether neither a unit nor a name but pi and e occurs.
+fn is_plain(expression: &Expression) -> bool {
+    match &expression.kind {
+        Kind::Number { unit, .. } => unit.is_none(),
+        Kind::Name(name) => name == "pi" || name == "e",
+        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_plain),
+        Kind::Negate(part) | Kind::Component(part, _) => is_plain(part),
+        Kind::Binary(_, left, right) => is_plain(left) && is_plain(right),
+    }
+}

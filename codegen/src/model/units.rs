@@ -1,0 +1,213 @@
+//! The table of units, and what a unit in brackets means.
+
+use super::Dimension;
+use crate::dsl;
+use crate::nearest;
+use crate::symbolic::{Constant, Expr, Graph, Number};
+
+/// A unit: its dimension, and its size in SI units as an exact rational times a power of pi.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Unit {
+    text: String,
+    dimension: Dimension,
+    rational: Number,
+    pi_power: i64,
+}
+
+/// One line of the table: name, exponents of m kg s A K, numerator and denominator of the size, power of pi in
+/// it, and whether SI prefixes apply.
+type Row = (&'static str, [i64; 5], i64, i64, i64, bool);
+
+#[rustfmt::skip]
+const UNITS: [Row; 28] = [
+    ("m",   [1, 0, 0, 0, 0],   1, 1, 0, true),
+    ("g",   [0, 1, 0, 0, 0],   1, 1000, 0, true),
+    ("s",   [0, 0, 1, 0, 0],   1, 1, 0, true),
+    ("A",   [0, 0, 0, 1, 0],   1, 1, 0, true),
+    ("K",   [0, 0, 0, 0, 1],   1, 1, 0, true),
+    ("rad", [0, 0, 0, 0, 0],   1, 1, 0, true),
+    ("N",   [1, 1, -2, 0, 0],  1, 1, 0, true),
+    ("J",   [2, 1, -2, 0, 0],  1, 1, 0, true),
+    ("W",   [2, 1, -3, 0, 0],  1, 1, 0, true),
+    ("Pa",  [-1, 1, -2, 0, 0], 1, 1, 0, true),
+    ("Hz",  [0, 0, -1, 0, 0],  1, 1, 0, true),
+    ("V",   [2, 1, -3, -1, 0], 1, 1, 0, true),
+    ("Ohm", [2, 1, -3, -2, 0], 1, 1, 0, true),
+    ("H",   [2, 1, -2, -2, 0], 1, 1, 0, true),
+    ("F",   [-2, -1, 4, 2, 0], 1, 1, 0, true),
+    ("bar", [-1, 1, -2, 0, 0], 100_000, 1, 0, true),
+    ("l",   [3, 0, 0, 0, 0],   1, 1000, 0, true),
+    ("deg", [0, 0, 0, 0, 0],   1, 180, 1, false),
+    ("rev", [0, 0, 0, 0, 0],   2, 1, 1, false),
+    ("rpm", [0, 0, -1, 0, 0],  1, 30, 1, false),
+    ("min", [0, 0, 1, 0, 0],   60, 1, 0, false),
+    ("h",   [0, 0, 1, 0, 0],   3600, 1, 0, false),
+    ("tonne", [0, 1, 0, 0, 0], 1000, 1, 0, false),
+    ("inch", [1, 0, 0, 0, 0],  254, 10_000, 0, false),
+    ("ft",  [1, 0, 0, 0, 0],   3048, 10_000, 0, false),
+    ("lb",  [0, 1, 0, 0, 0],   45_359_237, 100_000_000, 0, false),
+    ("lbf", [1, 1, -2, 0, 0],  44_482_216_152_605, 10_000_000_000_000, 0, false),
+    ("percent", [0, 0, 0, 0, 0], 1, 100, 0, false),
+];
+
+const PREFIXES: [(&str, i64); 15] = [
+    ("T", 12),
+    ("G", 9),
+    ("M", 6),
+    ("k", 3),
+    ("h", 2),
+    ("da", 1),
+    ("d", -1),
+    ("c", -2),
+    ("m", -3),
+    ("u", -6),
+    ("\u{b5}", -6),
+    ("n", -9),
+    ("p", -12),
+    ("f", -15),
+    ("a", -18),
+];
+
+impl Unit {
+    /// The pure number 1.
+    pub fn none() -> Unit {
+        Unit { text: "1".into(), dimension: Dimension::none(), rational: Number::ONE, pi_power: 0 }
+    }
+
+    /// The coherent SI unit of a dimension.
+    pub fn coherent(dimension: Dimension) -> Unit {
+        Unit { text: dimension.si_unit(), dimension, rational: Number::ONE, pi_power: 0 }
+    }
+
+    /// What a unit in brackets means.
+    ///
+    /// # Errors
+    /// At a name that is no unit, with the nearest that is.
+    pub fn resolve(unit: &dsl::Unit) -> syn::Result<Unit> {
+        let mut resolved = Unit { text: unit.text.clone(), ..Unit::none() };
+        for (name, exponent) in &unit.factors {
+            let (dimension, rational, pi_power) = look_up(&name.to_string()).ok_or_else(|| unknown(name))?;
+            let exponent = i64::from(*exponent);
+            let power =
+                rational.pow(exponent).ok_or_else(|| syn::Error::new(name.span(), "this unit is out of range"))?;
+            resolved.dimension = resolved.dimension.times(&dimension.to_the(&exponent.into()));
+            resolved.rational = &resolved.rational * &power;
+            resolved.pi_power += pi_power * exponent;
+        }
+        Ok(resolved)
+    }
+
+    /// Reads a unit from text without brackets.
+    ///
+    /// # Errors
+    /// What is wrong with it, in one sentence.
+    pub fn parse(text: &str) -> Result<Unit, String> {
+        dsl::parse_unit(text).and_then(|unit| Unit::resolve(&unit)).map_err(|e| e.to_string())
+    }
+
+    /// As the user wrote it.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Its dimension.
+    pub fn dimension(&self) -> &Dimension {
+        &self.dimension
+    }
+
+    /// Its size in SI units.
+    pub fn factor(&self) -> f64 {
+        self.rational.to_f64() * std::f64::consts::PI.powi(self.pi_power as i32)
+    }
+
+    /// Its size in SI units, exactly.
+    pub fn factor_expression(&self, graph: &mut Graph) -> Expr {
+        let rational = graph.number(self.rational.clone());
+        let pi = graph.constant(Constant::Pi);
+        let power = graph.integer_power(pi, self.pi_power);
+        graph.mul(rational, power)
+    }
+
+    /// The unit of this quantity's rate of the given order: `rad/s^2`.
+    pub fn per_time(&self, order: u32) -> Unit {
+        let below = if order == 1 { "s".to_owned() } else { format!("s^{order}") };
+        let text = match self.text.contains('/') {
+            true => format!("({})/{below}", self.text),
+            false => format!("{}/{below}", self.text),
+        };
+        let per = Dimension::time().to_the(&(-i64::from(order)).into());
+        Unit { text, dimension: self.dimension.times(&per), ..self.clone() }
+    }
+}
+
+fn look_up(name: &str) -> Option<(Dimension, Number, i64)> {
+    let row = |name: &str| UNITS.iter().find(|row| row.0 == name);
+    let size = |row: &Row| Number::fraction(row.2, row.3);
+    if let Some(row) = row(name) {
+        return Some((Dimension::of(row.1), size(row)?, row.4));
+    }
+    PREFIXES.iter().find_map(|(prefix, power)| {
+        let row = name.strip_prefix(prefix).and_then(row).filter(|row| row.5)?;
+        let scale = Number::from(10).pow(*power)?;
+        Some((Dimension::of(row.1), &size(row)? * &scale, row.4))
+    })
+}
+
+fn unknown(name: &syn::Ident) -> syn::Error {
+    let common = ["mm", "cm", "km", "kg", "ms", "kN", "mN", "MPa", "kW", "kHz", "mrad"];
+    let near = nearest::suggestion(&name.to_string(), UNITS.iter().map(|row| row.0).chain(common));
+    syn::Error::new(name.span(), format!("`{name}` is not a known unit{near}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Unit;
+
+    #[test]
+    fn sizes_are_the_defined_ones() {
+        let pi = std::f64::consts::PI;
+        let table = [
+            ("mm", 1e-3),
+            ("kg*m^2", 1.0),
+            ("rpm", pi / 30.0),
+            ("deg", pi / 180.0),
+            ("kN", 1e3),
+            ("bar", 1e5),
+            ("g", 1e-3),
+            ("km/h", 1.0 / 3.6),
+            ("N*m/rad", 1.0),
+            ("W/(m*K)", 1.0),
+            ("1/s", 1.0),
+            ("min", 60.0),
+            ("inch", 0.0254),
+            ("cm^2", 1e-4),
+        ];
+        for (text, factor) in table {
+            let unit = Unit::parse(text).unwrap();
+            assert!((unit.factor() / factor - 1.0).abs() < 4.0 * f64::EPSILON, "{text}: {}", unit.factor());
+            assert_eq!(unit.text(), text);
+        }
+    }
+
+    #[test]
+    fn names_of_dimensions() {
+        for (text, si) in [
+            ("kg*m/s^2", "N"),
+            ("N*mm", "J"),
+            ("m/s", "m/s"),
+            ("rad", "1"),
+            ("kg/(m*s)", "kg/(m*s)"),
+            ("1/s^2", "1/s^2"),
+        ] {
+            assert_eq!(Unit::parse(text).unwrap().dimension().si_unit(), si);
+        }
+    }
+
+    #[test]
+    fn mistakes_name_the_nearest_unit() {
+        assert_eq!(Unit::parse("kgg").unwrap_err(), "`kgg` is not a known unit (did you mean `kg`?)");
+        assert_eq!(Unit::parse("Rpm").unwrap_err(), "`Rpm` is not a known unit (did you mean `rpm`?)");
+        assert!(Unit::parse("m/").unwrap_err().contains("not a unit"));
+        assert!(Unit::parse("").unwrap_err().contains("not a unit"));
+    }
+}

@@ -1,0 +1,33 @@
+//! Names of local variables: never a Rust keyword's meaning, never twice.
+
+use rustc_hash::FxHashMap;
+
+/// Hands out names that are not taken.
+#[derive(Clone, Default)]
+pub(super) struct Names {
+    taken: FxHashMap<String, usize>,
+}
+
+impl Names {
+    /// No name but those that generated code itself uses.
+    pub(super) fn new() -> Names {
+        let reserved = ["t", "q", "qd", "qdd", "lambda", "S", "refused"];
+        Names { taken: reserved.into_iter().map(|name| (name.to_owned(), 1)).collect() }
+    }
+
+    /// The wished name, or the first of `name_2`, `name_3` .. that is free.
+    pub(super) fn unique(&mut self, wished: &str) -> String {
+        loop {
+            let count = self.taken.entry(wished.to_owned()).or_insert(0);
+            *count += 1;
+            let name = match *count {
+                1 => return wished.to_owned(),
+                count => format!("{wished}_{count}"),
+            };
+            if !self.taken.contains_key(&name) {
+                self.taken.insert(name.clone(), 1);
+                return name;
+            }
+        }
+    }
+}

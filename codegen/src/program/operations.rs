@@ -1,0 +1,95 @@
+//! Counting the operations of a kernel.
+
+use super::{Results, Statement, Tree};
+use std::fmt;
+
+/// How many operations of each kind a kernel makes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Operations {
+    /// Additions, subtractions and changes of sign.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Sines and cosines of one argument, counted once for both.
+    pub sine_cosines: usize,
+    /// Square roots.
+    pub square_roots: usize,
+    /// Other functions.
+    pub other_functions: usize,
+}
+
+impl Operations {
+    pub(super) fn of(statements: &[Statement], results: &Results) -> Operations {
+        let mut operations = Operations::default();
+        for statement in statements {
+            match statement {
+                Statement::Let { value, .. } => operations.count(value),
+                Statement::SinCos { argument, .. } => {
+                    operations.count(argument);
+                    operations.sine_cosines += 1;
+                }
+            }
+        }
+        results.visit(&mut |tree| operations.count(tree));
+        operations
+    }
+
+    /// All of them.
+    pub fn total(&self) -> usize {
+        self.additions
+            + self.multiplications
+            + self.divisions
+            + self.sine_cosines
+            + self.square_roots
+            + self.other_functions
+    }
+
+    fn count(&mut self, tree: &Tree) {
+        match tree {
+            Tree::Constant(_) | Tree::Name(_) | Tree::Parameter(_) => {}
+            Tree::Sum(terms) => {
+                self.additions += terms.len() - 1;
+                terms.iter().for_each(|(_, term)| self.count(term));
+            }
+            Tree::Product(factors) => {
+                self.multiplications += factors.len() - 1;
+                factors.iter().for_each(|factor| self.count(factor));
+            }
+            Tree::Quotient(above, below) => {
+                self.divisions += 1;
+                self.count(above);
+                self.count(below);
+            }
+            Tree::Negate(operand) => {
+                self.additions += 1;
+                self.count(operand);
+            }
+            Tree::Method(name, arguments) => {
+                match *name {
+                    "sin" | "cos" => self.sine_cosines += 1,
+                    "sqrt" => self.square_roots += 1,
+                    "abs" | "sign" => self.additions += 1,
+                    _ => self.other_functions += 1,
+                }
+                arguments.iter().for_each(|argument| self.count(argument));
+            }
+        }
+    }
+}
+
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [
+            (self.additions, "additions"),
+            (self.multiplications, "multiplications"),
+            (self.divisions, "divisions"),
+            (self.sine_cosines, "sine-cosine pairs"),
+            (self.square_roots, "square roots"),
+            (self.other_functions, "other functions"),
+        ];
+        let parts: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}")).collect();
+        if parts.is_empty() { write!(f, "none") } else { write!(f, "{}", parts.join(", ")) }
+    }
+}

@@ -1,0 +1,204 @@
+//! Values of a straight-line program, shared by construction: the same operation on the same values is one value.
+//!
+//! Nothing algebraic happens here beyond 0 and 1; that is the engine's work, done before.
+
+use crate::symbolic::Function;
+use indexmap::IndexSet;
+use rustc_hash::FxBuildHasher;
+
+/// A value of the program. Operands have smaller indices than what is made of them.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub(super) struct Value(u32);
+
+/// Where a value comes from.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Operation {
+    /// A number that is not negative, by its bits.
+    Constant(u64),
+    /// An input of the kernel.
+    Input(Input),
+    /// Terms, each with whether it is subtracted.
+    Sum(Vec<(bool, Value)>),
+    /// Factors.
+    Product(Vec<Value>),
+    /// A quotient.
+    Quotient(Value, Value),
+    /// The opposite.
+    Negate(Value),
+    /// A function of one argument.
+    Call(Function, Value),
+    /// A square root.
+    Sqrt(Value),
+    /// A real power.
+    Power(Value, Value),
+    /// The angle of the point (x, y), as (y, x).
+    Atan2(Value, Value),
+}
+
+/// An input of a kernel; numbers count in the order of declaration.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Input {
+    /// A parameter of the mechanism.
+    Parameter(usize),
+    /// Time.
+    Time,
+    /// A coordinate.
+    Position(usize),
+    /// Its speed.
+    Speed(usize),
+    /// Its acceleration.
+    Acceleration(usize),
+    /// A multiplier.
+    Multiplier(usize),
+}
+
+/// All values of a program.
+#[derive(Default)]
+pub(super) struct Values {
+    operations: IndexSet<Operation, FxBuildHasher>,
+}
+
+impl Values {
+    pub(super) fn operation(&self, value: Value) -> &Operation {
+        &self.operations[value.index()]
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.operations.len()
+    }
+
+    /// All values, operands first.
+    pub(super) fn all(&self) -> impl DoubleEndedIterator<Item = Value> + use<> {
+        (0..self.operations.len() as u32).map(Value)
+    }
+
+    pub(super) fn add(&mut self, operation: Operation) -> Value {
+        Value(self.operations.insert_full(operation).0 as u32)
+    }
+
+    pub(super) fn find(&self, operation: &Operation) -> Option<Value> {
+        self.operations.get_index_of(operation).map(|index| Value(index as u32))
+    }
+
+    pub(super) fn constant(&mut self, number: f64) -> Value {
+        let size = self.add(Operation::Constant(number.abs().to_bits()));
+        if number.is_sign_negative() { self.negate(size) } else { size }
+    }
+
+    fn is_constant(&self, value: Value, number: f64) -> bool {
+        *self.operation(value) == Operation::Constant(number.to_bits())
+    }
+
+    pub(super) fn is_zero(&self, value: Value) -> bool {
+        self.is_constant(value, 0.0)
+    }
+
+    pub(super) fn negate(&mut self, value: Value) -> Value {
+        match *self.operation(value) {
+            Operation::Negate(inner) => inner,
+            Operation::Constant(bits) if bits == 0.0f64.to_bits() => value,
+            _ => self.add(Operation::Negate(value)),
+        }
+    }
+
+    /// The sum of terms, each with whether it is subtracted; one that is added comes first.
+    pub(super) fn sum(&mut self, terms: Vec<(bool, Value)>) -> Value {
+        let mut terms: Vec<_> = terms
+            .into_iter()
+            .filter(|(_, term)| !self.is_zero(*term))
+            .map(|(negative, term)| match self.operation(term) {
+                Operation::Negate(inner) => (!negative, *inner),
+                _ => (negative, term),
+            })
+            .collect();
+        if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
+            terms[..=first].rotate_right(1);
+        }
+        match terms.as_slice() {
+            [] => self.constant(0.0),
+            [(false, one)] => *one,
+            [(true, one)] => self.negate(*one),
+            _ if terms[0].0 => {
+                let opposite = terms.into_iter().map(|(negative, term)| (!negative, term)).collect();
+                let opposite = self.sum(opposite);
+                self.negate(opposite)
+            }
+            _ => self.add(Operation::Sum(terms)),
+        }
+    }
+
+    /// The product of factors, with signs in front.
+    pub(super) fn product(&mut self, factors: Vec<Value>) -> Value {
+        let mut negative = false;
+        let mut kept = Vec::with_capacity(factors.len());
+        for factor in factors {
+            let size = match *self.operation(factor) {
+                Operation::Negate(inner) => {
+                    negative = !negative;
+                    inner
+                }
+                _ => factor,
+            };
+            if self.is_zero(size) {
+                return size;
+            }
+            if !self.is_constant(size, 1.0) {
+                kept.push(size);
+            }
+        }
+        let product = match kept.as_slice() {
+            [] => self.constant(1.0),
+            [one] => *one,
+            _ => self.add(Operation::Product(kept)),
+        };
+        if negative { self.negate(product) } else { product }
+    }
+
+    pub(super) fn quotient(&mut self, above: Value, below: Value) -> Value {
+        let (above_size, below_size) = (self.size(above), self.size(below));
+        let quotient = match self.is_constant(below_size, 1.0) {
+            true => above_size,
+            false => self.add(Operation::Quotient(above_size, below_size)),
+        };
+        if (above_size == above) == (below_size == below) { quotient } else { self.negate(quotient) }
+    }
+
+    /// The value without a minus sign in front.
+    fn size(&self, value: Value) -> Value {
+        match *self.operation(value) {
+            Operation::Negate(inner) => inner,
+            _ => value,
+        }
+    }
+
+    /// `base^exponent` by squaring, for exponents of at least 1.
+    pub(super) fn integer_power(&mut self, base: Value, exponent: u64) -> Value {
+        match exponent {
+            1 => base,
+            _ if exponent % 2 == 0 => {
+                let half = self.integer_power(base, exponent / 2);
+                self.product(vec![half, half])
+            }
+            _ => {
+                let lower = self.integer_power(base, exponent - 1);
+                self.product(vec![lower, base])
+            }
+        }
+    }
+
+    pub(super) fn operands(&self, value: Value) -> Vec<Value> {
+        match self.operation(value) {
+            Operation::Constant(_) | Operation::Input(_) => vec![],
+            Operation::Sum(terms) => terms.iter().map(|(_, term)| *term).collect(),
+            Operation::Product(factors) => factors.clone(),
+            Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) => vec![*a, *b],
+            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) => vec![*a],
+        }
+    }
+}
+
+impl Value {
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
+}

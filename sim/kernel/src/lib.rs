@@ -1,0 +1,27 @@
+//! What generated kernels and the runtime share: the trait of a mechanism, the scalars its kernels run on, and
+//! what a mechanism says of itself. `no_std`; the only dependency is libm.
+
+#![no_std]
+
+extern crate self as sim_kernel;
+
+mod array;
+mod description;
+mod mechanism;
+mod scalar;
+
+pub use array::Array;
+pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
+pub use mechanism::{ConstraintLinearization, Dynamics, Initial, Mechanism, pivot_is_refused};
+pub use scalar::{Mask, Scalar};
+
+#[cfg(feature = "macros")]
+#[doc(hidden)]
+pub use mechanism_macros::mechanism_at as __mechanism_at;
+
+/// Declares a mechanism: see the language reference, `docs/language.md`.
+#[cfg(feature = "macros")]
+#[macro_export]
+macro_rules! mechanism {
+    ($($declaration:tt)*) => { $crate::__mechanism_at! { $crate; $($declaration)* } };
+}

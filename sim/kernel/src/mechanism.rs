@@ -1,0 +1,119 @@
+//! The seam between generated kernels and whoever runs them.
+
+use crate::{Array, Description, Scalar};
+
+/// A mechanism with the values of its parameters, as `mechanism!` generates it.
+///
+/// n is the number of coordinates and m of constraint rows; matrices are arrays of rows. All quantities are in
+/// SI units. Kernels neither allocate nor panic; outside a function's domain results are NaN.
+pub trait Mechanism<S: Scalar = f64>: Copy {
+    /// Coordinates, speeds or accelerations: n.
+    type Q: Array<S>;
+    /// Constraints or multipliers: m.
+    type L: Array<S>;
+    /// Both, one after the other: n + m.
+    type Z: Array<S>;
+    /// n x n.
+    type QQ: Array<Self::Q>;
+    /// m x n.
+    type LQ: Array<Self::Q>;
+    /// m x m.
+    type LL: Array<Self::L>;
+    /// (n + m) x (n + m).
+    type ZZ: Array<Self::Z>;
+    /// Parameters.
+    type Parameters: Array<S>;
+    /// Outputs.
+    type Outputs: Array<S>;
+    /// Rates of the outputs that have one.
+    type OutputRates: Array<S>;
+    /// Events.
+    type Events: Array<S>;
+    /// Numbers of the drawing.
+    type Drawing: Array<S>;
+
+    /// Names, units, documentation.
+    const DESCRIPTION: Description;
+
+    /// The mechanism with its declared defaults.
+    fn defaults() -> Self;
+    /// The parameters in the order of declaration, in SI units.
+    fn parameters(&self) -> Self::Parameters;
+    /// The mechanism with these parameters.
+    fn with_parameters(parameters: Self::Parameters) -> Self;
+    /// The declared start.
+    fn initial(&self) -> Initial<Self::Q>;
+
+    /// T_q' M T_q, n x n.
+    fn mass_matrix(&self, t: S, q: &Self::Q) -> Self::QQ;
+    /// T_q' M g, n.
+    fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q;
+    /// T_q' F, n.
+    fn generalized_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q;
+    /// C, m.
+    fn constraints(&self, t: S, q: &Self::Q) -> Self::L;
+    /// The sum of the magnitudes of the terms of C, m.
+    fn constraint_magnitudes(&self, t: S, q: &Self::Q) -> Self::L;
+    /// C_q, m x n.
+    fn constraint_jacobian(&self, t: S, q: &Self::Q) -> Self::LQ;
+    /// C_t, m.
+    fn constraint_time_derivative(&self, t: S, q: &Self::Q) -> Self::L;
+    /// (C_q q' + C_t)_q q' + (..)_t, m.
+    fn constraint_convective(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::L;
+    /// C, C_q and C_t together.
+    fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ>;
+    /// v' M v / 2, in joules.
+    fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S;
+    /// Accelerations, multipliers and power.
+    fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L>;
+    /// The power of loads and drives, in watts; `dynamics` gives it too.
+    fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S;
+    /// Outputs in the order of declaration, in SI units.
+    fn outputs(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Outputs;
+    /// Rates, in SI units, of the outputs listed in [`Description::rated_outputs`].
+    fn output_rates(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::OutputRates;
+    /// left - right of each event.
+    fn events(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Events;
+    /// The numbers of each shape of the drawing, in order.
+    fn drawing(&self, t: S, q: &Self::Q) -> Self::Drawing;
+}
+
+/// C(q + dq) = `values` + `jacobian` dq, and the velocities obey `jacobian` q' + `time_derivative` = 0.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstraintLinearization<L, LQ> {
+    /// C, m.
+    pub values: L,
+    /// C_q, m x n.
+    pub jacobian: LQ,
+    /// C_t, m.
+    pub time_derivative: L,
+}
+
+/// The solution of the equations of motion at one state.
+#[derive(Clone, Copy, Debug)]
+pub struct Dynamics<S: Scalar, Q, L> {
+    /// q'', n.
+    pub accelerations: Q,
+    /// lambda, m: the reactions, conjugate to the constraints.
+    pub multipliers: L,
+    /// The power of loads and drives, in watts.
+    pub power: S,
+    /// Where this is true the planned elimination met a pivot that it refused, and nothing above holds.
+    pub refused: S::Mask,
+}
+
+/// Where a declaration says that the motion starts; entries it does not speak of are 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Initial<Q> {
+    /// Values or guesses of the coordinates.
+    pub positions: Q,
+    /// Given speeds.
+    pub speeds: Q,
+}
+
+/// Whether elimination must not divide by this pivot: cancellation between the terms that it is the sum of has
+/// taken half of its digits, or it is zero or NaN. `terms` is the sum of their magnitudes.
+#[inline(always)]
+pub fn pivot_is_refused<S: Scalar>(pivot: S, terms: S) -> S::Mask {
+    S::not(pivot.abs().greater(S::from_f64(S::HALF_DIGITS) * terms))
+}

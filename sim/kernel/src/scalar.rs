@@ -1,0 +1,152 @@
+//! The numbers that kernels run on.
+
+use core::fmt::Debug;
+use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
+
+/// The result of a comparison: one truth value, or one for each lane.
+pub trait Mask: Copy + BitOr<Output = Self> {
+    /// False everywhere.
+    const NONE: Self;
+    /// Whether it is true anywhere.
+    fn any(self) -> bool;
+}
+
+impl Mask for bool {
+    const NONE: bool = false;
+    fn any(self) -> bool {
+        self
+    }
+}
+
+/// A real number, or several side by side. Functions behave as those of `f64`: outside their domain they are
+/// NaN.
+#[allow(missing_docs)]
+pub trait Scalar:
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The result of comparing two.
+    type Mask: Mask;
+    /// The square root of the unit roundoff: where half of the digits are gone.
+    const HALF_DIGITS: f64;
+
+    fn from_f64(value: f64) -> Self;
+    /// Whether `self > other`; false for NaN.
+    fn greater(self, other: Self) -> Self::Mask;
+    /// Truth values swapped.
+    fn not(mask: Self::Mask) -> Self::Mask;
+
+    fn sin_cos(self) -> (Self, Self);
+    fn sin(self) -> Self;
+    fn cos(self) -> Self;
+    fn tan(self) -> Self;
+    fn asin(self) -> Self;
+    fn acos(self) -> Self;
+    fn atan(self) -> Self;
+    /// The angle of the point (x, self).
+    fn atan2(self, x: Self) -> Self;
+    fn sinh(self) -> Self;
+    fn cosh(self) -> Self;
+    fn tanh(self) -> Self;
+    fn exp(self) -> Self;
+    fn ln(self) -> Self;
+    fn sqrt(self) -> Self;
+    fn powf(self, exponent: Self) -> Self;
+    fn abs(self) -> Self;
+    /// -1, 0 or 1.
+    fn sign(self) -> Self;
+}
+
+macro_rules! real {
+    ($type:ident, $sincos:ident, $sin:ident, $cos:ident, $tan:ident, $asin:ident, $acos:ident, $atan:ident, $atan2:ident,
+     $sinh:ident, $cosh:ident, $tanh:ident, $exp:ident, $log:ident, $sqrt:ident, $pow:ident, $fabs:ident, $half:expr) => {
+        impl Scalar for $type {
+            type Mask = bool;
+            const HALF_DIGITS: f64 = $half;
+
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                value as $type
+            }
+            #[inline(always)]
+            fn greater(self, other: Self) -> bool {
+                self > other
+            }
+            #[inline(always)]
+            fn not(mask: bool) -> bool {
+                !mask
+            }
+            #[inline(always)]
+            fn sign(self) -> Self {
+                if self > 0.0 {
+                    1.0
+                } else if self < 0.0 {
+                    -1.0
+                } else {
+                    // Zero, and NaN as it is.
+                    self * 0.0
+                }
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                libm::$sincos(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                libm::$atan2(self, x)
+            }
+            #[inline]
+            fn powf(self, exponent: Self) -> Self {
+                libm::$pow(self, exponent)
+            }
+            real!(@unary sin $sin, cos $cos, tan $tan, asin $asin, acos $acos, atan $atan, sinh $sinh, cosh $cosh,
+                  tanh $tanh, exp $exp, ln $log, sqrt $sqrt, abs $fabs);
+        }
+    };
+    (@unary $($name:ident $function:ident),*) => {
+        $(#[inline]
+        fn $name(self) -> Self {
+            libm::$function(self)
+        })*
+    };
+}
+
+real!(
+    f64,
+    sincos,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    atan2,
+    sinh,
+    cosh,
+    tanh,
+    exp,
+    log,
+    sqrt,
+    pow,
+    fabs,
+    1.490_116_119_384_765_6e-8
+);
+real!(
+    f32,
+    sincosf,
+    sinf,
+    cosf,
+    tanf,
+    asinf,
+    acosf,
+    atanf,
+    atan2f,
+    sinhf,
+    coshf,
+    tanhf,
+    expf,
+    logf,
+    sqrtf,
+    powf,
+    fabsf,
+    3.452_669_8e-4
+);
