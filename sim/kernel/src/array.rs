@@ -1,9 +1,12 @@
 //! Arrays whose length is a mechanism's business.
 
+use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
 /// A fixed-size array, named by an associated type because `[S; Self::N]` cannot be.
-pub trait Array<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
+pub trait Array<T: Copy + Debug>:
+    Copy + Debug + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize>
+{
     /// How many elements it has.
     const LEN: usize;
 
@@ -21,7 +24,7 @@ pub trait Array<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]> + Index<usize, Output =
     }
 }
 
-impl<T: Copy, const N: usize> Array<T> for [T; N] {
+impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
 
     fn from_fn(f: impl FnMut(usize) -> T) -> Self {

@@ -1,12 +1,14 @@
 //! The seam between generated kernels and whoever runs them.
 
+use core::fmt::Debug;
+
 use crate::{Array, Description, Scalar};
 
 /// A mechanism with the values of its parameters, as `mechanism!` generates it.
 ///
 /// n is the number of coordinates and m of constraint rows; matrices are arrays of rows. All quantities are in
 /// SI units. Kernels neither allocate nor panic; outside a function's domain results are NaN.
-pub trait Mechanism<S: Scalar = f64>: Copy {
+pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// Coordinates, speeds or accelerations: n.
     type Q: Array<S>;
     /// Constraints or multipliers: m.

@@ -1,0 +1,117 @@
+//! What can go wrong in a motion, with where and when.
+
+use sim_kernel::{Array, Mechanism};
+use std::fmt;
+
+/// A failure with the time and state at which it happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// What went wrong.
+    pub what: What,
+    /// When, in seconds.
+    pub time: f64,
+    /// The coordinates there, by name, in SI units.
+    pub state: Vec<(&'static str, f64)>,
+}
+
+/// What went wrong.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum What {
+    /// No configuration near the guesses satisfies the constraints.
+    #[error(
+        "the mechanism cannot be assembled: constraint `{constraint}` stays open by {residual:.3e}{others}. \
+             The state shown is the closest one found. Give better guesses, free a given coordinate, or check the lengths"
+    )]
+    NotAssembled {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+        /// The other constraints that stay open, with their residuals.
+        others: String,
+    },
+    /// The given speeds contradict the constraints.
+    #[error(
+        "the given speeds contradict constraint `{constraint}`: it would open at a rate of {residual:.3e}. Give fewer speeds"
+    )]
+    SpeedsContradict {
+        /// The constraint.
+        constraint: &'static str,
+        /// C_q q' + C_t.
+        residual: f64,
+    },
+    /// The position projection did not reach its tolerance.
+    #[error(
+        "the constraints could not be met: `{constraint}` is open by {residual:.3e} after {iterations} corrections. \
+             Take smaller steps; if that does not help the mechanism has reached a position that it cannot leave this way"
+    )]
+    NotProjected {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+        /// Corrections made.
+        iterations: usize,
+    },
+    /// Constraints are not independent here.
+    #[error(
+        "constraint `{constraint}` is not independent of the others here: it is redundant, or the mechanism is in a \
+             singular position. Leave the constraint out if it says what others say already"
+    )]
+    DependentConstraint {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The equations of motion do not determine the accelerations.
+    #[error(
+        "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \
+             moves, and constraints must be independent"
+    )]
+    Singular {
+        /// The unknown that no equation determines: an acceleration or a reaction.
+        unknown: String,
+    },
+    /// A number that is not finite.
+    #[error(
+        "{quantity} is not finite. A load or an expression leaves its domain (division by zero, root of a negative number), \
+             or the step is too large"
+    )]
+    NotFinite {
+        /// Which.
+        quantity: String,
+    },
+}
+
+impl Failure {
+    /// A failure at a state of a mechanism.
+    pub fn at<M: Mechanism>(what: What, time: f64, q: &M::Q) -> Failure {
+        let names = M::DESCRIPTION.coordinates.iter().map(|c| c.position.name);
+        Failure { what, time, state: names.zip(q.iter().copied()).collect() }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let state: Vec<String> = self.state.iter().map(|(name, value)| format!("{name} = {value:.6}")).collect();
+        write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// The name of a constraint row.
+pub(crate) fn constraint_name<M: Mechanism>(row: usize) -> &'static str {
+    M::DESCRIPTION.constraints.get(row).map_or("?", |constraint| constraint.name)
+}
+
+/// The entry of largest magnitude, a NaN before all others. `None` for an empty vector.
+pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> Option<(usize, f64)> {
+    let mut found: Option<(usize, f64)> = None;
+    for (i, value) in values.into_iter().enumerate() {
+        let exceeds = |best: f64| !(value.abs() <= best.abs());
+        if found.is_none_or(|(_, best)| exceeds(best) && !best.is_nan()) {
+            found = Some((i, *value));
+        }
+    }
+    found
+}

@@ -1,0 +1,68 @@
+//! Roots of a function of one variable in a bracket.
+
+/// A root of `f` in [0, 1], where `at_zero` and `at_one`, its values at the ends, differ in sign; to `tolerance`
+/// in the argument.
+///
+/// Chandrupatla's method (Advances in Engineering Software 28, 1997): bisection, or inverse quadratic interpolation
+/// where that is sure to be better.
+///
+/// # Errors
+/// The first error of `f`.
+pub(crate) fn find_root<E>(
+    at_zero: f64,
+    at_one: f64,
+    tolerance: f64,
+    mut f: impl FnMut(f64) -> Result<f64, E>,
+) -> Result<f64, E> {
+    let (mut a, mut fa) = (1.0, at_one);
+    let (mut b, mut fb) = (0.0, at_zero);
+    let mut fraction = 0.5;
+    // Bisection alone needs 53 halvings for the last bit; interpolation never takes more than three times that.
+    for _ in 0..160 {
+        let x = a + fraction * (b - a);
+        let fx = f(x)?;
+        let (c, fc) = if (fx > 0.0) == (fa > 0.0) { (a, fa) } else { (b, std::mem::replace(&mut fb, fa)) };
+        if c == b {
+            b = a;
+        }
+        (a, fa) = (x, fx);
+        let best = if fa.abs() < fb.abs() { a } else { b };
+        let width = (b - a).abs();
+        if width <= tolerance || fa == 0.0 || fb == 0.0 {
+            return Ok(best);
+        }
+        let (xi, phi) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
+        let interpolates = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+        fraction = match interpolates {
+            true => fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb),
+            false => 0.5,
+        };
+        let least = (tolerance / width / 2.0).min(0.5);
+        fraction = fraction.clamp(least, 1.0 - least);
+    }
+    Ok(if fa.abs() < fb.abs() { a } else { b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::find_root;
+
+    #[test]
+    fn roots_are_found_to_the_tolerance() {
+        let functions: [(fn(f64) -> f64, f64); 5] = [
+            (|x| x - 0.3, 0.3),
+            (|x| x * x * x - 0.2, 0.2f64.cbrt()),
+            (|x| (5.0 * x).cos(), std::f64::consts::PI / 10.0),
+            (|x| 1e-9 - x, 1e-9),
+            (|x| (x - 0.7).powi(3), 0.7),
+        ];
+        for (at, (f, root)) in functions.into_iter().enumerate() {
+            let mut calls = 0;
+            let found = find_root(f(0.0), f(1.0), 1e-14, |x| {
+                calls += 1;
+                Ok::<f64, ()>(f(x))
+            });
+            assert!((found.unwrap() - root).abs() < 2e-14 && calls < 60, "{at}: {found:?} after {calls}");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Trajectories as columns with names and units.
+
+use crate::trajectory::{Sample, Trajectory};
+use sim_kernel::Mechanism;
+
+/// A column of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name.
+    pub name: String,
+    /// The unit its values are in.
+    pub unit: &'static str,
+    /// Its values, one for each sample.
+    pub values: Vec<f64>,
+}
+
+impl Column {
+    /// `name [unit]`.
+    pub fn header(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+/// The columns of a trajectory: time, coordinates, speeds, accelerations, multipliers, outputs; in their units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The columns, time first.
+    pub columns: Vec<Column>,
+    /// Where the outputs start.
+    first_output: usize,
+}
+
+impl Table {
+    /// The table of a trajectory.
+    pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
+        let description = const { &M::DESCRIPTION };
+        let samples = &trajectory.samples;
+        let column = |name: String, unit: &'static str, factor: f64, value: &dyn Fn(&Sample<M>) -> f64| Column {
+            name,
+            unit,
+            values: samples.iter().map(|sample| value(sample) / factor).collect(),
+        };
+        let mut columns = vec![column("t".into(), "s", 1.0, &|s| s.state.time)];
+        for (i, c) in description.coordinates.iter().enumerate() {
+            let q = &c.position;
+            columns.push(column(q.name.into(), q.unit, q.factor, &|s| s.state.positions[i]));
+        }
+        for (i, c) in description.coordinates.iter().enumerate() {
+            columns.push(column(c.speed.name.into(), c.speed.unit, c.speed.factor, &|s| s.state.speeds[i]));
+        }
+        for (i, c) in description.coordinates.iter().enumerate() {
+            let a = &c.acceleration;
+            columns.push(column(a.name.into(), a.unit, a.factor, &|s| s.accelerations[i]));
+        }
+        for (i, c) in description.constraints.iter().enumerate() {
+            columns.push(column(format!("lambda_{}", c.name), c.unit, c.factor, &|s| s.multipliers[i]));
+        }
+        let first_output = columns.len();
+        let outputs: Vec<M::Outputs> = samples
+            .iter()
+            .map(|s| {
+                mechanism.outputs(s.state.time, &s.state.positions, &s.state.speeds, &s.accelerations, &s.multipliers)
+            })
+            .collect();
+        for (i, o) in description.outputs.iter().enumerate() {
+            let values = outputs.iter().map(|output| output[i] / o.factor).collect();
+            columns.push(Column { name: o.name.into(), unit: o.unit, values });
+        }
+        Table { columns, first_output }
+    }
+
+    /// The times of the samples.
+    pub fn times(&self) -> &[f64] {
+        self.columns.first().map_or(&[], |column| &column.values)
+    }
+
+    /// The outputs, in the order of declaration.
+    pub fn outputs(&self) -> &[Column] {
+        &self.columns[self.first_output..]
+    }
+
+    /// A column by name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+}

@@ -1,0 +1,88 @@
+//! A run as files.
+
+use crate::run::Run;
+use crate::table::Table;
+use serde_json::{Map, Value, json};
+use sim_kernel::{Array, Mechanism};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// A file that could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {path}: {reason}")]
+pub struct WriteError {
+    path: PathBuf,
+    reason: String,
+}
+
+impl WriteError {
+    /// Why a file could not be written.
+    pub fn new(path: &Path, reason: impl std::fmt::Display) -> WriteError {
+        WriteError { path: path.into(), reason: reason.to_string() }
+    }
+}
+
+/// Writes a table as CSV: header cells `name [unit]`, numbers that read back as the same `f64`.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_csv(table: &Table, path: &Path) -> Result<(), WriteError> {
+    let fail = |e: &dyn std::fmt::Display| WriteError::new(path, e);
+    let mut writer = csv::Writer::from_path(path).map_err(|e| fail(&e))?;
+    writer.write_record(table.columns.iter().map(|column| column.header())).map_err(|e| fail(&e))?;
+    for row in 0..table.times().len() {
+        let cells = table.columns.iter().map(|column| format!("{:?}", column.values[row]));
+        writer.write_record(cells).map_err(|e| fail(&e))?;
+    }
+    writer.flush().map_err(|e| fail(&e))
+}
+
+/// Writes a JSON value, indented.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_json(value: &Value, path: &Path) -> Result<(), WriteError> {
+    let fail = |e: &dyn std::fmt::Display| WriteError::new(path, e);
+    let mut text = serde_json::to_string_pretty(value).map_err(|e| fail(&e))?;
+    text.push('\n');
+    let mut file = fs::File::create(path).map_err(|e| fail(&e))?;
+    file.write_all(text.as_bytes()).map_err(|e| fail(&e))
+}
+
+/// What a run was and found; the same bytes run after run.
+pub fn summary<M: Mechanism>(run: &Run<M>) -> Value {
+    let description = const { &M::DESCRIPTION };
+    let parameters = run.mechanism.parameters();
+    let parameters = description.parameters.iter().zip(parameters.iter()).map(|(p, value)| {
+        let value = json!({ "value": value / p.factor, "unit": p.unit });
+        (p.name.to_owned(), value)
+    });
+    let events: Vec<Value> =
+        run.events.iter().map(|event| json!({ "name": event.name, "time": event.state.time })).collect();
+    let samples = &run.trajectory.samples;
+    let last = samples.last().map_or(0.0, |sample| sample.state.time);
+    json!({
+        "model": description.name,
+        "parameters": parameters.collect::<Map<String, Value>>(),
+        "initial": samples.first().map(|sample| state_object(description, &sample.state.positions, &sample.state.speeds)),
+        "method": { "name": crate::RK4.name, "projection": "positions and velocities", "steps": run.grid.steps, "step": run.grid.end / run.grid.steps as f64 },
+        "end": { "asked": run.grid.end, "reached": last, "samples": samples.len() },
+        "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
+        "period": run.period(),
+        "events": events,
+        "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
+        "energy_balance": run.energy_balance,
+    })
+}
+
+/// Coordinates and speeds by name, in their units.
+fn state_object<A: Array<f64>>(description: &sim_kernel::Description, positions: &A, speeds: &A) -> Value {
+    let positions = description.coordinates.iter().zip(positions.iter()).map(|(c, value)| (&c.position, value));
+    let speeds = description.coordinates.iter().zip(speeds.iter()).map(|(c, value)| (&c.speed, value));
+    let entries = positions.chain(speeds).map(|(q, value)| {
+        let value = json!({ "value": value / q.factor, "unit": q.unit });
+        (q.name.to_owned(), value)
+    });
+    entries.collect::<Map<String, Value>>().into()
+}
