@@ -13,6 +13,11 @@ impl Mistakes {
         }
     }
 
+    /// Whether there was none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
     /// The value, or what was wrong with it, taken note of.
     pub fn note<T>(&mut self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|mistake| self.add(mistake)).ok()

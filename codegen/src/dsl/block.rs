@@ -2,7 +2,8 @@
 
 use super::expression::expression;
 use super::parse::{ended, lines};
-use super::unit::optional_unit;
+use super::region::here;
+use super::unit::declared_unit;
 use super::*;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
@@ -42,9 +43,9 @@ pub(super) fn name(input: ParseStream, what: &str) -> Result<Ident> {
 pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
     let docs = docs(input)?;
     let name = name(input, "a coordinate: `alpha [rad];`")?;
-    let unit = optional_unit(input)?;
+    let unit = declared_unit(input, &name)?;
     if input.peek(Token![=]) {
-        return Err(input.error(format!("a start value stands in `initial {{ {name} = ..; }}`, not here")));
+        return Err(here(input, format!("a start value stands in `initial {{ {name} = ..; }}`, not here")));
     }
     Ok(Coordinate { docs, name, unit })
 }
@@ -52,9 +53,9 @@ pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
 pub(super) fn parameter(input: ParseStream) -> Result<Parameter> {
     let docs = docs(input)?;
     let name = name(input, "a parameter: `m [kg] = 0.5;`")?;
-    let unit = optional_unit(input)?;
+    let unit = declared_unit(input, &name)?;
     if !input.peek(Token![=]) {
-        return Err(input.error(format!("parameter `{name}` needs a default: `{name} [unit] = value;`")));
+        return Err(here(input, format!("parameter `{name}` needs a default: `{name} [unit] = value;`")));
     }
     input.parse::<Token![=]>()?;
     Ok(Parameter { docs, name, unit, value: expression(input)? })
@@ -64,7 +65,7 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     input.parse::<Token![let]>()?;
     let name = name(input, "a name: `let A = ..;`")?;
     if input.peek(syn::token::Bracket) {
-        return Err(input.error("a `let` has the unit of its expression; write `let name = ..;`"));
+        return Err(here(input, "a `let` has the unit of its expression; write `let name = ..;`"));
     }
     equals(input, "`let` gives a name to an expression: `let A = ..;`")?;
     Ok(Let { name, value: expression(input)? })
@@ -72,14 +73,14 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
 
 fn equals(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
-        return Err(input.error(advice));
+        return Err(here(input, advice));
     }
     Ok(())
 }
 
 fn colon(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![:]>>()?.is_none() {
-        return Err(input.error(advice));
+        return Err(here(input, advice));
     }
     Ok(())
 }
@@ -103,7 +104,7 @@ fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
 }
 
 fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
-    if accept_word(input, word)? { Ok(()) } else { Err(input.error(format!("expected `{word}`: `{form}`"))) }
+    if accept_word(input, word)? { Ok(()) } else { Err(here(input, format!("expected `{word}`: `{form}`"))) }
 }
 
 pub(super) fn body(input: ParseStream) -> Result<Body> {
@@ -166,7 +167,7 @@ pub(super) fn initial(input: ParseStream) -> Result<Initial> {
         syn::parenthesized!(content in input);
         let coordinate = name(&content, "a coordinate: `dot(alpha) = ..;`")?;
         if !content.is_empty() {
-            return Err(content.error("the speed of a coordinate is given, `dot(alpha) = ..;`, not of an expression"));
+            return Err(here(&content, "the speed of a coordinate is given, `dot(alpha) = ..;`, not of an expression"));
         }
         (InitialKind::Speed, coordinate)
     } else if first == "guess" && input.peek(Ident::peek_any) {
@@ -191,7 +192,7 @@ pub(super) fn output_group(input: ParseStream) -> Result<OutputGroup> {
     }
     let title = if input.peek(LitStr) { Some(input.parse::<LitStr>()?.value()) } else { None };
     if !input.peek(syn::token::Brace) {
-        return Err(input.error(format!("a group of outputs is written `{name} \"Title\" {{ .. }}`")));
+        return Err(here(input, format!("a group of outputs is written `{name} \"Title\" {{ .. }}`")));
     }
     let content;
     syn::braced!(content in input);
@@ -207,7 +208,7 @@ fn output_name(input: ParseStream) -> Result<(String, Ident)> {
 }
 
 fn output_after_name(input: ParseStream, docs: String, name: Ident) -> Result<Output> {
-    let unit = optional_unit(input)?;
+    let unit = declared_unit(input, &name)?;
     equals(input, "an output is written `name [unit] = expression;`")?;
     Ok(Output { docs, name, unit, value: expression(input)? })
 }

@@ -2,7 +2,8 @@
 //!
 //! Rust's own expression parser would put `^` below `+`.
 
-use super::unit::optional_unit;
+use super::region::here;
+use super::unit::{optional_unit, unbracketed_unit};
 use super::{Expression, Kind, Operator, Region};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
@@ -15,7 +16,7 @@ const FOLLOWING_WORDS: [&str; 5] = ["at", "on", "along", "radius", "about"];
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     let sum = sum(input)?;
     if input.peek(Token![==]) {
-        return Err(input.error("an equation is written with one `=`"));
+        return Err(here(input, "an equation is written with one `=`"));
     }
     Ok(sum)
 }
@@ -41,7 +42,7 @@ fn product(input: ParseStream) -> Result<Expression> {
             _ => return Ok(left),
         };
         if operator == Operator::Multiply && input.peek(Token![*]) {
-            return Err(input.error("a power is written `^`: `x^2`, not `x**2`"));
+            return Err(here(input, "a power is written `^`: `x^2`, not `x**2`"));
         }
         left = binary(operator, left, signed(input)?);
     }
@@ -103,7 +104,7 @@ fn atom(input: ParseStream) -> Result<Expression> {
         let name = Ident::parse_any(input)?;
         return if input.peek(syn::token::Paren) { call(input, name) } else { Ok(named(name)) };
     }
-    Err(input.error("an expression is missing here: a number, a name, a vector `[x, y]` or `(..)`"))
+    Err(here(input, "an expression is missing here: a number, a name, a vector `[x, y]` or `(..)`"))
 }
 
 fn named(name: Ident) -> Expression {
@@ -123,14 +124,14 @@ fn list(content: ParseStream, closing: &str) -> Result<Vec<Expression>> {
     while !content.is_empty() {
         items.push(expression(content)?);
         if !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
-            return Err(content.error(format!("expected `,` or {closing}")));
+            return Err(here(content, format!("expected `,` or {closing}")));
         }
     }
     Ok(items)
 }
 
 fn finish(content: ParseStream, closing: &str) -> Result<()> {
-    if content.is_empty() { Ok(()) } else { Err(content.error(format!("expected an operator or {closing}"))) }
+    if content.is_empty() { Ok(()) } else { Err(here(content, format!("expected an operator or {closing}"))) }
 }
 
 fn number(input: ParseStream) -> Result<Expression> {
@@ -162,13 +163,14 @@ fn number(input: ParseStream) -> Result<Expression> {
 /// Refuses two operands side by side, with the advice that fits.
 fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     if input.peek(syn::token::Bracket) && matches!(left.kind, Kind::Name(_)) {
-        return Err(input.error(
+        return Err(here(
+            input,
             "a unit stands after a number or in a declaration; a name has the unit it was declared with. \
              For a product with a vector write `*` before `[`",
         ));
     }
     if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) || input.peek(Lit) {
-        return Err(input.error("an operator is missing here; a product is written `a*b`"));
+        return Err(here(input, "an operator is missing here; a product is written `a*b`"));
     }
     if !input.peek(Ident::peek_any) {
         return Ok(());
@@ -178,10 +180,12 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
         return Ok(());
     }
     match &left.kind {
-        Kind::Number { literal, unit: None } => Err(syn::Error::new(
-            word.span(),
-            format!("a unit stands in brackets: `{literal} [{word}]`; a product is written `{literal}*{word}`"),
-        )),
+        Kind::Number { literal, unit: None } => {
+            let unit = unbracketed_unit(&input.fork()).unwrap_or_else(|| word.to_string());
+            let message =
+                format!("a unit stands in brackets: `{literal} [{unit}]`; a product is written `{literal}*{word}`");
+            Err(syn::Error::new(word.span(), message))
+        }
         _ => Err(syn::Error::new(word.span(), format!("an operator or `;` is missing before `{word}`"))),
     }
 }

@@ -1,6 +1,7 @@
 //! The frame of a declaration: its head and its blocks. A mistake in one line does not hide the next.
 
 use super::block;
+use super::region::here;
 use super::*;
 use crate::mistakes::Mistakes;
 use proc_macro2::{TokenStream, TokenTree};
@@ -49,7 +50,7 @@ fn head(input: ParseStream) -> Result<Head> {
     let visibility: Visibility = input.parse()?;
     let name = block::name(input, FORM).map_err(|e| syn::Error::new(e.span(), FORM))?;
     if input.parse::<Option<Token![;]>>()?.is_none() {
-        return Err(input.error(FORM));
+        return Err(here(input, FORM));
     }
     Ok(Head { docs, visibility, name })
 }
@@ -93,7 +94,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {list}")));
     }
     if !input.peek(syn::token::Brace) {
-        return Err(input.error(format!("expected `{{`: `{word} {{ .. }}`")));
+        return Err(here(input, format!("expected `{{`: `{word} {{ .. }}`")));
     }
     let content;
     syn::braced!(content in input);
@@ -140,7 +141,7 @@ pub(super) fn ended<T>(parse: impl Fn(ParseStream) -> Result<T>) -> impl Fn(Pars
         let item = parse(input)?;
         match input.parse::<Option<Token![;]>>()? {
             Some(_) => Ok(item),
-            None => Err(input.error("expected `;` at the end of this line")),
+            None => Err(here(input, "expected `;` at the end of this line")),
         }
     }
 }

@@ -41,3 +41,8 @@ impl From<&syn::Ident> for Region {
         ident.span().into()
     }
 }
+
+/// A mistake at the next word, or where the words end.
+pub(super) fn here(input: syn::parse::ParseStream, message: impl std::fmt::Display) -> syn::Error {
+    syn::Error::new(input.span(), message)
+}

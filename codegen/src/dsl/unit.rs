@@ -1,7 +1,9 @@
 //! Units in brackets: `[kg*m^2]`, `[m/s^2]`, `[1/s]`, `[W/(m*K)]`.
 
+use super::region::here;
 use super::{Region, Unit};
 use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, LitInt, Token};
 
@@ -19,6 +21,15 @@ pub(super) fn optional_unit(input: ParseStream) -> Result<Option<Unit>> {
     unit(&content, region).map(Some)
 }
 
+/// Reads the unit that may follow a declared name.
+pub(super) fn declared_unit(input: ParseStream, name: &Ident) -> Result<Option<Unit>> {
+    if input.peek(Ident::peek_any) {
+        let unit = unbracketed_unit(&input.fork()).unwrap_or_default();
+        return Err(here(input, format!("a unit stands in brackets: `{name} [{unit}]`")));
+    }
+    optional_unit(input)
+}
+
 /// Reads a unit without brackets from text, such as `mm` or `kg*m^2`.
 pub fn parse_unit(text: &str) -> Result<Unit> {
     let tokens: TokenStream = text.parse().map_err(|_| {
@@ -26,6 +37,12 @@ pub fn parse_unit(text: &str) -> Result<Unit> {
     })?;
     let whole = Region::from(proc_macro2::Span::call_site());
     (|input: ParseStream| unit(input, whole)).parse2(tokens)
+}
+
+/// The text of a unit that stands without its brackets.
+pub(super) fn unbracketed_unit(input: ParseStream) -> Option<String> {
+    let mut unit = Unit { region: input.span().into(), factors: Vec::new(), text: String::new() };
+    product(input, 1, &mut unit).ok().map(|()| unit.text)
 }
 
 fn unit(input: ParseStream, region: Region) -> Result<Unit> {
@@ -38,7 +55,7 @@ fn unit(input: ParseStream, region: Region) -> Result<Unit> {
 }
 
 fn mistake(input: ParseStream) -> syn::Error {
-    input.error("this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`")
+    here(input, "this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`")
 }
 
 /// `m`, `m*s`, `m/s/s`, each raised to `sign` times its own exponent.

@@ -304,10 +304,7 @@ impl Interpreter {
             Ok(arguments) => Some(arguments),
             Err(_) => {
                 let (form, given) = (names.join(", "), arguments.len());
-                self.refuse(
-                    region,
-                    format!("`{function}` is written `{function}({form})`; {given} arguments are given"),
-                )
+                self.refuse(region, format!("`{function}` is written `{function}({form})`: {N} wanted, {given} given"))
             }
         }
     }

@@ -11,6 +11,7 @@ use syn::Ident;
 
 const MOVING: Dependence = Dependence::COORDINATE.or(Dependence::SPEED).or(Dependence::ACCELERATION);
 const BEYOND_POSITION: Dependence = Dependence::SPEED.or(Dependence::ACCELERATION).or(Dependence::MULTIPLIER);
+const DRAWN: &str = "what is drawn";
 const BEYOND_SPEED: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
 
 /// Resolves a declaration.
@@ -18,6 +19,10 @@ const BEYOND_SPEED: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPL
 /// # Errors
 /// All mistakes of meaning, each at the user's own word, combined into one error.
 pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
+    if declaration.coordinates.is_empty() {
+        let place = Region::from(&declaration.head.name);
+        return Err(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
+    }
     let mut graph = Graph::new();
     let time = graph.symbol("t");
     let mut dependences = Dependences::default();
@@ -81,10 +86,6 @@ fn define(name: &Ident, value: Option<Value>, i: &mut Interpreter) {
 }
 
 fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter) -> Vec<Coordinate> {
-    if declaration.coordinates.is_empty() {
-        let place = Region::from(&declaration.head.name);
-        i.mistakes.add(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
-    }
     let mut coordinates: Vec<Coordinate> = Vec::new();
     for c in &declaration.coordinates {
         let name = plain(&c.name);
@@ -192,7 +193,7 @@ fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> (Vec<Option
         let body = resolve_body(b, i);
         bodies.push(body);
     }
-    if declaration.bodies.is_empty() && !declaration.coordinates.is_empty() {
+    if declaration.bodies.is_empty() {
         let place = Region::from(&declaration.head.name);
         i.mistakes.add(
             place.error("a mechanism needs at least one body: `bodies { rod: mass m at G, inertia J, angle phi; }`"),
@@ -204,44 +205,22 @@ fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> (Vec<Option
 fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
     let name = plain(&b.name);
     let place = Region::from(&b.name);
-    let mass = match &b.mass {
-        Some((mass, Some(position))) => {
-            let (value, at) = (i.scalar(mass), i.point(position));
-            Some((inertial(mass, value?, i)?, position_level(position, at?, "the position of a mass", i)?))
-        }
-        Some((mass, None)) => {
-            return i.refuse(
-                mass.region,
-                format!("where is the mass of `{name}`? Write `mass m at P`, P being its centre of mass"),
-            );
-        }
-        None => None,
-    };
-    let angle = match &b.angle {
-        Some(angle) => {
-            let value = i.scalar(angle)?;
-            position_level(angle, [value], "the angle of a body", i)?;
-            Some(value)
-        }
-        None => None,
-    };
-    let inertia = match &b.inertia {
-        Some(inertia) => {
-            let value = i.scalar(inertia)?;
-            Some(inertial(inertia, value, i)?)
-        }
-        None => None,
-    };
-    let rotation = match (inertia, angle) {
-        (Some(inertia), Some(angle)) => Some((inertia, angle)),
-        (None, Some(angle)) => Some((i.graph.zero(), angle)),
-        (Some(_), None) => {
-            let region = b.inertia.as_ref().map_or(place, |inertia| inertia.region);
-            return i.refuse(region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
-        }
-        (None, None) => None,
-    };
-    let moved: Vec<Expr> = mass.iter().flat_map(|(_, p)| *p).chain(rotation.map(|(_, angle)| angle)).collect();
+    // Every part is looked at before the first mistake counts.
+    let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
+    let angle = b.angle.as_ref().map(|angle| position_scalar(angle, "the angle of a body", i));
+    let inertia = b.inertia.as_ref().map(|inertia| {
+        let value = i.scalar(inertia)?;
+        inertial(inertia, value, i)
+    });
+    if let (Some(inertia), None) = (&b.inertia, &b.angle) {
+        return i.refuse(inertia.region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
+    }
+    let zero = i.graph.zero();
+    let mass = mass.map_or(Some(None), |mass| mass.map(Some))?;
+    let angle = angle.map_or(Some(None), |angle| angle.map(Some))?;
+    let inertia = inertia.unwrap_or(Some(zero))?;
+    let rotation = angle.map(|angle| (inertia, angle));
+    let moved: Vec<Expr> = mass.iter().flat_map(|(_, p)| *p).chain(angle).collect();
     if !moved.iter().any(|x| i.dependences.of(&i.graph, *x).meets(Dependence::COORDINATE.or(Dependence::TIME))) {
         return i.refuse(
             place,
@@ -251,6 +230,23 @@ fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
         );
     }
     Some(Body { name, mass, rotation })
+}
+
+fn resolve_mass(
+    mass: &Expression,
+    position: Option<&Expression>,
+    body: &str,
+    i: &mut Interpreter,
+) -> Option<(Expr, Point)> {
+    let value = i.scalar(mass).and_then(|value| inertial(mass, value, i));
+    let Some(position) = position else {
+        return i.refuse(
+            mass.region,
+            format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass"),
+        );
+    };
+    let at = i.point(position).and_then(|at| position_level(position, at, "the position of a mass", i));
+    value.zip(at)
 }
 
 /// A mass or moment of inertia: made of parameters.
@@ -328,7 +324,7 @@ fn resolve_loads(
                 let value = i.point(acceleration).and_then(|value| load_level(acceleration, value, i));
                 loads.gravity = value.or(loads.gravity);
                 let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
-                if massless {
+                if massless && !declaration.bodies.is_empty() {
                     i.mistakes
                         .add(keyword.error(
                             "gravity acts on masses, and no body has one; write `mass m at P` in a body's line",
@@ -521,11 +517,11 @@ fn resolve_shape(shape: &dsl::Shape, i: &mut Interpreter) -> Option<Shape> {
         dsl::Shape::Ground(points) => drawn_points(points, i).map(Shape::Ground),
         dsl::Shape::Points(points) => drawn_points(points, i).map(Shape::Points),
         dsl::Shape::Slider { at, along } => {
-            let (point, angle) = (drawn_point(at, i), drawn_scalar(along, i));
+            let (point, angle) = (drawn_point(at, i), position_scalar(along, DRAWN, i));
             Some(Shape::Slider(point?, angle?))
         }
         dsl::Shape::Circle { at, radius } => {
-            let (point, radius) = (drawn_point(at, i), drawn_scalar(radius, i));
+            let (point, radius) = (drawn_point(at, i), position_scalar(radius, DRAWN, i));
             Some(Shape::Circle(point?, radius?))
         }
     }
@@ -538,12 +534,12 @@ fn drawn_points(points: &[Expression], i: &mut Interpreter) -> Option<Vec<Point>
 
 fn drawn_point(expression: &Expression, i: &mut Interpreter) -> Option<Point> {
     let point = i.point(expression)?;
-    position_level(expression, point, "what is drawn", i)
+    position_level(expression, point, DRAWN, i)
 }
 
-fn drawn_scalar(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
+fn position_scalar(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Expr> {
     let value = i.scalar(expression)?;
-    position_level(expression, [value], "what is drawn", i).map(|[value]| value)
+    position_level(expression, [value], what, i).map(|[value]| value)
 }
 
 /// A coordinate that neither moves a body nor stands in a constraint has no equation of motion.
@@ -554,7 +550,8 @@ fn check_coordinates_used(
     constraints: &[Constraint],
     i: &mut Interpreter,
 ) {
-    if bodies.iter().any(Option::is_none) || constraints.len() < declaration.constraints.len() || bodies.is_empty() {
+    // Another mistake may be why it is not used.
+    if !i.mistakes.is_empty() {
         return;
     }
     let mut roots: Vec<Expr> = constraints.iter().map(|c| c.value).collect();
