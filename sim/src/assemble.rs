@@ -143,5 +143,6 @@ fn least_norm_solution<M: Mechanism>(jacobian: &M::LQ, given: &M::Q, residual: D
     let svd = free.svd(true, true);
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
     let solution = svd.solve(&residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
-    Some(M::Q::from_fn(|j| solution[j]))
+    // Rounding must not move what is given.
+    Some(M::Q::from_fn(|j| if given[j] == 0.0 { solution[j] } else { 0.0 }))
 }

@@ -1,0 +1,48 @@
+//! How long it takes from a declaration to its kernels, by stage. `cargo bench -p tests --bench derivation`
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+use codegen::{dsl, dynamics, emit, model, program};
+use proc_macro2::TokenStream;
+use quote::quote;
+use sim::{Description, Mechanism};
+use std::time::{Duration, Instant};
+
+const RUNS: usize = 50;
+
+fn main() {
+    println!("derivation and emission, minimum of {RUNS}, in ms (optimised)");
+    println!(
+        "{:<20} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}",
+        "model", "parse", "resolve", "derive", "plan", "emit", "all"
+    );
+    for description in [
+        const { &<models::QuickReturn as Mechanism>::DESCRIPTION },
+        const { &<models::QuickReturnRatio as Mechanism>::DESCRIPTION },
+    ] {
+        stages(description);
+    }
+}
+
+fn stages(description: &Description) {
+    let tokens: TokenStream = description.declaration.parse().unwrap();
+    let mut best = [Duration::MAX; 6];
+    for _ in 0..RUNS {
+        let clock = Instant::now();
+        let declaration = dsl::parse(tokens.clone()).unwrap();
+        let parsed = clock.elapsed();
+        let model = model::resolve(&declaration).unwrap();
+        let resolved = clock.elapsed();
+        let mut equations = dynamics::derive(model);
+        let derived = clock.elapsed();
+        let program = program::plan(&mut equations);
+        let planned = clock.elapsed();
+        let rust = emit::emit(&declaration.head, description.declaration, &equations, &program, &quote!(sim_kernel));
+        let emitted = clock.elapsed();
+        assert!(!rust.is_empty());
+        let times = [parsed, resolved - parsed, derived - resolved, planned - derived, emitted - planned, emitted];
+        best = std::array::from_fn(|i| best[i].min(times[i]));
+    }
+    let cells = best.map(|time| format!("{:>8.3}", 1e3 * time.as_secs_f64()));
+    println!("{:<20} {}", description.name, cells.join(" "));
+}

@@ -1,0 +1,86 @@
+//! Assembly of the start.
+
+use sim::{What, assemble, declared_start, mechanism};
+use tests::run;
+
+mechanism! {
+    /// A four-bar linkage.
+    FourBar;
+    coordinates { crank [deg]; coupler [deg]; rocker [deg]; }
+    parameters { a [m] = 0.2; b [m] = 0.6; c [m] = 0.5; d [m] = 0.6; J [kg*m^2] = 0.1; start [deg] = 0; }
+    let A = a*[cos(crank), sin(crank)];
+    let B = A + b*[cos(coupler), sin(coupler)];
+    bodies {
+        one: inertia J, angle crank;
+        two: inertia J, angle coupler;
+        three: inertia J, angle rocker;
+    }
+    constraints { closure: B = [d, 0] + c*[cos(rocker), sin(rocker)]; }
+    initial { crank = start; dot(crank) = 10; guess coupler = 60; guess rocker = 100; }
+}
+
+mechanism! {
+    /// A point that must be at two heights.
+    Contradiction;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; }
+    bodies { point: mass m at [x, y]; }
+    constraints { low: y = 1; far: x = 3; high: y = 2; }
+}
+
+mechanism! {
+    /// Nothing given: assembly finds the nearest point of the circle.
+    Free;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; }
+    bodies { point: mass m at [x, y]; }
+    constraints { circle: x^2 + y^2 = 25; }
+    initial { guess x = 3.3; guess y = 4.4; dot(x) = 8; }
+}
+
+#[test]
+fn a_four_bar_closes_on_the_branch_of_its_guesses() {
+    let linkage = FourBar::default();
+    let state = assemble(&linkage, &declared_start(&linkage)).unwrap();
+    let [crank, coupler, rocker] = state.positions;
+    assert_eq!(crank, 0.0);
+    // With the crank along the ground link: law of cosines in the triangle of sides d - a, b, c.
+    let (b, c, base) = (0.6f64, 0.5f64, 0.4f64);
+    let at_crank = ((base * base + b * b - c * c) / (2.0 * base * b)).acos();
+    let at_rocker = ((base * base + c * c - b * b) / (2.0 * base * c)).acos();
+    assert!((coupler - at_crank).abs() < 1e-12 && (rocker - (std::f64::consts::PI - at_rocker)).abs() < 1e-12);
+    // A plain number in `initial` is in the coordinate's unit: 10 degrees a second.
+    assert!((state.speeds[0] - 10f64.to_radians()).abs() < 1e-15);
+}
+
+#[test]
+fn the_nearest_configuration_is_found_and_speeds_follow() {
+    let mechanism = Free::default();
+    let state = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
+    assert!((state.positions[0] - 3.0).abs() < 1e-12 && (state.positions[1] - 4.0).abs() < 1e-12);
+    assert_eq!(state.speeds[0], 8.0);
+    assert!((state.speeds[1] + 6.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_cannot_be_assembled_names_the_constraint_and_the_closest_state() {
+    let mechanism = Contradiction::default();
+    let failure = assemble(&mechanism, &declared_start(&mechanism)).unwrap_err();
+    let What::NotAssembled { constraint, residual, ref others } = failure.what else { panic!("{failure}") };
+    assert!(constraint == "low" && (residual.abs() - 0.5).abs() < 1e-9 && others.contains("`high`"), "{failure}");
+    assert!(!others.contains("far"), "{failure}");
+    let [("x", x), ("y", y)] = failure.state[..] else { panic!("{failure}") };
+    assert!((x - 3.0).abs() < 1e-12 && (y - 1.5).abs() < 1e-12, "{failure}");
+    let too_long = FourBar { d: 2.0, ..FourBar::default() };
+    assert!(run(too_long, 1.0, 10).unwrap_err().to_string().contains("`closure_x` stays open"));
+}
+
+#[test]
+fn contradicting_speeds_name_the_constraint() {
+    let linkage = FourBar::default();
+    let mut start = declared_start(&linkage);
+    start.speed_given = [1.0; 3];
+    start.speeds = [1.0, 0.0, 0.0];
+    let failure = assemble(&linkage, &start).unwrap_err();
+    assert!(matches!(failure.what, What::SpeedsContradict { constraint: "closure_y", .. }), "{failure}");
+}

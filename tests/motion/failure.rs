@@ -1,0 +1,88 @@
+//! Runs that fail say what, when and where, and keep what was computed until then.
+
+use sim::{Failure, What, mechanism};
+use tests::run;
+
+mechanism! {
+    /// A bead on a rod in a groove that ends: y = sqrt(1 - x) leaves its domain at x = 1.
+    Groove;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; }
+    bodies { bead: mass m at [x, y]; }
+    constraints { groove: y = sqrt(1 - x); }
+    initial { x = 0; dot(x) = 1; guess y = 1; }
+}
+
+mechanism! {
+    /// Two parallel guides are one too many.
+    Overconstrained;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; }
+    bodies { bead: mass m at [x, y]; }
+    loads { force [1, 0] at [x, y]; }
+    constraints { first: y = 0; second: 2*y = 0; }
+}
+
+mechanism! {
+    /// A load with a pole.
+    Pole;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; at [m] = 0.5; }
+    bodies { bead: mass m at [x, 0]; }
+    loads { force [sqrt(at - x), 0] at [x, 0]; }
+    initial { dot(x) = 1; }
+}
+
+mechanism! {
+    /// A coordinate that moves a body without inertia, held by a constraint: no pivot on the diagonal.
+    Massless;
+    coordinates { x [m]; phi [rad]; }
+    parameters { m [kg] = 2; k [N/m] = 50; r [m] = 0.1; J [kg*m^2] = 0; }
+    bodies { block: mass m at [x, 0]; wheel: inertia J, angle phi; }
+    loads { force [-k*x, 0] at [x, 0]; }
+    constraints { rolling: x = r*phi; }
+    initial { x = 0.3; guess phi = 3; }
+    events { centre: x = 0; }
+}
+
+fn failing<M: sim::Mechanism>(mechanism: M) -> (usize, f64, Failure) {
+    let run = run(mechanism, 2.0, 2000).unwrap();
+    let last = run.trajectory.samples.last().map_or(0.0, |sample| sample.state.time);
+    (run.trajectory.samples.len(), last, run.trajectory.failure.unwrap())
+}
+
+#[test]
+fn a_constraint_that_leaves_its_domain_ends_the_run_with_its_name() {
+    let (samples, last, failure) = failing(Groove::default());
+    assert!(samples > 100 && last > 0.1 && failure.time >= last, "{failure}");
+    let message = failure.to_string();
+    println!("{message}");
+    assert!(message.contains("groove") || message.contains("not finite"), "{message}");
+}
+
+#[test]
+fn a_load_that_leaves_its_domain_ends_the_run_with_its_equation() {
+    let (samples, last, failure) = failing(Pole::default());
+    assert!(samples > 100 && last > 0.1 && last < 0.6);
+    assert_eq!(failure.what, What::NotFinite { quantity: "the equation of the acceleration of `x`".into() });
+}
+
+#[test]
+fn redundant_constraints_are_named() {
+    let run = run(Overconstrained::default(), 1.0, 10).unwrap();
+    let failure = run.trajectory.failure.unwrap();
+    let What::Singular { unknown } = &failure.what else { panic!("{failure}") };
+    assert!(unknown.contains("`first`") || unknown.contains("`second`"), "{failure}");
+}
+
+/// x'' = -(k/m) x, although the planned elimination cannot eliminate phi: every state is solved by complete
+/// pivoting.
+#[test]
+fn a_coordinate_without_inertia_is_solved_by_pivoting() {
+    let run = run(Massless::default(), 2.0, 4000).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let quarter = std::f64::consts::FRAC_PI_2 * (2.0f64 / 50.0).sqrt();
+    // (h omega)^4 = 4e-11.
+    assert!((run.events[0].state.time - quarter).abs() < 1e-9);
+    assert!(run.trajectory.samples.iter().all(|sample| sample.multipliers[0].abs() < 1e-12));
+}

@@ -1,0 +1,8 @@
+//! Motions against solutions that this code did not make.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod assembly;
+mod failure;
+mod pendulum;
+mod quick_return;

@@ -1,0 +1,56 @@
+//! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
+
+use serde_json::Value;
+use sim::{Grid, Mechanism, Run, declared_start};
+use std::time::{Duration, Instant};
+
+/// A file of `tests/reference`.
+pub fn reference(name: &str) -> Value {
+    let path = format!("{}/reference/{name}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| fail(&path, &e));
+    serde_json::from_str(&text).unwrap_or_else(|e| fail(&path, &e))
+}
+
+#[allow(clippy::panic)]
+fn fail(path: &str, error: &dyn std::error::Error) -> ! {
+    panic!("{path}: {error}")
+}
+
+/// A number of a reference file, which holds decimal strings.
+pub fn decimal(value: &Value) -> f64 {
+    value.as_str().and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
+}
+
+/// A run from the declared start.
+///
+/// # Errors
+/// If it cannot be assembled.
+pub fn run<M: Mechanism>(mechanism: M, end: f64, steps: usize) -> Result<Run<M>, sim::Failure> {
+    sim::run(mechanism, &declared_start(&mechanism), Grid { end, steps })
+}
+
+/// A small generator of reproducible random numbers (Steele, Lea, Flood: SplitMix64, 2014).
+pub struct Random(pub u64);
+
+impl Random {
+    /// The next number in [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        low + (high - low) * ((z >> 11) as f64 / (1u64 << 53) as f64)
+    }
+}
+
+/// The shortest of several runs of `f`, after one that is not counted.
+pub fn shortest(runs: usize, mut f: impl FnMut()) -> Duration {
+    f();
+    let times = (0..runs).map(|_| {
+        let clock = Instant::now();
+        f();
+        clock.elapsed()
+    });
+    times.min().unwrap_or_default()
+}
