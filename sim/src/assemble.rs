@@ -120,7 +120,7 @@ fn assemble_speeds<M: Mechanism>(mechanism: &M, start: &Start<M>, q: &M::Q) -> R
     let rates = M::L::from_fn(|i| rate(&speeds, i));
     let scale = |i: usize| linear.jacobian[i].iter().zip(speeds.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
     // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-    let open = (0..M::L::LEN).find(|i| !(rates[*i].abs() <= 1e-9 * (scale(*i) + 1e-3)));
+    let open = (0..M::L::LEN).find(|i| !(rates[*i].abs() <= 1e-9 * scale(*i) + 1e-12));
     match open {
         None => Ok(speeds),
         Some(row) => {

@@ -49,16 +49,19 @@ fn accelerate_by_pivoting<M: Mechanism>(
     };
     let matrix = M::ZZ::from_fn(|i| M::Z::from_fn(|j| entry(i, j)));
     let rhs = M::Z::from_fn(|i| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] });
-    let parts = matrix.iter().enumerate().map(|(i, row)| (i, row.iter().sum::<f64>() + rhs[i]));
-    if let Some((row, _)) = parts.into_iter().find(|(_, sum)| !sum.is_finite()) {
-        let quantity = format!("the equation of {}", unknown_name::<M>(row));
+    // Constraints first: what is wrong with them spoils the equations of the coordinates too.
+    let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
+    if let Some(row) = (n..n + m).chain(0..n).find(|row| !is_sound(row)) {
+        let quantity = match row < n {
+            true => format!("the equation of {}", unknown_name::<M>(row)),
+            false => format!("constraint `{}`", constraint_name::<M>(row - n)),
+        };
         return Err(fail(What::NotFinite { quantity }));
     }
     let solution = solve(matrix, rhs)
         .map_err(|deficient| fail(What::Singular { unknown: unknown_name::<M>(deficient.unknown) }))?;
     let accelerations = M::Q::from_fn(|i| solution[i]);
     let multipliers = M::L::from_fn(|i| solution[n + i]);
-    debug_assert_eq!(n + m, M::Z::LEN);
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
     Ok(Dynamics { accelerations, multipliers, power, refused: false })
 }

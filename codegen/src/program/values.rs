@@ -175,7 +175,7 @@ impl Values {
     pub(super) fn integer_power(&mut self, base: Value, exponent: u64) -> Value {
         match exponent {
             1 => base,
-            _ if exponent % 2 == 0 => {
+            _ if exponent.is_multiple_of(2) => {
                 let half = self.integer_power(base, exponent / 2);
                 self.product(vec![half, half])
             }
