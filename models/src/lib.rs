@@ -7,3 +7,11 @@ mod quick_return_ratio;
 
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+
+/// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
+#[macro_export]
+macro_rules! all_models {
+    ($callback:ident) => {
+        $callback!($crate::QuickReturn, $crate::QuickReturnRatio)
+    };
+}

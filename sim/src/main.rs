@@ -3,6 +3,10 @@
 use sim::cli::entry;
 use std::process::ExitCode;
 
+macro_rules! entries {
+    ($($model:ty),*) => { [$(entry::<$model>()),*] };
+}
+
 fn main() -> ExitCode {
-    sim::cli::main(&[entry::<models::QuickReturn>(), entry::<models::QuickReturnRatio>()])
+    sim::cli::main(&models::all_models!(entries))
 }

@@ -49,7 +49,8 @@ mod tests {
 
     #[test]
     fn roots_are_found_to_the_tolerance() {
-        let functions: [(fn(f64) -> f64, f64); 5] = [
+        type Case = (fn(f64) -> f64, f64);
+        let functions: [Case; 5] = [
             (|x| x - 0.3, 0.3),
             (|x| x * x * x - 0.2, 0.2f64.cbrt()),
             (|x| (5.0 * x).cos(), std::f64::consts::PI / 10.0),

@@ -5,7 +5,7 @@
 use codegen::{dsl, dynamics, emit, model, program};
 use proc_macro2::TokenStream;
 use quote::quote;
-use sim::{Description, Mechanism};
+use sim::Description;
 use std::time::{Duration, Instant};
 
 const RUNS: usize = 50;
@@ -16,12 +16,7 @@ fn main() {
         "{:<20} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}",
         "model", "parse", "resolve", "derive", "plan", "emit", "all"
     );
-    for description in [
-        const { &<models::QuickReturn as Mechanism>::DESCRIPTION },
-        const { &<models::QuickReturnRatio as Mechanism>::DESCRIPTION },
-    ] {
-        stages(description);
-    }
+    tests::shipped().into_iter().for_each(stages);
 }
 
 fn stages(description: &Description) {

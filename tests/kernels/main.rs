@@ -1,1 +1,8 @@
-//! placeholder
+//! Kernels and equations against each other, against other formulations, and against their promises.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+mod allocation;
+mod determinism;
+mod lagrange;
+mod mechanisms;

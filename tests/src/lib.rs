@@ -1,7 +1,7 @@
 //! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
 
 use serde_json::Value;
-use sim::{Grid, Mechanism, Run, declared_start};
+use sim::{Description, Grid, Mechanism, Run, declared_start};
 use std::time::{Duration, Instant};
 
 /// A file of `tests/reference`.
@@ -27,6 +27,15 @@ pub fn decimal(value: &Value) -> f64 {
 /// If it cannot be assembled.
 pub fn run<M: Mechanism>(mechanism: M, end: f64, steps: usize) -> Result<Run<M>, sim::Failure> {
     sim::run(mechanism, &declared_start(&mechanism), Grid { end, steps })
+}
+
+macro_rules! descriptions {
+    ($($model:ty),*) => { vec![$(const { &<$model as Mechanism>::DESCRIPTION }),*] };
+}
+
+/// What every shipped mechanism says of itself.
+pub fn shipped() -> Vec<&'static Description> {
+    models::all_models!(descriptions)
 }
 
 /// A small generator of reproducible random numbers (Steele, Lea, Flood: SplitMix64, 2014).

@@ -169,7 +169,9 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
              For a product with a vector write `*` before `[`",
         ));
     }
-    if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) || input.peek(Lit) {
+    // To syn a minus sign and a number are one literal.
+    let number = input.peek(Lit) && !input.peek(Token![-]);
+    if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) || number {
         return Err(here(input, "an operator is missing here; a product is written `a*b`"));
     }
     if !input.peek(Ident::peek_any) {

@@ -1,0 +1,50 @@
+//! The same declaration gives the same bytes, in one process and in two.
+
+use crate::mechanisms;
+use quote::quote;
+use std::process::Command;
+
+fn generated() -> String {
+    let texts = mechanisms::all().into_iter().map(|description| {
+        let tokens = codegen::generate(description.declaration.parse().unwrap(), &quote!(sim_kernel)).unwrap();
+        codegen::emit::format(tokens).unwrap()
+    });
+    texts.collect::<Vec<_>>().concat()
+}
+
+/// FNV-1a, so that two processes can compare by one line of output.
+fn digest(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+#[test]
+fn ten_expansions_and_two_processes_give_equal_bytes() {
+    let first = generated();
+    for _ in 1..10 {
+        assert_eq!(first, generated());
+    }
+    if std::env::var_os("DIGEST_ONLY").is_some() {
+        println!("digest {:x}", digest(&first));
+        return;
+    }
+    let name = "determinism::ten_expansions_and_two_processes_give_equal_bytes";
+    let other = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", name, "--nocapture"])
+        .env("DIGEST_ONLY", "1")
+        .output()
+        .unwrap();
+    let expected = format!("digest {:x}", digest(&first));
+    let printed = String::from_utf8(other.stdout).unwrap();
+    assert!(printed.contains(&expected), "{printed}");
+}
+
+/// The text that a mechanism carries is a declaration of the same mechanism.
+#[test]
+fn the_carried_text_declares_the_same_mechanism() {
+    for description in mechanisms::all() {
+        let tokens: proc_macro2::TokenStream = description.declaration.parse().unwrap();
+        assert_eq!(codegen::dsl::source_text(tokens), description.declaration, "{}", description.name);
+        let equations = codegen::equations(description.declaration.parse().unwrap()).unwrap();
+        assert_eq!(equations.model.name, description.type_name);
+    }
+}

@@ -1,0 +1,69 @@
+//! TMT against Lagrange's equations: two derivations from one declaration, which share nothing but the engine.
+
+use crate::mechanisms;
+use codegen::dynamics::lagrange;
+use codegen::model::Model;
+use codegen::symbolic::{Expr, Symbol, evaluate};
+use nalgebra::{DMatrix, DVector};
+use sim::Description;
+use std::collections::HashMap;
+use tests::Random;
+
+const STATES: usize = 100;
+
+#[test]
+fn both_give_the_same_accelerations() {
+    for description in mechanisms::all() {
+        let worst = compare(description);
+        println!("{:<20} {worst:.1} roundings of the condition", description.name);
+        // Each side accumulates a few roundings in its terms; the solution amplifies them by the condition number.
+        assert!(worst < 300.0, "{}: {worst}", description.name);
+    }
+}
+
+/// The largest difference of the accelerations, relative to eps cond(K) |a|.
+fn compare(description: &Description) -> f64 {
+    let mut equations = codegen::equations(description.declaration.parse().unwrap()).unwrap();
+    let other = lagrange(&mut equations.model);
+    let n = equations.model.coordinates.len();
+    let mut random = Random(7);
+    let mut worst = 0.0f64;
+    for _ in 0..STATES {
+        let state = random_state(&equations.model, &mut random);
+        let value = |exprs: &[Expr]| evaluate(&equations.model.graph, exprs, |symbol| state[&symbol]);
+        let jacobian = value(&equations.constraints.jacobian.concat());
+        let constraint_convective = value(&equations.constraints.convective);
+        let solve = |mass: Vec<f64>, force: Vec<f64>| {
+            let m = constraint_convective.len();
+            let matrix = DMatrix::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {
+                (true, true) => mass[i * n + j],
+                (true, false) => jacobian[(j - n) * n + i],
+                (false, true) => jacobian[(i - n) * n + j],
+                (false, false) => 0.0,
+            });
+            let rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { -constraint_convective[i - n] });
+            let singular = matrix.singular_values();
+            (matrix.lu().solve(&rhs).unwrap(), singular.max() / singular.min())
+        };
+        let (tmt, condition) = solve(value(&equations.tmt.mass_matrix.concat()), value(&equations.tmt.right_hand_side));
+        let (lagrange, _) = solve(value(&other.mass_matrix.concat()), value(&other.right_hand_side));
+        let difference = (&tmt - &lagrange).norm() / (f64::EPSILON * condition * tmt.norm());
+        assert!(difference.is_finite(), "{}", description.name);
+        worst = worst.max(difference);
+    }
+    worst
+}
+
+/// Random time, coordinates and speeds, and parameters within 20 % of their defaults.
+fn random_state(model: &Model, random: &mut Random) -> HashMap<Symbol, f64> {
+    let mut state = HashMap::from([(model.time, random.between(0.0, 2.0))]);
+    for c in &model.coordinates {
+        state.insert(c.position, random.between(-1.5, 1.5));
+        state.insert(c.speed, random.between(-3.0, 3.0));
+    }
+    for p in &model.parameters {
+        let default = evaluate(&model.graph, &[p.default], |_| f64::NAN)[0];
+        state.insert(p.symbol, default * random.between(0.8, 1.2));
+    }
+    state
+}
