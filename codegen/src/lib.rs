@@ -1,4 +1,5 @@
 //! Mechanism declarations to Rust kernels.
 pub mod dsl;
 pub mod nearest;
+pub mod oracle;
 pub mod symbolic;
