@@ -10,6 +10,7 @@ pub mod emit;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;
+pub mod oracle;
 pub mod program;
 pub mod symbolic;
 

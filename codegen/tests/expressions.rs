@@ -6,9 +6,8 @@ use codegen::symbolic::evaluate;
 
 /// The SI value of a parameter's default.
 fn value(expression: &str) -> f64 {
-    let text = format!(
-        "M; coordinates {{ x [m]; }} parameters {{ p = {expression}; }} bodies {{ b: mass 1 at [x, 0]; }}"
-    );
+    let text =
+        format!("M; coordinates {{ x [m]; }} parameters {{ p = {expression}; }} bodies {{ b: mass 1 at [x, 0]; }}");
     let model = codegen::model::resolve(&codegen::dsl::parse(text.parse().unwrap()).unwrap()).unwrap();
     evaluate(&model.graph, &[model.parameters[0].default], |_| f64::NAN)[0]
 }
@@ -38,6 +37,10 @@ fn precedence_and_functions() {
     ];
     for (text, expected) in rows {
         // Exact up to the roundings of the functions.
-        assert!((value(text) - expected).abs() <= 4.0 * f64::EPSILON * expected.abs().max(1.0), "{text}: {}", value(text));
+        assert!(
+            (value(text) - expected).abs() <= 4.0 * f64::EPSILON * expected.abs().max(1.0),
+            "{text}: {}",
+            value(text)
+        );
     }
 }

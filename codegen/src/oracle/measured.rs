@@ -1,0 +1,77 @@
+//! Numbers that remember how much went into them.
+
+use std::iter::Sum;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A value and the sum of the absolute values that went into it.
+///
+/// A given number has its own absolute value as magnitude; sums and differences add magnitudes, products multiply
+/// them, and f(u) has |f(u)| + |f'(u)| times the magnitude of u, each derivative of f likewise. So if every given
+/// number and every operation is off by a relative eps, then a result of N operations is off by at most
+/// N eps magnitude (to first order in eps), and two evaluations may be compared within a small multiple of that.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// The sum of the absolute values that went into it; never below |value|.
+    pub magnitude: f64,
+}
+
+impl Measured {
+    /// Nothing.
+    pub const ZERO: Measured = Measured { value: 0.0, magnitude: 0.0 };
+
+    /// A given number.
+    pub fn given(value: f64) -> Measured {
+        Measured { value, magnitude: value.abs() }
+    }
+
+    /// f(u) from the values there of f and of its derivative.
+    pub(super) fn function(f: f64, slope: f64, u: Measured) -> Measured {
+        Measured { value: f, magnitude: f.abs() + product(slope.abs(), u.magnitude) }
+    }
+}
+
+/// a*b of magnitudes: where nothing went in nothing comes out, however steep the function.
+fn product(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
+}
+
+impl Add for Measured {
+    type Output = Measured;
+    fn add(self, other: Measured) -> Measured {
+        Measured { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
+    }
+}
+
+impl Sub for Measured {
+    type Output = Measured;
+    fn sub(self, other: Measured) -> Measured {
+        self + -other
+    }
+}
+
+impl Mul for Measured {
+    type Output = Measured;
+    fn mul(self, other: Measured) -> Measured {
+        Measured { value: self.value * other.value, magnitude: product(self.magnitude, other.magnitude) }
+    }
+}
+
+impl Neg for Measured {
+    type Output = Measured;
+    fn neg(self) -> Measured {
+        Measured { value: -self.value, ..self }
+    }
+}
+
+impl Sum for Measured {
+    fn sum<I: Iterator<Item = Measured>>(terms: I) -> Measured {
+        terms.fold(Measured::ZERO, |sum, term| sum + term)
+    }
+}
+
+/// The scalar product of two rows of equal length.
+pub(super) fn inner(a: &[Measured], b: &[Measured]) -> Measured {
+    a.iter().zip(b).map(|(a, b)| *a * *b).sum()
+}

@@ -1,0 +1,109 @@
+//! The equations of motion by numbers alone: a second, slower way to everything that a kernel computes.
+//!
+//! The parsed declaration is interpreted with second-order jets, and the equations are assembled and solved densely.
+//! Nothing here is shared with the symbolic engine or with the derivation, so that a fault of either shows as a
+//! difference. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
+//! is to be compared with.
+//!
+//! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
+//! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
+
+mod error;
+mod function;
+mod interpret;
+mod jet;
+mod measured;
+mod mechanics;
+mod motion;
+mod observe;
+mod parameters;
+mod solve;
+mod state;
+mod value;
+
+pub use error::{OracleError, Result};
+pub use measured::Measured;
+pub use motion::{Solution, Terms};
+pub use state::State;
+
+use crate::dsl::{Declaration, Unit};
+use interpret::{Interpreter, Setting};
+use mechanics::Mechanics;
+
+/// Evaluates one declaration at given states.
+pub struct Oracle<'d> {
+    declaration: &'d Declaration,
+    si_factor: &'d dyn Fn(&Unit) -> f64,
+}
+
+impl<'d> Oracle<'d> {
+    /// An oracle for `declaration`, in which `si_factor` gives the size of each unit in SI units.
+    pub fn new(declaration: &'d Declaration, si_factor: &'d dyn Fn(&Unit) -> f64) -> Oracle<'d> {
+        Oracle { declaration, si_factor }
+    }
+
+    /// The defaults of the parameters, in SI units.
+    ///
+    /// A plain number, such as `5` or `-pi/2`, is in the declared unit; as soon as a unit or another parameter stands in
+    /// a default, it has its own unit.
+    ///
+    /// # Errors
+    /// Where a default is not a scalar of numbers and earlier parameters.
+    pub fn default_parameters(&self) -> Result<Vec<f64>> {
+        parameters::defaults(self.declaration, self.si_factor)
+    }
+
+    /// The terms of the equations of motion.
+    ///
+    /// # Errors
+    /// Where the state has not the declared lengths, or the declaration has not been checked.
+    pub fn terms(&self, at: &State) -> Result<Terms> {
+        Ok(Terms::new(&self.mechanics(at)?, &at.rates()))
+    }
+
+    /// The accelerations and multipliers that solve the equations of motion with these terms.
+    ///
+    /// # Errors
+    /// Where the equations are singular: a coordinate without inertia, or constraints that depend on each other.
+    pub fn accelerations(&self, terms: &Terms) -> Result<Solution> {
+        terms.solve()
+    }
+
+    /// Every output in the order of the declaration, group after group, in SI units.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`].
+    pub fn outputs(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
+        let reactions = observe::reactions(&self.mechanics(at)?.constraints, &solution.multipliers)?;
+        let setting = at.accelerated_motion(&solution.accelerations).with_reactions(reactions);
+        observe::outputs(self.declaration, self.interpreter(setting))
+    }
+
+    /// left - right of every event, in SI units.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`].
+    pub fn events(&self, at: &State) -> Result<Vec<Measured>> {
+        at.check(self.declaration)?;
+        observe::events(self.declaration, self.interpreter(at.motion()))
+    }
+
+    /// The power of loads, of constraints that time moves and of points that time moves, W.
+    ///
+    /// It is d(kinetic energy)/dt where the speeds satisfy the constraints.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`].
+    pub fn power(&self, at: &State, solution: &Solution) -> Result<Measured> {
+        Ok(observe::power(&self.mechanics(at)?, &at.rates(), solution))
+    }
+
+    fn mechanics(&self, at: &State) -> Result<Mechanics> {
+        at.check(self.declaration)?;
+        Mechanics::new(self.declaration, self.si_factor, at)
+    }
+
+    fn interpreter(&self, setting: Setting) -> Interpreter<'d> {
+        Interpreter::new(self.declaration, self.si_factor, setting)
+    }
+}

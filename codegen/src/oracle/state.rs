@@ -1,0 +1,59 @@
+//! What is known of a motion at one time.
+
+use super::error::{Result, refuse};
+use super::interpret::Setting;
+use super::jet::Jet;
+use super::measured::Measured;
+use crate::dsl::Declaration;
+
+/// A state of a mechanism. Everything is in SI units and in the order of the declaration.
+#[derive(Clone, Copy, Debug)]
+pub struct State<'s> {
+    /// t, s.
+    pub time: f64,
+    /// The value of each parameter.
+    pub parameters: &'s [f64],
+    /// q \[n\].
+    pub coordinates: &'s [f64],
+    /// q' \[n\].
+    pub speeds: &'s [f64],
+}
+
+impl State<'_> {
+    pub(super) fn check(&self, declaration: &Declaration) -> Result<()> {
+        let lengths = [
+            ("parameters", self.parameters.len(), declaration.parameters.len()),
+            ("coordinates", self.coordinates.len(), declaration.coordinates.len()),
+            ("speeds", self.speeds.len(), declaration.coordinates.len()),
+        ];
+        match lengths.iter().find(|(_, given, declared)| given != declared) {
+            Some((what, given, declared)) => refuse(format!("{given} {what} given, {declared} declared")),
+            None => Ok(()),
+        }
+    }
+
+    /// (q', 1): how the variables (q, t) of a position change in time.
+    pub(super) fn rates(&self) -> Vec<Measured> {
+        self.speeds.iter().copied().chain([1.0]).map(Measured::given).collect()
+    }
+
+    /// Along the motion, as far as q and q' tell.
+    pub(super) fn motion(&self) -> Setting {
+        self.along(|_| None)
+    }
+
+    /// Along the motion with q'' known too.
+    pub(super) fn accelerated_motion(&self, accelerations: &[Measured]) -> Setting {
+        self.along(|i| accelerations.get(i).copied())
+    }
+
+    fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
+        let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
+            let derivatives: Vec<Measured> =
+                [Some(Measured::given(*speed)), acceleration(i)].into_iter().flatten().collect();
+            Jet::of_time(Measured::given(*q), &derivatives)
+        };
+        let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
+        Setting::motion(self.time, self.parameters, coordinates)
+    }
+}
