@@ -6,3 +6,4 @@ mod allocation;
 mod determinism;
 mod lagrange;
 mod mechanisms;
+mod oracle;

@@ -6,7 +6,7 @@ use sim::mechanism;
 
 mechanism! {
     /// A bead on a rod that turns: mixed second derivatives.
-    pub Bead;
+    pub(crate) Bead;
     coordinates { r [m]; phi [rad]; }
     parameters { m [kg] = 2; J [kg*m^2] = 0.3; g [m/s^2] = 9.81; c [N*s/m] = 0.4; }
     let P = r*[cos(phi), sin(phi)];
@@ -18,7 +18,7 @@ mechanism! {
 
 mechanism! {
     /// A double pendulum on a cart whose rail and support move as declared, closed by a rod that time drives.
-    pub Cart;
+    pub(crate) Cart;
     coordinates { x [m]; a [rad]; b [rad]; }
     parameters { M [kg] = 3; m [kg] = 1; n [kg] = 0.5; l [m] = 0.8; k [m] = 0.6; J [kg*m^2] = 0.05; g [m/s^2] = 9.81; w [1/s] = 2; }
     let O = [x, 0.1*sin(w*t)];
@@ -35,7 +35,7 @@ mechanism! {
 
 mechanism! {
     /// Every function of the language, and powers of every kind, in one potential-like load and one position.
-    pub Functions;
+    pub(crate) Functions;
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; p = 1.7; type [m] = 2; }
     let u = sin(x)*cos(y) + tan(x/4) + asin(x/9) + acos(y/9) + atan(x*y) + atan2(y, x + 5);
@@ -50,7 +50,7 @@ mechanism! {
 
 mechanism! {
     /// A rod in absolute coordinates with its pin as a constraint between vectors, and names that are Rust's.
-    pub Rod;
+    pub(crate) Rod;
     coordinates { x [mm]; q [mm]; phi [deg]; }
     parameters { l [mm] = 600; m [g] = 500; J = 0.015; r#fn [N] = 3; t0 = 2; }
     let G = [x, q];
@@ -61,8 +61,23 @@ mechanism! {
     outputs { pin_x [kN] = reaction(pin).x; pin_y [N] = reaction(pin).y; }
 }
 
+/// Calls a macro with the types of all mechanisms, the shipped ones first.
+macro_rules! all_mechanisms {
+    ($callback:ident) => {
+        $callback!(
+            models::QuickReturn,
+            models::QuickReturnRatio,
+            crate::mechanisms::Bead,
+            crate::mechanisms::Cart,
+            crate::mechanisms::Functions,
+            crate::mechanisms::Rod
+        )
+    };
+}
+pub(crate) use all_mechanisms;
+
 /// The shipped mechanisms and those of this file.
-pub fn all() -> Vec<&'static Description> {
+pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }

@@ -1,10 +1,95 @@
-//! Pictures.
+//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions.
+//!
+//! A figure is first laid out as a scene in logical pixels, and the scene is then drawn twice: as SVG with
+//! real text, and as PNG with two pixels to a logical one. The same input gives the same bytes.
 
-use crate::{Run, Table, WriteError};
-use sim_kernel::Mechanism;
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
+mod dash;
+mod decimate;
+mod error;
+mod figures;
+mod font;
+mod frame;
+mod mechanism;
+mod palette;
+mod plot;
+mod png;
+mod raster;
+mod scene;
+mod svg;
+mod symbols;
+mod text;
+mod ticks;
+
+use std::fs;
 use std::path::Path;
 
-/// Draws every figure of a run.
-pub fn figures<M: Mechanism>(_run: &Run<M>, _table: &Table, _directory: &Path) -> Result<usize, WriteError> {
-    Ok(0)
+use scene::Scene;
+use sim_kernel::Shape;
+
+pub use error::ShowError;
+pub use figures::figures;
+pub use text::typeset;
+
+/// A curve of a plot.
+#[derive(Clone, Debug)]
+pub struct Curve<'a> {
+    /// What the legend calls it; units as in `m/s^2` are typeset.
+    pub label: &'a str,
+    /// Its values, as many as the plot has abscissae. Values that are not finite are gaps.
+    pub values: Vec<f64>,
+}
+
+/// Curves over a common abscissa.
+#[derive(Clone, Debug)]
+pub struct Plot<'a> {
+    /// The title; may be empty.
+    pub title: &'a str,
+    /// What is along the abscissa: `time [s]`.
+    pub x_label: &'a str,
+    /// What is along the ordinate: `angular speed [rad/s]`. Where it is empty, the label of a single curve
+    /// stands in for it.
+    pub y_label: &'a str,
+    /// The abscissae.
+    pub x: &'a [f64],
+    /// The curves.
+    pub curves: Vec<Curve<'a>>,
+}
+
+/// One position of a mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<'a> {
+    /// The numbers of the mechanism's shapes, in the order of its description.
+    pub numbers: &'a [f64],
+    /// When it is there, in seconds.
+    pub time: f64,
+}
+
+/// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is made if need be.
+///
+/// # Errors
+///
+/// The plot has nothing to show, a curve has too few or too many values, or a file cannot be written.
+pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&plot::scene(plot, name)?, directory, name)
+}
+
+/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be: the first position strong, later ones fainter, both axes in metres and of equal scale.
+///
+/// # Errors
+///
+/// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
+pub fn mechanism(title: &str, shapes: &[Shape], poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&mechanism::scene(title, shapes, poses, name)?, directory, name)
+}
+
+/// Writes a scene in both formats.
+fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
+    let drawn = svg::draw(scene)?;
+    fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
+    let path = directory.join(format!("{name}.svg"));
+    fs::write(&path, drawn).map_err(|why| ShowError::write(&path, why))?;
+    png::write(scene, &directory.join(format!("{name}.png")))
 }

@@ -1,0 +1,67 @@
+//! What can go wrong with a figure.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+/// Why a figure was not made.
+#[derive(Debug, thiserror::Error)]
+pub enum ShowError {
+    /// There is nothing to show.
+    #[error("figure `{figure}` has nothing to show: {why}")]
+    Empty {
+        /// The figure's name.
+        figure: String,
+        /// What is missing.
+        why: &'static str,
+    },
+    /// A curve does not fit its abscissae.
+    #[error("figure `{figure}`: curve `{curve}` has {values} values for {abscissae} abscissae")]
+    Curve {
+        /// The figure's name.
+        figure: String,
+        /// The curve's label.
+        curve: String,
+        /// How many values it has.
+        values: usize,
+        /// How many abscissae the plot has.
+        abscissae: usize,
+    },
+    /// A pose does not fit the shapes.
+    #[error("figure `{figure}`: the pose at t = {time} s has {numbers} numbers, its shapes take {needed}")]
+    Pose {
+        /// The figure's name.
+        figure: String,
+        /// The pose's time.
+        time: f64,
+        /// How many numbers it has.
+        numbers: usize,
+        /// How many the shapes take.
+        needed: usize,
+    },
+    /// The font cannot be used.
+    #[error("the font of figures cannot be used: {0}")]
+    Font(String),
+    /// The picture cannot be drawn.
+    #[error("cannot draw the figure: {0}")]
+    Draw(String),
+    /// A file or directory cannot be written.
+    #[error("cannot write {}: {why}", path.display())]
+    Write {
+        /// The file or directory.
+        path: PathBuf,
+        /// Why not.
+        why: String,
+    },
+}
+
+impl ShowError {
+    /// That a file or directory cannot be written.
+    pub(super) fn write(path: &Path, why: impl Display) -> Self {
+        ShowError::Write { path: path.to_owned(), why: why.to_string() }
+    }
+
+    /// That there is nothing to show.
+    pub(super) fn empty(figure: &str, why: &'static str) -> Self {
+        ShowError::Empty { figure: figure.to_owned(), why }
+    }
+}

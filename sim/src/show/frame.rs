@@ -1,0 +1,247 @@
+//! What plots and drawings have around them: axes, grid, names, legend.
+
+use super::ShowError;
+use super::dash::dashes;
+use super::palette::{AXIS, Colour, GRID, INK, ZERO};
+use super::scene::{Anchor, Label, Point, Scene, fit, most_room, room};
+use super::ticks::Axis;
+
+const TITLE: f64 = 20.0;
+const NAME: f64 = 17.0;
+const NUMBER: f64 = 15.0;
+const LEGEND: f64 = 16.0;
+
+/// The space around everything.
+const MARGIN: f64 = 14.0;
+/// The length of a tick.
+const TICK: f64 = 6.0;
+/// The length of the line before an entry of a legend.
+const SAMPLE: f64 = 30.0;
+/// From one row of a legend to the next.
+const ROW: f64 = 25.0;
+/// From a legend to what it belongs to, and from one column to the next.
+const APART: f64 = 22.0;
+/// The widest legend beside the data.
+const WIDEST: f64 = 300.0;
+
+/// The data area, on the sheet and in numbers.
+pub(super) struct Frame {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) top: f64,
+    pub(super) bottom: f64,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    /// Whether the lines at zero stand out from the grid.
+    pub(super) zero: bool,
+}
+
+/// What is written around the data area.
+pub(super) struct Names<'a> {
+    pub(super) title: &'a str,
+    pub(super) x: &'a str,
+    pub(super) y: &'a str,
+}
+
+/// An entry of a legend.
+pub(super) struct Entry {
+    pub(super) label: String,
+    pub(super) colour: Colour,
+    pub(super) width: f64,
+    pub(super) style: Style,
+}
+
+/// How a line is broken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    Solid,
+    Dashed,
+    Dotted,
+}
+
+impl Style {
+    /// The lines a polyline is drawn by.
+    pub(super) fn lines(self, points: Vec<Point>) -> Vec<Vec<Point>> {
+        match self {
+            Style::Solid => vec![points],
+            Style::Dashed => dashes(&points, 9.0, 7.0, 0.0),
+            Style::Dotted => dashes(&points, 1.0, 6.0, 0.0),
+        }
+    }
+}
+
+/// Entries, and where they are.
+pub(super) struct Legend {
+    entries: Vec<Entry>,
+    heading: Option<&'static str>,
+    column: f64,
+    beside: bool,
+}
+
+impl Legend {
+    /// A legend beside the data where it fits there, else below.
+    pub(super) fn new(entries: Vec<Entry>, heading: Option<&'static str>, height: f64) -> Result<Self, ShowError> {
+        let labels = most_room(entries.iter().map(|entry| entry.label.as_str()).chain(heading), LEGEND)?;
+        let column = SAMPLE + 8.0 + labels;
+        let rows = entries.len() + usize::from(heading.is_some());
+        let beside = column <= WIDEST && rows as f64 * ROW <= height;
+        Ok(Legend { entries, heading, column, beside })
+    }
+
+    /// The width it takes beside the data.
+    pub(super) fn width(&self) -> f64 {
+        if self.beside && !self.entries.is_empty() { APART + self.column } else { 0.0 }
+    }
+
+    /// The height it takes below, on a sheet of this width.
+    pub(super) fn height(&self, width: f64) -> f64 {
+        if self.beside || self.entries.is_empty() {
+            return 0.0;
+        }
+        12.0 + ROW * (self.places() as f64 / self.columns(width) as f64).ceil()
+    }
+
+    fn places(&self) -> usize {
+        self.entries.len() + usize::from(self.heading.is_some())
+    }
+
+    fn columns(&self, width: f64) -> usize {
+        let most = (width - 2.0 * MARGIN + APART) / (self.column + APART);
+        (most.floor() as usize).clamp(1, self.places().max(1))
+    }
+
+    /// Draws it beside the data area or at the foot of the sheet.
+    pub(super) fn draw(&self, scene: &mut Scene, frame: &Frame) -> Result<(), ShowError> {
+        let columns = if self.beside { 1 } else { self.columns(scene.width) };
+        let corner = if self.beside {
+            (frame.right + APART, frame.top)
+        } else {
+            let width = columns as f64 * (self.column + APART) - APART;
+            let left = ((frame.left + frame.right - width) / 2.0).min(scene.width - MARGIN - width).max(MARGIN);
+            (left, scene.height - self.height(scene.width))
+        };
+        let place = |index: usize| {
+            let (row, column) = (index / columns, index % columns);
+            (corner.0 + column as f64 * (self.column + APART), corner.1 + (row as f64 + 0.5) * ROW)
+        };
+        if let Some(heading) = self.heading {
+            let at = place(0);
+            scene.text(heading, (at.0, at.1 + 0.35 * LEGEND), LEGEND, Anchor::Start, INK);
+        }
+        for (index, entry) in self.entries.iter().enumerate() {
+            let at = place(index + usize::from(self.heading.is_some()));
+            for line in entry.style.lines(vec![at, (at.0 + SAMPLE, at.1)]) {
+                scene.line(line, entry.width, entry.colour);
+            }
+            let space = scene.width - at.0 - SAMPLE - 8.0;
+            let (label, size) = fit(&entry.label, LEGEND, space)?;
+            scene.text(&label, (at.0 + SAMPLE + 8.0, at.1 + 0.35 * size), size, Anchor::Start, INK);
+        }
+        Ok(())
+    }
+}
+
+/// The least distance of ticks, in numbers, on a level axis of this range and width: their labels do not touch.
+pub(super) fn apart(range: (f64, f64), width: f64) -> Result<f64, ShowError> {
+    let unit = (range.1 - range.0) / width;
+    for least in [60.0, 80.0, 110.0, 150.0, 200.0] {
+        let axis = Axis::new(range, least * unit);
+        let labels = most_room(axis.ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
+        if axis.ticks.windows(2).all(|pair| pair[1].at - pair[0].at >= (labels + 14.0) * unit) {
+            return Ok(least * unit);
+        }
+    }
+    Ok(300.0 * unit)
+}
+
+/// The room left of the data area.
+pub(super) fn left_room(y: &Axis) -> Result<f64, ShowError> {
+    let numbers = most_room(y.ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
+    Ok(MARGIN + NAME + 12.0 + numbers.max(20.0) + TICK + 5.0)
+}
+
+/// The room right of the data area, but for the legend.
+pub(super) fn right_room(x: &Axis) -> Result<f64, ShowError> {
+    let number = x.ticks.last().map_or(Ok(0.0), |tick| room(&tick.label, NUMBER))?;
+    Ok(MARGIN.max(number / 2.0) + 4.0)
+}
+
+/// The room above the data area.
+pub(super) fn top_room(title: &str, y: &Axis) -> f64 {
+    let title = if title.is_empty() { 0.0 } else { TITLE + 14.0 };
+    let note = if y.note.is_some() { NAME + 6.0 } else { 0.0 };
+    MARGIN + title + note
+}
+
+/// The room below the data area, but for the legend.
+pub(super) fn bottom_room() -> f64 {
+    TICK + 4.0 + NUMBER + 10.0 + NAME + MARGIN
+}
+
+impl Frame {
+    /// Where a point of the data is on the sheet.
+    pub(super) fn place(&self, point: Point) -> Point {
+        let across = self.x.share(point.0) * (self.right - self.left);
+        (self.left + across, self.bottom - self.y.share(point.1) * (self.bottom - self.top))
+    }
+
+    /// Draws grid and axes.
+    pub(super) fn draw(&self, scene: &mut Scene, names: &Names) -> Result<(), ShowError> {
+        self.draw_grid(scene);
+        self.draw_axes(scene);
+        self.draw_names(scene, names)
+    }
+
+    fn draw_grid(&self, scene: &mut Scene) {
+        for zero in [false, true] {
+            let colour = if zero && self.zero { ZERO } else { GRID };
+            for tick in self.x.ticks.iter().filter(|tick| (tick.at == 0.0) == zero) {
+                let x = self.place((tick.at, self.y.low)).0;
+                scene.line(vec![(x, self.top), (x, self.bottom)], 1.0, colour);
+            }
+            for tick in self.y.ticks.iter().filter(|tick| (tick.at == 0.0) == zero) {
+                let y = self.place((self.x.low, tick.at)).1;
+                scene.line(vec![(self.left, y), (self.right, y)], 1.0, colour);
+            }
+        }
+    }
+
+    fn draw_axes(&self, scene: &mut Scene) {
+        let corners = vec![(self.left, self.top), (self.left, self.bottom), (self.right, self.bottom)];
+        scene.line(corners, 1.2, AXIS);
+        for tick in &self.x.ticks {
+            let x = self.place((tick.at, self.y.low)).0;
+            scene.line(vec![(x, self.bottom), (x, self.bottom + TICK)], 1.2, AXIS);
+            let at = (x, self.bottom + TICK + 4.0 + 0.8 * NUMBER);
+            scene.text(&tick.label, at, NUMBER, Anchor::Middle, INK);
+        }
+        for tick in &self.y.ticks {
+            let y = self.place((self.x.low, tick.at)).1;
+            scene.line(vec![(self.left - TICK, y), (self.left, y)], 1.2, AXIS);
+            let at = (self.left - TICK - 5.0, y + 0.35 * NUMBER);
+            scene.text(&tick.label, at, NUMBER, Anchor::End, INK);
+        }
+    }
+
+    fn draw_names(&self, scene: &mut Scene, names: &Names) -> Result<(), ShowError> {
+        let (middle, height) = ((self.left + self.right) / 2.0, self.bottom - self.top);
+        let space = 2.0 * (middle.min(scene.width - middle) - MARGIN);
+        let (title, size) = fit(names.title, TITLE, space)?;
+        scene.text(&title, (middle, MARGIN + 0.8 * TITLE), size, Anchor::Middle, INK);
+        if let Some(note) = &self.y.note {
+            scene.text(note, (self.left - TICK, self.top - 8.0), NAME, Anchor::Start, INK);
+        }
+
+        let below = self.bottom + TICK + 4.0 + NUMBER + 10.0 + 0.7 * NAME;
+        let note = self.x.note.as_deref().unwrap_or("");
+        scene.text(note, (self.right, below), NAME, Anchor::End, INK);
+        let space = self.right - self.left - 2.0 * room(note, NAME)?;
+        let (name, size) = fit(names.x, NAME, space)?;
+        scene.text(&name, (middle, below), size, Anchor::Middle, INK);
+
+        let beside = (MARGIN + 0.8 * NAME, (self.top + self.bottom) / 2.0);
+        let (text, size) = fit(names.y, NAME, height + 40.0)?;
+        scene.label(Label { text, at: beside, size, anchor: Anchor::Middle, upwards: true, colour: INK });
+        Ok(())
+    }
+}

@@ -1,0 +1,235 @@
+//! A mechanism in several positions.
+
+use sim_kernel::Shape;
+
+use super::frame::{Entry, Frame, Legend, Names, Style, apart, bottom_room, left_room, right_room, top_room};
+use super::palette::{Colour, INK, series};
+use super::scene::{Point, Scene};
+use super::text::{times, typeset};
+use super::ticks::{Axis, shown};
+use super::{Pose, ShowError, symbols};
+
+/// The largest data area.
+const LARGEST: (f64, f64) = (720.0, 600.0);
+/// Its least width and height.
+const LEAST: f64 = 300.0;
+/// How strong the poses after the first are, from the second to the last.
+const STRENGTH: (f64, f64) = (0.5, 0.2);
+/// The most poses a legend tells the times of.
+const MOST_TIMES: usize = 10;
+
+/// A shape with its numbers, in metres and radians.
+enum Part {
+    Line { points: Vec<Point>, colour: Colour },
+    Slider { centre: Point, angle: f64 },
+    Ground(Vec<Point>),
+    Points(Vec<Point>),
+    Circle { centre: Point, radius: f64, colour: Colour },
+}
+
+/// The parts in one position.
+struct Placed {
+    parts: Vec<Part>,
+    strength: f64,
+}
+
+/// Lays out a drawing.
+pub(super) fn scene(title: &str, shapes: &[Shape], poses: &[Pose], name: &str) -> Result<Scene, ShowError> {
+    let placed = placed(shapes, poses, name)?;
+    let (x_range, y_range, scale) = scaled(&placed, name)?;
+    let title = typeset(title);
+    let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
+    let distance = apart(x_range, width)?;
+    let (x, y) = (Axis::new(x_range, distance), Axis::new(y_range, distance));
+
+    let legend = Legend::new(entries(poses, &placed), Some("t [s]"), height)?;
+    let (left, top) = (left_room(&y)?, top_room(&title, &y));
+    let sheet = left + width + right_room(&x)? + legend.width();
+    let frame = Frame { left, right: left + width, top, bottom: top + height, x, y, zero: false };
+    let mut scene = Scene::new(sheet.ceil(), (frame.bottom + bottom_room() + legend.height(sheet.ceil())).ceil());
+    frame.draw(&mut scene, &Names { title: &title, x: "x [m]", y: "y [m]" })?;
+    draw(&mut scene, &frame, scale, &placed);
+    legend.draw(&mut scene, &frame)?;
+    Ok(scene)
+}
+
+/// The poses' parts.
+fn placed(shapes: &[Shape], poses: &[Pose], name: &str) -> Result<Vec<Placed>, ShowError> {
+    if shapes.is_empty() {
+        return Err(ShowError::empty(name, "no shapes"));
+    }
+    if poses.is_empty() {
+        return Err(ShowError::empty(name, "no positions"));
+    }
+    let needed = shapes.iter().map(|shape| shape.len()).sum();
+    let mut placed = Vec::with_capacity(poses.len());
+    for (index, pose) in poses.iter().enumerate() {
+        if pose.numbers.len() != needed {
+            let (figure, numbers) = (name.to_owned(), pose.numbers.len());
+            return Err(ShowError::Pose { figure, time: pose.time, numbers, needed });
+        }
+        placed.push(Placed { parts: parts(shapes, pose.numbers), strength: strength(index, poses.len()) });
+    }
+    Ok(placed)
+}
+
+fn strength(index: usize, poses: usize) -> f64 {
+    match index {
+        0 => 1.0,
+        1 => STRENGTH.0,
+        _ => STRENGTH.0 + (STRENGTH.1 - STRENGTH.0) * (index - 1) as f64 / (poses - 2) as f64,
+    }
+}
+
+/// The parts a pose's numbers make; what is not finite is left out.
+fn parts(shapes: &[Shape], mut numbers: &[f64]) -> Vec<Part> {
+    let mut colours = 0;
+    let mut parts = Vec::new();
+    for shape in shapes {
+        let (own, rest) = numbers.split_at(shape.len());
+        numbers = rest;
+        parts.extend(parts_of(*shape, own, series(colours)));
+        colours += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
+    }
+    parts
+}
+
+fn parts_of(shape: Shape, numbers: &[f64], colour: Colour) -> Vec<Part> {
+    let finite = |point: &Point| shown(point.0) && shown(point.1);
+    let points: Vec<Point> = numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
+    match shape {
+        Shape::Line(_) => {
+            let pieces = points.split(|point| !finite(point)).filter(|piece| !piece.is_empty());
+            pieces.map(|piece| Part::Line { points: piece.to_vec(), colour }).collect()
+        }
+        Shape::Ground(_) => vec![Part::Ground(points.into_iter().filter(finite).collect())],
+        Shape::Points(_) => vec![Part::Points(points.into_iter().filter(finite).collect())],
+        Shape::Slider | Shape::Circle => match *numbers {
+            [x, y, last] if numbers.iter().all(|number| shown(*number)) => vec![if shape == Shape::Slider {
+                Part::Slider { centre: (x, y), angle: last }
+            } else {
+                Part::Circle { centre: (x, y), radius: last, colour }
+            }],
+            _ => Vec::new(),
+        },
+    }
+}
+
+impl Part {
+    /// The points it reaches to, but for the sizes of symbols.
+    fn extent(&self) -> Vec<Point> {
+        match self {
+            Part::Line { points, .. } | Part::Ground(points) | Part::Points(points) => points.clone(),
+            Part::Slider { centre, .. } => vec![*centre],
+            Part::Circle { centre: (x, y), radius, .. } => vec![(x - radius, y - radius), (x + radius, y + radius)],
+        }
+    }
+}
+
+/// The ranges of the axes and the logical pixels to the metre.
+fn scaled(placed: &[Placed], name: &str) -> Result<(Point, Point, f64), ShowError> {
+    let points: Vec<Point> = placed.iter().flat_map(|pose| &pose.parts).flat_map(Part::extent).collect();
+    let (x, y) = (extent(points.iter().map(|point| point.0)), extent(points.iter().map(|point| point.1)));
+    let fill = |largest: f64, range: Point| (largest - 2.0 * symbols::REACH) / (range.1 - range.0);
+    let scale = fill(LARGEST.0, x).min(fill(LARGEST.1, y));
+    if points.is_empty() || scale == 0.0 {
+        return Err(ShowError::empty(name, "no position is finite"));
+    }
+    // All in one point: any scale will do.
+    let scale = if scale < 1e200 { scale } else { LEAST };
+    let widened = |range: Point| {
+        let middle = range.0 / 2.0 + range.1 / 2.0;
+        let half = LEAST.max((range.1 - range.0) * scale + 2.0 * symbols::REACH) / scale / 2.0;
+        (middle - half, middle + half)
+    };
+    Ok((widened(x), widened(y), scale))
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> Point {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+/// The times of the poses, of some where they are many.
+fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
+    let last = poses.len().saturating_sub(1);
+    let told = poses.len().min(MOST_TIMES);
+    let indices: Vec<usize> = (0..told).map(|entry| entry * last / told.saturating_sub(1).max(1)).collect();
+    let labels = times(&indices.iter().map(|index| poses[*index].time).collect::<Vec<_>>());
+    let entry = |(index, label): (usize, String)| {
+        let colour = INK.on_white(placed[index].strength);
+        Entry { label, colour, width: 4.0, style: Style::Solid }
+    };
+    indices.into_iter().zip(labels).map(entry).collect()
+}
+
+/// Draws supports, then the poses from the last to the first, each from its guides up to its marked points.
+fn draw(scene: &mut Scene, frame: &Frame, scale: f64, placed: &[Placed]) {
+    let mut supports: Vec<Point> = Vec::new();
+    for pose in placed.iter().rev() {
+        for part in &pose.parts {
+            match part {
+                Part::Slider { centre, angle } => {
+                    symbols::guide(scene, frame.place(*centre), *angle, pose.strength);
+                }
+                Part::Ground(points) => supports.extend(points.iter().map(|point| frame.place(*point))),
+                _ => {}
+            }
+        }
+    }
+    for support in distinct(supports) {
+        symbols::ground(scene, support);
+    }
+    for pose in placed.iter().rev() {
+        draw_bodies(scene, frame, scale, pose);
+        draw_marks(scene, frame, pose);
+    }
+}
+
+/// Places more than half a pixel apart.
+fn distinct(places: Vec<Point>) -> Vec<Point> {
+    let mut distinct: Vec<Point> = Vec::new();
+    for place in places {
+        if distinct.iter().all(|other| (place.0 - other.0).hypot(place.1 - other.1) > 0.5) {
+            distinct.push(place);
+        }
+    }
+    distinct
+}
+
+fn draw_bodies(scene: &mut Scene, frame: &Frame, scale: f64, pose: &Placed) {
+    for part in &pose.parts {
+        match part {
+            Part::Line { points, colour } => {
+                let points = points.iter().map(|point| frame.place(*point)).collect();
+                symbols::link(scene, points, colour.on_white(pose.strength));
+            }
+            Part::Circle { centre, radius, colour } => {
+                let radius = radius.abs() * scale;
+                symbols::circle(scene, frame.place(*centre), radius, colour.on_white(pose.strength));
+            }
+            _ => {}
+        }
+    }
+    for part in &pose.parts {
+        if let Part::Slider { centre, angle } = part {
+            symbols::slider(scene, frame.place(*centre), *angle, pose.strength);
+        }
+    }
+}
+
+fn draw_marks(scene: &mut Scene, frame: &Frame, pose: &Placed) {
+    for part in &pose.parts {
+        if let Part::Line { points, colour } = part {
+            for point in points {
+                symbols::pin(scene, frame.place(*point), colour.on_white(pose.strength));
+            }
+        }
+    }
+    for part in &pose.parts {
+        if let Part::Points(points) = part {
+            for point in points {
+                symbols::mass(scene, frame.place(*point), pose.strength);
+            }
+        }
+    }
+}

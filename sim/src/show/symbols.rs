@@ -1,0 +1,99 @@
+//! The parts of a mechanism as they are drawn, in logical pixels. Drawings are scaled to fill the sheet, so
+//! that these sizes are shares of a drawing's extent.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use super::dash::dashes;
+use super::palette::{AXIS, Colour, INK, WHITE};
+use super::scene::{Point, Scene};
+
+/// The room symbols take around the points they belong to.
+pub(super) const REACH: f64 = 62.0;
+
+const LINK: f64 = 4.0;
+const OUTLINE: f64 = 1.8;
+const PIN: f64 = 5.0;
+const MASS: f64 = 7.5;
+/// Half the length and half the width of a slider.
+const SLIDER: (f64, f64) = (21.0, 11.5);
+/// Half the length of its guide.
+const GUIDE: f64 = 58.0;
+/// Half the width and the height of a support.
+const GROUND: (f64, f64) = (14.0, 21.0);
+
+/// A link.
+pub(super) fn link(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, LINK, colour);
+}
+
+/// A joint.
+pub(super) fn pin(scene: &mut Scene, at: Point, colour: Colour) {
+    scene.disc(at, PIN + OUTLINE / 2.0, colour);
+    scene.disc(at, PIN - OUTLINE / 2.0, WHITE);
+}
+
+/// A marked point, as centres of mass are: quarters in turn dark and white.
+pub(super) fn mass(scene: &mut Scene, at: Point, strength: f64) {
+    let ink = INK.on_white(strength);
+    scene.disc(at, MASS, ink);
+    for start in [0.0, 2.0] {
+        let mut quarter = arc(at, MASS - OUTLINE, start * FRAC_PI_2, FRAC_PI_2, 12);
+        quarter.push(at);
+        scene.area(quarter, WHITE);
+    }
+}
+
+/// A slider's body.
+pub(super) fn slider(scene: &mut Scene, at: Point, angle: f64, strength: f64) {
+    let corner = |along: f64, across: f64| turned(at, angle, (along * SLIDER.0, across * SLIDER.1));
+    let mut corners = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    scene.area(corners.clone(), INK.on_white(0.16 * strength));
+    corners.push(corners[0]);
+    scene.line(corners, OUTLINE, INK.on_white(strength));
+}
+
+/// A slider's guide. Its dashes are the same for all sliders on one line.
+pub(super) fn guide(scene: &mut Scene, at: Point, angle: f64, strength: f64) {
+    let (on, off) = (7.0, 5.0);
+    let (start, end) = (turned(at, angle, (-GUIDE, 0.0)), turned(at, angle, (GUIDE, 0.0)));
+    let before = start.0 * angle.cos() - start.1 * angle.sin();
+    for line in dashes(&[start, end], on, off, before) {
+        scene.line(line, 1.2, INK.on_white(0.75 * strength));
+    }
+}
+
+/// A fixed support: a triangle below its point, on hatched ground.
+pub(super) fn ground(scene: &mut Scene, at: Point) {
+    let (half, height) = GROUND;
+    let foot = at.1 + height;
+    let mut corners = vec![at, (at.0 + half, foot), (at.0 - half, foot)];
+    scene.area(corners.clone(), AXIS.on_white(0.15));
+    corners.push(at);
+    scene.line(corners, OUTLINE, AXIS);
+    let side = half + 6.0;
+    scene.line(vec![(at.0 - side, foot), (at.0 + side, foot)], OUTLINE, AXIS);
+    for stroke in 0..6 {
+        let x = at.0 - side + 2.0 * side * (f64::from(stroke) + 1.0) / 6.0;
+        scene.line(vec![(x, foot), (x - 6.0, foot + 7.0)], 1.2, AXIS);
+    }
+}
+
+/// A circle.
+pub(super) fn circle(scene: &mut Scene, at: Point, radius: f64, colour: Colour) {
+    let mut outline = arc(at, radius, 0.0, TAU, 180);
+    if let Some(first) = outline.first().copied() {
+        outline.push(first);
+    }
+    scene.line(outline, 0.6 * LINK, colour);
+}
+
+fn arc(centre: Point, radius: f64, from: f64, turn: f64, steps: u32) -> Vec<Point> {
+    let at = |step: u32| turned(centre, from + turn * f64::from(step) / f64::from(steps), (radius, 0.0));
+    (0..=steps).map(at).collect()
+}
+
+/// A place given along and across a direction. Angles are counter-clockwise, as in the mechanism.
+fn turned(origin: Point, angle: f64, (along, across): Point) -> Point {
+    let (sine, cosine) = angle.sin_cos();
+    (origin.0 + along * cosine - across * sine, origin.1 - along * sine - across * cosine)
+}

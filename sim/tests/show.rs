@@ -1,0 +1,187 @@
+//! Figures, written to files.
+
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sim::show::{Curve, Plot, Pose, ShowError, mechanism, plot};
+use sim_kernel::Shape;
+
+fn directory(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+fn svg(directory: &Path, name: &str) -> String {
+    fs::read_to_string(directory.join(format!("{name}.svg"))).unwrap()
+}
+
+fn png(directory: &Path, name: &str) -> Vec<u8> {
+    fs::read(directory.join(format!("{name}.png"))).unwrap()
+}
+
+fn times(until: f64) -> Vec<f64> {
+    (0..=8192).map(|step| until * f64::from(step) / 8192.0).collect()
+}
+
+fn curve<'a>(label: &'a str, x: &[f64], value: impl Fn(f64) -> f64) -> Curve<'a> {
+    Curve { label, values: x.iter().map(|x| value(*x)).collect() }
+}
+
+fn one<'a>(x: &'a [f64], label: &'a str, value: impl Fn(f64) -> f64) -> Plot<'a> {
+    Plot { title: "", x_label: "time [s]", y_label: label, x, curves: vec![curve(label, x, value)] }
+}
+
+fn sines(x: &[f64]) -> Plot<'_> {
+    let curves = vec![
+        curve("crank_speed", x, |t| 5.0 + 3.0 * (TAU * t).sin()),
+        curve("rocker_speed", x, |t| 4.0 * (TAU * 1.5 * t + 1.0).sin()),
+        curve("bar_speed", x, |t| -1.5 * (TAU * 0.5 * t).cos()),
+    ];
+    Plot { title: "Angular speeds", x_label: "time [s]", y_label: "angular speed [rad/s]", x, curves }
+}
+
+const QUICK_RETURN: [Shape; 7] =
+    [Shape::Ground(2), Shape::Line(2), Shape::Line(2), Shape::Line(2), Shape::Slider, Shape::Slider, Shape::Points(3)];
+
+fn quick_return(crank: f64) -> Vec<f64> {
+    let pin = (0.2 * crank.cos(), 0.3 + 0.2 * crank.sin());
+    let rocker = pin.1.atan2(pin.0);
+    let end = (0.7 * rocker.cos(), 0.7 * rocker.sin());
+    let bar = PI - ((0.9 - end.1) / 0.6).asin();
+    let slider = (end.0 + 0.6 * bar.cos(), 0.9);
+    let middle = |a: (f64, f64), b: (f64, f64)| [(a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0];
+    let mut numbers = vec![0.0, 0.0, 0.0, 0.3];
+    numbers.extend([0.0, 0.3, pin.0, pin.1]);
+    numbers.extend([0.0, 0.0, end.0, end.1]);
+    numbers.extend([end.0, end.1, slider.0, slider.1]);
+    numbers.extend([pin.0, pin.1, rocker, slider.0, slider.1, 0.0]);
+    numbers.extend(middle((0.0, 0.0), end));
+    numbers.extend(middle(end, slider));
+    numbers.extend([slider.0, slider.1]);
+    numbers
+}
+
+#[test]
+fn curves_make_small_repeatable_files() {
+    let directory = directory("curves");
+    let x = times(2.0);
+    plot(&sines(&x), &directory, "sines").unwrap();
+    let (first, pixels) = (svg(&directory, "sines"), png(&directory, "sines"));
+    assert!(first.len() < 200_000, "{} bytes", first.len());
+    assert!(first.contains("font-family=\"sans-serif\"") && first.contains("angular speed [rad/s]"));
+    assert!(first.starts_with("<svg width=\"960\" height=\"540\"") && first.contains("viewBox=\"0 0 9600 5400\""));
+    assert_eq!(&pixels[16..24], [1920_u32.to_be_bytes(), 1080_u32.to_be_bytes()].concat());
+    plot(&sines(&x), &directory, "sines").unwrap();
+    assert_eq!((svg(&directory, "sines"), png(&directory, "sines")), (first, pixels));
+
+    plot(&one(&x, "power [W]", |t| 2.5e4 * (9.0 * t).sin() / (1.0 + t)), &directory, "power").unwrap();
+    assert!(svg(&directory, "power").contains("20\u{2009}000"));
+    plot(&one(&x, "acceleration [m/s^2]", |t| 3.3e7 * (t * t * 9.0).sin()), &directory, "large").unwrap();
+    let large = svg(&directory, "large");
+    assert!(large.contains("×10⁶") && large.contains("[m/s²]"));
+}
+
+#[test]
+fn the_worst_curves_stay_bounded() {
+    let directory = directory("worst");
+    let x = times(2.0);
+    let noise = |t: f64| (t * 1e6).sin() * (t * 1.3e5).cos();
+    plot(&one(&x, "noise [N]", noise), &directory, "noise").unwrap();
+    assert!(svg(&directory, "noise").len() < 200_000);
+
+    let mut many = sines(&x);
+    let labels: Vec<String> =
+        (0..18).map(|index| format!("a_rather_long_name_of_an_output_{index} [kg*m^2/s]")).collect();
+    many.curves =
+        labels.iter().zip(0..).map(|(label, k)| curve(label, &x, |t| (t * 3.0 + f64::from(k)).sin() * 1e-6)).collect();
+    plot(&many, &directory, "many").unwrap();
+    assert!(svg(&directory, "many").len() < 900_000);
+}
+
+#[test]
+fn degenerate_curves_are_shown() {
+    let directory = directory("degenerate");
+    let x = times(2.0);
+    plot(&one(&x, "constant [J]", |_| 12.5), &directory, "constant").unwrap();
+    plot(&one(&x, "nearly constant [J]", |t| 12.345_678 + 1e-9 * (9.0 * t).sin()), &directory, "nearly").unwrap();
+    plot(&one(&x, "zero [J]", |_| 0.0), &directory, "zero").unwrap();
+    let gaps = |t: f64| match () {
+        () if (0.5..0.7).contains(&t) => f64::NAN,
+        () if t > 1.8 => f64::INFINITY,
+        () => (9.0 * t).sin(),
+    };
+    plot(&one(&x, "gaps [N]", gaps), &directory, "gaps").unwrap();
+    let gaps = svg(&directory, "gaps");
+    assert!(!gaps.contains("NaN") && !gaps.contains("inf"));
+    plot(&one(&[0.0], "one value [N]", |_| 3.0), &directory, "lone").unwrap();
+    plot(&one(&[0.0, 1.0], "huge [N]", |t| (t - 0.5) * 1.9e300), &directory, "huge").unwrap();
+}
+
+#[test]
+fn nothing_to_show_is_an_error() {
+    let directory = directory("nothing");
+    let x = times(1.0);
+    let none = Plot { curves: Vec::new(), ..sines(&x) };
+    assert!(matches!(plot(&none, &directory, "none"), Err(ShowError::Empty { .. })));
+    assert!(matches!(plot(&one(&[], "f", |t| t), &directory, "empty"), Err(ShowError::Empty { .. })));
+    assert!(matches!(plot(&one(&x, "f", |_| f64::NAN), &directory, "nan"), Err(ShowError::Empty { .. })));
+    let mut short = sines(&x);
+    short.curves[1].values.pop();
+    let error = plot(&short, &directory, "short").unwrap_err();
+    assert_eq!(error.to_string(), "figure `short`: curve `rocker_speed` has 8192 values for 8193 abscissae");
+    let empty = |shapes: &[Shape], poses: &[Pose]| mechanism("", shapes, poses, &directory, "empty");
+    assert!(matches!(empty(&QUICK_RETURN, &[]), Err(ShowError::Empty { .. })));
+    assert!(matches!(empty(&[], &[Pose { numbers: &[], time: 0.0 }]), Err(ShowError::Empty { .. })));
+    let nan = Pose { numbers: &[f64::NAN; 3], time: 0.0 };
+    assert!(matches!(empty(&[Shape::Slider], &[nan]), Err(ShowError::Empty { .. })));
+    let error = empty(&[Shape::Slider], &[Pose { numbers: &[0.0; 4], time: 1.5 }]).unwrap_err();
+    assert_eq!(error.to_string(), "figure `empty`: the pose at t = 1.5 s has 4 numbers, its shapes take 3");
+    assert!(!directory.exists());
+}
+
+#[test]
+fn a_file_in_the_way_is_an_error() {
+    let directory = directory("in_the_way");
+    fs::create_dir_all(&directory).unwrap();
+    let file = directory.join("file");
+    fs::write(&file, "").unwrap();
+    let x = times(1.0);
+    let error = plot(&sines(&x), &file.join("below"), "sines").unwrap_err();
+    assert!(error.to_string().contains("in_the_way/file/below"), "{error}");
+    fs::create_dir_all(directory.join("taken.png")).unwrap();
+    let error = plot(&sines(&x), &directory, "taken").unwrap_err();
+    assert!(error.to_string().contains("taken.png"), "{error}");
+}
+
+#[test]
+fn a_mechanism_moves() {
+    let directory = directory("mechanism");
+    let numbers: Vec<_> = (0..6).map(|sixth| quick_return(0.4 + TAU * f64::from(sixth) / 6.0)).collect();
+    let pose = |(numbers, sixth)| Pose { numbers, time: 0.109_89 * f64::from(sixth) };
+    let poses: Vec<Pose> = numbers.iter().map(Vec::as_slice).zip(0..).map(pose).collect();
+    mechanism("Quick-return mechanism", &QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    let first = svg(&directory, "quick-return");
+    assert!(first.contains("0.33") && first.contains("x [m]") && first.contains("t [s]"));
+    mechanism("Quick-return mechanism", &QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    assert_eq!(svg(&directory, "quick-return"), first);
+}
+
+#[test]
+fn odd_drawings_are_drawn() {
+    let directory = directory("odd");
+    let flat: Vec<[f64; 11]> = (0..30)
+        .map(|step| 0.001 * f64::from(step))
+        .map(|x| [0.0, 0.0, x, 0.0, 0.1, 0.0, x, 0.0, 0.0, 0.1, 0.0])
+        .collect();
+    let poses: Vec<Pose> =
+        flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, time: f64::from(step) }).collect();
+    let shapes = [Shape::Line(3), Shape::Slider, Shape::Ground(1)];
+    mechanism("A row of masses", &shapes, &poses, &directory, "flat").unwrap();
+    let point = Pose { numbers: &[1.0, 2.0], time: 0.0 };
+    mechanism("", &[Shape::Points(1)], &[point], &directory, "point").unwrap();
+    let wheel = [0.0, 1.0, 1.0, 0.0, 1.0, f64::NAN, 1.0, 0.7, 1.7, 0.0, 1.0];
+    let wheel = Pose { numbers: &wheel, time: 0.0 };
+    mechanism("Wheel", &[Shape::Circle, Shape::Line(3), Shape::Points(1)], &[wheel], &directory, "wheel").unwrap();
+}

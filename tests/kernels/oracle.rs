@@ -1,0 +1,139 @@
+//! Every kernel of every mechanism against the oracle, which interprets the declaration with jets and shares no
+//! code with the engine, at random states and parameters, half of them on the constraints.
+
+use crate::mechanisms::all_mechanisms;
+use codegen::dsl::{self, Declaration};
+use codegen::model::Unit;
+use codegen::oracle::{Measured, Oracle, Solution, State};
+use sim::{Array, Mechanism, accelerate, project_positions, project_velocities};
+use tests::Random;
+
+const STATES: usize = 1000;
+
+/// Rounding of a term relative to the sum of the magnitudes of what goes into it.
+const TERM_TOLERANCE: f64 = 1e-13;
+
+#[test]
+fn every_kernel_of_every_mechanism_agrees() {
+    macro_rules! check_all {
+        ($($model:ty),*) => { $(check::<$model>();)* };
+    }
+    all_mechanisms!(check_all);
+}
+
+fn check<M: Mechanism>() {
+    let name = M::DESCRIPTION.name;
+    let declaration = dsl::parse(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
+    let mut random = Random(11);
+    let (mut worst, mut residual, mut on_constraints) = (0.0f64, 0.0f64, 0);
+    for i in 0..STATES {
+        let parameters = M::defaults().parameters();
+        let mechanism = M::with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
+        let t = random.between(0.0, 2.0);
+        let mut q = M::Q::from_fn(|_| random.between(-1.5, 1.5));
+        let mut qd = M::Q::from_fn(|_| random.between(-3.0, 3.0));
+        if i % 2 == 0
+            && let Ok(linear) = project_positions(&mechanism, t, &mut q)
+            && project_velocities::<M>(&linear, t, &q, &mut qd).is_ok()
+        {
+            on_constraints += 1;
+        }
+        let found = compare(&mechanism, &declaration, t, &q, &qd);
+        assert!(found.worst <= TERM_TOLERANCE, "{name}: {} is off by {:e}", found.term, found.worst);
+        worst = worst.max(found.worst);
+        residual = residual.max(found.residual);
+    }
+    println!(
+        "{name:<20} terms {worst:.1e} of their magnitudes, residual {residual:.1} eps n (|K||z| + |r|), {on_constraints} states on the constraints"
+    );
+    assert!(M::L::LEN == 0 || on_constraints > STATES / 4, "{name}: {on_constraints}");
+    // The project's bound is 1e-14 n, that is 45 eps n.
+    assert!(residual <= 45.0, "{name}: {residual}");
+}
+
+struct Found {
+    /// The largest difference, relative to its magnitude.
+    worst: f64,
+    /// Where.
+    term: &'static str,
+    /// The residual of the solved equations in eps n (|K||z| + |r|).
+    residual: f64,
+}
+
+impl Found {
+    fn term(&mut self, term: &'static str, values: &[f64], expected: &[Measured]) {
+        assert_eq!(values.len(), expected.len(), "{term}");
+        for (value, expected) in values.iter().zip(expected) {
+            let both_undefined = !value.is_finite() && !expected.value.is_finite();
+            let difference = (value - expected.value).abs() / expected.magnitude.max(f64::MIN_POSITIVE);
+            if !both_undefined && !(difference <= self.worst) {
+                (self.worst, self.term) = (difference, term);
+            }
+        }
+    }
+}
+
+fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
+    let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
+    let oracle = Oracle::new(declaration, &si_factor);
+    let parameters = mechanism.parameters();
+    let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
+    let terms = oracle.terms(&at).unwrap();
+    let mut found = Found { worst: 0.0, term: "", residual: 0.0 };
+    let matrix = |rows: Vec<Vec<f64>>| rows.concat();
+    let mass = matrix(mechanism.mass_matrix(t, q).iter().map(|row| row.as_ref().to_vec()).collect());
+    let jacobian = matrix(mechanism.constraint_jacobian(t, q).iter().map(|row| row.as_ref().to_vec()).collect());
+    found.term("mass matrix", &mass, &terms.mass_matrix.concat());
+    found.term("convective forces", mechanism.convective_forces(t, q, qd).as_ref(), &terms.convective);
+    found.term("generalised forces", mechanism.generalized_forces(t, q, qd).as_ref(), &terms.applied_forces);
+    found.term("constraints", mechanism.constraints(t, q).as_ref(), &terms.constraints);
+    found.term("constraint Jacobian", &jacobian, &terms.constraint_jacobian.concat());
+    found.term("C_t", mechanism.constraint_time_derivative(t, q).as_ref(), &terms.constraint_time_derivative);
+    found.term(
+        "constraint convective",
+        mechanism.constraint_convective(t, q, qd).as_ref(),
+        &terms.constraint_convective,
+    );
+    found.term("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
+    found.term("events", mechanism.events(t, q, qd).as_ref(), &oracle.events(&at).unwrap());
+    let linear = mechanism.constraint_linearization(t, q);
+    let linear_jacobian = matrix(linear.jacobian.iter().map(|row| row.as_ref().to_vec()).collect());
+    found.term("linearised C", linear.values.as_ref(), &terms.constraints);
+    found.term("linearised C_q", &linear_jacobian, &terms.constraint_jacobian.concat());
+    found.term("linearised C_t", linear.time_derivative.as_ref(), &terms.constraint_time_derivative);
+    let Ok(solved) = accelerate(mechanism, t, q, qd) else { return found };
+    let given = |values: &[f64]| values.iter().map(|value| Measured::given(*value)).collect::<Vec<_>>();
+    let solution = Solution {
+        accelerations: given(solved.accelerations.as_ref()),
+        multipliers: given(solved.multipliers.as_ref()),
+    };
+    let outputs = mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers);
+    found.term("outputs", outputs.as_ref(), &oracle.outputs(&at, &solution).unwrap());
+    found.term("power", &[solved.power], &[oracle.power(&at, &solution).unwrap()]);
+    found.residual = residual(&terms, solved.accelerations.as_ref(), solved.multipliers.as_ref());
+    found
+}
+
+/// |K z - r| of the oracle's equations at the kernel's solution in eps n (|K||z| + |r|), in the largest norm.
+fn residual(terms: &codegen::oracle::Terms, accelerations: &[f64], multipliers: &[f64]) -> f64 {
+    let n = accelerations.len();
+    let z = [accelerations, multipliers].concat();
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |largest, x| largest.max(x.abs()));
+    let (mut residual, mut matrix_norm, mut rhs_norm) = (0.0f64, 0.0f64, 0.0f64);
+    for i in 0..z.len() {
+        let row: Vec<f64> = match i < n {
+            true => {
+                let mass = terms.mass_matrix[i].iter().map(|entry| entry.value);
+                mass.chain(terms.constraint_jacobian.iter().map(|row| row[i].value)).collect()
+            }
+            false => terms.constraint_jacobian[i - n].iter().map(|entry| entry.value).collect(),
+        };
+        let rhs = if i < n { terms.generalized_forces[i].value } else { -terms.constraint_convective[i - n].value };
+        let sum: f64 = row.iter().zip(&z).map(|(k, z)| k * z).sum();
+        residual = residual.max((sum - rhs).abs());
+        matrix_norm = matrix_norm.max(row.iter().map(|k| k.abs()).sum());
+        rhs_norm = rhs_norm.max(rhs.abs());
+    }
+    let size = matrix_norm * largest(&mut z.iter().copied()) + rhs_norm;
+    residual / (f64::EPSILON * z.len() as f64 * size)
+}
