@@ -92,12 +92,19 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let state: Vec<String> = self.state.iter().map(|(name, value)| format!("{name} = {value:.6}")).collect();
+        let state: Vec<String> =
+            self.state.iter().map(|(name, value)| format!("{name} = {}", readable(*value))).collect();
         write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
     }
 }
 
 impl std::error::Error for Failure {}
+
+/// Six decimals, or six digits where that would be too long or say nothing.
+fn readable(value: f64) -> String {
+    let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+    if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
+}
 
 /// The name of a constraint row.
 pub(crate) fn constraint_name<M: Mechanism>(row: usize) -> &'static str {

@@ -12,6 +12,9 @@ const MOST_CORRECTIONS: usize = 10;
 /// A residual below this is met, whatever its terms.
 const TOLERANCE: f64 = 1e-12;
 
+/// A residual above this is never put down to rounding: a state known no better is lost.
+const LARGEST_ROUNDING: f64 = 1e-6;
+
 type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mechanism>::LQ>;
 
 /// Corrects positions until |C_i| <= max(1e-12, 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|)), once at
@@ -102,6 +105,7 @@ fn is_met_by_rounding<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q, linear: 
     let magnitudes = mechanism.constraint_magnitudes(time, q);
     (0..M::L::LEN).all(|i| {
         let moved: f64 = linear.jacobian[i].iter().zip(q.iter()).map(|(c, q)| (c * q).abs()).sum();
-        linear.values[i].abs() <= TOLERANCE.max(8.0 * f64::EPSILON * (magnitudes[i] + moved))
+        let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
+        linear.values[i].abs() <= rounding.clamp(TOLERANCE, LARGEST_ROUNDING)
     })
 }

@@ -38,7 +38,7 @@ pub(super) struct RunArguments {
     pub(super) model: String,
 
     /// End of the run; in seconds unless a unit is given.
-    #[arg(long, value_name = "TIME", default_value = "2")]
+    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
     pub(super) t_end: String,
 
     /// Number of steps of equal size.
@@ -46,7 +46,7 @@ pub(super) struct RunArguments {
     pub(super) steps: usize,
 
     /// Size of a step, instead of their number; made a little smaller if it does not divide the run.
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) step: Option<String>,
 
     /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
