@@ -49,6 +49,9 @@ fn head(input: ParseStream) -> Result<Head> {
     let docs = block::docs(input)?;
     let visibility: Visibility = input.parse()?;
     let name = block::name(input, FORM).map_err(|e| syn::Error::new(e.span(), FORM))?;
+    if BLOCKS.iter().any(|block| name == block) {
+        return Err(syn::Error::new(name.span(), FORM));
+    }
     if input.parse::<Option<Token![;]>>()?.is_none() {
         return Err(here(input, FORM));
     }

@@ -18,16 +18,16 @@ pub(super) fn record(
     }
     let (names, field_docs): (Vec<_>, Vec<_>) = fields.iter().map(|(name, docs)| (ident(name), docs)).unzip();
     let n = size(names.len());
+    let places = (0..names.len()).map(size);
     quote! {
         #[doc = #docs]
         #[allow(non_snake_case)]
         #[derive(Clone, Copy, Debug, PartialEq)]
         #visibility struct #name<S = f64> { #(#[doc = #field_docs] pub #names: S,)* }
 
-        #[allow(non_snake_case)]
         impl<S: #path::Scalar> From<[S; #n]> for #name<S> {
-            fn from([#(#names),*]: [S; #n]) -> Self {
-                Self { #(#names),* }
+            fn from(values: [S; #n]) -> Self {
+                Self { #(#names: values[#places]),* }
             }
         }
 

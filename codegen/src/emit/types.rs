@@ -110,6 +110,7 @@ pub(super) fn mechanism_impl(model: &Model, program: &Program, declaration: &str
         [model.events.len(), rated_outputs(model).len(), kernel_len(program, "drawing")].map(size);
     let description = description(model, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
+    let places = (0..fields.len()).map(size);
     let marker = model.parameters.is_empty().then(|| quote! { scalar: core::marker::PhantomData });
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
     let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
@@ -139,8 +140,8 @@ pub(super) fn mechanism_impl(model: &Model, program: &Program, declaration: &str
                 [#(self.#fields),*]
             }
 
-            fn with_parameters([#(#fields),*]: [S; #p]) -> Self {
-                Self { #(#fields,)* #marker }
+            fn with_parameters(parameters: [S; #p]) -> Self {
+                Self { #(#fields: parameters[#places],)* #marker }
             }
 
             #(#forwards)*

@@ -1,0 +1,6 @@
+sim_kernel::mechanism! {
+    coordinates { x [m]; }
+    bodies { point: mass 1 at [x, 0]; }
+}
+
+fn main() {}

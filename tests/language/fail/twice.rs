@@ -1,0 +1,8 @@
+sim_kernel::mechanism! {
+    pub Twice;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 2; x [m] = 1; }
+    bodies { point: mass m at [x, y]; }
+}
+
+fn main() {}

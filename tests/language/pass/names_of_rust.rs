@@ -1,0 +1,22 @@
+//! Names that are keywords, prelude names or names inside the generated code.
+#![deny(warnings)]
+
+sim_kernel::mechanism! {
+    /// A spring pendulum.
+    pub Names;
+    coordinates { r#type [m]; q [rad]; }
+    parameters { S [m] = 1; r#fn [kg] = 2; value = 3; self_mass [kg] = 1; lambda [N/m] = 50; f64 = 1; }
+    let Some = (S + r#type)*[sin(q), -cos(q)];
+    bodies { r#loop: mass r#fn + self_mass at Some; }
+    loads { gravity [0, -9.81]; force -lambda*r#type*[sin(q), -cos(q)]*f64 at Some; }
+    initial { q = 0.3; }
+    outputs { refused [m] = Some.x*value; Ok = dot(q); }
+}
+
+fn main() {
+    use sim_kernel::Mechanism;
+    let mechanism: Names = Names { S: 2.0, ..Names::default() };
+    let coordinates = NamesCoordinates { r#type: 0.1, q: 0.2 };
+    let solved = mechanism.dynamics(0.0, &coordinates.into(), &[0.0; 2]);
+    assert!(!solved.refused && Names::<f32>::defaults().S == 1.0);
+}
