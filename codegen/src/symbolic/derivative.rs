@@ -77,7 +77,10 @@ impl Differential {
                 continue;
             }
             let mut powers = factors.to_vec();
-            powers[at].1 -= 1;
+            match exponent {
+                1.. => powers[at].1 -= 1,
+                _ => powers.push((*base, -1)),
+            }
             powers.push((rate, 1));
             let term = graph.product_of_powers(&powers);
             terms.push((term, coefficient * &Number::from(*exponent)));

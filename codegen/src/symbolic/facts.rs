@@ -1,42 +1,85 @@
-//! What is known of an expression's sign for every value of its symbols. Nothing known means no.
+//! What is known of an expression for every real value of its symbols. Nothing known means no.
 
 use super::{Function, Graph, Node, Number};
 
-/// Sign knowledge. Both false says nothing.
+/// Knowledge of sign and size. All false says nothing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct Facts {
     /// Never below zero where it is defined.
     pub(super) nonnegative: bool,
-    /// Never zero where it is defined.
+    /// Never zero where it is finite.
     pub(super) nonzero: bool,
+    /// Defined everywhere, and without a pole.
+    pub(super) finite: bool,
 }
 
-const POSITIVE: Facts = Facts { nonnegative: true, nonzero: true };
-
 impl Facts {
+    /// Whether `x/x` is 1 everywhere.
+    pub(super) fn invertible(self) -> bool {
+        self.nonzero && self.finite
+    }
+
+    fn positive(self) -> bool {
+        self.nonnegative && self.nonzero
+    }
+
     pub(super) fn of(graph: &Graph, node: &Node) -> Facts {
         match node {
-            Node::Number(value) => Facts { nonnegative: !value.is_negative(), nonzero: !value.is_zero() },
-            Node::Constant(_) => POSITIVE,
-            Node::Symbol(_) | Node::Atan2(..) => Facts::default(),
+            Node::Number(value) => Facts { nonnegative: !value.is_negative(), nonzero: !value.is_zero(), finite: true },
+            Node::Constant(_) => Facts { nonnegative: true, nonzero: true, finite: true },
+            Node::Symbol(_) => Facts { finite: true, ..Facts::default() },
+            Node::Atan2(y, x) => Facts { finite: graph.facts(*y).finite && graph.facts(*x).finite, ..Facts::default() },
             Node::Sum { constant, terms } => {
                 let nonnegative = !constant.is_negative()
                     && terms.iter().all(|(term, c)| !c.is_negative() && graph.facts(*term).nonnegative);
                 let one_positive =
-                    *constant > Number::ZERO || terms.iter().any(|(term, _)| graph.facts(*term) == POSITIVE);
-                Facts { nonnegative, nonzero: nonnegative && one_positive }
+                    *constant > Number::ZERO || terms.iter().any(|(term, _)| graph.facts(*term).positive());
+                Facts {
+                    nonnegative,
+                    nonzero: nonnegative && one_positive,
+                    finite: terms.iter().all(|(term, _)| graph.facts(*term).finite),
+                }
             }
             Node::Product { coefficient, factors } => Facts {
                 nonnegative: !coefficient.is_negative()
                     && factors.iter().all(|(base, exponent)| exponent % 2 == 0 || graph.facts(*base).nonnegative),
                 // Underflow is not zero in exact arithmetic; a base that is nonzero stays so.
                 nonzero: factors.iter().all(|(base, _)| graph.facts(*base).nonzero),
+                finite: factors.iter().all(|(base, exponent)| match exponent {
+                    1.. => graph.facts(*base).finite,
+                    _ => graph.facts(*base).invertible(),
+                }),
             },
-            // A real power exists only for bases that are not negative, and is not negative itself.
-            Node::Power { base, .. } => Facts { nonnegative: true, nonzero: graph.facts(*base) == POSITIVE },
-            Node::Call(Function::Exp | Function::Cosh, _) => POSITIVE,
-            Node::Call(Function::Abs, argument) => Facts { nonnegative: true, nonzero: graph.facts(*argument).nonzero },
-            Node::Call(..) => Facts::default(),
+            // A root exists only for bases that are not negative, and is not negative itself. A symbolic
+            // exponent may turn out to be an odd integer.
+            Node::Power { base, exponent } => {
+                let base = graph.facts(*base);
+                let root = graph.as_number(*exponent).and_then(Number::to_fraction).is_some_and(|(p, _)| p > 0);
+                Facts {
+                    nonnegative: root || base.nonnegative,
+                    nonzero: base.positive(),
+                    finite: base.finite && base.nonnegative && (root || base.nonzero && graph.facts(*exponent).finite),
+                }
+            }
+            Node::Call(function, argument) => Facts::of_call(*function, graph.facts(*argument)),
+        }
+    }
+
+    fn of_call(function: Function, argument: Facts) -> Facts {
+        use Function::*;
+        Facts {
+            nonnegative: matches!(function, Exp | Cosh | Abs),
+            nonzero: match function {
+                Exp | Cosh => true,
+                Abs => argument.nonzero,
+                _ => false,
+            },
+            finite: argument.finite
+                && match function {
+                    Tan | Asin | Acos => false,
+                    Ln => argument.positive(),
+                    _ => true,
+                },
         }
     }
 }

@@ -57,7 +57,7 @@ pub enum Node {
         terms: Box<[(Expr, Number)]>,
     },
     /// `coefficient * product of base^exponent`; exponents are integers, not zero. A base stands twice
-    /// only with exponents of opposite sign, when it may be zero.
+    /// only with exponents of opposite sign, when it may be zero or infinite.
     Product {
         /// The rational factor, not zero.
         coefficient: Number,
@@ -69,7 +69,7 @@ pub enum Node {
     Power {
         /// What is raised.
         base: Expr,
-        /// A fraction 1/q, or an expression.
+        /// A fraction 1/q, or an expression; or any number of which q is not below 2^32.
         exponent: Expr,
     },
     /// An elementary function.

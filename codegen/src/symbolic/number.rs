@@ -85,7 +85,8 @@ impl Number {
             false => BigRational::new(digits, power),
         };
         let number = Number::from_big(value);
-        number.to_f64().is_finite().then_some(number)
+        let in_range = number.to_f64().is_finite() && (number.to_f64() != 0.0 || number.is_zero());
+        in_range.then_some(number)
     }
 
     /// The nearest `f64`.
@@ -93,6 +94,14 @@ impl Number {
         match &self.0 {
             Repr::Small(n, d) if n.unsigned_abs() <= 1 << 53 && *d <= 1 << 53 => *n as f64 / *d as f64,
             _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Whether this is a whole number, of any size.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Repr::Small(_, d) => *d == 1,
+            Repr::Big(value) => value.is_integer(),
         }
     }
 
@@ -151,10 +160,12 @@ impl Number {
     pub fn pow(&self, exponent: i64) -> Option<Number> {
         let base = if exponent < 0 { self.recip()?.to_big() } else { self.to_big() };
         let bits = base.numer().bits() + base.denom().bits();
-        let exponent = u32::try_from(exponent.unsigned_abs()).ok()?;
-        if bits > 2 && bits.saturating_mul(exponent.into()) > 4096 {
-            return None;
-        }
+        let exponent = match exponent.unsigned_abs() {
+            // Powers of 0, 1 and -1 depend on little of the exponent.
+            large if bits <= 2 => large.min(2 + large % 2),
+            exponent if bits.saturating_mul(exponent) > 4096 => return None,
+            exponent => exponent,
+        };
         Some(Number::from_big(num_traits::pow(base, exponent as usize)))
     }
 
@@ -272,7 +283,7 @@ mod tests {
         assert_eq!(n("1_000"), Number::from(1000));
         assert_eq!(n("6.02e23").to_string(), "602000000000000000000000");
         assert_eq!(n("1e-300").to_f64(), 1e-300);
-        for bad in ["", ".", "1e999", "1e99999999999", "x", "1.2.3"] {
+        for bad in ["", ".", "1e999", "1e-400", "1e99999999999", "x", "1.2.3"] {
             assert_eq!(Number::parse_decimal(bad), None, "{bad}");
         }
     }
@@ -292,6 +303,8 @@ mod tests {
         assert_eq!(Number::ZERO.pow(-1), None);
         assert_eq!(n("10").pow(1_000_000), None);
         assert_eq!(Number::MINUS_ONE.pow(1_000_001), Some(Number::MINUS_ONE));
+        assert_eq!(Number::MINUS_ONE.pow(i64::MIN), Some(Number::ONE));
+        assert_eq!(Number::ZERO.pow(i64::MAX), Some(Number::ZERO));
         assert_eq!(n("2.25").exact_root(2), Some(n("1.5")));
         assert_eq!(n("2").exact_root(2), None);
         assert_eq!(n("1.5").gcd(&n("2.5")), n("0.5"));

@@ -39,10 +39,10 @@ fn text(graph: &Graph, expr: Expr) -> (String, Binding) {
 }
 
 fn number(value: &Number) -> (String, Binding) {
-    let binding = match (value.is_negative(), value.to_integer()) {
+    let binding = match (value.is_negative(), value.is_integer()) {
         (true, _) => Binding::Sum,
-        (_, Some(_)) => Binding::Atom,
-        (_, None) => Binding::Product,
+        (_, true) => Binding::Atom,
+        (_, false) => Binding::Product,
     };
     (value.to_string(), binding)
 }
@@ -61,10 +61,12 @@ fn sum(graph: &Graph, constant: &Number, terms: &[(Expr, Number)]) -> String {
     for (term, coefficient) in terms {
         let (size, negative) = (coefficient.abs(), coefficient.is_negative());
         push_sign(&mut out, negative);
-        if !size.is_one() {
-            out += &format!("{}*", number_factor(&size));
-        }
-        out += &bound(graph, *term, Binding::Product);
+        let term = bound(graph, *term, Binding::Product);
+        out += &match (size.is_one(), term.strip_prefix("1/")) {
+            (true, _) => term,
+            (false, Some(below)) => format!("{}/{below}", number_factor(&size)),
+            (false, None) => format!("{}*{term}", number_factor(&size)),
+        };
     }
     if !constant.is_zero() {
         push_sign(&mut out, constant.is_negative());
@@ -83,22 +85,22 @@ fn push_sign(out: &mut String, negative: bool) {
 }
 
 fn number_factor(value: &Number) -> String {
-    if value.to_integer().is_some() { value.to_string() } else { format!("({value})") }
+    if value.is_integer() { value.to_string() } else { format!("({value})") }
 }
 
 fn product(graph: &Graph, coefficient: &Number, factors: &[(Expr, i64)]) -> (String, Binding) {
     let sign = if coefficient.is_negative() { "-" } else { "" };
     let size = coefficient.abs();
-    let power = |base: Expr, exponent: i64| match exponent {
+    let power = |base: Expr, exponent: i64| match exponent.unsigned_abs() {
         1 => bound(graph, base, Binding::Power),
-        _ => format!("{}^{exponent}", atom(graph, base)),
+        exponent => format!("{}^{exponent}", atom(graph, base)),
     };
     let mut above: Vec<String> = Vec::new();
     if !size.is_one() {
         above.push(number_factor(&size));
     }
     above.extend(factors.iter().filter(|(_, e)| *e > 0).map(|(base, e)| power(*base, *e)));
-    let below: Vec<String> = factors.iter().filter(|(_, e)| *e < 0).map(|(base, e)| power(*base, -e)).collect();
+    let below: Vec<String> = factors.iter().filter(|(_, e)| *e < 0).map(|(base, e)| power(*base, *e)).collect();
     let above = if above.is_empty() { "1".to_owned() } else { above.join("*") };
     let text = match below.as_slice() {
         [] => format!("{sign}{above}"),

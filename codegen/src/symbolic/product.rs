@@ -1,7 +1,8 @@
 //! Products in canonical form.
 //!
-//! `x^a x^b` become `x^(a+b)` only if both exponents are positive, or both negative, or x is never zero:
-//! `x^2/x` is not 0 at x = 0. Exponents in a product are integers; fractional powers are atoms.
+//! `x^a x^b` become `x^(a+b)` only if both exponents are positive, or both negative, or x is never zero nor
+//! infinite: `x^2/x` is not 0 at x = 0, and `x/x` is not 1 where x has a pole. Exponents in a product are
+//! integers; fractional powers are atoms.
 
 use super::{Expr, Graph, Node, Number};
 
@@ -25,15 +26,24 @@ impl Graph {
     /// The product of integer powers.
     pub(super) fn product_of_powers(&mut self, powers: &[(Expr, i64)]) -> Expr {
         let mut coefficient = Number::ONE;
+        let mut factors = self.split_and_merge(powers, &mut coefficient);
+        // A power too large to write out may have met a part of its inverse.
+        if factors.iter().any(|(base, _)| matches!(self.node(*base), Node::Number(_) | Node::Product { .. })) {
+            factors = self.split_and_merge(&factors, &mut coefficient);
+        }
+        match coefficient.is_zero() {
+            true => self.zero(),
+            false => self.canonical_product(coefficient, factors),
+        }
+    }
+
+    /// Canonical factors; numbers go to the coefficient.
+    fn split_and_merge(&mut self, powers: &[(Expr, i64)], coefficient: &mut Number) -> Vec<(Expr, i64)> {
         let mut factors = Vec::with_capacity(powers.len());
         for (base, exponent) in powers {
-            self.collect_factors(*base, *exponent, &mut coefficient, &mut factors);
+            self.collect_factors(*base, *exponent, coefficient, &mut factors);
         }
-        if coefficient.is_zero() {
-            return self.zero();
-        }
-        let factors = self.merge_factors(factors);
-        self.canonical_product(coefficient, factors)
+        self.merge_factors(factors)
     }
 
     /// Splits `base^exponent` into a number and powers of atoms.
@@ -107,7 +117,7 @@ impl Graph {
         for (base, exponent) in factors {
             if let Some((last, sum)) = merged.last_mut()
                 && *last == base
-                && ((*sum > 0) == (exponent > 0) || self.facts(base).nonzero)
+                && ((*sum > 0) == (exponent > 0) || self.facts(base).invertible())
                 && let Some(total) = sum.checked_add(exponent)
             {
                 *sum = total;
