@@ -6,3 +6,4 @@ mod assembly;
 mod failure;
 mod pendulum;
 mod quick_return;
+mod units;
