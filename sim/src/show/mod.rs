@@ -1,7 +1,7 @@
 //! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions.
 //!
-//! A figure is first laid out as a scene in logical pixels, and the scene is then drawn twice: as SVG with
-//! real text, and as PNG with two pixels to a logical one. The same input gives the same bytes.
+//! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
+//! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
@@ -15,7 +15,6 @@ mod mechanism;
 mod palette;
 mod plot;
 mod png;
-mod raster;
 mod scene;
 mod svg;
 mod symbols;
@@ -87,9 +86,9 @@ pub fn mechanism(title: &str, shapes: &[Shape], poses: &[Pose], directory: &Path
 
 /// Writes a scene in both formats.
 fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
-    let drawn = svg::draw(scene)?;
+    let document = svg::document(scene);
     fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
     let path = directory.join(format!("{name}.svg"));
-    fs::write(&path, drawn).map_err(|why| ShowError::write(&path, why))?;
-    png::write(scene, &directory.join(format!("{name}.png")))
+    fs::write(&path, &document).map_err(|why| ShowError::write(&path, why))?;
+    png::write(&document, &directory.join(format!("{name}.png")))
 }

@@ -1,6 +1,6 @@
 //! Colours, told apart by colour-blind readers too.
 
-use plotters::style::RGBColor;
+use std::fmt::{self, Display, Formatter};
 
 /// A colour: red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,19 +41,14 @@ pub(super) fn round(index: usize) -> usize {
 impl Colour {
     /// This much of the colour, from 0 to 1, on white paper.
     pub(super) fn on_white(self, strength: f64) -> Colour {
-        WHITE.blend(self, strength)
-    }
-
-    /// This much of another colour, from 0 to 1, laid over the colour.
-    pub(super) fn blend(self, other: Colour, strength: f64) -> Colour {
         let mix =
-            |below: u8, above: u8| (f64::from(below) + (f64::from(above) - f64::from(below)) * strength).round() as u8;
-        Colour(mix(self.0, other.0), mix(self.1, other.1), mix(self.2, other.2))
+            |paper: u8, ink: u8| (f64::from(paper) + (f64::from(ink) - f64::from(paper)) * strength).round() as u8;
+        Colour(mix(WHITE.0, self.0), mix(WHITE.1, self.1), mix(WHITE.2, self.2))
     }
 }
 
-impl From<Colour> for RGBColor {
-    fn from(colour: Colour) -> Self {
-        RGBColor(colour.0, colour.1, colour.2)
+impl Display for Colour {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
     }
 }

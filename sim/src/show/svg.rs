@@ -1,93 +1,122 @@
 //! A scene as SVG.
 
-use std::fmt::Display;
+use std::fmt::{self, Write};
 
-use plotters::backend::{DrawingBackend, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle};
-
-use super::ShowError;
 use super::palette::{Colour, WHITE};
 use super::scene::{Anchor, Label, Mark, Point, Scene};
 
-/// Coordinates are whole numbers: tenths of a logical pixel.
-const SCALE: f64 = 10.0;
-
-/// The backend writes fonts smaller than they are given, by this factor.
-const FONT_SCALE: f64 = 1.24;
-
-/// The backend puts the base line of text anchored at its top this far down, in em.
-const BASE_LINE: f64 = 0.76;
-
 /// The document.
-pub(super) fn draw(scene: &Scene) -> Result<String, ShowError> {
-    let mut document = String::new();
-    let size = (whole(scene.width).unsigned_abs(), whole(scene.height).unsigned_abs());
-    let mut backend = SVGBackend::with_string(&mut document, size);
-    let paper = RGBColor::from(WHITE).filled();
-    backend.draw_rect((0, 0), (size.0 as i32, size.1 as i32), &paper, true).map_err(failed)?;
-    for mark in &scene.marks {
-        draw_mark(&mut backend, mark)?;
-    }
-    backend.present().map_err(failed)?;
-    drop(backend);
-    let written = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
-    let wanted = format!(
-        "<svg width=\"{}\" height=\"{}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"",
-        scene.width, scene.height
+pub(super) fn document(scene: &Scene) -> String {
+    let (width, height) = (scene.width, scene.height);
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" \
+         font-family=\"Roboto, sans-serif\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n"
     );
-    Ok(document.replacen(&written, &wanted, 1))
+    for mark in &scene.marks {
+        // Writing to a string does not fail.
+        let _ = write_mark(&mut svg, mark);
+    }
+    svg.push_str("</svg>\n");
+    svg
 }
 
-fn failed(why: impl Display) -> ShowError {
-    ShowError::Draw(why.to_string())
-}
-
-fn whole(length: f64) -> i32 {
-    (length * SCALE).round() as i32
-}
-
-fn place(point: &Point) -> (i32, i32) {
-    (whole(point.0), whole(point.1))
-}
-
-fn draw_mark(backend: &mut SVGBackend, mark: &Mark) -> Result<(), ShowError> {
+fn write_mark(svg: &mut String, mark: &Mark) -> fmt::Result {
     match mark {
         Mark::Line { points, width, colour } => {
-            let mut path: Vec<_> = points.iter().map(place).collect();
-            path.dedup();
-            let style = RGBColor::from(*colour).stroke_width(whole(*width).unsigned_abs());
-            backend.draw_path(path, &style).map_err(failed)
+            let mut places: Vec<String> = points.iter().map(place).collect();
+            places.dedup();
+            // What is shorter than a tenth has its round ends only.
+            if let ([_], [lone, ..]) = (places.as_slice(), points.as_slice()) {
+                return write_disc(svg, lone, width / 2.0, colour);
+            }
+            let width = decimal(*width, 100.0);
+            writeln!(svg, "<polyline points=\"{}\" stroke=\"{colour}\" stroke-width=\"{width}\"/>", places.join(" "))
         }
         Mark::Area { points, colour } => {
-            backend.fill_polygon(points.iter().map(place), &filled(*colour)).map_err(failed)
+            let places: Vec<String> = points.iter().map(place).collect();
+            writeln!(svg, "<polygon points=\"{}\" fill=\"{colour}\"/>", places.join(" "))
         }
-        Mark::Disc { centre, radius, colour } => {
-            let radius = whole(*radius).unsigned_abs();
-            backend.draw_circle(place(centre), radius, &filled(*colour), true).map_err(failed)
-        }
-        Mark::Label(label) => draw_label(backend, label),
+        Mark::Disc { centre, radius, colour } => write_disc(svg, centre, *radius, colour),
+        Mark::Label(label) => write_label(svg, label),
     }
 }
 
-fn filled(colour: Colour) -> plotters::style::ShapeStyle {
-    RGBColor::from(colour).filled()
+fn write_disc(svg: &mut String, centre: &Point, radius: f64, colour: &Colour) -> fmt::Result {
+    let (x, y, radius) = (decimal(centre.0, 10.0), decimal(centre.1, 10.0), decimal(radius, 100.0));
+    writeln!(svg, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{colour}\"/>")
 }
 
-fn draw_label(backend: &mut SVGBackend, label: &Label) -> Result<(), ShowError> {
-    let font = FontDesc::new(FontFamily::SansSerif, label.size * SCALE * FONT_SCALE, FontStyle::Normal);
+fn write_label(svg: &mut String, label: &Label) -> fmt::Result {
     let anchor = match label.anchor {
-        Anchor::Start => HPos::Left,
-        Anchor::Middle => HPos::Center,
-        Anchor::End => HPos::Right,
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
     };
-    let lift = BASE_LINE * label.size;
-    let (transform, at) = if label.upwards {
-        (FontTransform::Rotate270, (label.at.0 - lift, label.at.1))
-    } else {
-        (FontTransform::None, (label.at.0, label.at.1 - lift))
-    };
-    let colour = RGBColor::from(label.colour);
-    let style = TextStyle::from(font.transform(transform)).color(&colour).pos(Pos::new(anchor, VPos::Top));
-    backend.draw_text(&label.text, &style, place(&at)).map_err(failed)
+    let (x, y, size) = (decimal(label.at.0, 10.0), decimal(label.at.1, 10.0), decimal(label.size, 100.0));
+    let turn = if label.upwards { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+    writeln!(
+        svg,
+        "<text x=\"{x}\" y=\"{y}\"{turn} text-anchor=\"{anchor}\" font-size=\"{size}\" fill=\"{}\">{}</text>",
+        label.colour,
+        escaped(&label.text)
+    )
+}
+
+fn place(point: &Point) -> String {
+    format!("{},{}", decimal(point.0, 10.0), decimal(point.1, 10.0))
+}
+
+/// A length to tenths or hundredths, where 0 has no sign.
+fn decimal(length: f64, parts: f64) -> f64 {
+    (length * parts).round() / parts + 0.0
+}
+
+/// The text as it is written in XML, where most control characters cannot be.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
+            _ if letter.is_control() => escaped.push(' '),
+            _ => escaped.push(letter),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(scene: &Scene) -> Vec<String> {
+        document(scene).lines().skip(2).map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn marks_are_elements() {
+        let mut scene = Scene::new(100.0, 50.0);
+        scene.line(vec![(0.0, -0.01), (1.26, 2.0), (1.31, 2.04), (1.0 / 3.0, 9.0)], 1.25, Colour(0, 158, 115));
+        scene.line(vec![(4.0, 4.0), (4.01, 4.0)], 3.0, WHITE);
+        scene.area(vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], WHITE);
+        let written = lines(&scene);
+        assert_eq!(written[0], "<polyline points=\"0,0 1.3,2 0.3,9\" stroke=\"#009e73\" stroke-width=\"1.25\"/>");
+        assert_eq!(written[1], "<circle cx=\"4\" cy=\"4\" r=\"1.5\" fill=\"#ffffff\"/>");
+        assert_eq!(written[2], "<polygon points=\"0,0 1,0 0,1\" fill=\"#ffffff\"/>");
+        assert_eq!(written[3..], ["</svg>"]);
+    }
+
+    #[test]
+    fn any_text_can_be_written() {
+        let mut scene = Scene::new(100.0, 50.0);
+        let (text, at, anchor) = ("a<b & \"c\"\u{0}\u{ffff}>".to_owned(), (5.0, 20.0), Anchor::End);
+        scene.label(Label { text, at, size: 15.0, anchor, upwards: true, colour: WHITE });
+        let written = lines(&scene);
+        assert!(written[0].starts_with("<text x=\"5\" y=\"20\" transform=\"rotate(-90 5 20)\" text-anchor=\"end\""));
+        assert!(written[0].ends_with(">a&lt;b &amp; \"c\" \u{fffd}&gt;</text>"), "{written:?}");
+        resvg::usvg::Tree::from_str(&document(&scene), &resvg::usvg::Options::default()).unwrap();
+    }
 }
