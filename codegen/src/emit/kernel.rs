@@ -1,7 +1,7 @@
 //! Each program as a function of the mechanism.
 
 use super::record::record_type;
-use super::tree::{receiver, tree};
+use super::tree::tree;
 use super::{ident, size, types};
 use crate::model::Model;
 use crate::program::{Arguments, Kernel, Program, Results, Statement, Tree};
@@ -78,10 +78,12 @@ fn statement(statement: &Statement) -> TokenStream {
             let (name, value) = (ident(name), tree(value));
             quote! { let #name = #value; }
         }
-        Statement::SinCos { sin, cos, argument } => {
-            let (sin, cos) = (ident(sin), ident(cos));
-            let argument = receiver(argument);
-            quote! { let (#sin, #cos) = #argument.sin_cos(); }
+        Statement::SinCos(waves) => {
+            let name =
+                |name: &Option<String>| name.as_ref().map_or(quote! { _ }, |name| ident(name).into_token_stream());
+            let (sines, cosines) = (waves.iter().map(|wave| name(&wave.sin)), waves.iter().map(|wave| name(&wave.cos)));
+            let angles = waves.iter().map(|wave| tree(&wave.argument));
+            quote! { let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_each([#(#angles),*]); }
         }
     }
 }

@@ -20,11 +20,6 @@ pub(super) fn tree(tree: &Tree) -> TokenStream {
     tokens(tree).0
 }
 
-/// An expression in front of a method call.
-pub(super) fn receiver(tree: &Tree) -> TokenStream {
-    bound(tree, Binding::Atom)
-}
-
 fn bound(tree: &Tree, at_least: Binding) -> TokenStream {
     let (tokens, binding) = tokens(tree);
     if binding >= at_least {
@@ -54,7 +49,7 @@ fn tokens(tree: &Tree) -> (TokenStream, Binding) {
         }
         Tree::Method(name, arguments) => {
             let name = ident(name);
-            let receiver = arguments.first().map(receiver);
+            let receiver = arguments.first().map(|receiver| bound(receiver, Binding::Atom));
             let others = arguments.iter().skip(1).map(self::tree);
             (quote! { #receiver.#name(#(#others),*) }, Binding::Atom)
         }

@@ -74,15 +74,18 @@ pub enum Statement {
         /// The value.
         value: Tree,
     },
-    /// Sine and cosine of one angle together.
-    SinCos {
-        /// The name of the sine.
-        sin: String,
-        /// The name of the cosine.
-        cos: String,
-        /// The angle.
-        argument: Tree,
-    },
+    /// Sines and cosines of independent angles together.
+    SinCos(Vec<Wave>),
+}
+
+/// The sine and cosine of one angle, as far as they are needed.
+pub struct Wave {
+    /// The name of the sine.
+    pub sin: Option<String>,
+    /// The name of the cosine.
+    pub cos: Option<String>,
+    /// The angle.
+    pub argument: Tree,
 }
 
 /// An expression over names.

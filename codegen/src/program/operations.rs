@@ -26,9 +26,9 @@ impl Operations {
         for statement in statements {
             match statement {
                 Statement::Let { value, .. } => operations.count(value),
-                Statement::SinCos { argument, .. } => {
-                    operations.count(argument);
-                    operations.sine_cosines += 1;
+                Statement::SinCos(waves) => {
+                    waves.iter().for_each(|wave| operations.count(&wave.argument));
+                    operations.sine_cosines += waves.len();
                 }
             }
         }
@@ -68,7 +68,6 @@ impl Operations {
             }
             Tree::Method(name, arguments) => {
                 match *name {
-                    "sin" | "cos" => self.sine_cosines += 1,
                     "sqrt" => self.square_roots += 1,
                     "abs" | "sign" => self.additions += 1,
                     _ => self.other_functions += 1,

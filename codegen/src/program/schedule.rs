@@ -5,7 +5,7 @@
 
 use super::names::Names;
 use super::values::{Input, Operation, Value, Values};
-use super::{Statement, Tree};
+use super::{Statement, Tree, Wave};
 use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
@@ -15,6 +15,16 @@ const LONGEST_EXPRESSION: usize = 14;
 /// A schedule for the values that `roots` need.
 pub(super) struct Schedule<'a> {
     values: &'a Values,
+    labels: &'a FxHashMap<Value, String>,
+    /// Which values get a statement.
+    named: Vec<bool>,
+    /// Angles by how many sines they depend on, one inside another; those of a level are evaluated together.
+    angles: Vec<Vec<Value>>,
+    /// The level of each angle.
+    levels: Vec<usize>,
+    uses: Vec<usize>,
+    local_names: &'a mut Names,
+    /// Names of the inputs and of what is stated.
     names: FxHashMap<Value, String>,
     /// What was scheduled, in order.
     pub(super) statements: Vec<Statement>,
@@ -25,63 +35,82 @@ impl<'a> Schedule<'a> {
     pub(super) fn new(
         values: &'a Values,
         roots: &[Value],
-        labels: &FxHashMap<Value, String>,
+        labels: &'a FxHashMap<Value, String>,
         inputs: &FxHashMap<Input, String>,
-        names: &mut Names,
+        local_names: &'a mut Names,
     ) -> Schedule<'a> {
-        let mut schedule = Schedule { values, names: FxHashMap::default(), statements: vec![] };
         let uses = count_uses(values, roots);
-        for value in values.all().filter(|value| uses[value.index()] > 0) {
-            if let Operation::Input(input) = values.operation(value)
-                && let Some(name) = inputs.get(input)
-            {
-                schedule.names.insert(value, name.clone());
-            }
-        }
         let named = choose_named(values, &uses);
-        for value in values.all().filter(|value| named[value.index()]) {
-            if schedule.names.contains_key(&value) {
-                continue;
-            }
-            schedule.state(value, &uses, labels, names);
+        let (levels, angles) = wave_levels(values, &uses);
+        let names = values
+            .all()
+            .filter_map(|value| match values.operation(value) {
+                Operation::Input(input) => Some((value, inputs.get(input)?.clone())),
+                _ => None,
+            })
+            .collect();
+        let statements = vec![];
+        let mut schedule = Schedule { values, labels, named, angles, levels, uses, local_names, names, statements };
+        for value in values.all() {
+            schedule.state(value);
         }
         schedule
     }
 
-    /// The statement that computes a value, and its sine's or cosine's partner with it.
-    fn state(&mut self, value: Value, uses: &[usize], labels: &FxHashMap<Value, String>, names: &mut Names) {
-        let partner = self.partner(value).filter(|partner| uses[partner.index()] > 0);
-        let mut name_of = |schedule: &Self, value: Value| {
-            let wished = labels.get(&value).cloned().unwrap_or_else(|| schedule.derived_name(value, labels));
-            names.unique(&wished)
-        };
-        let name = name_of(self, value);
+    /// States a value that gets a statement and has none yet, after all that it needs.
+    fn state(&mut self, value: Value) {
+        if !self.named[value.index()] || self.names.contains_key(&value) {
+            return;
+        }
+        if let Operation::Call(Function::Sin | Function::Cos, angle) = self.values.operation(value) {
+            return self.state_waves(self.levels[angle.index()]);
+        }
+        self.require(value);
         let tree = self.operation_tree(value);
-        self.names.insert(value, name.clone());
-        let Some(partner) = partner else {
-            return self.statements.push(Statement::Let { name, value: tree });
-        };
-        let partner_name = name_of(self, partner);
-        self.names.insert(partner, partner_name.clone());
-        let Operation::Call(function, argument) = self.values.operation(value) else { return };
-        let argument = self.tree(*argument);
-        let (sin, cos) = if *function == Function::Sin { (name, partner_name) } else { (partner_name, name) };
-        self.statements.push(Statement::SinCos { sin, cos, argument });
+        let name = self.give_name(value);
+        self.statements.push(Statement::Let { name, value: tree });
     }
 
-    /// The cosine that belongs to a sine, and the other way round.
-    fn partner(&self, value: Value) -> Option<Value> {
-        match self.values.operation(value) {
-            Operation::Call(Function::Sin, argument) => self.values.find(&Operation::Call(Function::Cos, *argument)),
-            Operation::Call(Function::Cos, argument) => self.values.find(&Operation::Call(Function::Sin, *argument)),
-            _ => None,
+    /// States all that the expression of a value needs.
+    fn require(&mut self, value: Value) {
+        for operand in self.values.operands(value) {
+            match self.named[operand.index()] {
+                true => self.state(operand),
+                false => self.require(operand),
+            }
         }
     }
 
+    /// States the sines and cosines of all angles of a level together.
+    fn state_waves(&mut self, level: usize) {
+        let angles = std::mem::take(&mut self.angles[level]);
+        for angle in &angles {
+            self.state(*angle);
+            self.require(*angle);
+        }
+        let waves = angles.iter().map(|angle| {
+            let argument = self.tree(*angle);
+            let [sin, cos] = [Function::Sin, Function::Cos].map(|function| {
+                let value = self.values.find(&Operation::Call(function, *angle))?;
+                (self.uses[value.index()] > 0).then(|| self.give_name(value))
+            });
+            Wave { sin, cos, argument }
+        });
+        let waves = waves.collect();
+        self.statements.push(Statement::SinCos(waves));
+    }
+
+    fn give_name(&mut self, value: Value) -> String {
+        let wished = self.labels.get(&value).cloned().unwrap_or_else(|| self.derived_name(value));
+        let name = self.local_names.unique(&wished);
+        self.names.insert(value, name.clone());
+        name
+    }
+
     /// A name that says what the value is, where that is short.
-    fn derived_name(&self, value: Value, labels: &FxHashMap<Value, String>) -> String {
+    fn derived_name(&self, value: Value) -> String {
         let short = |value: &Value| {
-            let name = self.names.get(value).or_else(|| labels.get(value))?;
+            let name = self.names.get(value).or_else(|| self.labels.get(value))?;
             (name.len() <= 24).then(|| name.clone())
         };
         let name = match self.values.operation(value) {
@@ -152,6 +181,25 @@ fn count_uses(values: &Values, roots: &[Value]) -> Vec<usize> {
         }
     }
     uses
+}
+
+/// For each value how many sines it depends on, one inside another, and the angles of each level.
+fn wave_levels(values: &Values, uses: &[usize]) -> (Vec<usize>, Vec<Vec<Value>>) {
+    let mut levels = vec![0; values.len()];
+    let mut angles: Vec<Vec<Value>> = Vec::new();
+    for value in values.all().filter(|value| uses[value.index()] > 0) {
+        let operands = values.operands(value);
+        let level = operands.iter().map(|operand| levels[operand.index()]).max().unwrap_or(0);
+        levels[value.index()] = level;
+        if let Operation::Call(Function::Sin | Function::Cos, angle) = values.operation(value) {
+            angles.resize(angles.len().max(level + 1), vec![]);
+            if !angles[level].contains(angle) {
+                angles[level].push(*angle);
+            }
+            levels[value.index()] = level + 1;
+        }
+    }
+    (levels, angles)
 }
 
 fn choose_named(values: &Values, uses: &[usize]) -> Vec<bool> {

@@ -9,6 +9,7 @@ mod array;
 mod description;
 mod mechanism;
 mod scalar;
+mod wave;
 
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};

@@ -1,5 +1,6 @@
 //! The numbers that kernels run on.
 
+use crate::wave::sin_cos_each;
 use core::fmt::Debug;
 use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
 
@@ -35,9 +36,14 @@ pub trait Scalar:
     /// Truth values swapped.
     fn not(mask: Self::Mask) -> Self::Mask;
 
-    fn sin_cos(self) -> (Self, Self);
-    fn sin(self) -> Self;
-    fn cos(self) -> Self;
+    /// Sines and cosines of several angles side by side: the same bits as one by one.
+    fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+    fn sin(self) -> Self {
+        Self::sin_cos_each([self]).0[0]
+    }
+    fn cos(self) -> Self {
+        Self::sin_cos_each([self]).1[0]
+    }
     fn tan(self) -> Self;
     fn asin(self) -> Self;
     fn acos(self) -> Self;
@@ -57,8 +63,7 @@ pub trait Scalar:
 }
 
 macro_rules! real {
-    ($type:ident, $sincos:ident, $sin:ident, $cos:ident, $tan:ident, $asin:ident, $acos:ident, $atan:ident, $atan2:ident,
-     $sinh:ident, $cosh:ident, $tanh:ident, $exp:ident, $log:ident, $sqrt:ident, $pow:ident, $fabs:ident, $half:expr) => {
+    ($type:ident, half_digits $half:expr, $atan2:ident, $pow:ident, [$($name:ident $function:ident),*]) => {
         impl Scalar for $type {
             type Mask = bool;
             const HALF_DIGITS: f64 = $half;
@@ -77,18 +82,17 @@ macro_rules! real {
             }
             #[inline(always)]
             fn sign(self) -> Self {
-                if self > 0.0 {
-                    1.0
-                } else if self < 0.0 {
-                    -1.0
-                } else {
+                match self {
+                    _ if self > 0.0 => 1.0,
+                    _ if self < 0.0 => -1.0,
                     // Zero, and NaN as it is.
-                    self * 0.0
+                    _ => self * 0.0,
                 }
             }
             #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                libm::$sincos(self)
+            fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                let (sines, cosines) = sin_cos_each(angles.map(f64::from));
+                (sines.map(|sine| sine as $type), cosines.map(|cosine| cosine as $type))
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
@@ -98,55 +102,19 @@ macro_rules! real {
             fn powf(self, exponent: Self) -> Self {
                 libm::$pow(self, exponent)
             }
-            real!(@unary sin $sin, cos $cos, tan $tan, asin $asin, acos $acos, atan $atan, sinh $sinh, cosh $cosh,
-                  tanh $tanh, exp $exp, ln $log, sqrt $sqrt, abs $fabs);
+            $(#[inline]
+            fn $name(self) -> Self {
+                libm::$function(self)
+            })*
         }
-    };
-    (@unary $($name:ident $function:ident),*) => {
-        $(#[inline]
-        fn $name(self) -> Self {
-            libm::$function(self)
-        })*
     };
 }
 
-real!(
-    f64,
-    sincos,
-    sin,
-    cos,
-    tan,
-    asin,
-    acos,
-    atan,
-    atan2,
-    sinh,
-    cosh,
-    tanh,
-    exp,
-    log,
-    sqrt,
-    pow,
-    fabs,
-    1.490_116_119_384_765_6e-8
-);
-real!(
-    f32,
-    sincosf,
-    sinf,
-    cosf,
-    tanf,
-    asinf,
-    acosf,
-    atanf,
-    atan2f,
-    sinhf,
-    coshf,
-    tanhf,
-    expf,
-    logf,
-    sqrtf,
-    powf,
-    fabsf,
-    3.452_669_8e-4
-);
+#[rustfmt::skip]
+real!(f64, half_digits 1.490_116_119_384_765_6e-8, atan2, pow, [
+    tan tan, asin asin, acos acos, atan atan, sinh sinh, cosh cosh, tanh tanh, exp exp, ln log, sqrt sqrt, abs fabs
+]);
+#[rustfmt::skip]
+real!(f32, half_digits 3.452_669_8e-4, atan2f, powf, [
+    tan tanf, asin asinf, acos acosf, atan atanf, sinh sinhf, cosh coshf, tanh tanhf, exp expf, ln logf, sqrt sqrtf, abs fabsf
+]);
