@@ -251,7 +251,7 @@ fn expressions() {
         "h = 9.81 m/s^2",
         &["8:20 a unit stands in brackets: `9.81 [m/s^2]`; a product is written `9.81*m`"],
     );
-    check("height [m] = P.y", "h = 2m*phi", &["8:15 a unit stands in brackets after the number: `2 [m]`"]);
+    check("height [m] = P.y", "h = 2m*phi", &["8:15 a unit stands in brackets: `2 [m]`; a product is written `2*m`"]);
     check(
         "height [m] = P.y",
         "h = phi [rad]",
@@ -367,4 +367,44 @@ fn whole_blocks() {
             "2:62 parameter `d` needs a default: `d [unit] = value;`",
         ],
     );
+}
+
+#[test]
+fn what_new_users_write() {
+    check("l [m] = 1;", "l [m] = 1 [kg];", &["3:22 a value in `[m]` belongs here, and this is one in `[kg]`"]);
+    check("phi = 0.5;", "phi = 2 [m];", &["7:17 a value in `[rad]` belongs here, and this is one in `[m]`"]);
+    check(
+        "phi = 0.5;",
+        "phi_dot = 0.5;",
+        &["7:11 no coordinate is called `phi_dot` (write `dot(phi) = ..;`); only coordinates have start values"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = P.y; k = h",
+        &["8:28 `h` is an output; to use it here too, name its expression: `let h = ..;`"],
+    );
+    check("height [m] = P.y", "h = phi_dot", &["8:15 the rate of `phi` is written `dot(phi)` here"]);
+    check("height [m] = P.y", "h = (P.x, P.y)", &["8:19 a vector is written in square brackets: `[x, y]`"]);
+    check("height [m] = P.y", "h = phi.sin()", &["8:19 functions stand in front: `sin(..)`"]);
+    check("height [m] = P.y", "h = .5*phi", &["8:15 a decimal number has a digit before its point: `0.5`"]);
+    check("height [m] = P.y", "h = phi % 2", &["8:19 there is no operator `%`"]);
+    check(
+        "height [m] = P.y",
+        "H = P.y; h = P.x",
+        &["8:20 two figures would be called `h`; choose another name for one of them", "8:11 the other one is here"],
+    );
+    check(
+        "height [m] = P.y",
+        "mechanism \"Title\" { a = P.y; }",
+        &["8:11 `mechanism` is the figure of the mechanism itself; choose another name"],
+    );
+    check("height [m] = P.y", "height [Nm] = P.y", &["8:19 `Nm` is not a known unit; write `N*m`"]);
+    check(
+        "bodies { bob",
+        "body { bob",
+        &[
+            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`",
+        ],
+    );
+    check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);
 }

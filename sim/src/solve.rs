@@ -88,30 +88,33 @@ fn largest_entry<A: Array<R>, R: Array<f64>>(matrix: &A, from: usize) -> (usize,
     found
 }
 
-/// Solves a symmetric positive definite system by Cholesky factorisation.
+/// Solves a symmetric positive definite system, of which the lower triangle is given, by L D L' factorisation.
 ///
 /// The unknown is refused at whose pivot cancellation has taken all but a few digits: it depends on those before.
+#[inline]
 pub(crate) fn solve_definite<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> Result<R, Deficient> {
     let n = R::LEN;
+    let mut inverse_pivots = R::filled(0.0);
     for k in 0..n {
-        let original = matrix[k][k];
-        let taken: f64 = (0..k).map(|j| matrix[k][j] * matrix[k][j]).sum();
-        let pivot = original - taken;
-        if !(pivot > SMALLEST_PIVOT * original) {
+        let mut pivot = matrix[k][k];
+        for j in 0..k {
+            let known: f64 = (0..j).map(|i| matrix[k][i] * matrix[j][i]).sum();
+            matrix[k][j] -= known;
+        }
+        for j in 0..k {
+            let scaled = matrix[k][j] * inverse_pivots[j];
+            pivot -= matrix[k][j] * scaled;
+            rhs[k] -= scaled * rhs[j];
+            matrix[k][j] = scaled;
+        }
+        if !(pivot > SMALLEST_PIVOT * matrix[k][k]) {
             return Err(Deficient { unknown: k });
         }
-        let root = pivot.sqrt();
-        matrix[k][k] = root;
-        for i in k + 1..n {
-            let known: f64 = (0..k).map(|j| matrix[i][j] * matrix[k][j]).sum();
-            matrix[i][k] = (matrix[i][k] - known) / root;
-        }
-        let known: f64 = (0..k).map(|j| matrix[k][j] * rhs[j]).sum();
-        rhs[k] = (rhs[k] - known) / root;
+        inverse_pivots[k] = 1.0 / pivot;
     }
     for k in (0..n).rev() {
         let known: f64 = (k + 1..n).map(|i| matrix[i][k] * rhs[i]).sum();
-        rhs[k] = (rhs[k] - known) / matrix[k][k];
+        rhs[k] = rhs[k] * inverse_pivots[k] - known;
     }
     Ok(rhs)
 }

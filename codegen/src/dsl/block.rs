@@ -34,7 +34,7 @@ pub(super) fn docs(input: ParseStream) -> Result<String> {
 /// A name that the user gives.
 pub(super) fn name(input: ParseStream, what: &str) -> Result<Ident> {
     let name = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected {what}")))?;
-    if ["self", "Self", "super", "crate", "_"].iter().any(|word| name == word) {
+    if ["self", "Self", "super", "crate", "_"].iter().any(|word| name.unraw() == word) {
         return Err(syn::Error::new(name.span(), format!("`{name}` cannot be a name in Rust; choose another")));
     }
     Ok(name)
@@ -200,7 +200,9 @@ pub(super) fn output_group(input: ParseStream) -> Result<OutputGroup> {
         let (docs, name) = output_name(line)?;
         output_after_name(line, docs, name)
     };
-    Ok(OutputGroup { name: Some(name), title, outputs: lines(&content, ended(line))? })
+    let outputs = lines(&content, ended(line))?;
+    input.parse::<Option<Token![;]>>()?;
+    Ok(OutputGroup { name: Some(name), title, outputs })
 }
 
 fn output_name(input: ParseStream) -> Result<(String, Ident)> {

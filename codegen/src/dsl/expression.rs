@@ -12,9 +12,16 @@ use syn::{Ident, Lit, Token};
 /// Words that may follow an expression in a line of the language.
 const FOLLOWING_WORDS: [&str; 5] = ["at", "on", "along", "radius", "about"];
 
+/// Words that start a clause or a line of the language.
+const LANGUAGE_WORDS: [&str; 10] =
+    ["mass", "inertia", "angle", "guess", "dot", "force", "torque", "gravity", "line", "slider"];
+
 /// Reads one expression.
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     let sum = sum(input)?;
+    if input.peek(Token![%]) {
+        return Err(here(input, "there is no operator `%`"));
+    }
     if input.peek(Token![==]) {
         return Err(here(input, "an equation is written with one `=`"));
     }
@@ -75,6 +82,9 @@ fn component(input: ParseStream) -> Result<Expression> {
     let mut value = atom(input)?;
     while input.parse::<Option<Token![.]>>()?.is_some() {
         let name = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), "a component is `.x` or `.y`"))?;
+        if input.peek(syn::token::Paren) {
+            return Err(syn::Error::new(name.span(), format!("functions stand in front: `{name}(..)`")));
+        }
         let region = value.region.to((&name).into());
         value = Expression { region, kind: Kind::Component(Box::new(value), name) };
     }
@@ -90,6 +100,9 @@ fn atom(input: ParseStream) -> Result<Expression> {
         let content;
         let paren = syn::parenthesized!(content in input);
         let mut inner = expression(&content)?;
+        if content.peek(Token![,]) {
+            return Err(here(&content, "a vector is written in square brackets: `[x, y]`"));
+        }
         finish(&content, "`)`")?;
         inner.region = Region::from(paren.span.open()).to(paren.span.close().into());
         return Ok(inner);
@@ -103,6 +116,9 @@ fn atom(input: ParseStream) -> Result<Expression> {
     if input.peek(Ident::peek_any) {
         let name = Ident::parse_any(input)?;
         return if input.peek(syn::token::Paren) { call(input, name) } else { Ok(named(name)) };
+    }
+    if input.peek(Token![.]) {
+        return Err(here(input, "a decimal number has a digit before its point: `0.5`"));
     }
     Err(here(input, "an expression is missing here: a number, a name, a vector `[x, y]` or `(..)`"))
 }
@@ -142,7 +158,8 @@ fn number(input: ParseStream) -> Result<Expression> {
         _ => return Err(syn::Error::new(literal.span(), "a number is written like `9.81` or `1.5e-3`")),
     };
     if !suffix.is_empty() {
-        let message = format!("a unit stands in brackets after the number: `{digits} [{suffix}]`");
+        let message =
+            format!("a unit stands in brackets: `{digits} [{suffix}]`; a product is written `{digits}*{suffix}`");
         return Err(syn::Error::new(literal.span(), message));
     }
     if literal
@@ -180,6 +197,12 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     let word = input.fork().call(Ident::parse_any)?;
     if FOLLOWING_WORDS.iter().any(|following| word == following) {
         return Ok(());
+    }
+    if word.span().start().line > left.region.end().end().line {
+        return Err(syn::Error::new(word.span(), format!("`;` is missing at the end of the line above `{word}`")));
+    }
+    if LANGUAGE_WORDS.iter().any(|known| word == known) {
+        return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));
     }
     match &left.kind {
         Kind::Number { literal, unit: None } => {

@@ -2,6 +2,7 @@
 
 mod block;
 mod expression;
+mod limits;
 mod parse;
 mod region;
 mod source;

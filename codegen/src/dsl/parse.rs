@@ -41,6 +41,7 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// # Errors
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
+    super::limits::check(tokens.clone())?;
     declaration.parse2(tokens)
 }
 
@@ -51,6 +52,12 @@ fn head(input: ParseStream) -> Result<Head> {
     let name = block::name(input, FORM).map_err(|e| syn::Error::new(e.span(), FORM))?;
     if BLOCKS.iter().any(|block| name == block) {
         return Err(syn::Error::new(name.span(), FORM));
+    }
+    if name == "S" {
+        return Err(syn::Error::new(
+            name.span(),
+            "`S` stands for the scalar in what is generated; choose another name",
+        ));
     }
     if input.parse::<Option<Token![;]>>()?.is_none() {
         return Err(here(input, FORM));
@@ -93,7 +100,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
     let word =
         Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {list}")))?;
     if !BLOCKS.iter().any(|block| word == block) {
-        let near = crate::nearest::suggestion(&word.to_string(), BLOCKS.iter().copied());
+        let near = crate::nearest::block(&word.to_string(), &BLOCKS);
         return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {list}")));
     }
     if !input.peek(syn::token::Brace) {

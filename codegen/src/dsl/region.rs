@@ -21,6 +21,11 @@ impl Region {
         self.first
     }
 
+    /// Where its last word stands.
+    pub fn end(self) -> Span {
+        self.last
+    }
+
     /// A mistake here. The message says what is wrong and what would be right.
     pub fn error(self, message: impl std::fmt::Display) -> syn::Error {
         // An error takes its place from the first and last token it is given.

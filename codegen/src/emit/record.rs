@@ -22,16 +22,16 @@ pub(super) fn record(
     quote! {
         #[doc = #docs]
         #[allow(non_snake_case)]
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #visibility struct #name<S = f64> { #(#[doc = #field_docs] pub #names: S,)* }
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name<S = ::core::primitive::f64> { #(#[doc = #field_docs] pub #names: S,)* }
 
-        impl<S: #path::Scalar> From<[S; #n]> for #name<S> {
+        impl<S: #path::Scalar> ::core::convert::From<[S; #n]> for #name<S> {
             fn from(values: [S; #n]) -> Self {
                 Self { #(#names: values[#places]),* }
             }
         }
 
-        impl<S: #path::Scalar> From<#name<S>> for [S; #n] {
+        impl<S: #path::Scalar> ::core::convert::From<#name<S>> for [S; #n] {
             fn from(record: #name<S>) -> Self {
                 [#(record.#names),*]
             }

@@ -35,12 +35,12 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         kernel("drawing", &["q"], vector),
     ];
     quote! {
-        #[derive(Clone, Copy, Debug)]
-        #visibility struct #name<S = f64>(core::marker::PhantomData<S>);
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #visibility struct #name<S = ::core::primitive::f64>(::core::marker::PhantomData<S>);
 
-        impl<S: #path::Scalar> Default for #name<S> {
+        impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             fn default() -> Self {
-                Self(core::marker::PhantomData)
+                Self(::core::marker::PhantomData)
             }
         }
 
@@ -65,13 +65,13 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             };
 
             fn defaults() -> Self {
-                Self(core::marker::PhantomData)
+                Self(::core::marker::PhantomData)
             }
             fn parameters(&self) -> [S; 0] {
                 []
             }
             fn with_parameters(parameters: [S; 0]) -> Self {
-                Self(core::marker::PhantomData)
+                Self(::core::marker::PhantomData)
             }
             fn initial(&self) -> #path::Initial<[S; 0]> {
                 loop {}

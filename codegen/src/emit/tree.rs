@@ -82,8 +82,8 @@ fn product(factors: &[Tree]) -> TokenStream {
 
 fn constant(value: f64) -> TokenStream {
     let number = match value {
-        _ if value == PI => quote! { core::f64::consts::PI },
-        _ if value == E => quote! { core::f64::consts::E },
+        _ if value == PI => quote! { ::core::f64::consts::PI },
+        _ if value == E => quote! { ::core::f64::consts::E },
         _ => {
             // Shortest text that reads back as the same number.
             let literal = format!("{value:?}").parse::<Literal>().unwrap_or_else(|_| Literal::f64_unsuffixed(value));

@@ -82,16 +82,16 @@ fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
         let docs = if p.docs.is_empty() { format!("In `{unit}`.") } else { format!("{}\n\nIn `{unit}`.", p.docs) };
         quote! { #[doc = #docs] pub #name: S, }
     });
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: core::marker::PhantomData<S>, });
+    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     quote! {
         #(#[doc = #docs])*
         ///
         /// The fields are its parameters, in SI units; the methods are its kernels.
         #[allow(non_snake_case)]
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #visibility struct #name<S = f64> { #(#fields)* #marker }
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #marker }
 
-        impl<S: #path::Scalar> Default for #name<S> {
+        impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
             fn default() -> Self {
                 <Self as #path::Mechanism<S>>::defaults()
@@ -111,7 +111,7 @@ pub(super) fn mechanism_impl(model: &Model, program: &Program, declaration: &str
     let description = description(model, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: core::marker::PhantomData });
+    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData });
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
     let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
     quote! {

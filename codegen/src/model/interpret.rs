@@ -16,6 +16,8 @@ pub(super) struct Interpreter {
     pub(super) values: Values,
     /// The multipliers of each constraint; absent until constraints are resolved.
     pub(super) reactions: Option<Names<Value>>,
+    /// Names of the outputs, which are no values.
+    pub(super) outputs: Vec<String>,
     pub(super) time: Expr,
     pub(super) motion: Differential,
     pub(super) mistakes: Mistakes,
@@ -33,7 +35,7 @@ impl Interpreter {
         self.scalar_value(expression).map(|(value, _)| value)
     }
 
-    fn scalar_value(&mut self, expression: &Expression) -> Option<(Expr, Option<Dimension>)> {
+    pub(super) fn scalar_value(&mut self, expression: &Expression) -> Option<(Expr, Option<Dimension>)> {
         let value = self.value(expression)?;
         match value.shape {
             Shape::Scalar(scalar) => Some((scalar, value.dimension)),
@@ -119,7 +121,27 @@ impl Interpreter {
         if scope::functions().any(|function| function == text) {
             return self.refuse(name.into(), format!("`{text}` is a function; call it: `{text}(..)`"));
         }
+        if self.values.get_region(&text).is_none() {
+            if let Some((rate, coordinate)) = self.rate_of_coordinate(&text) {
+                return self
+                    .refuse(name.into(), format!("the rate of `{coordinate}` is written `{rate}({coordinate})` here"));
+            }
+            if self.outputs.contains(&text) {
+                let message =
+                    format!("`{text}` is an output; to use it here too, name its expression: `let {text} = ..;`");
+                return self.refuse(name.into(), message);
+            }
+        }
         self.values.find(name, &mut self.mistakes)
+    }
+
+    /// `dot` and `x` for `x_dot`.
+    fn rate_of_coordinate<'t>(&self, text: &'t str) -> Option<(&'static str, &'t str)> {
+        let (rate, base) = match (text.strip_suffix("_ddot"), text.strip_suffix("_dot")) {
+            (Some(base), _) => ("ddot", base),
+            (None, base) => ("dot", base?),
+        };
+        self.values.get_region(base).map(|_| (rate, base))
     }
 
     fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {

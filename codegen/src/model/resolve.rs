@@ -33,6 +33,12 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         dependences,
         values: Names::new("value"),
         reactions: None,
+        outputs: declaration
+            .outputs
+            .iter()
+            .flat_map(|group| &group.outputs)
+            .map(|output| plain(&output.name))
+            .collect(),
         motion: Differential::along([]),
         mistakes: Mistakes::default(),
     };
@@ -457,11 +463,14 @@ fn resolve_outputs(
     );
     columns.extend(constraints.iter().map(|c| format!("lambda_{}", c.name)));
     let mut names = Names::new("output");
-    let mut group_names = Names::new("group");
+    let mut figures = Vec::new();
     let (mut outputs, mut groups) = (Vec::new(), Vec::new());
     for group in &declaration.outputs {
-        if let Some(name) = &group.name {
-            group_names.define(name, Some(()), &mut i.mistakes);
+        if let Some(name) = group.name.as_ref().or(group.outputs.first().map(|output| &output.name)) {
+            let defined_twice = group.name.is_none() && names.get_region(&plain(name)).is_some();
+            if !defined_twice {
+                define_figure(name, &mut figures, i);
+            }
         }
         let first = outputs.len();
         for output in &group.outputs {
@@ -485,6 +494,22 @@ fn resolve_outputs(
         }
     }
     (outputs, groups)
+}
+
+/// Figures are files, and some file systems do not tell letter case apart.
+fn define_figure(name: &Ident, figures: &mut Vec<(String, Region)>, i: &mut Interpreter) {
+    let file = plain(name).to_lowercase();
+    if file == "mechanism" {
+        i.mistakes
+            .add(Region::from(name).error("`mechanism` is the figure of the mechanism itself; choose another name"));
+    }
+    if let Some((_, first)) = figures.iter().find(|(other, _)| *other == file) {
+        let mut mistake = Region::from(name)
+            .error(format!("two figures would be called `{file}`; choose another name for one of them"));
+        mistake.combine(first.error("the other one is here"));
+        i.mistakes.add(mistake);
+    }
+    figures.push((file, name.into()));
 }
 
 fn output_value(output: &dsl::Output, name: &str, i: &mut Interpreter) -> Option<Expr> {

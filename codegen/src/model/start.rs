@@ -12,7 +12,11 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
     for line in lines {
         let name = plain(&line.coordinate);
         let Some(at) = coordinates.iter().position(|c| c.name == name) else {
-            let near = crate::nearest::suggestion(&name, coordinates.iter().map(|c| c.name.as_str()));
+            let base = name.strip_suffix("_dot").filter(|base| coordinates.iter().any(|c| c.name == *base));
+            let near = match base {
+                Some(base) => format!(" (write `dot({base}) = ..;`)"),
+                None => crate::nearest::suggestion(&name, coordinates.iter().map(|c| c.name.as_str())),
+            };
             interpreter.mistakes.add(
                 Region::from(&line.coordinate)
                     .error(format!("no coordinate is called `{name}`{near}; only coordinates have start values")),
@@ -48,21 +52,46 @@ fn start_value(expression: &Expression, unit: &Unit, interpreter: &mut Interpret
 
 /// A scalar; if it is made of plain numbers only, they are in the declared unit.
 pub(super) fn in_unit(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
-    let value = interpreter.scalar(expression)?;
+    let (value, dimension) = interpreter.scalar_value(expression)?;
     if !is_plain(expression) {
-        return Some(value);
+        let known = dimension.filter(|_| is_of_numbers(expression) && unit.is_declared());
+        return match known {
+            Some(dimension) if dimension != *unit.dimension() => {
+                let (given, needed) = (dimension.si_unit(), unit.text());
+                interpreter.refuse(
+                    expression.region,
+                    format!("a value in `[{needed}]` belongs here, and this is one in `[{given}]`"),
+                )
+            }
+            _ => Some(value),
+        };
     }
     let factor = unit.factor_expression(&mut interpreter.graph);
     Some(interpreter.graph.mul(value, factor))
 }
 
-/// Whether neither a unit nor a name but pi and e occurs.
-fn is_plain(expression: &Expression) -> bool {
+/// Whether no name but pi and e occurs.
+fn is_of_numbers(expression: &Expression) -> bool {
     match &expression.kind {
-        Kind::Number { unit, .. } => unit.is_none(),
+        Kind::Number { .. } => true,
         Kind::Name(name) => name == "pi" || name == "e",
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_plain),
-        Kind::Negate(part) | Kind::Component(part, _) => is_plain(part),
-        Kind::Binary(_, left, right) => is_plain(left) && is_plain(right),
+        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_of_numbers),
+        Kind::Negate(part) | Kind::Component(part, _) => is_of_numbers(part),
+        Kind::Binary(_, left, right) => is_of_numbers(left) && is_of_numbers(right),
+    }
+}
+
+/// Whether no unit occurs either.
+fn is_plain(expression: &Expression) -> bool {
+    is_of_numbers(expression) && !has_unit(expression)
+}
+
+fn has_unit(expression: &Expression) -> bool {
+    match &expression.kind {
+        Kind::Number { unit, .. } => unit.is_some(),
+        Kind::Name(_) => false,
+        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().any(has_unit),
+        Kind::Negate(part) | Kind::Component(part, _) => has_unit(part),
+        Kind::Binary(_, left, right) => has_unit(left) || has_unit(right),
     }
 }

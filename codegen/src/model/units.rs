@@ -105,6 +105,11 @@ impl Unit {
         dsl::parse_unit(text).and_then(|unit| Unit::resolve(&unit)).map_err(|e| e.to_string())
     }
 
+    /// Whether it was written, rather than left out.
+    pub fn is_declared(&self) -> bool {
+        *self != Unit::none()
+    }
+
     /// As the user wrote it.
     pub fn text(&self) -> &str {
         &self.text
@@ -153,7 +158,28 @@ fn look_up(name: &str) -> Option<(Dimension, Number, i64)> {
     })
 }
 
+/// Common ways to write a unit that the table has under another name.
+const OTHER_SPELLINGS: [(&str, &str); 14] = [
+    ("Nm", "N*m"),
+    ("metre", "m"),
+    ("meter", "m"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("kilogram", "kg"),
+    ("gram", "g"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("radian", "rad"),
+    ("rads", "rad"),
+    ("newton", "N"),
+    ("hour", "h"),
+    ("s2", "s^2"),
+];
+
 fn unknown(name: &syn::Ident) -> syn::Error {
+    if let Some((_, right)) = OTHER_SPELLINGS.iter().find(|(other, _)| name == other) {
+        return syn::Error::new(name.span(), format!("`{name}` is not a known unit; write `{right}`"));
+    }
     let common = ["mm", "cm", "km", "kg", "ms", "kN", "mN", "MPa", "kW", "kHz", "mrad"];
     let near = nearest::suggestion(&name.to_string(), UNITS.iter().map(|row| row.0).chain(common));
     syn::Error::new(name.span(), format!("`{name}` is not a known unit{near}"))

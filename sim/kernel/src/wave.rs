@@ -1,8 +1,9 @@
 //! Sine and cosine together, without branches, so that several angles are evaluated side by side.
 //!
-//! The angle is reduced by multiples of pi/2 in three parts of 33 bits (Cody and Waite), each product exact for up to
-//! 2^20 quadrants, all remainders kept; then the polynomials of fdlibm (Sun Microsystems, `k_sin.c`, `k_cos.c`) give both
-//! values. No fused operations, so that every build gives the same bits. Larger angles, infinities and NaN go to libm.
+//! The angle is reduced by multiples of pi/2 in parts of 33 bits (Cody and Waite), each product exact for up to 2^20
+//! quadrants; then the polynomials of fdlibm (Sun Microsystems, `k_sin.c`, `k_cos.c`) give both values. No fused
+//! operations, so that every build gives the same bits. Angles next to a multiple of pi/2 are reduced with more parts;
+//! larger angles, infinities and NaN go to libm.
 
 /// Largest angle reduced here: 2^20 quadrants, rounded down.
 const LARGEST: f64 = 1e6;
@@ -13,6 +14,9 @@ const ROUNDER: f64 = 1.5 * (1u64 << 52) as f64;
 /// pi/2 in parts of 33 bits, and what is left.
 const PI_HALVES: [f64; 4] =
     [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21, 8.478_427_660_368_9e-32];
+
+/// pi/2 less its first part.
+const PI_HALF_TAIL: f64 = 6.077_100_506_506_192e-11;
 
 const SIN: [f64; 6] = [
     -1.666_666_666_666_663_2e-1,
@@ -35,38 +39,57 @@ const COS: [f64; 6] = [
 /// Sine and cosine of each angle: the same bits as one by one.
 #[inline]
 pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
-    let mut small = true;
-    for angle in angles {
-        small &= angle.abs() <= LARGEST;
-    }
-    if small { reduced_each(angles) } else { each_by_itself(angles) }
-}
-
-#[inline(always)]
-fn reduced_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+    let mut all_plain = true;
     for i in 0..N {
-        (sines[i], cosines[i]) = reduced(angles[i]);
+        let reduced = reduce(angles[i]);
+        all_plain &= reduced.is_plain;
+        (sines[i], cosines[i]) = evaluate(angles[i], &reduced);
     }
-    (sines, cosines)
+    if all_plain { (sines, cosines) } else { each_by_itself(angles) }
 }
 
 #[cold]
 fn each_by_itself<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     for i in 0..N {
-        let small = angles[i].abs() <= LARGEST;
-        (sines[i], cosines[i]) = if small { reduced(angles[i]) } else { libm::sincos(angles[i]) };
+        let reduced = reduce(angles[i]);
+        (sines[i], cosines[i]) = match () {
+            _ if reduced.is_plain => evaluate(angles[i], &reduced),
+            _ if angles[i].abs() <= LARGEST => evaluate(angles[i], &reduce_near_multiple(angles[i])),
+            _ => libm::sincos(angles[i]),
+        };
     }
     (sines, cosines)
 }
 
-/// Sine and cosine of an angle of at most [`LARGEST`].
+/// |angle| = quadrants pi/2 + x + y, |x| at most about pi/4 and y a tail of x.
+struct Reduced {
+    x: f64,
+    y: f64,
+    /// The quadrants in the lowest bits.
+    shifted: f64,
+    /// Whether x keeps enough digits, and the angle is not too large.
+    is_plain: bool,
+}
+
+/// Reduction with 86 bits of pi/2: enough unless the angle is so near a multiple that 16 bits cancel.
 #[inline(always)]
-fn reduced(signed: f64) -> (f64, f64) {
-    // The sine is odd, also in the sign of zero.
+fn reduce(signed: f64) -> Reduced {
     let angle = signed.abs();
-    let sign_of_angle = signed.to_bits() ^ angle.to_bits();
+    let shifted = angle * core::f64::consts::FRAC_2_PI + ROUNDER;
+    let quadrants = shifted - ROUNDER;
+    let first = angle - quadrants * PI_HALVES[0];
+    let tail = quadrants * PI_HALF_TAIL;
+    let x = first - tail;
+    let y = (first - x) - tail;
+    let is_plain = (angle <= LARGEST) & (x.abs() * 65_536.0 >= angle);
+    Reduced { x, y, shifted, is_plain }
+}
+
+/// Reduction with 151 bits of pi/2, all remainders kept.
+fn reduce_near_multiple(signed: f64) -> Reduced {
+    let angle = signed.abs();
     let shifted = angle * core::f64::consts::FRAC_2_PI + ROUNDER;
     let quadrants = shifted - ROUNDER;
     let first = angle - quadrants * PI_HALVES[0];
@@ -74,14 +97,20 @@ fn reduced(signed: f64) -> (f64, f64) {
     let (third, lost_too) = subtract(second, quadrants * PI_HALVES[2]);
     let tail = (lost + lost_too) - quadrants * PI_HALVES[3];
     let x = third + tail;
-    let y = (third - x) + tail;
-    let (sine, cosine) = (sine(x, y), cosine(x, y));
-    // Odd quadrants swap the two; two bits of the quadrant give the signs.
-    let quadrant = shifted.to_bits();
+    Reduced { x, y: (third - x) + tail, shifted, is_plain: true }
+}
+
+/// Sine and cosine of an angle from its reduction.
+#[inline(always)]
+fn evaluate(angle: f64, reduced: &Reduced) -> (f64, f64) {
+    let (sine, cosine) = (sine(reduced.x, reduced.y), cosine(reduced.x, reduced.y));
+    // Odd quadrants swap the two; two bits of the quadrant give the signs; the sine is odd, also in the sign of 0.
+    let quadrant = reduced.shifted.to_bits();
     let swap = (quadrant & 1).wrapping_neg();
     let (sine, cosine) = (sine.to_bits(), cosine.to_bits());
     let both = (sine ^ cosine) & swap;
     let sign = |quadrant: u64| (quadrant & 2) << 62;
+    let sign_of_angle = angle.to_bits() & (1 << 63);
     (
         f64::from_bits(sine ^ both ^ sign(quadrant) ^ sign_of_angle),
         f64::from_bits(cosine ^ both ^ sign(quadrant.wrapping_add(1))),
