@@ -107,15 +107,15 @@ mechanism! {
             speed_difference [m/s] = norm(dot(A)) - norm(dot(G4));
         }
         slider6_position "Position of slider 6" {
-            /// x6
+            /// position
             x6 [m] = C.x;
         }
         slider6_velocity "Velocity of slider 6" {
-            /// dx6/dt
+            /// velocity
             x6_velocity [m/s] = dot(C.x);
         }
         slider6_acceleration "Acceleration of slider 6" {
-            /// d2x6/dt2
+            /// acceleration
             x6_acceleration [m/s^2] = ddot(C.x);
         }
         normal_forces "Normal forces" {

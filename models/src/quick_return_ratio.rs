@@ -5,8 +5,8 @@
 use sim_kernel::mechanism;
 
 mechanism! {
-    /// Quick-return mechanism: crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.
-    /// The slot closes by the ratio xA/yA = x4/y4, whose multiplier is an energy.
+    /// Quick-return mechanism whose slot closes by a ratio of lengths, so that its multiplier is an energy.
+    /// Crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.
     pub QuickReturnRatio;
 
     coordinates {
@@ -108,15 +108,15 @@ mechanism! {
             speed_difference [m/s] = norm(dot(A)) - norm(dot(G4));
         }
         slider6_position "Position of slider 6" {
-            /// x6
+            /// position
             x6 [m] = C.x;
         }
         slider6_velocity "Velocity of slider 6" {
-            /// dx6/dt
+            /// velocity
             x6_velocity [m/s] = dot(C.x);
         }
         slider6_acceleration "Acceleration of slider 6" {
-            /// d2x6/dt2
+            /// acceleration
             x6_acceleration [m/s^2] = ddot(C.x);
         }
         normal_forces "Normal forces" {

@@ -79,6 +79,12 @@ impl Table {
         &self.columns[self.first_output..]
     }
 
+    /// The outputs that are not finite everywhere, each with the first time at which it is not.
+    pub fn undefined_outputs(&self) -> Vec<(&str, f64)> {
+        let first = |column: &Column| column.values.iter().position(|value| !value.is_finite());
+        self.outputs().iter().filter_map(|column| Some((column.name.as_str(), self.times()[first(column)?]))).collect()
+    }
+
     /// A column by name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)

@@ -51,7 +51,7 @@ pub fn write_json(value: &Value, path: &Path) -> Result<(), WriteError> {
 }
 
 /// What a run was and found; the same bytes run after run.
-pub fn summary<M: Mechanism>(run: &Run<M>) -> Value {
+pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     let description = const { &M::DESCRIPTION };
     let parameters = run.mechanism.parameters();
     let parameters = description.parameters.iter().zip(parameters.iter()).map(|(p, value)| {
@@ -60,6 +60,8 @@ pub fn summary<M: Mechanism>(run: &Run<M>) -> Value {
     });
     let events: Vec<Value> =
         run.events.iter().map(|event| json!({ "name": event.name, "time": event.state.time })).collect();
+    let undefined =
+        table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
     let last = samples.last().map_or(0.0, |sample| sample.state.time);
     json!({
@@ -69,6 +71,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>) -> Value {
         "method": { "name": crate::RK4.name, "projection": "positions and velocities", "steps": run.grid.steps, "step": run.grid.end / run.grid.steps as f64 },
         "end": { "asked": run.grid.end, "reached": last, "samples": samples.len() },
         "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
+        "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },

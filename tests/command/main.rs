@@ -147,7 +147,7 @@ fn settings_have_units() {
 /// Words that cannot be understood: exit status 2, and the way out.
 #[test]
 fn unknown_words_name_the_nearest_known() {
-    let rows: [(&[&str], &str); 11] = [
+    let rows: [(&[&str], &str); 14] = [
         (&["run", "quick-retrun"], "no model is called `quick-retrun` (did you mean `quick-return`?)"),
         (&["run", "quick-return", "--set", "O2B=1"], "no parameter is called `O2B` (did you mean `O2A`?)"),
         (&["run", "quick-return", "--set", "O2A=1 mtr"], "`mtr` is not a known unit"),
@@ -156,7 +156,10 @@ fn unknown_words_name_the_nearest_known() {
         (&["run", "quick-return", "--set", "O2A"], "expected NAME=VALUE"),
         (&["run", "quick-return", "--initial", "alpha_dott=1"], "did you mean `alpha_dot`?"),
         (&["run", "quick-return", "--t-end", "-1"], "a time above 0"),
-        (&["run", "quick-return", "--steps", "0"], "from 1 to"),
+        (&["run", "quick-return", "--steps", "0"], "a whole number above 0"),
+        (&["run", "quick-return", "--steps", "1e3"], "a whole number above 0"),
+        (&["run", "quick-return", "--set", "alpha=1"], "`--initial alpha=1`"),
+        (&["run", "quick-return", "--initial", "O2A=1"], "`--set O2A=1`"),
         (&["run", "quick-return", "--step", "1e-12"], "steps are asked for"),
         (&["rum", "quick-return"], "unrecognized subcommand"),
     ];

@@ -1,6 +1,6 @@
 //! Runs that fail say what, when and where, and keep what was computed until then.
 
-use sim::{Failure, What, mechanism};
+use sim::{Failure, Table, What, mechanism};
 use tests::run;
 
 mechanism! {
@@ -45,6 +45,16 @@ mechanism! {
     events { centre: x = T/(r*k); }
 }
 
+mechanism! {
+    /// An output that leaves its domain when x passes 0.5.
+    Undefined;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; }
+    bodies { bead: mass m at [x, 0]; }
+    initial { dot(x) = 1; }
+    outputs { fine [m] = x; broken = sqrt(0.5 - x); }
+}
+
 fn failing<M: sim::Mechanism>(mechanism: M) -> (usize, f64, Failure) {
     let run = run(mechanism, 2.0, 2000).unwrap();
     let last = run.trajectory.samples.last().map_or(0.0, |sample| sample.state.time);
@@ -69,6 +79,7 @@ fn a_load_that_leaves_its_domain_ends_the_run_with_its_equation() {
 #[test]
 fn redundant_constraints_are_named() {
     let run = run(Overconstrained::default(), 1.0, 10).unwrap();
+    assert!(run.trajectory.samples.is_empty());
     let failure = run.trajectory.failure.unwrap();
     let What::Singular { unknown } = &failure.what else { panic!("{failure}") };
     assert!(unknown.contains("`first`") || unknown.contains("`second`"), "{failure}");
@@ -84,4 +95,14 @@ fn a_coordinate_without_inertia_is_solved_by_pivoting() {
     // (h omega)^4 = 4e-11.
     assert!((run.events[0].state.time - quarter).abs() < 1e-9);
     assert!(run.trajectory.samples.iter().all(|sample| (sample.multipliers[0] + 5.0).abs() < 1e-12));
+}
+
+#[test]
+fn an_output_that_leaves_its_domain_is_named_with_its_time() {
+    let run = run(Undefined::default(), 1.0, 100).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let table = Table::of(&run.mechanism, &run.trajectory);
+    let [("broken", time)] = table.undefined_outputs()[..] else { panic!("{:?}", table.undefined_outputs()) };
+    // The first sample after 0.5 s.
+    assert!((time - 0.51).abs() < 1e-12, "{time}");
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[command(
     version,
     arg_required_else_help = true,
-    after_help = "Examples:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --step 0.1ms --set O2A=180mm\n  \
+    after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --step 0.1ms --set O2A=180mm\n  \
                   sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n\n\
                   Exit status: 0 done, 1 the run failed (what was computed is written), 2 the command line is wrong."
 )]
@@ -42,7 +42,7 @@ pub(super) struct RunArguments {
     pub(super) t_end: String,
 
     /// Number of steps of equal size.
-    #[arg(long, value_name = "N", default_value_t = 8192, conflicts_with = "step")]
+    #[arg(long, value_name = "N", default_value_t = 8192, conflicts_with = "step", value_parser = whole_number, allow_hyphen_values = true)]
     pub(super) steps: usize,
 
     /// Size of a step, instead of their number; made a little smaller if it does not divide the run.
@@ -65,4 +65,8 @@ pub(super) struct RunArguments {
     /// Writes no figures.
     #[arg(long)]
     pub(super) no_figures: bool,
+}
+
+fn whole_number(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number above 0 is needed, such as 8192".to_owned())
 }

@@ -18,6 +18,7 @@ pub(super) fn list(mechanisms: impl Iterator<Item = &'static Description>) -> Re
     Ok(())
 }
 
-fn counted(n: usize, what: &str) -> String {
+/// `1 step`, `2 steps`.
+pub(super) fn counted(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }

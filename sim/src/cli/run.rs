@@ -1,6 +1,7 @@
 //! `sim run`.
 
 use super::arguments::RunArguments;
+use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::{Stop, unknown};
 use crate::show;
@@ -8,6 +9,7 @@ use crate::{Grid, Run, Start, Table, WriteError, declared_start, run, summary, w
 use serde_json::json;
 use sim_kernel::{Array, Description, Mechanism};
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -22,24 +24,54 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments) -> Result<(), 
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let grid = grid(arguments)?;
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
+    remove_earlier_results(description, &directory)?;
     let found = run(mechanism, &start, grid)?;
     fs::create_dir_all(&directory).map_err(|e| WriteError::new(&directory, e))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     write_csv(&table, &directory.join("trajectory.csv"))?;
-    write_json(&summary(&found), &directory.join("summary.json"))?;
+    write_json(&summary(&found, &table), &directory.join("summary.json"))?;
     let before_figures = clock.elapsed();
-    let figures = if arguments.no_figures { 0 } else { show::figures(&found, &table, &directory)? };
+    let wanted = !arguments.no_figures && !table.times().is_empty();
+    let figures = if wanted { show::figures(&found, &table, &directory) } else { show::Figures::default() };
     let timing = json!({
         "integration_seconds": found.integration_time.as_secs_f64(),
         "without_figures_seconds": before_figures.as_secs_f64(),
         "total_seconds": clock.elapsed().as_secs_f64(),
     });
     write_json(&timing, &directory.join("timing.json"))?;
-    report(&found, &table, figures, &directory, [before_figures.as_secs_f64(), clock.elapsed().as_secs_f64()]);
-    match found.trajectory.failure {
-        Some(failure) => Err(failure.into()),
-        None => Ok(()),
+    let times = [before_figures.as_secs_f64(), clock.elapsed().as_secs_f64()];
+    print(&report(&found, &table, figures.drawn, &directory, times))?;
+    match (found.trajectory.failure, table.undefined_outputs().first(), figures.failures.into_iter().next()) {
+        (Some(failure), ..) => Err(failure.into()),
+        (None, Some((name, time)), _) => Err(Stop::Failed(anyhow::anyhow!(
+            "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
+             logarithm of a negative number). The motion is not affected"
+        ))),
+        (None, None, Some(failure)) => Err(failure.into()),
+        (None, None, None) => Ok(()),
     }
+}
+
+/// Prints to a standard output that may be closed: whoever closed it has read enough.
+fn print(text: &str) -> Result<(), Stop> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
+/// Removes what an earlier run wrote, so that nothing there is older than the run that it seems to belong to.
+fn remove_earlier_results(description: &Description, directory: &Path) -> Result<(), Stop> {
+    let figures = description.figures.iter().map(|figure| figure.name).chain(["mechanism"]);
+    let figures = figures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+    let tables = ["trajectory.csv", "summary.json", "timing.json"].map(String::from);
+    for name in figures.chain(tables) {
+        let path = directory.join(name);
+        if path.is_file() {
+            fs::remove_file(&path).map_err(|e| WriteError::new(&path, e))?;
+        }
+    }
+    Ok(())
 }
 
 fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
@@ -47,6 +79,9 @@ fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) 
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
         let known = || description.parameters.iter().map(|p| p.name);
+        if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
+            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
+        }
         let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
         parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
     }
@@ -66,6 +101,9 @@ fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: 
             start.speeds[at] = parse_quantity(name, value, coordinates[at].speed.unit)?;
             start.speed_given[at] = 1.0;
         } else {
+            if description.parameters.iter().any(|p| p.name == name) {
+                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+            }
             let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
             return Err(unknown("coordinate or speed", name, known));
         }
@@ -91,23 +129,23 @@ fn positive(option: &str, text: &str) -> Result<f64, Stop> {
     if time > 0.0 { Ok(time) } else { Err(Stop::Usage(format!("{option}: a time above 0 is needed, not `{text}`"))) }
 }
 
-/// The short table on the terminal.
-fn report<M: Mechanism>(run: &Run<M>, table: &Table, figures: usize, directory: &Path, [without, total]: [f64; 2]) {
+/// Relative change of energy from which the result deserves doubt.
+const DOUBTFUL_BALANCE: f64 = 1e-3;
+
+/// The short table for the terminal.
+fn report<M: Mechanism>(
+    run: &Run<M>,
+    table: &Table,
+    figures: usize,
+    directory: &Path,
+    [without, total]: [f64; 2],
+) -> String {
     let description = const { &M::DESCRIPTION };
+    let (steps, end) = (run.grid.steps, run.grid.end);
+    let method = format!("{}, {} of {:.6e} s, projected", crate::RK4.name, counted(steps, "step"), end / steps as f64);
     let reached = table.times().last().copied().unwrap_or(0.0);
-    let mut rows = vec![
-        ("model", description.name.to_owned()),
-        (
-            "method",
-            format!(
-                "{}, {} steps of {:.6e} s to {} s, projected",
-                crate::RK4.name,
-                run.grid.steps,
-                run.grid.end / run.grid.steps as f64,
-                reached
-            ),
-        ),
-    ];
+    let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
+    let mut rows = vec![("model", description.name.to_owned()), ("method", method), ("time", span)];
     match run.period() {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
         None if description.events.contains(&"period") => rows.push(("period", "not reached".into())),
@@ -117,29 +155,26 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, figures: usize, directory: 
         rows.push(("event", format!("{} at {:.12} s", event.name, event.state.time)));
     }
     if M::L::LEN > 0 {
+        let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((
             "constraints",
-            format!(
-                "open by at most {:.1e} (positions), {:.1e} (velocities)",
-                run.position_residual, run.velocity_residual
-            ),
+            format!("open by at most {positions:.1e} (positions), {velocities:.1e} (velocities)"),
         ));
     }
-    rows.push(("energy", format!("kinetic energy minus work changes by at most {:.1e}, relative", run.energy_balance)));
     rows.push((
-        "time",
-        format!(
-            "{:.2} ms integration, {:.0} ms without figures, {:.0} ms in all",
-            1e3 * run.integration_time.as_secs_f64(),
-            1e3 * without,
-            1e3 * total
-        ),
+        "energy",
+        format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
     ));
-    rows.push((
-        "written",
-        format!("{}: trajectory.csv, summary.json, timing.json, {figures} figures", directory.display()),
-    ));
-    for (name, value) in rows {
-        println!("{name:<12} {value}");
+    if !(run.energy_balance < DOUBTFUL_BALANCE) {
+        rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
+    let integration = 1e3 * run.integration_time.as_secs_f64();
+    let (without, total) = (1e3 * without, 1e3 * total);
+    rows.push((
+        "wall time",
+        format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
+    ));
+    let files = format!("trajectory.csv, summary.json, timing.json, {}", counted(figures, "figure"));
+    rows.push(("written", format!("{}: {files}", directory.display())));
+    rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }

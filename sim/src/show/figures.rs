@@ -8,34 +8,47 @@ use std::path::Path;
 /// Positions in the picture of the mechanism.
 const POSES: usize = 6;
 
-/// Draws every figure of a run into a directory; gives their number.
-///
-/// # Errors
-/// As [`plot`] and [`mechanism`].
-pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> Result<usize, ShowError> {
+/// What came of drawing.
+#[derive(Debug, Default)]
+pub struct Figures {
+    /// How many figures were drawn.
+    pub drawn: usize,
+    /// Why others were not.
+    pub failures: Vec<ShowError>,
+}
+
+impl Figures {
+    fn add(&mut self, result: Result<(), ShowError>) {
+        match result {
+            Ok(()) => self.drawn += 1,
+            Err(failure) => self.failures.push(failure),
+        }
+    }
+}
+
+/// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
+pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> Figures {
     let description = const { &M::DESCRIPTION };
     let mut outputs = table.outputs().iter().zip(description.outputs);
-    let mut drawn = 0;
+    let mut figures = Figures::default();
     for figure in description.figures {
         let group: Vec<_> = outputs.by_ref().take(figure.len).collect();
+        if group.iter().all(|(column, _)| column.values.iter().all(|value| !value.is_finite())) {
+            continue;
+        }
         let labels: Vec<&str> = group.iter().map(|(column, output)| label(output.docs, &column.name)).collect();
         let curves =
             group.iter().zip(&labels).map(|((column, _), label)| Curve { label, values: column.values.clone() });
         let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
         let y_label = y_label(figure.name, &columns, &labels);
-        let curves = curves.collect();
-        plot(
-            &Plot { title: figure.title, x_label: "time [s]", y_label: &y_label, x: table.times(), curves },
-            directory,
-            figure.name,
-        )?;
-        drawn += 1;
+        let (x_label, x, curves) = ("time [s]", table.times(), curves.collect());
+        let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves };
+        figures.add(plot(&shown, directory, figure.name));
     }
     if !description.drawing.is_empty() {
-        draw_mechanism(run, directory)?;
-        drawn += 1;
+        figures.add(draw_mechanism(run, directory));
     }
-    Ok(drawn)
+    figures
 }
 
 /// What a curve is called: the first line of its documentation, or its name.
@@ -57,7 +70,7 @@ fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path) -> Result<(), Sh
     let description = const { &M::DESCRIPTION };
     let samples = &run.trajectory.samples;
     let span = run.period().or(samples.last().map(|sample| sample.state.time)).unwrap_or(0.0);
-    let drawn: Vec<(f64, M::Drawing)> = (0..POSES)
+    let mut drawn: Vec<(f64, M::Drawing)> = (0..POSES)
         .filter_map(|i| {
             let wanted = span * i as f64 / POSES as f64;
             let sample = samples
@@ -66,13 +79,12 @@ fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path) -> Result<(), Sh
             Some((sample.state.time, run.mechanism.drawing(sample.state.time, &sample.state.positions)))
         })
         .collect();
+    drawn.dedup_by(|a, b| a.0 == b.0);
     let poses: Vec<Pose> =
         drawn.iter().map(|(time, numbers)| Pose { numbers: numbers.as_ref(), time: *time }).collect();
-    mechanism(
-        &format!("{} in {} positions", description.type_name, poses.len()),
-        description.drawing,
-        &poses,
-        directory,
-        "mechanism",
-    )
+    let title = match poses.len() {
+        1 => description.type_name.to_owned(),
+        n => format!("{} in {n} positions", description.type_name),
+    };
+    mechanism(&title, description.drawing, &poses, directory, "mechanism")
 }

@@ -28,7 +28,7 @@ use scene::Scene;
 use sim_kernel::Shape;
 
 pub use error::ShowError;
-pub use figures::figures;
+pub use figures::{Figures, figures};
 pub use text::typeset;
 
 /// A curve of a plot.
