@@ -98,17 +98,23 @@ fn matrix(rows: &[Vec<Tree>]) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
+/// What a kernel returns: a struct with named fields where there is one.
 fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    match (record_of(model, kernel), &kernel.results) {
+        (Some(record), Results::Vector(entries)) => record_type(&record, entries.len()),
+        _ => returned_array(model, kernel, path),
+    }
+}
+
+/// What the trait's function of that name returns.
+pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let (n, m) = (size(model.coordinates.len()), size(model.constraints.len()));
     match &kernel.results {
         Results::Scalar(_) => quote! { S },
-        Results::Vector(entries) => match record_of(model, kernel) {
-            Some(record) => record_type(&record, entries.len()),
-            None => {
-                let len = size(entries.len());
-                quote! { [S; #len] }
-            }
-        },
+        Results::Vector(entries) => {
+            let len = size(entries.len());
+            quote! { [S; #len] }
+        }
         Results::Matrix(rows) => {
             let rows = size(rows.len());
             quote! { [[S; #n]; #rows] }

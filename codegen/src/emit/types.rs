@@ -1,12 +1,12 @@
 //! The mechanism's type, its named vectors, and the impl of the runtime's trait.
 
 use super::description::description;
-use super::kernel::{arguments, record_of};
+use super::kernel::{arguments, record_of, returned_array};
 use super::record::record;
 use super::{ident, size};
 use crate::dsl::Head;
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, Program, Results};
+use crate::program::{Kernel, Program, Results};
 use crate::symbolic::{Expr, evaluate};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -165,23 +165,8 @@ fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let function = format_ident!("{}", kernel.name);
     let list = arguments(model, kernel.arguments);
     let names: Vec<Ident> = ["t", "q", "qd", "qdd", "lambda"][..list.len()].iter().map(|name| ident(name)).collect();
-    let [n, m] = [model.coordinates.len(), model.constraints.len()].map(size);
-    let returns = match &kernel.results {
-        Results::Scalar(_) => quote! { S },
-        Results::Vector(entries) => {
-            let len = size(entries.len());
-            quote! { [S; #len] }
-        }
-        Results::Matrix(rows) => {
-            let rows = size(rows.len());
-            quote! { [[S; #n]; #rows] }
-        }
-        Results::Linearization(..) => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
-        Results::Initial(..) => quote! { #path::Initial<[S; #n]> },
-        Results::Dynamics { .. } => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
-    };
+    let returns = returned_array(model, kernel, path);
     let to_array = record_of(model, kernel).map(|_| quote! { .into() });
-    debug_assert!(kernel.arguments >= Arguments::Parameters);
     quote! {
         #[inline(always)]
         fn #function(&self #(, #list)*) -> #returns {

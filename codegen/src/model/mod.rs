@@ -1,9 +1,16 @@
 //! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
+mod bodies;
 mod dependence;
 mod dimension;
+mod drawing;
+mod equations;
 mod interpret;
+mod level;
+mod loads;
+mod outputs;
+mod quantities;
 mod resolve;
 mod scope;
 mod start;

@@ -1,0 +1,38 @@
+//! The `drawing` block.
+
+use super::interpret::Interpreter;
+use super::level::{position_level, position_scalar};
+use super::{Point, Shape};
+use crate::dsl::{self, Declaration, Expression};
+
+const DRAWN: &str = "what is drawn";
+
+pub(super) fn resolve_drawing(declaration: &Declaration, i: &mut Interpreter) -> Vec<Shape> {
+    declaration.drawing.iter().filter_map(|shape| resolve_shape(shape, i)).collect()
+}
+
+fn resolve_shape(shape: &dsl::Shape, i: &mut Interpreter) -> Option<Shape> {
+    match shape {
+        dsl::Shape::Line(points) => drawn_points(points, i).map(Shape::Line),
+        dsl::Shape::Ground(points) => drawn_points(points, i).map(Shape::Ground),
+        dsl::Shape::Points(points) => drawn_points(points, i).map(Shape::Points),
+        dsl::Shape::Slider { at, along } => {
+            let (point, angle) = (drawn_point(at, i), position_scalar(along, DRAWN, i));
+            Some(Shape::Slider(point?, angle?))
+        }
+        dsl::Shape::Circle { at, radius } => {
+            let (point, radius) = (drawn_point(at, i), position_scalar(radius, DRAWN, i));
+            Some(Shape::Circle(point?, radius?))
+        }
+    }
+}
+
+fn drawn_points(points: &[Expression], i: &mut Interpreter) -> Option<Vec<Point>> {
+    let points: Vec<_> = points.iter().map(|point| drawn_point(point, i)).collect();
+    points.into_iter().collect()
+}
+
+fn drawn_point(expression: &Expression, i: &mut Interpreter) -> Option<Point> {
+    let point = i.point(expression)?;
+    position_level(expression, point, DRAWN, i)
+}

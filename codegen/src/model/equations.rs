@@ -1,0 +1,106 @@
+//! The `constraints` and `events` blocks.
+
+use super::interpret::Interpreter;
+use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
+use super::scope::{Names, plain};
+use super::value::{Shape, Value, common_dimension};
+use super::{Constraint, Dependence, Dimension, Event, Unit};
+use crate::dsl::{self, Declaration, Region};
+use crate::symbolic::Expr;
+
+pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter) -> Vec<Constraint> {
+    let mut rows = Vec::new();
+    let mut reactions = Names::new("constraint");
+    for equation in &declaration.constraints {
+        let first = rows.len();
+        let sides = equation_sides(equation, i);
+        if let Some(sides) = sides {
+            constraint_rows(equation, sides, &mut rows, i);
+        }
+        let multipliers: Vec<Expr> =
+            rows[first..].iter().map(|row: &Constraint| i.graph.variable(row.multiplier)).collect();
+        let dimension = rows.get(first).map(|row| row.unit.dimension().clone());
+        let reaction = match multipliers.as_slice() {
+            [one] => Some(Value::scalar(*one, dimension)),
+            [x, y] => Some(Value { shape: Shape::Vector([*x, *y]), dimension }),
+            _ => None,
+        };
+        reactions.define(&equation.name, reaction, &mut i.mistakes);
+    }
+    i.reactions = Some(reactions);
+    rows
+}
+
+/// left - right, both scalars or both vectors.
+fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
+    let (left, right) = (i.value(&equation.left), i.value(&equation.right));
+    let (left, right) = (left?, right?);
+    let dimension = common_dimension(left.dimension.clone(), right.dimension.clone());
+    let shape = match (left.shape, right.shape) {
+        (Shape::Scalar(l), Shape::Scalar(r)) => Shape::Scalar(i.graph.sub(l, r)),
+        (Shape::Vector([lx, ly]), Shape::Vector([rx, ry])) => Shape::Vector([i.graph.sub(lx, rx), i.graph.sub(ly, ry)]),
+        _ => {
+            let message = format!("{} stands left and {} right; both sides are of one kind", left.kind(), right.kind());
+            return i.refuse(equation.left.region.to(equation.right.region), message);
+        }
+    };
+    Some(Value { shape, dimension })
+}
+
+fn constraint_rows(
+    equation: &dsl::Equation,
+    value: Value,
+    rows: &mut Vec<Constraint>,
+    i: &mut Interpreter,
+) -> Option<()> {
+    let place = equation.left.region.to(equation.right.region);
+    let name = plain(&equation.name);
+    let components = value.components();
+    i.restrict(
+        place,
+        &components,
+        BEYOND_POSITION,
+        "a constraint holds between positions; `dot()` cannot stand in it",
+    )?;
+    let unit = match &value.dimension {
+        Some(dimension) => Unit::coherent(Dimension::energy().over(dimension)),
+        None => Unit::none(),
+    };
+    let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y"] };
+    for (value, suffix) in components.into_iter().zip(suffixes) {
+        if !i.dependences.of(&i.graph, value).meets(Dependence::COORDINATE) {
+            return i.refuse(Region::from(&equation.name), format!("no coordinate moves constraint `{name}{suffix}`: it holds always or never; leave it out, or let it depend on a coordinate"));
+        }
+        let multiplier = i.graph.symbol(&format!("lambda_{name}{suffix}"));
+        i.dependences.declare(multiplier, Dependence::MULTIPLIER);
+        rows.push(Constraint { name: format!("{name}{suffix}"), value, multiplier, unit: unit.clone() });
+    }
+    Some(())
+}
+
+pub(super) fn resolve_events(declaration: &Declaration, i: &mut Interpreter) -> Vec<Event> {
+    let mut names = Names::new("event");
+    let mut events = Vec::new();
+    for equation in &declaration.events {
+        names.define(&equation.name, Some(()), &mut i.mistakes);
+        let Some(value) = equation_sides(equation, i) else { continue };
+        let place = equation.left.region.to(equation.right.region);
+        let Shape::Scalar(value) = value.shape else {
+            i.mistakes.add(place.error("an event is an equation between scalars; take a component (`.x`, `.y`)"));
+            continue;
+        };
+        let rule = "an event is a condition on coordinates, speeds and time";
+        if i.restrict(place, &[value], BEYOND_SPEED, rule).is_none() {
+            continue;
+        }
+        if !i.dependences.of(&i.graph, value).meets(MOVING.or(Dependence::TIME)) {
+            i.mistakes.add(Region::from(&equation.name).error(format!(
+                "event `{}` never changes; let it depend on a coordinate, a speed or `t`",
+                equation.name
+            )));
+            continue;
+        }
+        events.push(Event { name: plain(&equation.name), value });
+    }
+    events
+}

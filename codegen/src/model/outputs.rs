@@ -1,0 +1,91 @@
+//! The `outputs` block.
+
+use super::interpret::Interpreter;
+use super::quantities::resolve_unit;
+use super::scope::{Names, plain};
+use super::value::Shape;
+use super::{Constraint, Coordinate, Output, OutputGroup};
+use crate::dsl::{self, Declaration, Region};
+use crate::symbolic::Expr;
+use syn::Ident;
+
+pub(super) fn resolve_outputs(
+    declaration: &Declaration,
+    coordinates: &[Coordinate],
+    constraints: &[Constraint],
+    i: &mut Interpreter,
+) -> (Vec<Output>, Vec<OutputGroup>) {
+    let mut columns: Vec<String> = vec!["t".into()];
+    columns.extend(
+        coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}_dot", c.name), format!("{}_ddot", c.name)]),
+    );
+    columns.extend(constraints.iter().map(|c| format!("lambda_{}", c.name)));
+    let mut names = Names::new("output");
+    let mut figures = Vec::new();
+    let (mut outputs, mut groups) = (Vec::new(), Vec::new());
+    for group in &declaration.outputs {
+        if let Some(name) = group.name.as_ref().or(group.outputs.first().map(|output| &output.name)) {
+            let defined_twice = group.name.is_none() && names.get_region(&plain(name)).is_some();
+            if !defined_twice {
+                define_figure(name, &mut figures, i);
+            }
+        }
+        let first = outputs.len();
+        for output in &group.outputs {
+            let name = plain(&output.name);
+            names.define(&output.name, Some(()), &mut i.mistakes);
+            if columns.contains(&name) {
+                i.mistakes.add(
+                    Region::from(&output.name)
+                        .error(format!("`{name}` is recorded already, under this name; choose another")),
+                );
+            }
+            let unit = resolve_unit(&output.unit, i);
+            if let Some(value) = output_value(output, &name, i) {
+                outputs.push(Output { name, docs: output.docs.clone(), unit, value });
+            }
+        }
+        if let Some(output) = group.outputs.first() {
+            let name = plain(group.name.as_ref().unwrap_or(&output.name));
+            let title = group.title.clone().unwrap_or_else(|| default_title(group, output));
+            groups.push(OutputGroup { name, title, len: outputs.len() - first });
+        }
+    }
+    (outputs, groups)
+}
+
+/// Figures are files, and some file systems do not tell letter case apart.
+fn define_figure(name: &Ident, figures: &mut Vec<(String, Region)>, i: &mut Interpreter) {
+    let file = plain(name).to_lowercase();
+    if file == "mechanism" {
+        i.mistakes
+            .add(Region::from(name).error("`mechanism` is the figure of the mechanism itself; choose another name"));
+    }
+    if let Some((_, first)) = figures.iter().find(|(other, _)| *other == file) {
+        let mut mistake = Region::from(name)
+            .error(format!("two figures would be called `{file}`; choose another name for one of them"));
+        mistake.combine(first.error("the other one is here"));
+        i.mistakes.add(mistake);
+    }
+    figures.push((file, name.into()));
+}
+
+fn output_value(output: &dsl::Output, name: &str, i: &mut Interpreter) -> Option<Expr> {
+    let value = i.value(&output.value)?;
+    match value.shape {
+        Shape::Scalar(value) => Some(value),
+        Shape::Vector(_) => i.refuse(
+            output.value.region,
+            format!("output `{name}` is a vector; write one output for each component: `{name}_x = (..).x;`"),
+        ),
+    }
+}
+
+/// The first line of an output's documentation, or its name.
+fn default_title(group: &dsl::OutputGroup, output: &dsl::Output) -> String {
+    match (&group.name, output.docs.lines().next()) {
+        (None, Some(line)) if !line.is_empty() => line.trim_end_matches('.').to_owned(),
+        (Some(name), _) => plain(name).replace('_', " "),
+        (None, _) => plain(&output.name).replace('_', " "),
+    }
+}

@@ -1,0 +1,152 @@
+//! Coordinates, parameters and `let`s: the names of scalars and vectors.
+
+use super::interpret::Interpreter;
+use super::level::MOVING;
+use super::scope::{check_reserved, plain};
+use super::start::in_unit;
+use super::value::{Shape, Value};
+use super::{Body, Constraint, Coordinate, Dependence, Parameter, Start, Unit};
+use crate::dsl::{self, Declaration, Expression, Region};
+use crate::symbolic::Expr;
+use syn::Ident;
+
+pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, i: &mut Interpreter) -> Unit {
+    match unit {
+        Some(unit) => i.mistakes.note(Unit::resolve(unit)).unwrap_or_else(Unit::none),
+        None => Unit::none(),
+    }
+}
+
+pub(super) fn define(name: &Ident, value: Option<Value>, i: &mut Interpreter) {
+    match check_reserved(name) {
+        Ok(()) => i.values.define(name, value, &mut i.mistakes),
+        Err(mistake) => i.mistakes.add(mistake),
+    }
+}
+
+pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter) -> Vec<Coordinate> {
+    let mut coordinates: Vec<Coordinate> = Vec::new();
+    for c in &declaration.coordinates {
+        let name = plain(&c.name);
+        if let Some(base) = rate_of(&name, declaration.coordinates.iter().map(|c| plain(&c.name))) {
+            i.mistakes.add(Region::from(&c.name).error(format!(
+                "`{name}` is the name of a rate of `{base}` in files and on the command line; choose another name"
+            )));
+        }
+        let unit = resolve_unit(&c.unit, i);
+        let position = i.graph.symbol(&name);
+        let speed = i.graph.symbol(&format!("{name}_dot"));
+        let acceleration = i.graph.symbol(&format!("{name}_ddot"));
+        i.dependences.declare(position, Dependence::COORDINATE);
+        i.dependences.declare(speed, Dependence::SPEED);
+        i.dependences.declare(acceleration, Dependence::ACCELERATION);
+        let variable = i.graph.variable(position);
+        define(&c.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        let (docs, start, start_speed) = (c.docs.clone(), Start::Free, None);
+        coordinates.push(Coordinate { name, docs, unit, position, speed, acceleration, start, start_speed });
+    }
+    coordinates
+}
+
+/// The coordinate of which this is the name of a speed or acceleration.
+fn rate_of(name: &str, mut coordinates: impl Iterator<Item = String>) -> Option<String> {
+    let base = name.strip_suffix("_dot").or_else(|| name.strip_suffix("_ddot"))?;
+    coordinates.find(|coordinate| coordinate == base)
+}
+
+pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter) -> Vec<Parameter> {
+    let mut parameters = Vec::new();
+    for p in &declaration.parameters {
+        let name = plain(&p.name);
+        let unit = resolve_unit(&p.unit, i);
+        let symbol = i.graph.symbol(&name);
+        i.dependences.declare(symbol, Dependence::PARAMETER);
+        let default = parameter_default(&p.value, &unit, i);
+        let variable = i.graph.variable(symbol);
+        define(&p.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        if let Some(default) = default {
+            parameters.push(Parameter { name, docs: p.docs.clone(), unit, symbol, default });
+        }
+    }
+    parameters
+}
+
+fn parameter_default(expression: &Expression, unit: &Unit, i: &mut Interpreter) -> Option<Expr> {
+    let value = in_unit(expression, unit, i)?;
+    let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
+    i.restrict(
+        expression.region,
+        &[value],
+        any,
+        "the default of a parameter is a number; what follows from other parameters is a `let`",
+    )?;
+    Some(value)
+}
+
+pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Vec<(String, Expr)> {
+    let mut named = Vec::new();
+    for (at, definition) in declaration.lets.iter().enumerate() {
+        let value = match later_use(&definition.value, &declaration.lets[at..]) {
+            Some(mistake) => {
+                i.mistakes.add(mistake);
+                None
+            }
+            None => i.value(&definition.value),
+        };
+        let name = plain(&definition.name);
+        match value.as_ref().map(|value| value.shape) {
+            Some(Shape::Scalar(scalar)) => named.push((name, scalar)),
+            Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), x), (format!("{name}_y"), y)]),
+            None => {}
+        }
+        define(&definition.name, value, i);
+    }
+    named
+}
+
+/// A mistake if an expression uses a `let` that comes later, or itself.
+fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> {
+    use dsl::Kind;
+    match &expression.kind {
+        Kind::Number { .. } => None,
+        Kind::Name(name) => {
+            let at = later.iter().position(|definition| definition.name == *name)?;
+            let message = match at {
+                0 => format!("`{name}` is defined by itself"),
+                _ => format!("`{name}` is defined only below; move its `let` above this line"),
+            };
+            Some(Region::from(name).error(message))
+        }
+        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().find_map(|part| later_use(part, later)),
+        Kind::Negate(part) | Kind::Component(part, _) => later_use(part, later),
+        Kind::Binary(_, left, right) => later_use(left, later).or_else(|| later_use(right, later)),
+    }
+}
+
+/// A coordinate that neither moves a body nor stands in a constraint has no equation of motion.
+pub(super) fn check_coordinates_used(
+    declaration: &Declaration,
+    coordinates: &[Coordinate],
+    bodies: &[Option<Body>],
+    constraints: &[Constraint],
+    i: &mut Interpreter,
+) {
+    // Another mistake may be why it is not used.
+    if !i.mistakes.is_empty() {
+        return;
+    }
+    let mut roots: Vec<Expr> = constraints.iter().map(|c| c.value).collect();
+    for body in bodies.iter().flatten() {
+        roots.extend(body.mass.iter().flat_map(|(_, at)| *at));
+        roots.extend(body.rotation.map(|(_, angle)| angle));
+    }
+    let used = i.graph.symbols_of(&roots);
+    for (c, written) in coordinates.iter().zip(&declaration.coordinates) {
+        if !used.contains(&c.position) {
+            i.mistakes.add(Region::from(&written.name).error(format!(
+                "coordinate `{}` moves no body and stands in no constraint; use it or leave it out",
+                c.name
+            )));
+        }
+    }
+}
