@@ -152,6 +152,7 @@ mod tests {
     extern crate std;
 
     use super::{LARGEST, sin_cos_each};
+    use core::f64::consts::FRAC_PI_2;
     use num_bigint::BigInt;
     use std::vec::Vec;
 
@@ -210,7 +211,7 @@ mod tests {
         let unit = exact.magnitude().bits() as i64 - 53;
         let difference = fixed(found) - exact;
         // Thousandths are enough to read.
-        let scaled: BigInt = (difference.magnitude().clone() * 1000u32 >> unit.max(0)).into();
+        let scaled: BigInt = ((difference.magnitude().clone() * 1000u32) >> unit.max(0)).into();
         i64::try_from(scaled).unwrap() as f64 / 1000.0
     }
 
@@ -227,7 +228,7 @@ mod tests {
             angles.push(LARGEST * (2.0 * unit() - 1.0));
             angles.push(2f64.powf(-200.0 * unit()));
             // Nearest doubles to multiples of pi/2, where almost all digits cancel.
-            let multiple = (unit() * (LARGEST / 1.5708)).floor() * core::f64::consts::FRAC_PI_2;
+            let multiple = (unit() * (LARGEST / FRAC_PI_2)).floor() * FRAC_PI_2;
             angles.extend([multiple, multiple.next_up(), -multiple.next_down()]);
         }
         angles
