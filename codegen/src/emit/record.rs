@@ -10,7 +10,7 @@ pub(super) fn record(
     visibility: &Visibility,
     name: &Ident,
     docs: &str,
-    fields: &[(String, String)],
+    fields: &[(String, Vec<String>)],
     path: &TokenStream,
 ) -> TokenStream {
     if fields.is_empty() {
@@ -23,7 +23,7 @@ pub(super) fn record(
         #[doc = #docs]
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#[doc = #field_docs] pub #names: S,)* }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#(#[doc = #field_docs])* pub #names: S,)* }
 
         impl<S: #path::Scalar> ::core::convert::From<[S; #n]> for #name<S> {
             fn from(values: [S; #n]) -> Self {

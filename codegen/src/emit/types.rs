@@ -5,7 +5,7 @@ use super::kernel::{arguments, record_of, returned_array};
 use super::record::record;
 use super::{ident, size};
 use crate::dsl::Head;
-use crate::model::Model;
+use crate::model::{Model, Unit};
 use crate::program::{Kernel, Program, Results};
 use crate::symbolic::{Expr, evaluate};
 use proc_macro2::{Ident, TokenStream};
@@ -24,45 +24,45 @@ pub(super) fn types(head: &Head, model: &Model, path: &TokenStream) -> TokenStre
     let visibility = &head.visibility;
     let mechanism = mechanism(head, model, path);
     let name = &model.name;
-    let documented = |docs: &str, unit: &str| match docs {
-        "" => format!("In `{unit}`."),
-        _ => format!("{docs}\n\nIn `{unit}`."),
-    };
-    let coordinates: Vec<_> = model
-        .coordinates
-        .iter()
-        .map(|c| (c.name.clone(), documented(&c.docs, &c.unit.dimension().si_unit())))
-        .collect();
-    let outputs: Vec<_> =
-        model.outputs.iter().map(|o| (o.name.clone(), documented(&o.docs, &o.unit.dimension().si_unit()))).collect();
+    let coordinates: Vec<_> =
+        model.coordinates.iter().map(|c| (c.name.clone(), documented(&c.docs, &c.unit))).collect();
+    let outputs: Vec<_> = model.outputs.iter().map(|o| (o.name.clone(), documented(&o.docs, &o.unit))).collect();
     let rates: Vec<_> = rated_outputs(model)
         .into_iter()
-        .map(|i| (model.outputs[i].name.clone(), format!("Rate of `{}`.", model.outputs[i].name)))
+        .map(|i| (model.outputs[i].name.clone(), vec![format!(" Rate of `{}`.", model.outputs[i].name)]))
         .collect();
     let records = [
         record(
             visibility,
             &format_ident!("{name}Coordinates"),
-            &format!("Coordinates of [`{name}`] by name, in SI units; also for their speeds and accelerations."),
+            &format!(" Coordinates of [`{name}`] by name, in SI units; also for their speeds and accelerations."),
             &coordinates,
             path,
         ),
         record(
             visibility,
             &outputs_name(model),
-            &format!("Outputs of [`{name}`] by name, in SI units."),
+            &format!(" Outputs of [`{name}`] by name, in SI units."),
             &outputs,
             path,
         ),
         record(
             visibility,
             &output_rates_name(model),
-            &format!("Rates of the outputs of [`{name}`] by name, in SI units."),
+            &format!(" Rates of the outputs of [`{name}`] by name, in SI units."),
             &rates,
             path,
         ),
     ];
     quote! { #mechanism #(#records)* }
+}
+
+/// Documentation of a quantity with its unit, a line each.
+fn documented(docs: &str, unit: &Unit) -> Vec<String> {
+    let text = docs.trim_end_matches('.');
+    let unit = unit.si_text();
+    let text = if text.is_empty() { format!("In `{unit}`.") } else { format!("{text}, in `{unit}`.") };
+    text.lines().map(|line| format!(" {line}")).collect()
 }
 
 /// The outputs that have a rate.
@@ -78,9 +78,8 @@ fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
     let (visibility, name) = (&head.visibility, ident(&model.name));
     let docs = model.docs.lines().map(|line| format!(" {line}"));
     let fields = model.parameters.iter().map(|p| {
-        let (name, unit) = (ident(&p.name), p.unit.dimension().si_unit());
-        let docs = if p.docs.is_empty() { format!("In `{unit}`.") } else { format!("{}\n\nIn `{unit}`.", p.docs) };
-        quote! { #[doc = #docs] pub #name: S, }
+        let (name, docs) = (ident(&p.name), documented(&p.docs, &p.unit));
+        quote! { #(#[doc = #docs])* pub #name: S, }
     });
     let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     quote! {

@@ -4,6 +4,8 @@ use crate::symbolic::Number;
 
 /// Names of the base units, in the order of the exponents.
 const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
+/// The order in which they are printed.
+const PRINTED: [usize; 5] = [1, 0, 2, 3, 4];
 
 /// A physical dimension.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -53,9 +55,10 @@ impl Dimension {
             return (*name).to_owned();
         }
         let part = |negative: bool| -> Vec<String> {
-            let exponents = BASE.iter().zip(&self.0).filter(|(_, e)| !e.is_zero() && e.is_negative() == negative);
+            let printed = PRINTED.iter().map(|i| (BASE[*i], &self.0[*i]));
+            let exponents = printed.filter(|(_, e)| !e.is_zero() && e.is_negative() == negative);
             exponents
-                .map(|(base, e)| if e.abs().is_one() { (*base).into() } else { format!("{base}^{}", e.abs()) })
+                .map(|(base, e)| if e.abs().is_one() { base.to_owned() } else { format!("{base}^{}", e.abs()) })
                 .collect()
         };
         let (above, below) = (part(false), part(true));

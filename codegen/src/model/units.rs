@@ -133,6 +133,11 @@ impl Unit {
         graph.mul(rational, power)
     }
 
+    /// The coherent SI unit of its dimension, as the user writes it if that is one: `N*m`, `rad`.
+    pub fn si_text(&self) -> String {
+        if self.rational.is_one() && self.pi_power == 0 { self.text.clone() } else { self.dimension.si_unit() }
+    }
+
     /// The unit of this quantity's rate of the given order: `rad/s^2`.
     pub fn per_time(&self, order: u32) -> Unit {
         let below = if order == 1 { "s".to_owned() } else { format!("s^{order}") };
@@ -223,6 +228,7 @@ mod tests {
             ("m/s", "m/s"),
             ("rad", "1"),
             ("kg/(m*s)", "kg/(m*s)"),
+            ("m^2*kg", "kg*m^2"),
             ("1/s^2", "1/s^2"),
         ] {
             assert_eq!(Unit::parse(text).unwrap().dimension().si_unit(), si);

@@ -6,9 +6,7 @@
 //! long as M is and the constraints are independent: a constraint taken earlier could meet a pivot that is zero
 //! at some position. Each pivot comes with the terms that it is the sum of, to be checked at run time.
 
-use crate::symbolic::Function;
-
-use super::values::{Operation, Value, Values};
+use super::values::{Value, Values};
 
 /// A symmetric linear system, lower triangle; absent entries are zero wherever the mechanism is.
 pub(super) struct System {
@@ -108,7 +106,7 @@ impl System {
 
 /// The sum of the magnitudes of terms.
 fn magnitude(values: &mut Values, terms: &[(bool, Value)]) -> Value {
-    let sizes = terms.iter().map(|(_, term)| (false, values.add(Operation::Call(Function::Abs, *term)))).collect();
+    let sizes = terms.iter().map(|(_, term)| (false, values.magnitude(*term))).collect();
     values.sum(sizes)
 }
 

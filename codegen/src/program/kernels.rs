@@ -184,6 +184,9 @@ impl<'a> Planner<'a> {
         // The first wish for a value wins: what the user named, then what the method names.
         let mut by_value: FxHashMap<Value, String> = FxHashMap::default();
         for (value, name) in wished.chain(labels) {
+            if let Some(opposite) = lowering.values.opposite(value) {
+                by_value.entry(opposite).or_insert_with(|| format!("minus_{name}"));
+            }
             by_value.entry(value).or_insert(name);
         }
         let mut names = Names::new();

@@ -163,12 +163,23 @@ impl Values {
         if (above_size == above) == (below_size == below) { quotient } else { self.negate(quotient) }
     }
 
+    /// The absolute value.
+    pub(super) fn magnitude(&mut self, value: Value) -> Value {
+        let size = self.size(value);
+        self.add(Operation::Call(Function::Abs, size))
+    }
+
+    /// The value that this one is the opposite of, if it is one.
+    pub(super) fn opposite(&self, value: Value) -> Option<Value> {
+        match *self.operation(value) {
+            Operation::Negate(inner) => Some(inner),
+            _ => None,
+        }
+    }
+
     /// The value without a minus sign in front.
     fn size(&self, value: Value) -> Value {
-        match *self.operation(value) {
-            Operation::Negate(inner) => inner,
-            _ => value,
-        }
+        self.opposite(value).unwrap_or(value)
     }
 
     /// `base^exponent` by squaring, for exponents of at least 1.
