@@ -2,9 +2,11 @@
 
 #![no_std]
 
+mod andrews;
 mod quick_return;
 mod quick_return_ratio;
 
+pub use andrews::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
 
@@ -12,6 +14,6 @@ pub use quick_return_ratio::*;
 #[macro_export]
 macro_rules! all_models {
     ($callback:ident) => {
-        $callback!($crate::QuickReturn, $crate::QuickReturnRatio)
+        $callback!($crate::QuickReturn, $crate::QuickReturnRatio, $crate::Andrews)
     };
 }

@@ -53,7 +53,7 @@ mod tests {
         let functions: [Case; 5] = [
             (|x| x - 0.3, 0.3),
             (|x| x * x * x - 0.2, 0.2f64.cbrt()),
-            (|x| (5.0 * x).cos(), std::f64::consts::PI / 10.0),
+            (|x| (3.0 * x).cos(), std::f64::consts::PI / 6.0),
             (|x| 1e-9 - x, 1e-9),
             (|x| (x - 0.7).powi(3), 0.7),
         ];

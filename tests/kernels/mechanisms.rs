@@ -67,6 +67,7 @@ macro_rules! all_mechanisms {
         $callback!(
             models::QuickReturn,
             models::QuickReturnRatio,
+            models::Andrews,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
