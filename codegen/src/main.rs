@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result, bail};
 use quote::quote;
+use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -28,7 +29,8 @@ fn run() -> Result<()> {
         {
             found = true;
             let tokens = codegen::generate(item.mac.tokens, &quote!(sim_kernel)).map_err(|e| located(file, e))?;
-            print!("{}", codegen::emit::format(tokens).map_err(|e| located(file, e))?);
+            let text = codegen::emit::format(tokens).map_err(|e| located(file, e))?;
+            std::io::stdout().write_all(text.as_bytes())?;
         }
     }
     if !found {

@@ -164,6 +164,7 @@ fn constraints_and_events() {
         "initial {",
         "constraints { stop: P.y = 1; stop: P.x = 1; } initial {",
         &[
+            "7:30 two constraint rows would be called `stop`; choose another name for one of them",
             "7:30 `stop` is defined twice; choose another name for one of them",
             "7:15 the first definition of `stop` is here",
         ],
@@ -407,4 +408,33 @@ fn what_new_users_write() {
         ],
     );
     check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);
+    check("phi = 0.5;", "phi = ddot(phi);", &["7:17 a start value is made of numbers and parameters"]);
+    check(
+        "l [m] = 1;",
+        "l [m] = 1; p [m/s] = dot(phi);",
+        &["3:35 the default of a parameter is a number; what follows from other parameters is a `let`"],
+    );
+    check("l [m] = 1;", "l [Gm] = 1e305;", &["3:23 this is not a finite real number"]);
+    check(
+        "l [m] = 1;",
+        "l [m] = 1; phi_dot = 2;",
+        &["3:25 `phi_dot` is the name of a rate of `phi` in files and on the command line; choose another name"],
+    );
+    check(
+        "let P = l*",
+        "let w = 1e300*phi*1e300; let P = l*",
+        &["4:9 a coefficient here is outside the range of numbers (about 1e-308 to 1e308)"],
+    );
+    check(
+        "initial {",
+        "constraints { pin: P = [0, 1]; pin_x: P.y = 1; } initial {",
+        &["7:32 two constraint rows would be called `pin_x`; choose another name for one of them"],
+    );
+    check(
+        "initial {",
+        "constraints { pin: [phi, 0] = [0, 0]; } initial {",
+        &[
+            "7:15 no coordinate moves constraint `pin_y`: it holds always or never; leave it out, or let it depend on a coordinate",
+        ],
+    );
 }

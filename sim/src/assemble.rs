@@ -114,9 +114,11 @@ fn assemble_speeds<M: Mechanism>(mechanism: &M, start: &Start<M>, q: &M::Q) -> R
         moving + linear.time_derivative[i]
     };
     let residual = DVector::from_fn(M::L::LEN, |i, _| rate(&speeds, i));
-    if let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.speed_given, residual) {
-        speeds = M::Q::from_fn(|j| speeds[j] - step[j]);
-    }
+    let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.speed_given, residual) else {
+        let quantity = "a derivative of the constraints".into();
+        return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, q));
+    };
+    speeds = M::Q::from_fn(|j| speeds[j] - step[j]);
     let rates = M::L::from_fn(|i| rate(&speeds, i));
     let scale = |i: usize| linear.jacobian[i].iter().zip(speeds.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
     // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.

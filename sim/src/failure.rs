@@ -71,6 +71,12 @@ pub enum What {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
     },
+    /// The samples would not fit in memory.
+    #[error("{steps} steps do not fit in memory; take larger steps or a shorter run")]
+    TooManySteps {
+        /// The steps asked for.
+        steps: usize,
+    },
     /// A number that is not finite.
     #[error(
         "{quantity} is not finite. A load or an expression leaves its domain (division by zero, root of a negative number), \

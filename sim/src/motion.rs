@@ -18,7 +18,8 @@ pub fn accelerate<M: Mechanism>(
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
     let solved = mechanism.dynamics(time, q, qd);
-    if !solved.refused && is_finite(&solved.accelerations) {
+    if !solved.refused && is_finite(&solved.accelerations) && is_finite(&solved.multipliers) && solved.power.is_finite()
+    {
         return Ok(solved);
     }
     accelerate_by_pivoting(mechanism, time, q, qd)
@@ -63,6 +64,9 @@ fn accelerate_by_pivoting<M: Mechanism>(
     let accelerations = M::Q::from_fn(|i| solution[i]);
     let multipliers = M::L::from_fn(|i| solution[n + i]);
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
+    if !power.is_finite() {
+        return Err(fail(What::NotFinite { quantity: "the power of the loads".into() }));
+    }
     Ok(Dynamics { accelerations, multipliers, power, refused: false })
 }
 

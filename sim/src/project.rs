@@ -33,6 +33,10 @@ pub fn project_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -
         return Ok(linear);
     }
     for _ in 0..MOST_CORRECTIONS {
+        if let Some((row, value)) = largest(linear.values.iter()).filter(|(_, value)| !value.is_finite()) {
+            let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
+            return Err(Failure::at::<M>(What::NotFinite { quantity }, time, q));
+        }
         let correction = least_change::<M>(&linear, linear.values, time, q)?;
         subtract(q, &correction);
         linear = mechanism.constraint_linearization(time, q);

@@ -2,7 +2,7 @@
 
 use crate::assemble::{Start, assemble};
 use crate::events::{Occurrence, locate_events};
-use crate::failure::Failure;
+use crate::failure::{Failure, What};
 use crate::integrate::{RK4, integrate};
 use crate::motion::residuals;
 use crate::trajectory::Trajectory;
@@ -52,20 +52,24 @@ impl<M: Mechanism> Run<M> {
 /// If no start can be assembled. A failure on the way does not lose the run: it stands in its trajectory.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, grid: Grid) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
-    let mut samples = Vec::with_capacity(grid.steps + 1);
+    let mut samples = Vec::new();
+    let room = grid.steps.checked_add(1).is_some_and(|n| samples.try_reserve_exact(n).is_ok());
+    if !room {
+        return Err(Failure::at::<M>(What::TooManySteps { steps: grid.steps }, 0.0, &first.positions));
+    }
     let clock = Instant::now();
     let ended = integrate(&mechanism, &RK4, first, grid.end, grid.steps, |sample| samples.push(sample));
     let integration_time = clock.elapsed();
     let mut trajectory = Trajectory { samples, failure: ended.err() };
-    let events = locate_events(&mechanism, &trajectory.samples).unwrap_or_else(|failure| {
-        trajectory.failure.get_or_insert(failure);
-        vec![]
-    });
+    let (events, event_failure) = locate_events(&mechanism, &trajectory.samples);
+    if trajectory.failure.is_none() {
+        trajectory.failure = event_failure;
+    }
     let (mut position_residual, mut velocity_residual) = (0.0f64, 0.0f64);
     for sample in &trajectory.samples {
         let (position, velocity) = residuals(&mechanism, &sample.state);
-        position_residual = position_residual.max(position);
-        velocity_residual = velocity_residual.max(velocity);
+        position_residual = larger(position_residual, position);
+        velocity_residual = larger(velocity_residual, velocity);
     }
     let energy_balance = energy_balance(&mechanism, &trajectory);
     Ok(Run {
@@ -86,8 +90,13 @@ fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> f6
         let state = &sample.state;
         let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
         let balance = kinetic - state.work;
-        largest = largest.max(kinetic).max(state.work.abs());
-        change = change.max((balance - *start.get_or_insert(balance)).abs());
+        largest = larger(larger(largest, kinetic), state.work.abs());
+        change = larger(change, (balance - *start.get_or_insert(balance)).abs());
     }
-    if largest > 0.0 { change / largest } else { 0.0 }
+    if largest == 0.0 { 0.0 } else { change / largest }
+}
+
+/// The larger of two numbers; NaN, which `f64::max` would drop, stays.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }

@@ -68,7 +68,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "model": description.name,
         "parameters": parameters.collect::<Map<String, Value>>(),
         "initial": samples.first().map(|sample| state_object(description, &sample.state.positions, &sample.state.speeds)),
-        "method": { "name": crate::RK4.name, "projection": "positions and velocities", "steps": run.grid.steps, "step": run.grid.end / run.grid.steps as f64 },
+        "method": { "name": crate::RK4.name, "projection": "positions and velocities", "steps": run.grid.steps, "step": run.grid.end / run.grid.steps.max(1) as f64 },
         "end": { "asked": run.grid.end, "reached": last, "samples": samples.len() },
         "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),

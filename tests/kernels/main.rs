@@ -4,6 +4,7 @@
 
 mod allocation;
 mod determinism;
+mod evaluation;
 mod lagrange;
 mod mechanisms;
 mod oracle;

@@ -51,6 +51,21 @@ mechanism! {
     initial { phi = 0.4; dot(phi) = -1; }
 }
 
+mechanism! {
+    /// A wheel that turns evenly, with conditions that change sign without a root, and one that holds at the start.
+    Wheel;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; }
+    bodies { wheel: inertia J, angle phi; }
+    initial { phi = pi; dot(phi) = 10; }
+    events {
+        jump: atan2(sin(phi + pi/2), cos(phi + pi/2)) = 0;
+        pole: tan(phi) = 1;
+        edge: sqrt(phi - 4) = 5;
+        start: sin(phi) = 0;
+    }
+}
+
 /// Arithmetic-geometric mean.
 fn agm(mut a: f64, mut b: f64) -> f64 {
     while (a - b).abs() > 1e-15 * a {
@@ -78,6 +93,7 @@ fn a_pendulum_keeps_its_period() {
             run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
         };
         let expected = [period / 4.0, period * 0.75];
+        assert_eq!((times("quarter").len(), times("period").len()), (2, 2));
         for (found, expected) in times("quarter").iter().zip(expected) {
             assert!((found - expected).abs() < PERIOD_TOLERANCE, "{degrees}: {found} {expected}");
         }
@@ -153,4 +169,23 @@ fn a_shaken_pendulum_follows_the_equation_derived_by_hand() {
     }
     // The drive of the support does work; the balance counts it.
     assert!(run.energy_balance < 1e-9, "{}", run.energy_balance);
+}
+
+#[test]
+fn only_roots_are_events() {
+    // From pi to pi + 7.2 rad.
+    let run = run(Wheel::default(), 0.72, 100).unwrap();
+    let pi = std::f64::consts::PI;
+    let angles = |name: &str| -> Vec<f64> {
+        run.events.iter().filter(|event| event.name == name).map(|event| event.state.positions[0]).collect()
+    };
+    let near = |found: Vec<f64>, expected: &[f64]| {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        // 10 rad/s times the tolerance of times, and the method's own rounding.
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-10), "{found:?}");
+    };
+    near(angles("jump"), &[1.5 * pi]);
+    near(angles("pole"), &[1.25 * pi, 2.25 * pi, 3.25 * pi]);
+    near(angles("edge"), &[]);
+    near(angles("start"), &[2.0 * pi, 3.0 * pi]);
 }

@@ -83,7 +83,7 @@ impl Writer {
             // More than one empty line says no more than one.
             let lines = leaf.start.line.saturating_sub(at.line).min(2).max(closed.into());
             let spaces = match lines {
-                0 if at.line > 0 && leaf.start.line == at.line => leaf.start.column.saturating_sub(at.column),
+                0 if at.line > 0 && leaf.start.line == at.line => leaf.start.column.checked_sub(at.column).unwrap_or(1),
                 0 => 1,
                 _ => leaf.start.column - self.margin,
             };

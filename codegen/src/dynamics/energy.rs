@@ -30,7 +30,6 @@ impl Energy {
         let multipliers = model.multipliers();
         power.push(inner(model, &multipliers, &constraints.time_derivative));
         let twice = model.graph.sum(&twice_kinetic);
-        let half = Number::fraction(1, 2).unwrap_or(Number::ONE);
-        Energy { kinetic: model.graph.scale(&half, twice), power: model.graph.sum(&power) }
+        Energy { kinetic: model.graph.scale(&Number::HALF, twice), power: model.graph.sum(&power) }
     }
 }

@@ -49,12 +49,11 @@ fn kinetic_energy(model: &mut Model, rate: &mut Differential) -> Expr {
             mass.chain(body.rotation).collect::<Vec<_>>()
         })
         .collect();
-    let half = Number::fraction(1, 2).unwrap_or(Number::ONE);
     let mut terms = Vec::new();
     for (inertia, position) in moving {
         let speed = rate.of(&mut model.graph, position);
         let squared = model.graph.integer_power(speed, 2);
-        terms.push((model.graph.mul(inertia, squared), half.clone()));
+        terms.push((model.graph.mul(inertia, squared), Number::HALF));
     }
     model.graph.linear_combination(&terms)
 }

@@ -13,6 +13,11 @@ pub struct Outputs {
 }
 
 impl Outputs {
+    /// The outputs that have a rate, by index.
+    pub fn rated(&self) -> Vec<usize> {
+        (0..self.rates.len()).filter(|i| self.rates[*i].is_some()).collect()
+    }
+
     pub(super) fn derive(model: &mut Model) -> Outputs {
         let mut rate = model.time_derivative();
         let values: Vec<Expr> = model.outputs.iter().map(|output| output.value).collect();

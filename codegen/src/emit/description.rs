@@ -1,11 +1,13 @@
 //! What the mechanism says of itself.
 
-use super::{kebab_case, size, types::rated_outputs};
-use crate::model::{Model, Shape, Start, Unit};
+use super::{kebab_case, size};
+use crate::dynamics::EquationsOfMotion;
+use crate::model::{Shape, Start, Unit};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-pub(super) fn description(model: &Model, declaration: &str, path: &TokenStream) -> TokenStream {
+pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path: &TokenStream) -> TokenStream {
+    let model = &equations.model;
     let quantity = |name: &str, unit: &Unit, docs: &str| {
         let (text, factor) = (unit.text(), unit.factor());
         quote! { #path::Quantity { name: #name, unit: #text, factor: #factor, docs: #docs } }
@@ -31,7 +33,7 @@ pub(super) fn description(model: &Model, declaration: &str, path: &TokenStream) 
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let events = model.events.iter().map(|event| &event.name);
     let outputs = model.outputs.iter().map(|o| quantity(&o.name, &o.unit, &o.docs));
-    let rated = rated_outputs(model).into_iter().map(size);
+    let rated = equations.outputs.rated().into_iter().map(size);
     let figures = model.groups.iter().map(|group| {
         let (name, title, len) = (&group.name, &group.title, size(group.len));
         quote! { #path::Figure { name: #name, title: #title, len: #len } }

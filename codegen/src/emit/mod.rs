@@ -27,15 +27,19 @@ pub fn emit(
     program: &Program,
     path: &TokenStream,
 ) -> TokenStream {
-    let types = types::types(head, &equations.model, path);
+    let types = types::types(head, equations, path);
     let kernels = kernel::kernels(&equations.model, program, path);
-    let mechanism = types::mechanism_impl(&equations.model, program, declaration, path);
+    let mechanism = types::mechanism_impl(equations, program, declaration, path);
     quote! { #types #kernels #mechanism }
 }
 
 /// A name of the user's, raw where it is a keyword.
 fn ident(name: &str) -> Ident {
-    syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
+    match name {
+        // A keyword since edition 2024, which syn does not refuse.
+        "gen" => Ident::new_raw(name, Span::call_site()),
+        _ => syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site())),
+    }
 }
 
 /// A size, without a suffix.

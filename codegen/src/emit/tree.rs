@@ -82,6 +82,9 @@ fn product(factors: &[Tree]) -> TokenStream {
 
 fn constant(value: f64) -> TokenStream {
     let number = match value {
+        // What overflows in the derivation behaves as it would in arithmetic.
+        _ if value.is_nan() => quote! { ::core::f64::NAN },
+        _ if value.is_infinite() => quote! { ::core::f64::INFINITY },
         _ if value == PI => quote! { ::core::f64::consts::PI },
         _ if value == E => quote! { ::core::f64::consts::E },
         _ => {

@@ -5,6 +5,7 @@ use super::kernel::{arguments, record_of, returned_array};
 use super::record::record;
 use super::{ident, size};
 use crate::dsl::Head;
+use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Unit};
 use crate::program::{Kernel, Program, Results};
 use crate::symbolic::{Expr, evaluate};
@@ -20,14 +21,17 @@ pub(super) fn output_rates_name(model: &Model) -> Ident {
 }
 
 /// The types that a user names.
-pub(super) fn types(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
+pub(super) fn types(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+    let model = &equations.model;
     let visibility = &head.visibility;
     let mechanism = mechanism(head, model, path);
     let name = &model.name;
     let coordinates: Vec<_> =
         model.coordinates.iter().map(|c| (c.name.clone(), documented(&c.docs, &c.unit))).collect();
     let outputs: Vec<_> = model.outputs.iter().map(|o| (o.name.clone(), documented(&o.docs, &o.unit))).collect();
-    let rates: Vec<_> = rated_outputs(model)
+    let rates: Vec<_> = equations
+        .outputs
+        .rated()
         .into_iter()
         .map(|i| (model.outputs[i].name.clone(), vec![format!(" Rate of `{}`.", model.outputs[i].name)]))
         .collect();
@@ -65,15 +69,6 @@ fn documented(docs: &str, unit: &Unit) -> Vec<String> {
     text.lines().map(|line| format!(" {line}")).collect()
 }
 
-/// The outputs that have a rate.
-pub(super) fn rated_outputs(model: &Model) -> Vec<usize> {
-    use crate::model::Dependence;
-    let no_rate = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
-    let mut dependences = model.dependences.clone();
-    let has_rate = |i: &usize| !dependences.of(&model.graph, model.outputs[*i].value).meets(no_rate);
-    (0..model.outputs.len()).filter(has_rate).collect()
-}
-
 fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
     let (visibility, name) = (&head.visibility, ident(&model.name));
     let docs = model.docs.lines().map(|line| format!(" {line}"));
@@ -100,14 +95,20 @@ fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
 }
 
 /// The runtime's trait: sizes, description, and every kernel by name.
-pub(super) fn mechanism_impl(model: &Model, program: &Program, declaration: &str, path: &TokenStream) -> TokenStream {
+pub(super) fn mechanism_impl(
+    equations: &EquationsOfMotion,
+    program: &Program,
+    declaration: &str,
+    path: &TokenStream,
+) -> TokenStream {
+    let model = &equations.model;
     let name = ident(&model.name);
     let [n, m] = [model.coordinates.len(), model.constraints.len()];
     let z = size(n + m);
     let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
     let [events, rates, drawing] =
-        [model.events.len(), rated_outputs(model).len(), kernel_len(program, "drawing")].map(size);
-    let description = description(model, declaration, path);
+        [model.events.len(), equations.outputs.rated().len(), kernel_len(program, "drawing")].map(size);
+    let description = description(equations, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
     let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData });

@@ -67,13 +67,23 @@ fn constraint_rows(
         None => Unit::none(),
     };
     let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y"] };
-    for (value, suffix) in components.into_iter().zip(suffixes) {
-        if !i.dependences.of(&i.graph, value).meets(Dependence::COORDINATE) {
-            return i.refuse(Region::from(&equation.name), format!("no coordinate moves constraint `{name}{suffix}`: it holds always or never; leave it out, or let it depend on a coordinate"));
+    let named: Vec<_> = components.into_iter().zip(suffixes.iter().map(|suffix| format!("{name}{suffix}"))).collect();
+    for (value, row) in &named {
+        if !i.dependences.of(&i.graph, *value).meets(Dependence::COORDINATE) {
+            let message = format!(
+                "no coordinate moves constraint `{row}`: it holds always or never; leave it out, or let it depend on a coordinate"
+            );
+            return i.refuse(Region::from(&equation.name), message);
         }
-        let multiplier = i.graph.symbol(&format!("lambda_{name}{suffix}"));
+        if rows.iter().any(|other| other.name == *row) {
+            let message = format!("two constraint rows would be called `{row}`; choose another name for one of them");
+            return i.refuse(Region::from(&equation.name), message);
+        }
+    }
+    for (value, name) in named {
+        let multiplier = i.graph.symbol(&format!("lambda_{name}"));
         i.dependences.declare(multiplier, Dependence::MULTIPLIER);
-        rows.push(Constraint { name: format!("{name}{suffix}"), value, multiplier, unit: unit.clone() });
+        rows.push(Constraint { name, value, multiplier, unit: unit.clone() });
     }
     Some(())
 }

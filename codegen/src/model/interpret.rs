@@ -48,8 +48,13 @@ impl Interpreter {
 
     /// A vector of the plane.
     pub(super) fn point(&mut self, expression: &Expression) -> Option<Point> {
-        match self.value(expression)?.shape {
-            Shape::Vector(point) => Some(point),
+        self.point_value(expression).map(|(point, _)| point)
+    }
+
+    fn point_value(&mut self, expression: &Expression) -> Option<(Point, Option<Dimension>)> {
+        let value = self.value(expression)?;
+        match value.shape {
+            Shape::Vector(point) => Some((point, value.dimension)),
             Shape::Scalar(_) => {
                 self.refuse(expression.region, "a scalar stands where a vector belongs; a vector is written `[x, y]`")
             }
@@ -81,16 +86,20 @@ impl Interpreter {
             Kind::Call(function, arguments) => self.call(region, function, arguments),
             Kind::Component(vector, name) => self.component(vector, name),
         }?;
-        self.check_constants(region, &value)?;
+        self.check_constants(region, &value.components())?;
         Some(value)
     }
 
-    /// Refuses a constant that is no real number, such as `sqrt(-1)`.
-    fn check_constants(&mut self, region: Region, value: &Value) -> Option<()> {
-        for component in value.components() {
-            let constant = self.dependences.of(&self.graph, component) == Dependence::NONE;
-            if constant && !evaluate(&self.graph, &[component], |_| f64::NAN)[0].is_finite() {
+    /// Refuses constants that are no real numbers, such as `sqrt(-1)`, and coefficients beyond the range of `f64`.
+    pub(super) fn check_constants(&mut self, region: Region, values: &[Expr]) -> Option<()> {
+        for value in values {
+            let constant = self.dependences.of(&self.graph, *value) == Dependence::NONE;
+            if constant && !evaluate(&self.graph, &[*value], |_| f64::NAN)[0].is_finite() {
                 return self.refuse(region, "this is not a finite real number");
+            }
+            if !self.graph.numbers_in_range(*value) {
+                return self
+                    .refuse(region, "a coefficient here is outside the range of numbers (about 1e-308 to 1e308)");
             }
         }
         Some(())
@@ -275,16 +284,15 @@ impl Interpreter {
             }
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
-                let dimension = self.value(a)?.dimension;
-                let a = self.point(a)?;
+                let (a, dimension) = self.point_value(a)?;
                 let square = self.inner(a, a);
                 Some(Value::scalar(self.graph.sqrt(square), dimension))
             }
             "inner" => {
                 let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
-                let dimensions = (self.value(a)?.dimension, self.value(b)?.dimension);
-                let (a, b) = (self.point(a)?, self.point(b)?);
-                let dimension = dimensions.0.zip(dimensions.1).map(|(a, b)| a.times(&b));
+                let (a, b) = (self.point_value(a), self.point_value(b));
+                let ((a, da), (b, db)) = (a?, b?);
+                let dimension = da.zip(db).map(|(a, b)| a.times(&b));
                 Some(Value::scalar(self.inner(a, b), dimension))
             }
             "dot" => {

@@ -28,11 +28,7 @@ pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter
     let mut coordinates: Vec<Coordinate> = Vec::new();
     for c in &declaration.coordinates {
         let name = plain(&c.name);
-        if let Some(base) = rate_of(&name, declaration.coordinates.iter().map(|c| plain(&c.name))) {
-            i.mistakes.add(Region::from(&c.name).error(format!(
-                "`{name}` is the name of a rate of `{base}` in files and on the command line; choose another name"
-            )));
-        }
+        refuse_rate(&c.name, declaration, i);
         let unit = resolve_unit(&c.unit, i);
         let position = i.graph.symbol(&name);
         let speed = i.graph.symbol(&format!("{name}_dot"));
@@ -48,16 +44,24 @@ pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter
     coordinates
 }
 
-/// The coordinate of which this is the name of a speed or acceleration.
-fn rate_of(name: &str, mut coordinates: impl Iterator<Item = String>) -> Option<String> {
-    let base = name.strip_suffix("_dot").or_else(|| name.strip_suffix("_ddot"))?;
-    coordinates.find(|coordinate| coordinate == base)
+/// Refuses a name that the speed or acceleration of a coordinate has already.
+fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Interpreter) {
+    let text = plain(name);
+    let base = text.strip_suffix("_dot").or_else(|| text.strip_suffix("_ddot"));
+    let coordinate = declaration.coordinates.iter().map(|c| plain(&c.name)).find(|c| Some(c.as_str()) == base);
+    if let Some(coordinate) = coordinate {
+        let message = format!(
+            "`{text}` is the name of a rate of `{coordinate}` in files and on the command line; choose another name"
+        );
+        i.mistakes.add(Region::from(name).error(message));
+    }
 }
 
 pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter) -> Vec<Parameter> {
     let mut parameters = Vec::new();
     for p in &declaration.parameters {
         let name = plain(&p.name);
+        refuse_rate(&p.name, declaration, i);
         let unit = resolve_unit(&p.unit, i);
         let symbol = i.graph.symbol(&name);
         i.dependences.declare(symbol, Dependence::PARAMETER);
@@ -93,6 +97,7 @@ pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Ve
             }
             None => i.value(&definition.value),
         };
+        refuse_rate(&definition.name, declaration, i);
         let name = plain(&definition.name);
         match value.as_ref().map(|value| value.shape) {
             Some(Shape::Scalar(scalar)) => named.push((name, scalar)),

@@ -44,8 +44,8 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     };
     let i = &mut interpreter;
     let mut coordinates = resolve_coordinates(declaration, i);
-    let parameters = resolve_parameters(declaration, i);
     i.motion = time_derivative(&mut i.graph, time, &coordinates);
+    let parameters = resolve_parameters(declaration, i);
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
     let loads = resolve_loads(declaration, &bodies, &body_names, i);

@@ -1,6 +1,7 @@
 //! The `initial` block.
 
 use super::interpret::Interpreter;
+use super::level::MOVING;
 use super::scope::plain;
 use super::{Coordinate, Dependence, Start, Unit};
 use crate::dsl::{self, Expression, InitialKind, Kind, Region};
@@ -45,7 +46,7 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
 
 fn start_value(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
     let value = in_unit(expression, unit, interpreter)?;
-    let moving = Dependence::COORDINATE.or(Dependence::SPEED).or(Dependence::TIME);
+    let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER);
     interpreter.restrict(expression.region, &[value], moving, "a start value is made of numbers and parameters")?;
     Some(value)
 }
@@ -67,7 +68,9 @@ pub(super) fn in_unit(expression: &Expression, unit: &Unit, interpreter: &mut In
         };
     }
     let factor = unit.factor_expression(&mut interpreter.graph);
-    Some(interpreter.graph.mul(value, factor))
+    let value = interpreter.graph.mul(value, factor);
+    interpreter.check_constants(expression.region, &[value])?;
+    Some(value)
 }
 
 /// Whether no name but pi and e occurs.

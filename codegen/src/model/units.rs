@@ -94,6 +94,10 @@ impl Unit {
             resolved.rational = &resolved.rational * &power;
             resolved.pi_power += pi_power * exponent;
         }
+        let factor = resolved.factor();
+        if !factor.is_finite() || factor == 0.0 {
+            return Err(unit.region.error("the size of this unit is outside the range of numbers"));
+        }
         Ok(resolved)
     }
 

@@ -37,9 +37,11 @@ impl<'a> Lowering<'a> {
         let value = match graph.node(expr) {
             Node::Number(number) => self.values.constant(number.to_f64()),
             Node::Constant(constant) => self.values.constant(constant.to_f64()),
-            // A symbol that is no input of this program cannot occur: the model has no others.
             Node::Symbol(symbol) => {
-                let input = self.inputs.get(symbol).copied().unwrap_or(Input::Time);
+                let Some(input) = self.inputs.get(symbol).copied() else {
+                    // The model has no other symbols; were there one, its value would be unknown.
+                    return self.values.constant(f64::NAN);
+                };
                 self.computed.get(&input).copied().unwrap_or_else(|| self.values.add(Operation::Input(input)))
             }
             Node::Sum { constant, terms } => self.sum(constant, terms),

@@ -150,7 +150,8 @@ impl<'a> Schedule<'a> {
         let boxed = |value: &Value| Box::new(self.tree(*value));
         match self.values.operation(value) {
             Operation::Constant(bits) => Tree::Constant(f64::from_bits(*bits)),
-            Operation::Input(_) => Tree::Constant(0.0),
+            // Every input has a name.
+            Operation::Input(_) => Tree::Constant(f64::NAN),
             Operation::Sum(terms) => {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
             }

@@ -176,6 +176,20 @@ impl Graph {
         self.as_number(expr).is_some_and(Number::is_zero)
     }
 
+    /// Whether the numbers that an expression itself is made of are within the range of `f64`.
+    pub fn numbers_in_range(&self, expr: Expr) -> bool {
+        let in_range = |number: &Number| {
+            let value = number.to_f64();
+            value.is_finite() && (value != 0.0 || number.is_zero())
+        };
+        match self.node(expr) {
+            Node::Number(value) => in_range(value),
+            Node::Sum { constant, terms } => in_range(constant) && terms.iter().all(|(_, c)| in_range(c)),
+            Node::Product { coefficient, .. } => in_range(coefficient),
+            _ => true,
+        }
+    }
+
     /// The expressions a node is made of, in order.
     pub fn operands(&self, expr: Expr) -> Vec<Expr> {
         match self.node(expr) {

@@ -28,6 +28,8 @@ impl Number {
     pub const ZERO: Number = Number(Repr::Small(0, 1));
     /// 1.
     pub const ONE: Number = Number(Repr::Small(1, 1));
+    /// 1/2.
+    pub const HALF: Number = Number(Repr::Small(1, 2));
     /// -1.
     pub const MINUS_ONE: Number = Number(Repr::Small(-1, 1));
 

@@ -20,7 +20,7 @@ pub use scalar::{Mask, Scalar};
 #[doc(hidden)]
 pub use mechanism_macros::mechanism_at as __mechanism_at;
 
-/// Declares a mechanism: see the language reference, `docs/language.md`.
+/// Declares a mechanism: see the language reference, `LANGUAGE.md` at the project's root.
 #[cfg(feature = "macros")]
 #[macro_export]
 macro_rules! mechanism {

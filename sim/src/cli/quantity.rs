@@ -13,7 +13,8 @@ pub(super) fn split_assignment<'a>(option: &str, text: &'a str) -> Result<(&'a s
 
 /// A value in SI units: a number in `default_unit`, or a number with a unit of its dimension.
 pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Result<f64, Stop> {
-    let fail = |reason: String| Stop::Usage(format!("{what}: {reason}"));
+    let fail = |reason: String| -> Stop { Stop::Usage(format!("{what}: {reason}")) };
+    let finite = |si: f64| if si.is_finite() { Ok(si) } else { Err(fail(format!("`{text}` is too large"))) };
     let (number, unit) = split_number(text.trim());
     let value: f64 = number
         .parse()
@@ -23,7 +24,7 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
     let declared = Unit::parse(default_unit).map_err(fail)?;
     let unit = unit.trim().trim_start_matches('[').trim_end_matches(']');
     if unit.is_empty() {
-        return Ok(value * declared.factor());
+        return finite(value * declared.factor());
     }
     let given = Unit::parse(unit).map_err(fail)?;
     if given.dimension() != declared.dimension() {
@@ -33,7 +34,7 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
             declared.dimension().si_unit()
         )));
     }
-    Ok(value * given.factor())
+    finite(value * given.factor())
 }
 
 /// The longest start that is a number, and the rest.

@@ -13,8 +13,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Steps beyond which a run would not fit in memory.
-const MOST_STEPS: usize = 100_000_000;
+/// Steps beyond which the files of a run would take gigabytes.
+const MOST_STEPS: usize = 10_000_000;
 
 /// Runs a mechanism, writes what it found, and prints a short table.
 pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments) -> Result<(), Stop> {

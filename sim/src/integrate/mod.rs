@@ -61,7 +61,7 @@ fn advance<M: Mechanism, const STAGES: usize>(
         rates[stage] = Rates::of(&inner.speeds, &dynamics);
     }
     let end = combine(start, h, &tableau.b, &rates, time);
-    let finite = end.positions.iter().chain(end.speeds.iter()).all(|value| value.is_finite());
+    let finite = end.positions.iter().chain(end.speeds.iter()).chain([&end.work]).all(|value| value.is_finite());
     match finite {
         true => Ok(end),
         false => Err(Failure::at::<M>(

@@ -1,13 +1,20 @@
 //! Names that are keywords, prelude names or names inside the generated code.
 #![deny(warnings)]
 
+// What the user's module has under the same names.
+#[allow(dead_code)]
+const N: f64 = 1.0;
+#[allow(dead_code)]
+struct P;
+
 sim_kernel::mechanism! {
     /// A spring pendulum.
     pub Names;
-    coordinates { r#type [m]; q [rad]; }
+    coordinates { r#type [m]; q [rad]; N [rad]; r#gen [m]; }
     parameters { S [m] = 1; r#fn [kg] = 2; value = 3; self_mass [kg] = 1; lambda [N/m] = 50; f64 = 1; }
     let Some = (S + r#type)*[sin(q), -cos(q)];
-    bodies { r#loop: mass r#fn + self_mass at Some; }
+    let P = N + q;
+    bodies { r#loop: mass r#fn + self_mass at Some, inertia value, angle P*sin(P); other: mass value at [r#gen, P^2]; }
     loads { gravity [0, -9.81]; force -lambda*r#type*[sin(q), -cos(q)]*f64 at Some; }
     initial { q = 0.3; }
     outputs { refused [m] = Some.x*value; Ok = dot(q); }
@@ -16,7 +23,7 @@ sim_kernel::mechanism! {
 fn main() {
     use sim_kernel::Mechanism;
     let mechanism: Names = Names { S: 2.0, ..Names::default() };
-    let coordinates = NamesCoordinates { r#type: 0.1, q: 0.2 };
-    let solved = mechanism.dynamics(0.0, &coordinates.into(), &[0.0; 2]);
+    let coordinates = NamesCoordinates { r#type: 0.1, q: 0.2, N: 0.3, r#gen: 0.4 };
+    let solved = mechanism.dynamics(0.0, &coordinates.into(), &[0.0; 4]);
     assert!(!solved.refused && Names::<f32>::defaults().S == 1.0);
 }
