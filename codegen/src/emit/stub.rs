@@ -1,4 +1,4 @@
-//! What stands in for a mechanism whose declaration has mistakes, so that each mistake shows once.
+//! What stands in for a mechanism whose declaration has mistakes, so that uses of it are not mistakes too, as far as they go through the trait.
 
 use crate::dsl::Head;
 use proc_macro2::TokenStream;
