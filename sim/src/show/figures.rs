@@ -58,15 +58,13 @@ fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
 
 /// What the curves are, with their unit.
 fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
-    let mut units: Vec<&str> = columns.iter().map(|column| column.unit).collect();
-    let mut seen = Vec::new();
-    units.retain(|unit| {
-        !seen.contains(unit) && {
-            seen.push(*unit);
-            true
+    let mut units: Vec<String> = Vec::new();
+    for column in columns {
+        let unit = format!("[{}]", column.unit);
+        if !units.contains(&unit) {
+            units.push(unit);
         }
-    });
-    let units: Vec<String> = units.iter().map(|unit| format!("[{unit}]")).collect();
+    }
     let what = if let [label] = labels { (*label).to_owned() } else { name.replace('_', " ") };
     format!("{what} {}", units.join(", "))
 }
