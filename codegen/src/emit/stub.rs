@@ -58,6 +58,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type OutputRates = [S; 0];
             type Events = [S; 0];
             type Drawing = [S; 0];
+            type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
@@ -72,6 +73,9 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             }
             fn with_parameters(parameters: [S; 0]) -> Self {
                 Self(::core::marker::PhantomData)
+            }
+            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+                #name(::core::marker::PhantomData)
             }
             fn initial(&self) -> #path::Initial<[S; 0]> {
                 loop {}

@@ -129,6 +129,7 @@ pub(super) fn mechanism_impl(
             type OutputRates = [S; #rates];
             type Events = [S; #events];
             type Drawing = [S; #drawing];
+            type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #description;
 
@@ -142,6 +143,10 @@ pub(super) fn mechanism_impl(
 
             fn with_parameters(parameters: [S; #p]) -> Self {
                 Self { #(#fields: parameters[#places],)* #marker }
+            }
+
+            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+                #name { #(#fields: convert(self.#fields),)* #marker }
             }
 
             #(#forwards)*

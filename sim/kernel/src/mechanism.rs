@@ -33,6 +33,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type Events: Array<S>;
     /// Numbers of the drawing.
     type Drawing: Array<S>;
+    /// The same mechanism on other numbers.
+    type On<T: Scalar>: Mechanism<T>;
 
     /// Names, units, documentation.
     const DESCRIPTION: Description;
@@ -43,6 +45,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn parameters(&self) -> Self::Parameters;
     /// The mechanism with these parameters.
     fn with_parameters(parameters: Self::Parameters) -> Self;
+    /// The same mechanism on other numbers, each parameter converted.
+    fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Self::On<T>;
     /// The declared start.
     fn initial(&self) -> Initial<Self::Q>;
 
