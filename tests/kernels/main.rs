@@ -4,7 +4,9 @@
 
 mod allocation;
 mod determinism;
+mod dual;
 mod evaluation;
 mod lagrange;
+mod lanes;
 mod mechanisms;
 mod oracle;
