@@ -13,6 +13,8 @@ const LANES: usize = 8;
 type Solution<M> = Dynamics<f64, <M as Mechanism>::Q, <M as Mechanism>::L>;
 /// A mechanism of which every lane is another trajectory.
 type InLanes<M> = <M as Mechanism>::On<Lanes<LANES>>;
+/// What its equations of motion need of the parameters.
+type Prepared<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Prepared;
 /// Its coordinates.
 type Q<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Q;
 /// What is found in all lanes.
@@ -64,7 +66,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
     #[inline(always)]
     fn run(self) -> Vec<(usize, Failure)> {
         let mut failures = Vec::new();
-        let in_lanes = self.mechanism.on(Lanes::from_f64);
+        let prepared = self.mechanism.on(Lanes::from_f64).prepare();
         for first in (0..self.states.len()).step_by(LANES) {
             let (states, found) = (&self.states[first..], &mut self.found[first..]);
             let filled;
@@ -75,7 +77,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
                     &filled
                 }
             };
-            let solved = dynamics::<M>(&in_lanes, chunk);
+            let solved = dynamics::<M>(&prepared, chunk);
             if (solved.refused | is_not_finite::<M>(&solved)).any() {
                 one_by_one(self.mechanism, first, states, found, &mut failures);
             } else if let Some(found) = found.first_chunk_mut() {
@@ -99,7 +101,7 @@ fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
 
 /// The kernel at as many states as there are lanes.
 #[inline(always)]
-fn dynamics<M: Mechanism>(mechanism: &InLanes<M>, states: &[State<M>; LANES]) -> Solutions<M> {
+fn dynamics<M: Mechanism>(prepared: &Prepared<M>, states: &[State<M>; LANES]) -> Solutions<M> {
     let zero = Lanes::from_f64(0.0);
     let (mut time, mut positions, mut speeds) = (zero, Q::<M>::filled(zero), Q::<M>::filled(zero));
     for lane in 0..LANES {
@@ -109,7 +111,7 @@ fn dynamics<M: Mechanism>(mechanism: &InLanes<M>, states: &[State<M>; LANES]) ->
             speeds[i].set_lane(lane, states[lane].speeds[i]);
         }
     }
-    mechanism.dynamics(time, &positions, &speeds)
+    InLanes::<M>::prepared_dynamics(prepared, time, &positions, &speeds)
 }
 
 /// Where anything of a solution is infinite or NaN.

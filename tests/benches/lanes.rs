@@ -4,7 +4,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{Andrews, QuickReturn, QuickReturnRatio};
-use sim::{Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate, accelerate_each_with};
+use sim::{Dynamics, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
 use std::hint::black_box;
 use tests::{run, shortest};
 
@@ -34,9 +34,10 @@ fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
     let samples = &found.trajectory.samples;
     let states: Vec<State<M>> = (0..STATES).map(|i| samples[i * 7 % samples.len()].state).collect();
     let mechanism = black_box(mechanism);
+    let prepared = black_box(mechanism.prepare());
     let scalar = per_element(|| {
         for state in &states {
-            let _ = black_box(one(&mechanism, state));
+            black_box(one::<M>(&prepared, state));
         }
     });
     let mut solved = Vec::new();
@@ -52,8 +53,8 @@ fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
 }
 
 #[inline(never)]
-fn one<M: Mechanism>(mechanism: &M, state: &State<M>) -> Result<sim::Dynamics<f64, M::Q, M::L>, sim::Failure> {
-    accelerate(mechanism, state.time, &state.positions, &state.speeds)
+fn one<M: Mechanism>(prepared: &M::Prepared, state: &State<M>) -> Dynamics<f64, M::Q, M::L> {
+    M::prepared_dynamics(prepared, state.time, &state.positions, &state.speeds)
 }
 
 fn per_element(f: impl FnMut()) -> f64 {

@@ -17,7 +17,9 @@ pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
 pub use dual::Dual;
 pub use lanes::{LaneMask, Lanes};
-pub use mechanism::{ConstraintLinearization, Dynamics, Initial, Mechanism, pivot_is_refused};
+pub use mechanism::{
+    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
+};
 pub use scalar::{Mask, Scalar};
 
 #[cfg(feature = "macros")]
