@@ -102,16 +102,18 @@ fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
 /// The kernel at as many states as there are lanes.
 #[inline(always)]
 fn dynamics<M: Mechanism>(prepared: &Prepared<M>, states: &[State<M>; LANES]) -> Solutions<M> {
-    let zero = Lanes::from_f64(0.0);
-    let (mut time, mut positions, mut speeds) = (zero, Q::<M>::filled(zero), Q::<M>::filled(zero));
-    for lane in 0..LANES {
-        time.set_lane(lane, states[lane].time);
-        for i in 0..M::Q::LEN {
-            positions[i].set_lane(lane, states[lane].positions[i]);
-            speeds[i].set_lane(lane, states[lane].speeds[i]);
-        }
+    let (mut positions, mut speeds) = (Q::<M>::filled(Lanes::from_f64(0.0)), Q::<M>::filled(Lanes::from_f64(0.0)));
+    for i in 0..M::Q::LEN {
+        positions[i] = column(states, |state| state.positions[i]);
+        speeds[i] = column(states, |state| state.speeds[i]);
     }
+    let time = column(states, |state| state.time);
     InLanes::<M>::prepared_dynamics(prepared, time, &positions, &speeds)
+}
+
+#[inline(always)]
+fn column<T>([a, b, c, d, e, f, g, h]: &[T; LANES], entry: impl Fn(&T) -> f64) -> Lanes<LANES> {
+    Lanes::from([entry(a), entry(b), entry(c), entry(d), entry(e), entry(f), entry(g), entry(h)])
 }
 
 /// Where anything of a solution is infinite or NaN.

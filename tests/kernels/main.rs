@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod allocation;
+mod by_hand;
 mod determinism;
 mod dual;
 mod evaluation;

@@ -36,12 +36,6 @@ impl<const N: usize> Lanes<N> {
         self.0[lane]
     }
 
-    /// Another number in one lane.
-    #[inline(always)]
-    pub fn set_lane(&mut self, lane: usize, value: f64) {
-        self.0[lane] = value;
-    }
-
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         Lanes::from_fn(|lane| f(self.0[lane]))
@@ -50,6 +44,13 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     fn both(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Lanes::from_fn(|lane| f(self.0[lane], other.0[lane]))
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Lanes<N> {
+    #[inline(always)]
+    fn from(lanes: [f64; N]) -> Self {
+        Lanes(lanes)
     }
 }
 
