@@ -212,14 +212,17 @@ fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
                 self.#function(#(#names),*) #to_array
             }
         },
-        Receiver::Prepared => {
-            let of_prepared = format_ident!("prepared_{}", kernel.name);
-            quote! {
-                #[inline(always)]
-                fn #of_prepared(prepared: &Self::Prepared #(, #list)*) -> #returns {
-                    prepared.#function(#(#names),*)
-                }
+        Receiver::Prepared if kernel.name == "dynamics" => quote! {
+            #[inline(always)]
+            fn prepared_dynamics(prepared: &Self::Prepared #(, #list)*) -> #returns {
+                prepared.#function(#(#names),*)
             }
-        }
+        },
+        Receiver::Prepared => quote! {
+            #[inline(always)]
+            fn #function(&self #(, #list)*) -> #returns {
+                self.prepare().#function(#(#names),*)
+            }
+        },
     }
 }
