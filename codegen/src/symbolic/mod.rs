@@ -28,4 +28,4 @@ pub use function::Function;
 pub use graph::{Constant, Expr, Graph, Node, Symbol};
 pub use number::Number;
 pub use print::infix;
-pub use substitute::substitute;
+pub use substitute::{substitute, with_operands};
