@@ -68,7 +68,8 @@ fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
 
 type InLanes<M> = <M as Mechanism>::On<Lanes<8>>;
 type Q<M> = <InLanes<M> as Mechanism<Lanes<8>>>::Q;
-type L<M> = <InLanes<M> as Mechanism<Lanes<8>>>::L;
+/// What the kernel finds for eight trajectories.
+type Solved<M> = Dynamics<Lanes<8>, Q<M>, <InLanes<M> as Mechanism<Lanes<8>>>::L>;
 
 fn in_lanes<M: Mechanism>(states: &[State<M>]) -> Vec<[Q<M>; 2]> {
     let chunk = |states: &[State<M>]| {
@@ -82,7 +83,7 @@ fn in_lanes<M: Mechanism>(states: &[State<M>]) -> Vec<[Q<M>; 2]> {
 struct Resident<'a, M: Mechanism> {
     prepared: &'a <InLanes<M> as Mechanism<Lanes<8>>>::Prepared,
     states: &'a [[Q<M>; 2]],
-    found: &'a mut [Option<Dynamics<Lanes<8>, Q<M>, L<M>>>],
+    found: &'a mut [Option<Solved<M>>],
 }
 
 impl<M: Mechanism> Work for Resident<'_, M> {
