@@ -9,6 +9,8 @@ use crate::symbolic::{Expr, Graph};
 
 /// What fits on a line.
 pub(super) const LINE: usize = 90;
+/// What may stand inside of something else.
+const WIDEST_INSIDE: usize = 60;
 /// From this width on, what occurs twice has a name.
 const WORTH_A_NAME: usize = 24;
 
@@ -34,7 +36,7 @@ pub(super) fn names(model: &Model, roots: &[Expr]) -> (Names, Vec<Expr>) {
         let width = set_width(&Translation { graph, names: &names }.definition(expr));
         let Uses { operands, is_root } = uses[expr.index()];
         let shared = width >= WORTH_A_NAME && operands + usize::from(is_root) > 1;
-        let too_wide = width > LINE && operands > 0;
+        let too_wide = width > WIDEST_INSIDE && operands > 0;
         if shared || too_wide {
             count += 1;
             names.name_expression(expr, &format!("{prefix}_{count}"));
