@@ -1,6 +1,7 @@
 //! Stage 4: equations to straight-line programs, one for each kernel: what is shared, how the equations are
 //! solved, in which order things are computed and under which names.
 
+mod diagram;
 mod eliminate;
 mod kernels;
 mod lower;
@@ -9,6 +10,7 @@ mod operations;
 mod schedule;
 mod values;
 
+pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
 pub use values::Input;

@@ -1,0 +1,1173 @@
+/// Quick-return mechanism: crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.
+///
+/// The fields are its parameters, in SI units; the methods are its kernels.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturn<S = ::core::primitive::f64> {
+    /// Length of crank 2, in `m`.
+    pub O2A: S,
+    /// Length of rocker 4, in `m`.
+    pub O4B: S,
+    /// Length of bar 5, in `m`.
+    pub BC: S,
+    /// Distance of the fixed pivots, in `m`.
+    pub O4O2: S,
+    /// Centre of mass of rocker 4, in `m`.
+    pub O4G4: S,
+    /// Centre of mass of bar 5, in `m`.
+    pub BG5: S,
+    /// Height of the guide, in `m`.
+    pub yc: S,
+    /// Mass of slider 3, in `kg`.
+    pub m3: S,
+    /// Mass of rocker 4, in `kg`.
+    pub m4: S,
+    /// Mass of bar 5, in `kg`.
+    pub m5: S,
+    /// Mass of slider 6, in `kg`.
+    pub m6: S,
+    /// Inertia of crank 2 with its flywheel, about O2, in `kg*m^2`.
+    pub J2: S,
+    /// Inertia of slider 3, in `kg*m^2`.
+    pub J3: S,
+    /// Inertia of rocker 4, in `kg*m^2`.
+    pub J4: S,
+    /// Inertia of bar 5, in `kg*m^2`.
+    pub J5: S,
+    /// Force on slider 6, along +x, in `N`.
+    pub F: S,
+    /// Torque on crank 2, in `N*m`.
+    pub T: S,
+}
+impl<S: sim_kernel::Scalar> ::core::default::Default for QuickReturn<S> {
+    /// The declared values.
+    fn default() -> Self {
+        <Self as sim_kernel::Mechanism<S>>::defaults()
+    }
+}
+/// Coordinates of [`QuickReturn`] by name, in SI units; also for their speeds and accelerations.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnCoordinates<S = ::core::primitive::f64> {
+    /// Angle of crank 2, in `rad`.
+    pub alpha: S,
+    /// Angle of rocker 4, and of slider 3 on it, in `rad`.
+    pub beta: S,
+    /// Angle of bar 5, in `rad`.
+    pub gamma: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 3]> for QuickReturnCoordinates<S> {
+    fn from(values: [S; 3]) -> Self {
+        Self {
+            alpha: values[0],
+            beta: values[1],
+            gamma: values[2],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnCoordinates<S>> for [S; 3] {
+    fn from(record: QuickReturnCoordinates<S>) -> Self {
+        [record.alpha, record.beta, record.gamma]
+    }
+}
+/// Outputs of [`QuickReturn`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnOutputs<S = ::core::primitive::f64> {
+    /// crank 2, in `rad/s`.
+    pub crank_speed: S,
+    /// rocker 4, in `rad/s`.
+    pub rocker_speed: S,
+    /// bar 5, in `rad/s`.
+    pub bar_speed: S,
+    /// sliding speed, d|O4 A|/dt, in `m/s`.
+    pub sliding_speed: S,
+    /// the report's |v_A| - |v_G4|, in `m/s`.
+    pub speed_difference: S,
+    /// position, in `m`.
+    pub x6: S,
+    /// velocity, in `m/s`.
+    pub x6_velocity: S,
+    /// acceleration, in `m/s^2`.
+    pub x6_acceleration: S,
+    /// slider 3 on rocker 4, in `N`.
+    pub normal_force_slider3: S,
+    /// slider 6 on the ground, in `N`.
+    pub normal_force_slider6: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 10]> for QuickReturnOutputs<S> {
+    fn from(values: [S; 10]) -> Self {
+        Self {
+            crank_speed: values[0],
+            rocker_speed: values[1],
+            bar_speed: values[2],
+            sliding_speed: values[3],
+            speed_difference: values[4],
+            x6: values[5],
+            x6_velocity: values[6],
+            x6_acceleration: values[7],
+            normal_force_slider3: values[8],
+            normal_force_slider6: values[9],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnOutputs<S>> for [S; 10] {
+    fn from(record: QuickReturnOutputs<S>) -> Self {
+        [
+            record.crank_speed,
+            record.rocker_speed,
+            record.bar_speed,
+            record.sliding_speed,
+            record.speed_difference,
+            record.x6,
+            record.x6_velocity,
+            record.x6_acceleration,
+            record.normal_force_slider3,
+            record.normal_force_slider6,
+        ]
+    }
+}
+/// Rates of the outputs of [`QuickReturn`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnOutputRates<S = ::core::primitive::f64> {
+    /// Rate of `crank_speed`.
+    pub crank_speed: S,
+    /// Rate of `rocker_speed`.
+    pub rocker_speed: S,
+    /// Rate of `bar_speed`.
+    pub bar_speed: S,
+    /// Rate of `sliding_speed`.
+    pub sliding_speed: S,
+    /// Rate of `speed_difference`.
+    pub speed_difference: S,
+    /// Rate of `x6`.
+    pub x6: S,
+    /// Rate of `x6_velocity`.
+    pub x6_velocity: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 7]> for QuickReturnOutputRates<S> {
+    fn from(values: [S; 7]) -> Self {
+        Self {
+            crank_speed: values[0],
+            rocker_speed: values[1],
+            bar_speed: values[2],
+            sliding_speed: values[3],
+            speed_difference: values[4],
+            x6: values[5],
+            x6_velocity: values[6],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnOutputRates<S>> for [S; 7] {
+    fn from(record: QuickReturnOutputRates<S>) -> Self {
+        [
+            record.crank_speed,
+            record.rocker_speed,
+            record.bar_speed,
+            record.sliding_speed,
+            record.speed_difference,
+            record.x6,
+            record.x6_velocity,
+        ]
+    }
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> QuickReturn<S> {
+    /// Accelerations (3), multipliers (2) and power, from
+    ///
+    /// ```text
+    /// [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]
+    /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
+    /// ```
+    ///
+    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    ///
+    /// Operations: 65 additions, 130 multiplications, 5 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
+        let O4B_squared = self.O4B * self.O4B;
+        let mass_beta_beta = self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4
+            + O4B_squared * self.m5 + O4B_squared * self.m6;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = self.O4B * self.BC * self.m6 * cos_beta * cos_gamma;
+        let mass_gamma_beta = self.O4B * self.BG5 * self.m5 * sin_beta * sin_gamma
+            + self.O4B * self.BG5 * self.m5 * cos_beta * cos_gamma
+            + self.O4B * self.BC * self.m6 * sin_beta * sin_gamma + w;
+        let mass_gamma_gamma = self.J5 + self.BG5 * self.BG5 * self.m5
+            + self.BC * self.BC * self.m6;
+        let guide_by_gamma = self.BC * cos_gamma;
+        let w_2 = self.O2A * cos_alpha * cos_beta;
+        let slot_by_alpha = w_2 + self.O2A * sin_alpha * sin_beta;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let minus_slot_by_beta = w_2 + A_y * sin_beta;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w_3 = beta_dot_squared * self.O4B * cos_beta;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_4 = w_3 + gamma_dot_squared * self.BG5 * cos_gamma;
+        let w_5 = w_3 + gamma_dot_squared * self.BC * cos_gamma;
+        let w_6 = beta_dot_squared * self.O4B * sin_beta;
+        let w_7 = w_6 + gamma_dot_squared * self.BG5 * sin_gamma;
+        let w_8 = w_6 + gamma_dot_squared * self.BC * sin_gamma;
+        let w_9 = self.O4B * self.m5 * cos_beta * w_7
+            - self.O4B * self.m5 * sin_beta * w_4 - self.O4B * self.m6 * sin_beta * w_5
+            + self.O4B * self.m6 * cos_beta * w_8 - self.O4B * self.F * sin_beta;
+        let rhs_gamma = self.BG5 * self.m5 * cos_gamma * w_7
+            - self.BG5 * self.m5 * sin_gamma * w_4 - self.BC * self.m6 * sin_gamma * w_5
+            + self.BC * self.m6 * cos_gamma * w_8 - self.BC * self.F * sin_gamma;
+        let w_10 = alpha_dot * self.O2A * sin_alpha * cos_beta;
+        let w_11 = beta_dot * self.O2A * cos_alpha * sin_beta;
+        let w_12 = alpha_dot * self.O2A * cos_alpha * sin_beta;
+        let w_13 = beta_dot * (w_10 + w_11 - w_12 - beta_dot * A_y * cos_beta)
+            - alpha_dot
+                * (w_10 + w_11 - w_12 - beta_dot * self.O2A * sin_alpha * cos_beta);
+        let inverse_alpha = S::from_f64(1.0) / mass_alpha_alpha;
+        let l_lambda_slot_alpha = slot_by_alpha * inverse_alpha;
+        let w_14 = l_lambda_slot_alpha * slot_by_alpha;
+        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
+        let l_beta_gamma = mass_gamma_beta * inverse_gamma;
+        let w_15 = l_beta_gamma * mass_gamma_beta;
+        let l_lambda_guide_gamma = guide_by_gamma * inverse_gamma;
+        let w_16 = l_lambda_guide_gamma * guide_by_gamma;
+        let pivot_beta = mass_beta_beta - w_15;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
+        let rhs_beta = w_9 - l_beta_gamma * rhs_gamma;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - l_lambda_guide_gamma * mass_gamma_beta;
+        let l_lambda_guide_beta = k_lambda_guide_beta * inverse_beta;
+        let w_17 = l_lambda_guide_beta * k_lambda_guide_beta;
+        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
+        let k_lambda_slot_lambda_guide = minus_l_lambda_slot_beta * k_lambda_guide_beta;
+        let w_18 = minus_l_lambda_slot_beta * minus_slot_by_beta;
+        let minus_pivot_lambda_guide = w_16 + w_17;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
+        let rhs_lambda_guide = w_8 - l_lambda_guide_gamma * rhs_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
+            * minus_inverse_lambda_guide;
+        let w_19 = minus_l_lambda_slot_lambda_guide * k_lambda_slot_lambda_guide;
+        let pivot_lambda_slot = w_19 - w_14 - w_18;
+        let lambda_slot = (minus_l_lambda_slot_beta * rhs_beta - w_13
+            - l_lambda_slot_alpha * self.T
+            + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide)
+            * (S::from_f64(1.0) / pivot_lambda_slot);
+        let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
+            - rhs_lambda_guide * minus_inverse_lambda_guide;
+        let beta_ddot = rhs_beta * inverse_beta - l_lambda_guide_beta * lambda_guide
+            + minus_l_lambda_slot_beta * lambda_slot;
+        let refused = sim_kernel::pivot_is_refused(
+            mass_alpha_alpha,
+            mass_alpha_alpha.abs(),
+        ) | sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma.abs())
+            | sim_kernel::pivot_is_refused(pivot_beta, mass_beta_beta.abs() + w_15.abs())
+            | sim_kernel::pivot_is_refused(
+                -minus_pivot_lambda_guide,
+                w_16.abs() + w_17.abs(),
+            )
+            | sim_kernel::pivot_is_refused(
+                pivot_lambda_slot,
+                w_14.abs() + w_18.abs() + w_19.abs(),
+            );
+        sim_kernel::Dynamics {
+            accelerations: [
+                self.T * inverse_alpha - l_lambda_slot_alpha * lambda_slot,
+                beta_ddot,
+                rhs_gamma * inverse_gamma - l_beta_gamma * beta_ddot
+                    - l_lambda_guide_gamma * lambda_guide,
+            ],
+            multipliers: [lambda_guide, lambda_slot],
+            power: alpha_dot * self.T
+                - self.F
+                    * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
+            refused,
+        }
+    }
+    /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
+    ///
+    /// Operations: 10 additions, 27 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        let [_, beta, gamma] = *q;
+        let O4B_squared = self.O4B * self.O4B;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let w = self.O4B * self.BC * self.m6 * cos_beta * cos_gamma;
+        let mass_gamma_beta = self.O4B * self.BG5 * self.m5 * sin_beta * sin_gamma
+            + self.O4B * self.BG5 * self.m5 * cos_beta * cos_gamma
+            + self.O4B * self.BC * self.m6 * sin_beta * sin_gamma + w;
+        [
+            [
+                self.J2 + self.O2A * self.O2A * self.m3,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4
+                    + O4B_squared * self.m5 + O4B_squared * self.m6,
+                mass_gamma_beta,
+            ],
+            [
+                S::from_f64(0.0),
+                mass_gamma_beta,
+                self.J5 + self.BG5 * self.BG5 * self.m5 + self.BC * self.BC * self.m6,
+            ],
+        ]
+    }
+    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`.
+    ///
+    /// Operations: 10 additions, 38 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        let [_, beta, gamma] = *q;
+        let [_, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w = beta_dot_squared * self.O4B * cos_beta;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_2 = w + gamma_dot_squared * self.BG5 * cos_gamma;
+        let w_3 = w + gamma_dot_squared * self.BC * cos_gamma;
+        let w_4 = beta_dot_squared * self.O4B * sin_beta;
+        let w_5 = w_4 + gamma_dot_squared * self.BG5 * sin_gamma;
+        let w_6 = w_4 + gamma_dot_squared * self.BC * sin_gamma;
+        [
+            S::from_f64(0.0),
+            self.O4B * self.m5 * sin_beta * w_2 + self.O4B * self.m6 * sin_beta * w_3
+                - self.O4B * self.m5 * cos_beta * w_5
+                - self.O4B * self.m6 * cos_beta * w_6,
+            self.BG5 * self.m5 * sin_gamma * w_2 + self.BC * self.m6 * sin_gamma * w_3
+                - self.BG5 * self.m5 * cos_gamma * w_5
+                - self.BC * self.m6 * cos_gamma * w_6,
+        ]
+    }
+    /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
+    ///
+    /// Operations: 2 additions, 4 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        let [_, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
+        [self.T, -(self.O4B * self.F * sin_beta), -(self.BC * self.F * sin_gamma)]
+    }
+    /// Constraints `C`, 2; zero throughout the motion.
+    ///
+    /// Operations: 4 additions, 6 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        [
+            self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
+            (self.O4O2 + self.O2A * sin_alpha) * cos_beta
+                - self.O2A * cos_alpha * sin_beta,
+        ]
+    }
+    /// The sum of the magnitudes of the terms of `C`, 2: what its rounding is relative to.
+    ///
+    /// Operations: 9 additions, 6 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        [
+            self.yc.abs() + (self.O4B * sin_beta).abs() + (self.BC * sin_gamma).abs(),
+            ((self.O4O2 + self.O2A * sin_alpha) * cos_beta).abs()
+                + (self.O2A * cos_alpha * sin_beta).abs(),
+        ]
+    }
+    /// Constraint Jacobian `C_q`, 2 x 3.
+    ///
+    /// Operations: 4 additions, 8 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, _, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = self.O2A * cos_alpha * cos_beta;
+        [
+            [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
+            [
+                w + self.O2A * sin_alpha * sin_beta,
+                -(w + (self.O4O2 + self.O2A * sin_alpha) * sin_beta),
+                S::from_f64(0.0),
+            ],
+        ]
+    }
+    /// `C_t`, 2: the speeds obey `C_q q' + C_t = 0`.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        [S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 2: the part of `C''` without accelerations.
+    ///
+    /// Operations: 10 additions, 23 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = alpha_dot * self.O2A * sin_alpha * cos_beta;
+        let w_2 = beta_dot * self.O2A * cos_alpha * sin_beta;
+        let w_3 = alpha_dot * self.O2A * cos_alpha * sin_beta;
+        let w_4 = beta_dot
+            * (w + w_2 - w_3 - beta_dot * (self.O4O2 + self.O2A * sin_alpha) * cos_beta);
+        [
+            -(beta_dot * beta_dot * self.O4B * sin_beta
+                + gamma_dot * gamma_dot * self.BC * sin_gamma),
+            w_4
+                - alpha_dot
+                    * (w + w_2 - w_3 - beta_dot * self.O2A * sin_alpha * cos_beta),
+        ]
+    }
+    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, for projection.
+    ///
+    /// Operations: 7 additions, 13 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let w = self.O2A * cos_alpha * cos_beta;
+        sim_kernel::ConstraintLinearization {
+            values: [
+                self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
+                A_y * cos_beta - self.O2A * cos_alpha * sin_beta,
+            ],
+            jacobian: [
+                [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
+                [
+                    w + self.O2A * sin_alpha * sin_beta,
+                    -(w + A_y * sin_beta),
+                    S::from_f64(0.0),
+                ],
+            ],
+            time_derivative: [S::from_f64(0.0), S::from_f64(0.0)],
+        }
+    }
+    /// Kinetic energy `v' M v / 2`, in joules.
+    ///
+    /// Operations: 13 additions, 43 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        let [_, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let alpha_dot_squared = alpha_dot * alpha_dot;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let w = beta_dot * self.O4B * sin_beta;
+        let w_2 = w + gamma_dot * self.BG5 * sin_gamma;
+        let w_3 = beta_dot * self.O4B * cos_beta;
+        let w_4 = w_3 + gamma_dot * self.BG5 * cos_gamma;
+        let w_5 = S::from_f64(0.5) * self.m5 * w_4 * w_4;
+        let w_6 = w + gamma_dot * self.BC * sin_gamma;
+        let w_7 = S::from_f64(0.5) * self.m6 * w_6 * w_6;
+        let w_8 = w_3 + gamma_dot * self.BC * cos_gamma;
+        let w_9 = S::from_f64(0.5) * self.m6 * w_8 * w_8;
+        let w_10 = S::from_f64(0.5) * alpha_dot_squared * self.O2A * self.O2A * self.m3;
+        let w_11 = S::from_f64(0.5) * beta_dot_squared * self.O4G4 * self.O4G4 * self.m4;
+        S::from_f64(0.5) * alpha_dot_squared * self.J2
+            + S::from_f64(0.5) * beta_dot_squared * self.J3
+            + S::from_f64(0.5) * beta_dot_squared * self.J4
+            + S::from_f64(0.5) * gamma_dot * gamma_dot * self.J5
+            + S::from_f64(0.5) * self.m5 * w_2 * w_2 + w_5 + w_7 + w_9 + w_10 + w_11
+    }
+    /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
+    ///
+    /// Operations: 2 additions, 6 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn power(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> S {
+        let [_, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
+        alpha_dot * self.T
+            - self.F * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma)
+    }
+    /// Outputs, in SI units.
+    ///
+    /// Operations: 12 additions, 32 multiplications, 1 divisions, 3 sine-cosine pairs, 3 square roots.
+    #[inline]
+    pub fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> QuickReturnOutputs<S> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let [_, beta_ddot, gamma_ddot] = *qdd;
+        let [lambda_guide, lambda_slot] = *lambda;
+        let O2A_squared = self.O2A * self.O2A;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let beta_dot_squared = beta_dot * beta_dot;
+        [
+            alpha_dot,
+            beta_dot,
+            gamma_dot,
+            -(w.sqrt()
+                * (alpha_dot * O2A_squared * cos_alpha * sin_alpha
+                    - alpha_dot * self.O2A * cos_alpha * A_y) / w),
+            (alpha_dot * alpha_dot * O2A_squared).sqrt()
+                - (beta_dot_squared * self.O4G4 * self.O4G4).sqrt(),
+            self.O4B * cos_beta + self.BC * cos_gamma,
+            -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
+            -(beta_ddot * self.O4B * sin_beta + beta_dot_squared * self.O4B * cos_beta
+                + gamma_ddot * self.BC * sin_gamma
+                + gamma_dot * gamma_dot * self.BC * cos_gamma),
+            lambda_slot,
+            lambda_guide,
+        ]
+            .into()
+    }
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.
+    ///
+    /// Operations: 14 additions, 51 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    #[inline]
+    pub fn output_rates(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+    ) -> QuickReturnOutputRates<S> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let [alpha_ddot, beta_ddot, gamma_ddot] = *qdd;
+        let O2A_squared = self.O2A * self.O2A;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let sqrt_w = w.sqrt();
+        let w_2 = alpha_dot * O2A_squared * cos_alpha * sin_alpha
+            - alpha_dot * self.O2A * cos_alpha * A_y;
+        let alpha_dot_squared = alpha_dot * alpha_dot;
+        let w_3 = alpha_dot_squared * O2A_squared * sin_alpha * sin_alpha
+            - alpha_ddot * O2A_squared * cos_alpha * sin_alpha
+            + alpha_ddot * self.O2A * cos_alpha * A_y
+            - alpha_dot_squared * self.O2A * sin_alpha * A_y;
+        let w_4 = alpha_dot_squared * O2A_squared;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let O4G4_squared = self.O4G4 * self.O4G4;
+        let w_5 = beta_dot_squared * O4G4_squared;
+        [
+            alpha_ddot,
+            beta_ddot,
+            gamma_ddot,
+            sqrt_w * w_3 / w - sqrt_w * w_2 * w_2 / (w * w),
+            alpha_dot * alpha_ddot * O2A_squared * w_4.sqrt() / w_4
+                - beta_dot * beta_ddot * O4G4_squared * w_5.sqrt() / w_5,
+            -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
+            -(beta_ddot * self.O4B * sin_beta + beta_dot_squared * self.O4B * cos_beta
+                + gamma_ddot * self.BC * sin_gamma
+                + gamma_dot * gamma_dot * self.BC * cos_gamma),
+        ]
+            .into()
+    }
+    /// `left - right` of each event, zero when it happens.
+    ///
+    /// Operations: 1 additions, 1 multiplications.
+    #[inline]
+    pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+        let [alpha, _, _] = *q;
+        [alpha - S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)]
+    }
+    /// The numbers of each shape of the drawing, in metres and radians.
+    ///
+    /// Operations: 5 additions, 10 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_x = self.O2A * cos_alpha;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let B_x = self.O4B * cos_beta;
+        let B_y = self.O4B * sin_beta;
+        let C_x = B_x + self.BC * cos_gamma;
+        let C_y = B_y + self.BC * sin_gamma;
+        [
+            S::from_f64(0.0),
+            self.O4O2,
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            self.O4O2,
+            A_x,
+            A_y,
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            B_x,
+            B_y,
+            C_x,
+            C_y,
+            A_x,
+            A_y,
+            beta,
+            C_x,
+            C_y,
+            S::from_f64(0.0),
+            self.O4G4 * cos_beta,
+            self.O4G4 * sin_beta,
+            B_x + self.BG5 * cos_gamma,
+            B_y + self.BG5 * sin_gamma,
+        ]
+    }
+    /// Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.
+    ///
+    /// Operations: 1 multiplications.
+    #[inline]
+    pub fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        sim_kernel::Initial {
+            positions: [S::from_f64(0.0), S::from_f64(1.0), S::from_f64(2.6)],
+            speeds: [
+                S::from_f64(2.5) * S::from_f64(::core::f64::consts::PI),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+        }
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
+    type Q = [S; 3];
+    type L = [S; 2];
+    type Z = [S; 5];
+    type QQ = [[S; 3]; 3];
+    type LQ = [[S; 3]; 2];
+    type LL = [[S; 2]; 2];
+    type ZZ = [[S; 5]; 5];
+    type Parameters = [S; 17];
+    type Outputs = [S; 10];
+    type OutputRates = [S; 7];
+    type Events = [S; 1];
+    type Drawing = [S; 24];
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "quick-return",
+        type_name: "QuickReturn",
+        docs: "Quick-return mechanism: crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.",
+        declaration: "/// Quick-return mechanism: crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.\npub QuickReturn;\n\ncoordinates {\n    /// Angle of crank 2.\n    alpha [rad];\n    /// Angle of rocker 4, and of slider 3 on it.\n    beta [rad];\n    /// Angle of bar 5.\n    gamma [rad];\n}\n\nparameters {\n    /// Length of crank 2.\n    O2A [m] = 0.2;\n    /// Length of rocker 4.\n    O4B [m] = 0.7;\n    /// Length of bar 5.\n    BC [m] = 0.6;\n    /// Distance of the fixed pivots.\n    O4O2 [m] = 0.3;\n    /// Centre of mass of rocker 4.\n    O4G4 [m] = 0.4;\n    /// Centre of mass of bar 5.\n    BG5 [m] = 0.3;\n    /// Height of the guide.\n    yc [m] = 0.9;\n    /// Mass of slider 3.\n    m3 [kg] = 0.5;\n    /// Mass of rocker 4.\n    m4 [kg] = 6;\n    /// Mass of bar 5.\n    m5 [kg] = 4;\n    /// Mass of slider 6.\n    m6 [kg] = 2;\n    /// Inertia of crank 2 with its flywheel, about O2.\n    J2 [kg*m^2] = 100;\n    /// Inertia of slider 3.\n    J3 [kg*m^2] = 0;\n    /// Inertia of rocker 4.\n    J4 [kg*m^2] = 10;\n    /// Inertia of bar 5.\n    J5 [kg*m^2] = 6;\n    /// Force on slider 6, along +x.\n    F [N] = 1000;\n    /// Torque on crank 2.\n    T [N*m] = 0;\n}\n\nlet O4 = [0, 0];\nlet O2 = [0, O4O2];\nlet A = O2 + O2A*[cos(alpha), sin(alpha)];\nlet G4 = O4G4*[cos(beta), sin(beta)];\nlet B = O4B*[cos(beta), sin(beta)];\nlet G5 = B + BG5*[cos(gamma), sin(gamma)];\nlet C = B + BC*[cos(gamma), sin(gamma)];\n\nbodies {\n    crank2: inertia J2, angle alpha;\n    slider3: mass m3 at A, inertia J3, angle beta;\n    rocker4: mass m4 at G4, inertia J4, angle beta;\n    bar5: mass m5 at G5, inertia J5, angle gamma;\n    slider6: mass m6 at C;\n}\n\nloads {\n    force [F, 0] at C;\n    torque T on crank2;\n}\n\nconstraints {\n    guide: C.y = yc;\n    slot: A.y*cos(beta) = A.x*sin(beta);\n}\n\ninitial {\n    alpha = 0;\n    dot(alpha) = 75 [rpm];\n    guess beta = 1;\n    guess gamma = 2.6;\n}\n\nevents {\n    period: alpha = 2*pi;\n}\n\noutputs {\n    angular_speeds \"Angular speeds\" {\n        /// crank 2\n        crank_speed [rad/s] = dot(alpha);\n        /// rocker 4\n        rocker_speed [rad/s] = dot(beta);\n        /// bar 5\n        bar_speed [rad/s] = dot(gamma);\n    }\n    slider3_speed \"Sliding speed of slider 3 on rocker 4\" {\n        /// sliding speed, d|O4 A|/dt\n        sliding_speed [m/s] = dot(norm(A));\n        /// the report's |v_A| - |v_G4|\n        speed_difference [m/s] = norm(dot(A)) - norm(dot(G4));\n    }\n    slider6_position \"Position of slider 6\" {\n        /// position\n        x6 [m] = C.x;\n    }\n    slider6_velocity \"Velocity of slider 6\" {\n        /// velocity\n        x6_velocity [m/s] = dot(C.x);\n    }\n    slider6_acceleration \"Acceleration of slider 6\" {\n        /// acceleration\n        x6_acceleration [m/s^2] = ddot(C.x);\n    }\n    normal_forces \"Normal forces\" {\n        /// slider 3 on rocker 4\n        normal_force_slider3 [N] = reaction(slot);\n        /// slider 6 on the ground\n        normal_force_slider6 [N] = reaction(guide);\n    }\n}\n\ndrawing {\n    ground O2, O4;\n    line O2, A;\n    line O4, B, C;\n    slider A along beta;\n    slider C along 0;\n    point G4, G5;\n}\n",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "alpha",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of crank 2.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "alpha_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "alpha_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "beta",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of rocker 4, and of slider 3 on it.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "beta_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "beta_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Guess,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "gamma",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of bar 5.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "gamma_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "gamma_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Guess,
+                speed_given: false,
+            },
+        ],
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "O2A",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of crank 2.",
+            },
+            sim_kernel::Quantity {
+                name: "O4B",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "BC",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "O4O2",
+                unit: "m",
+                factor: 1f64,
+                docs: "Distance of the fixed pivots.",
+            },
+            sim_kernel::Quantity {
+                name: "O4G4",
+                unit: "m",
+                factor: 1f64,
+                docs: "Centre of mass of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "BG5",
+                unit: "m",
+                factor: 1f64,
+                docs: "Centre of mass of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "yc",
+                unit: "m",
+                factor: 1f64,
+                docs: "Height of the guide.",
+            },
+            sim_kernel::Quantity {
+                name: "m3",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of slider 3.",
+            },
+            sim_kernel::Quantity {
+                name: "m4",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "m5",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "m6",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of slider 6.",
+            },
+            sim_kernel::Quantity {
+                name: "J2",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of crank 2 with its flywheel, about O2.",
+            },
+            sim_kernel::Quantity {
+                name: "J3",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of slider 3.",
+            },
+            sim_kernel::Quantity {
+                name: "J4",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "J5",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "F",
+                unit: "N",
+                factor: 1f64,
+                docs: "Force on slider 6, along +x.",
+            },
+            sim_kernel::Quantity {
+                name: "T",
+                unit: "N*m",
+                factor: 1f64,
+                docs: "Torque on crank 2.",
+            },
+        ],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "guide",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "slot",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        events: &["period"],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "crank_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "crank 2",
+            },
+            sim_kernel::Quantity {
+                name: "rocker_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "rocker 4",
+            },
+            sim_kernel::Quantity {
+                name: "bar_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "bar 5",
+            },
+            sim_kernel::Quantity {
+                name: "sliding_speed",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "sliding speed, d|O4 A|/dt",
+            },
+            sim_kernel::Quantity {
+                name: "speed_difference",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "the report's |v_A| - |v_G4|",
+            },
+            sim_kernel::Quantity {
+                name: "x6",
+                unit: "m",
+                factor: 1f64,
+                docs: "position",
+            },
+            sim_kernel::Quantity {
+                name: "x6_velocity",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "velocity",
+            },
+            sim_kernel::Quantity {
+                name: "x6_acceleration",
+                unit: "m/s^2",
+                factor: 1f64,
+                docs: "acceleration",
+            },
+            sim_kernel::Quantity {
+                name: "normal_force_slider3",
+                unit: "N",
+                factor: 1f64,
+                docs: "slider 3 on rocker 4",
+            },
+            sim_kernel::Quantity {
+                name: "normal_force_slider6",
+                unit: "N",
+                factor: 1f64,
+                docs: "slider 6 on the ground",
+            },
+        ],
+        rated_outputs: &[0, 1, 2, 3, 4, 5, 6],
+        figures: &[
+            sim_kernel::Figure {
+                name: "angular_speeds",
+                title: "Angular speeds",
+                len: 3,
+            },
+            sim_kernel::Figure {
+                name: "slider3_speed",
+                title: "Sliding speed of slider 3 on rocker 4",
+                len: 2,
+            },
+            sim_kernel::Figure {
+                name: "slider6_position",
+                title: "Position of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "slider6_velocity",
+                title: "Velocity of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "slider6_acceleration",
+                title: "Acceleration of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "normal_forces",
+                title: "Normal forces",
+                len: 2,
+            },
+        ],
+        drawing: &[
+            sim_kernel::Shape::Ground(2),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(3),
+            sim_kernel::Shape::Slider,
+            sim_kernel::Shape::Slider,
+            sim_kernel::Shape::Points(2),
+        ],
+    };
+    fn defaults() -> Self {
+        Self {
+            O2A: S::from_f64(0.2f64),
+            O4B: S::from_f64(0.7f64),
+            BC: S::from_f64(0.6f64),
+            O4O2: S::from_f64(0.3f64),
+            O4G4: S::from_f64(0.4f64),
+            BG5: S::from_f64(0.3f64),
+            yc: S::from_f64(0.9f64),
+            m3: S::from_f64(0.5f64),
+            m4: S::from_f64(6f64),
+            m5: S::from_f64(4f64),
+            m6: S::from_f64(2f64),
+            J2: S::from_f64(100f64),
+            J3: S::from_f64(0f64),
+            J4: S::from_f64(10f64),
+            J5: S::from_f64(6f64),
+            F: S::from_f64(1000f64),
+            T: S::from_f64(0f64),
+        }
+    }
+    fn parameters(&self) -> [S; 17] {
+        [
+            self.O2A,
+            self.O4B,
+            self.BC,
+            self.O4O2,
+            self.O4G4,
+            self.BG5,
+            self.yc,
+            self.m3,
+            self.m4,
+            self.m5,
+            self.m6,
+            self.J2,
+            self.J3,
+            self.J4,
+            self.J5,
+            self.F,
+            self.T,
+        ]
+    }
+    fn with_parameters(parameters: [S; 17]) -> Self {
+        Self {
+            O2A: parameters[0],
+            O4B: parameters[1],
+            BC: parameters[2],
+            O4O2: parameters[3],
+            O4G4: parameters[4],
+            BG5: parameters[5],
+            yc: parameters[6],
+            m3: parameters[7],
+            m4: parameters[8],
+            m5: parameters[9],
+            m6: parameters[10],
+            J2: parameters[11],
+            J3: parameters[12],
+            J4: parameters[13],
+            J5: parameters[14],
+            F: parameters[15],
+            T: parameters[16],
+        }
+    }
+    #[inline(always)]
+    fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        self.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 2]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 10] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 7] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+        self.events(t, q, qd)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        self.initial()
+    }
+}
