@@ -41,7 +41,10 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 ///     bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81]; }";
 /// match codegen::generate_text(text, "sim_kernel") {
 ///     Ok(items) => assert!(items.contains("pub struct Pendulum")),
-///     Err(mistakes) => println!("cargo::error={}", codegen::mistakes::located("pendulum.txt", mistakes)),
+///     Err(mistakes) => {
+///         let lines = codegen::mistakes::located("pendulum.txt", mistakes);
+///         lines.lines().for_each(|line| println!("cargo::error={line}"));
+///     }
 /// }
 /// ```
 ///
