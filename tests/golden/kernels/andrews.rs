@@ -2,6 +2,170 @@
 /// A constant torque turns crank 1 against a spring; the motion grows until nothing holds it.
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// [
+///     mass_matrix, transpose(constraint_jacobian);
+///     constraint_jacobian, 0
+/// ] * [accelerations; multipliers] = [
+///     generalized_forces - convective_forces;
+///     -constraint_convective
+/// ]
+/// coordinates = [
+///     beta;
+///     Theta;
+///     gamma;
+///     Phi;
+///     delta;
+///     Omega;
+///     epsilon
+/// ]
+/// multipliers = [
+///     lambda_loop3_x;
+///     lambda_loop3_y;
+///     lambda_loop4_x;
+///     lambda_loop4_y;
+///     lambda_loop6_x;
+///     lambda_loop6_y
+/// ]
+/// constraints = 0
+///
+/// mass_matrix = [
+///     mass_matrix[1, 1], mass_matrix[1, 2], 0, 0, 0, 0, 0;
+///     mass_matrix[1, 2], mass_matrix[2, 2], 0, 0, 0, 0, 0;
+///     0, 0, mass_matrix[3, 3], 0, 0, 0, 0;
+///     0, 0, 0, mass_matrix[4, 4], mass_matrix[4, 5], 0, 0;
+///     0, 0, 0, mass_matrix[4, 5], mass_matrix[5, 5], 0, 0;
+///     0, 0, 0, 0, 0, mass_matrix[6, 6], mass_matrix[6, 7];
+///     0, 0, 0, 0, 0, mass_matrix[6, 7], mass_matrix[7, 7]
+/// ]
+/// mass_matrix[1, 1] = i1 + i2 + m2*(F_y - da*u2_y)^2 + m2*(F_x - da*u2_x)^2 + m1*ra^2
+/// mass_matrix[1, 2] = i2 - m2*da*u2_y*(F_y - da*u2_y) - m2*da*u2_x*(F_x - da*u2_x)
+/// mass_matrix[2, 2] = i2 + m2*da^2
+/// mass_matrix[3, 3] = i3 + m3*(sa*u3_x - sb*u3_y)^2 + m3*(sa*u3_y + sb*u3_x)^2
+/// mass_matrix[4, 4] = i4 + m4*(ee - ea)^2
+/// mass_matrix[4, 5] = i4 + m4*n4_x*s_5*(ee - ea) - m4*s_4*(ee - ea)*cos(Phi + delta)
+/// mass_matrix[5, 5] = i4 + i5 + m4*s_4^2 + m4*s_5^2 + m5*(ta*u5_y + tb*u5_x)^2 + m5*(ta*u5_x - tb*u5_y)^2
+/// mass_matrix[6, 6] = i6 + m6*(zf - fa)^2
+/// mass_matrix[6, 7] = i6 + m6*u6_x*s_8*(zf - fa) - m6*u6_y*s_7*(zf - fa)
+/// mass_matrix[7, 7] = i6 + i7 + m6*s_7^2 + m6*s_8^2 + m7*(ua*u7_x + ub*u7_y)^2 + m7*(ua*u7_y - ub*u7_x)^2
+///
+/// convective_forces = [
+///     convective_forces[1];
+///     convective_forces[2];
+///     convective_forces[3];
+///     convective_forces[4];
+///     convective_forces[5];
+///     convective_forces[6];
+///     convective_forces[7]
+/// ]
+/// convective_forces[1] = -m2*s_3*(F_y - da*u2_y) - m2*s_9*(F_x - da*u2_x)
+/// convective_forces[2] = m2*da*u2_y*s_3 + m2*da*u2_x*s_9
+/// convective_forces[3] = m3*gamma_dot*(sa*u3_y + sb*u3_x)*(sa*u3_x*gamma_dot - sb*u3_y*gamma_dot)
+///     - m3*gamma_dot*(sa*u3_x - sb*u3_y)*(sa*u3_y*gamma_dot + sb*u3_x*gamma_dot)
+/// convective_forces[4] = m4*n4_x*s_6*(ee - ea) - m4*s_10*(ee - ea)*cos(Phi + delta)
+/// convective_forces[5] = m4*s_4*s_10 + m4*s_5*s_6
+///     + m5*delta_dot*(ta*u5_y + tb*u5_x)*(ta*u5_x*delta_dot - tb*u5_y*delta_dot)
+///     - m5*delta_dot*(ta*u5_x - tb*u5_y)*(ta*u5_y*delta_dot + tb*u5_x*delta_dot)
+/// convective_forces[6] = m6*u6_y*s_11*(zf - fa) - m6*u6_x*s_12*(zf - fa)
+/// convective_forces[7] = m7*epsilon_dot*(ua*u7_y - ub*u7_x)*(ua*u7_x*epsilon_dot + ub*u7_y*epsilon_dot)
+///     - m6*s_7*s_11 - m6*s_8*s_12
+///     - m7*epsilon_dot*(ua*u7_x + ub*u7_y)*(ua*u7_y*epsilon_dot - ub*u7_x*epsilon_dot)
+///
+/// generalized_forces = [mom; 0; generalized_forces[3]; 0; 0; 0; 0]
+/// generalized_forces[3] = c0*s_1*(l0 - sqrt(s_1^2 + s_2^2))*(sc*u3_x - sd*u3_y)/sqrt(s_1^2 + s_2^2)
+///     + c0*s_2*(l0 - sqrt(s_1^2 + s_2^2))*(sc*u3_y + sd*u3_x)/sqrt(s_1^2 + s_2^2)
+///
+/// constraints = [
+///     F_x - xb - d*u2_x - ss*u3_y;
+///     F_y - yb - d*u2_y + ss*u3_x;
+///     constraints[3];
+///     constraints[4];
+///     constraints[5];
+///     constraints[6]
+/// ]
+/// constraints[3] = F_x - xa - d*u2_x - zt*u5_x - ee*n4_x
+/// constraints[4] = F_y - ya - d*u2_y - zt*u5_y + ee*cos(Phi + delta)
+/// constraints[5] = F_x - xa - d*u2_x - u*u7_y - zf*u6_x
+/// constraints[6] = F_y - ya - d*u2_y + u*u7_x - zf*u6_y
+///
+/// constraint_jacobian = [
+///     constraint_jacobian[1, 1], d*u2_y, -ss*u3_x, 0, 0, 0, 0;
+///     P_x, -d*u2_x, -ss*u3_y, 0, 0, 0, 0;
+///     constraint_jacobian[1, 1], d*u2_y, 0, constraint_jacobian[3, 4], constraint_jacobian[3, 5], 0, 0;
+///     P_x, -d*u2_x, 0, -ee*n4_x, constraint_jacobian[4, 5], 0, 0;
+///     constraint_jacobian[1, 1], d*u2_y, 0, 0, 0, zf*u6_y, constraint_jacobian[5, 7];
+///     P_x, -d*u2_x, 0, 0, 0, -zf*u6_x, constraint_jacobian[6, 7]
+/// ]
+/// constraint_jacobian[1, 1] = d*u2_y - F_y
+/// constraint_jacobian[3, 4] = -ee*cos(Phi + delta)
+/// constraint_jacobian[3, 5] = zt*u5_y - ee*cos(Phi + delta)
+/// constraint_jacobian[4, 5] = -zt*u5_x - ee*n4_x
+/// constraint_jacobian[5, 7] = zf*u6_y - u*u7_x
+/// constraint_jacobian[6, 7] = -u*u7_y - zf*u6_x
+///
+/// constraint_convective = [
+///     constraint_convective[1];
+///     constraint_convective[2];
+///     constraint_convective[3];
+///     constraint_convective[4];
+///     constraint_convective[5];
+///     constraint_convective[6]
+/// ]
+/// constraint_convective[1] = d*u2_x*Theta_dot*(beta_dot + Theta_dot) - s_13 + ss*u3_y*gamma_dot^2
+/// constraint_convective[2] = d*u2_y*Theta_dot*(beta_dot + Theta_dot) - s_14 - ss*u3_x*gamma_dot^2
+/// constraint_convective[3] = d*u2_x*Theta_dot*(beta_dot + Theta_dot) - s_13
+///     + delta_dot*(zt*u5_x*delta_dot + ee*n4_x*(Phi_dot + delta_dot))
+///     + ee*n4_x*Phi_dot*(Phi_dot + delta_dot)
+/// constraint_convective[4] = d*u2_y*Theta_dot*(beta_dot + Theta_dot) - s_14
+///     - ee*Phi_dot*(Phi_dot + delta_dot)*cos(Phi + delta)
+///     + delta_dot*(zt*u5_y*delta_dot - ee*(Phi_dot + delta_dot)*cos(Phi + delta))
+/// constraint_convective[5] = d*u2_x*Theta_dot*(beta_dot + Theta_dot) - s_13
+///     + zf*u6_x*Omega_dot*(Omega_dot + epsilon_dot)
+///     + epsilon_dot*(u*u7_y*epsilon_dot + zf*u6_x*(Omega_dot + epsilon_dot))
+/// constraint_convective[6] = d*u2_y*Theta_dot*(beta_dot + Theta_dot) - s_14
+///     + zf*u6_y*Omega_dot*(Omega_dot + epsilon_dot)
+///     - epsilon_dot*(u*u7_x*epsilon_dot - zf*u6_y*(Omega_dot + epsilon_dot))
+///
+/// u1_x = cos(beta)
+/// u1_y = sin(beta)
+/// u2_x = cos(beta + Theta)
+/// u2_y = sin(beta + Theta)
+/// u3_x = cos(gamma)
+/// u3_y = sin(gamma)
+/// n4_x = sin(Phi + delta)
+/// u5_x = cos(delta)
+/// u5_y = sin(delta)
+/// u6_x = cos(Omega + epsilon)
+/// u6_y = sin(Omega + epsilon)
+/// u7_x = cos(epsilon)
+/// u7_y = sin(epsilon)
+/// F_x = rr*u1_x
+/// F_y = rr*u1_y
+/// P_x = F_x - d*u2_x
+/// s_1 = xb - xc + sc*u3_y + sd*u3_x
+/// s_2 = yb - yc - sc*u3_x + sd*u3_y
+/// s_3 = da*u2_x*Theta_dot*(beta_dot + Theta_dot)
+///     - beta_dot*(rr*u1_x*beta_dot - da*u2_x*(beta_dot + Theta_dot))
+/// s_4 = zt*u5_y - (ee - ea)*cos(Phi + delta)
+/// s_5 = zt*u5_x + n4_x*(ee - ea)
+/// s_6 = Phi_dot*(ee - ea)*(Phi_dot + delta_dot)*cos(Phi + delta)
+///     - delta_dot*(zt*u5_y*delta_dot - (ee - ea)*(Phi_dot + delta_dot)*cos(Phi + delta))
+/// s_7 = u*u7_x - u6_y*(zf - fa)
+/// s_8 = u*u7_y + u6_x*(zf - fa)
+/// s_9 = beta_dot*(rr*u1_y*beta_dot - da*u2_y*(beta_dot + Theta_dot))
+///     - da*u2_y*Theta_dot*(beta_dot + Theta_dot)
+/// s_10 = n4_x*Phi_dot*(ee - ea)*(Phi_dot + delta_dot)
+///     + delta_dot*(zt*u5_x*delta_dot + n4_x*(ee - ea)*(Phi_dot + delta_dot))
+/// s_11 = epsilon_dot*(u*u7_y*epsilon_dot + u6_x*(zf - fa)*(Omega_dot + epsilon_dot))
+///     + u6_x*Omega_dot*(zf - fa)*(Omega_dot + epsilon_dot)
+/// s_12 = u6_y*Omega_dot*(zf - fa)*(Omega_dot + epsilon_dot)
+///     - epsilon_dot*(u*u7_x*epsilon_dot - u6_y*(zf - fa)*(Omega_dot + epsilon_dot))
+/// s_13 = beta_dot*(rr*u1_x*beta_dot - d*u2_x*(beta_dot + Theta_dot))
+/// s_14 = beta_dot*(rr*u1_y*beta_dot - d*u2_y*(beta_dot + Theta_dot))
+/// ```
 #[allow(non_snake_case)]
 #[derive(
     ::core::clone::Clone,

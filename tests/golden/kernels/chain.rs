@@ -1,6 +1,90 @@
 /// Five uniform rods, each hanging on the one before, by their angles from the vertical.
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// mass_matrix * accelerations = generalized_forces - convective_forces
+/// coordinates = [phi_1; phi_2; phi_3; phi_4; phi_5]
+/// [
+///     13*m*l^2/3, mass_matrix[1, 2], mass_matrix[1, 3], mass_matrix[1, 4], mass_matrix[1, 5];
+///     mass_matrix[1, 2], 10*m*l^2/3, mass_matrix[2, 3], mass_matrix[2, 4], mass_matrix[2, 5];
+///     mass_matrix[1, 3], mass_matrix[2, 3], 7*m*l^2/3, mass_matrix[3, 4], mass_matrix[3, 5];
+///     mass_matrix[1, 4], mass_matrix[2, 4], mass_matrix[3, 4], 4*m*l^2/3, mass_matrix[4, 5];
+///     mass_matrix[1, 5], mass_matrix[2, 5], mass_matrix[3, 5], mass_matrix[4, 5], m*l^2/3
+/// ] * [
+///     phi_1_ddot;
+///     phi_2_ddot;
+///     phi_3_ddot;
+///     phi_4_ddot;
+///     phi_5_ddot
+/// ] = [
+///     -9*m*l*g*sin(phi_1)/2 - convective_forces[1];
+///     -7*m*l*g*sin(phi_2)/2 - convective_forces[2];
+///     -5*m*l*g*sin(phi_3)/2 - convective_forces[3];
+///     -3*m*l*g*sin(phi_4)/2 - convective_forces[4];
+///     -m*l*g*sin(phi_5)/2 - convective_forces[5]
+/// ]
+///
+/// mass_matrix = [
+///     13*m*l^2/3, mass_matrix[1, 2], mass_matrix[1, 3], mass_matrix[1, 4], mass_matrix[1, 5];
+///     mass_matrix[1, 2], 10*m*l^2/3, mass_matrix[2, 3], mass_matrix[2, 4], mass_matrix[2, 5];
+///     mass_matrix[1, 3], mass_matrix[2, 3], 7*m*l^2/3, mass_matrix[3, 4], mass_matrix[3, 5];
+///     mass_matrix[1, 4], mass_matrix[2, 4], mass_matrix[3, 4], 4*m*l^2/3, mass_matrix[4, 5];
+///     mass_matrix[1, 5], mass_matrix[2, 5], mass_matrix[3, 5], mass_matrix[4, 5], m*l^2/3
+/// ]
+/// mass_matrix[1, 2] = 7*m*l^2*cos(phi_1)*cos(phi_2)/2 + 7*m*l^2*sin(phi_1)*sin(phi_2)/2
+/// mass_matrix[1, 3] = 5*m*l^2*cos(phi_1)*cos(phi_3)/2 + 5*m*l^2*sin(phi_1)*sin(phi_3)/2
+/// mass_matrix[1, 4] = 3*m*l^2*cos(phi_1)*cos(phi_4)/2 + 3*m*l^2*sin(phi_1)*sin(phi_4)/2
+/// mass_matrix[1, 5] = m*l^2*cos(phi_1)*cos(phi_5)/2 + m*l^2*sin(phi_1)*sin(phi_5)/2
+/// mass_matrix[2, 3] = 5*m*l^2*cos(phi_2)*cos(phi_3)/2 + 5*m*l^2*sin(phi_2)*sin(phi_3)/2
+/// mass_matrix[2, 4] = 3*m*l^2*cos(phi_2)*cos(phi_4)/2 + 3*m*l^2*sin(phi_2)*sin(phi_4)/2
+/// mass_matrix[2, 5] = m*l^2*cos(phi_2)*cos(phi_5)/2 + m*l^2*sin(phi_2)*sin(phi_5)/2
+/// mass_matrix[3, 4] = 3*m*l^2*cos(phi_3)*cos(phi_4)/2 + 3*m*l^2*sin(phi_3)*sin(phi_4)/2
+/// mass_matrix[3, 5] = m*l^2*cos(phi_3)*cos(phi_5)/2 + m*l^2*sin(phi_3)*sin(phi_5)/2
+/// mass_matrix[4, 5] = m*l^2*cos(phi_4)*cos(phi_5)/2 + m*l^2*sin(phi_4)*sin(phi_5)/2
+///
+/// convective_forces = [
+///     convective_forces[1];
+///     convective_forces[2];
+///     convective_forces[3];
+///     convective_forces[4];
+///     convective_forces[5]
+/// ]
+/// convective_forces[1] = m*l*s_2*sin(phi_1)/2 - m*l*s_1*cos(phi_1)/2 - m*l*s_3*cos(phi_1)/2
+///     + m*l*s_4*sin(phi_1)/2 - m*l*s_5*cos(phi_1)/2 + m*l*s_6*sin(phi_1)/2
+///     - m*l*s_7*cos(phi_1)/2 + m*l*s_8*sin(phi_1)/2
+/// convective_forces[2] = m*l*s_2*sin(phi_2)/4 - m*l*s_1*cos(phi_2)/4 - m*l*s_3*cos(phi_2)/2
+///     + m*l*s_4*sin(phi_2)/2 - m*l*s_5*cos(phi_2)/2 + m*l*s_6*sin(phi_2)/2
+///     - m*l*s_7*cos(phi_2)/2 + m*l*s_8*sin(phi_2)/2
+/// convective_forces[3] = m*l*s_4*sin(phi_3)/4 - m*l*s_3*cos(phi_3)/4 - m*l*s_5*cos(phi_3)/2
+///     + m*l*s_6*sin(phi_3)/2 - m*l*s_7*cos(phi_3)/2 + m*l*s_8*sin(phi_3)/2
+/// convective_forces[4] = m*l*s_6*sin(phi_4)/4 - m*l*s_5*cos(phi_4)/4 - m*l*s_7*cos(phi_4)/2
+///     + m*l*s_8*sin(phi_4)/2
+/// convective_forces[5] = m*l*s_8*sin(phi_5)/4 - m*l*s_7*cos(phi_5)/4
+///
+/// generalized_forces = [
+///     -9*m*l*g*sin(phi_1)/2;
+///     -7*m*l*g*sin(phi_2)/2;
+///     -5*m*l*g*sin(phi_3)/2;
+///     -3*m*l*g*sin(phi_4)/2;
+///     -m*l*g*sin(phi_5)/2
+/// ]
+///
+/// s_1 = 2*l*phi_1_dot^2*sin(phi_1) + l*phi_2_dot^2*sin(phi_2)
+/// s_2 = 2*l*phi_1_dot^2*cos(phi_1) + l*phi_2_dot^2*cos(phi_2)
+/// s_3 = 2*l*phi_1_dot^2*sin(phi_1) + 2*l*phi_2_dot^2*sin(phi_2) + l*phi_3_dot^2*sin(phi_3)
+/// s_4 = 2*l*phi_1_dot^2*cos(phi_1) + 2*l*phi_2_dot^2*cos(phi_2) + l*phi_3_dot^2*cos(phi_3)
+/// s_5 = 2*l*phi_1_dot^2*sin(phi_1) + 2*l*phi_2_dot^2*sin(phi_2) + 2*l*phi_3_dot^2*sin(phi_3)
+///     + l*phi_4_dot^2*sin(phi_4)
+/// s_6 = 2*l*phi_1_dot^2*cos(phi_1) + 2*l*phi_2_dot^2*cos(phi_2) + 2*l*phi_3_dot^2*cos(phi_3)
+///     + l*phi_4_dot^2*cos(phi_4)
+/// s_7 = 2*l*phi_1_dot^2*sin(phi_1) + 2*l*phi_2_dot^2*sin(phi_2) + 2*l*phi_3_dot^2*sin(phi_3)
+///     + 2*l*phi_4_dot^2*sin(phi_4) + l*phi_5_dot^2*sin(phi_5)
+/// s_8 = 2*l*phi_1_dot^2*cos(phi_1) + 2*l*phi_2_dot^2*cos(phi_2) + 2*l*phi_3_dot^2*cos(phi_3)
+///     + 2*l*phi_4_dot^2*cos(phi_4) + l*phi_5_dot^2*cos(phi_5)
+/// ```
 #[allow(non_snake_case)]
 #[derive(
     ::core::clone::Clone,

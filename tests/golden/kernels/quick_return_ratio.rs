@@ -2,6 +2,89 @@
 /// Crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// [
+///     mass_matrix, transpose(constraint_jacobian);
+///     constraint_jacobian, 0
+/// ] * [accelerations; multipliers] = [
+///     generalized_forces - convective_forces;
+///     -constraint_convective
+/// ]
+/// coordinates = [alpha; beta; gamma]
+/// multipliers = [lambda_guide; lambda_slot]
+/// constraints = 0
+/// [
+///     J2 + O2A^2*m3, 0, 0, 0, constraint_jacobian[2, 1];
+///     0, mass_matrix[2, 2], mass_matrix[2, 3], B_x, constraint_jacobian[2, 2];
+///     0, mass_matrix[2, 3], mass_matrix[3, 3], BC*cos(gamma), 0;
+///     0, B_x, BC*cos(gamma), 0, 0;
+///     constraint_jacobian[2, 1], constraint_jacobian[2, 2], 0, 0, 0
+/// ] * [
+///     alpha_ddot;
+///     beta_ddot;
+///     gamma_ddot;
+///     lambda_guide;
+///     lambda_slot
+/// ] = [
+///     T;
+///     -O4B*F*sin(beta) - convective_forces[2];
+///     -BC*F*sin(gamma) - convective_forces[3];
+///     -constraint_convective[1];
+///     s_5*beta_dot - s_6*alpha_dot
+/// ]
+///
+/// mass_matrix = [
+///     J2 + O2A^2*m3, 0, 0;
+///     0, mass_matrix[2, 2], mass_matrix[2, 3];
+///     0, mass_matrix[2, 3], mass_matrix[3, 3]
+/// ]
+/// mass_matrix[2, 2] = J3 + J4 + O4G4^2*m4 + O4B^2*m5 + O4B^2*m6
+/// mass_matrix[2, 3] = O4B*BG5*m5*sin(beta)*sin(gamma) + O4B*BG5*m5*cos(beta)*cos(gamma)
+///     + O4B*BC*m6*sin(beta)*sin(gamma) + O4B*BC*m6*cos(beta)*cos(gamma)
+/// mass_matrix[3, 3] = J5 + BG5^2*m5 + BC^2*m6
+///
+/// convective_forces = [0; convective_forces[2]; convective_forces[3]]
+/// convective_forces[2] = O4B*m5*s_1*sin(beta) + O4B*m6*s_3*sin(beta) - O4B*m5*s_2*cos(beta)
+///     - O4B*m6*s_4*cos(beta)
+/// convective_forces[3] = BG5*m5*s_1*sin(gamma) + BC*m6*s_3*sin(gamma) - BG5*m5*s_2*cos(gamma)
+///     - BC*m6*s_4*cos(gamma)
+///
+/// generalized_forces = [T; -O4B*F*sin(beta); -BC*F*sin(gamma)]
+///
+/// constraints = [
+///     B_y - yc + BC*sin(gamma);
+///     O2A*cos(alpha)/A_y - O4G4*cos(beta)/(O4G4*sin(beta))
+/// ]
+///
+/// constraint_jacobian = [
+///     0, B_x, BC*cos(gamma);
+///     constraint_jacobian[2, 1], constraint_jacobian[2, 2], 0
+/// ]
+/// constraint_jacobian[2, 1] = -O2A^2*cos(alpha)^2/A_y^2 - O2A*sin(alpha)/A_y
+/// constraint_jacobian[2, 2] = O4G4*cos(beta)^2/(O4G4*sin(beta)^2) + O4G4*sin(beta)/(O4G4*sin(beta))
+///
+/// constraint_convective = [
+///     constraint_convective[1];
+///     s_6*alpha_dot - s_5*beta_dot
+/// ]
+/// constraint_convective[1] = -O4B*beta_dot^2*sin(beta) - BC*gamma_dot^2*sin(gamma)
+///
+/// A_y = O4O2 + O2A*sin(alpha)
+/// B_x = O4B*cos(beta)
+/// B_y = O4B*sin(beta)
+/// s_1 = O4B*beta_dot^2*cos(beta) + BG5*gamma_dot^2*cos(gamma)
+/// s_2 = O4B*beta_dot^2*sin(beta) + BG5*gamma_dot^2*sin(gamma)
+/// s_3 = O4B*beta_dot^2*cos(beta) + BC*gamma_dot^2*cos(gamma)
+/// s_4 = O4B*beta_dot^2*sin(beta) + BC*gamma_dot^2*sin(gamma)
+/// s_5 = 2*O4G4*beta_dot*cos(beta)^3/(O4G4*sin(beta)^3)
+///     + 3*O4G4*beta_dot*cos(beta)*sin(beta)/(O4G4*sin(beta)^2)
+///     - O4G4*beta_dot*cos(beta)/(O4G4*sin(beta))
+/// s_6 = 2*O2A^3*alpha_dot*cos(alpha)^3/A_y^3 + 3*O2A^2*alpha_dot*cos(alpha)*sin(alpha)/A_y^2
+///     - O2A*alpha_dot*cos(alpha)/A_y
+/// ```
 #[allow(non_snake_case)]
 #[derive(
     ::core::clone::Clone,
