@@ -4,6 +4,7 @@
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
 mod assemble;
+mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod events;
@@ -18,9 +19,11 @@ pub mod show;
 mod solve;
 mod table;
 mod trajectory;
+mod vector;
 mod write;
 
 pub use assemble::{Start, assemble, declared_start};
+pub use batch::{accelerate_each, accelerate_each_with};
 pub use events::{Occurrence, locate_events};
 pub use failure::{Failure, What};
 pub use integrate::{RK4, Tableau, integrate};
@@ -28,7 +31,8 @@ pub use interpolate::interpolate;
 pub use motion::{accelerate, residuals};
 pub use project::{project_positions, project_velocities};
 pub use run::{Grid, Run, run};
-pub use sim_kernel::{self, Array, Description, Dynamics, Mechanism, Scalar, mechanism};
+pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
 pub use trajectory::{Sample, State, Trajectory};
+pub use vector::{Vectors, Work};
 pub use write::{WriteError, summary, write_csv, write_json};

@@ -2,21 +2,29 @@
 
 use super::source::Source;
 use anyhow::{Result, bail};
-use codegen::nearest;
 use codegen::program::{Diagram, Program, plan};
+use codegen::{dsl, dynamics, model, nearest};
+use proc_macro2::TokenStream;
 use std::fmt::Write;
 
 /// The graph of one kernel, of each mechanism.
 pub(super) fn graph(source: &Source, kernel: &str) -> Result<String> {
     let mut out = String::new();
-    for mut equations in source.located(source.equations())? {
-        let program = plan(&mut equations);
+    for declaration in source.located(source.declarations())? {
+        let (name, program) = source.located(program(declaration))?;
         let Some(found) = program.kernels.iter().find(|candidate| candidate.name == kernel) else {
             bail!(unknown(kernel, &program));
         };
-        out += &digraph(&format!("{}.{kernel}", equations.model.name), &Diagram::of(found))?;
+        out += &digraph(&format!("{name}.{kernel}"), &Diagram::of(found))?;
     }
     Ok(out)
+}
+
+/// The kernels that are generated, and the name of the mechanism.
+fn program(declaration: TokenStream) -> syn::Result<(String, Program)> {
+    let mut equations = dynamics::derive_cheapest(model::resolve(&dsl::parse(declaration)?)?);
+    let program = plan(&mut equations);
+    Ok((equations.model.name, program))
 }
 
 fn unknown(kernel: &str, program: &Program) -> String {

@@ -13,7 +13,7 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     // The body of `codegen::generate`, stage by stage.
     let declaration = stages.time("parse", || dsl::parse(declaration))?;
     let model = stages.time("resolve", || model::resolve(&declaration))?;
-    let mut equations = stages.time("derive", || dynamics::derive(model));
+    let mut equations = stages.time("derive", || dynamics::derive_cheapest(model));
     let program = stages.time("plan", || program::plan(&mut equations));
     let tokens =
         stages.time("emit", || emit::emit(&declaration.head, &text, &equations, &program, &quote!(sim_kernel)));

@@ -35,7 +35,7 @@ impl Diagram {
             }
         }
         let mut results = Vec::new();
-        kernel.results.visit(&mut |tree| results.push(drawing.tree(tree)));
+        kernel.results.entries().into_iter().for_each(|tree| results.push(drawing.tree(tree)));
         Diagram { vertices: drawing.vertices, results }
     }
 
@@ -96,7 +96,7 @@ impl Drawing {
         let mut operands = |trees: &[&Tree]| trees.iter().map(|tree| (false, self.tree(tree))).collect::<Vec<_>>();
         match tree {
             Tree::Constant(value) => self.leaf(&value.to_string()),
-            Tree::Name(name) | Tree::Parameter(name) => self.leaf(name),
+            Tree::Name(name) | Tree::Field(name) => self.leaf(name),
             Tree::Sum(terms) => {
                 let operands = terms.iter().map(|(minus, term)| (*minus, self.tree(term))).collect();
                 self.vertex("+", operands)

@@ -21,7 +21,7 @@ pub struct Operations {
 }
 
 impl Operations {
-    pub(super) fn of(statements: &[Statement], results: &Results) -> Operations {
+    pub(super) fn of(statements: &[Statement], results: &Results<Tree>) -> Operations {
         let mut operations = Operations::default();
         for statement in statements {
             match statement {
@@ -32,7 +32,7 @@ impl Operations {
                 }
             }
         }
-        results.visit(&mut |tree| operations.count(tree));
+        results.entries().into_iter().for_each(|tree| operations.count(tree));
         operations
     }
 
@@ -48,7 +48,7 @@ impl Operations {
 
     fn count(&mut self, tree: &Tree) {
         match tree {
-            Tree::Constant(_) | Tree::Name(_) | Tree::Parameter(_) => {}
+            Tree::Constant(_) | Tree::Name(_) | Tree::Field(_) => {}
             Tree::Sum(terms) => {
                 self.additions += terms.len() - 1;
                 terms.iter().for_each(|(_, term)| self.count(term));
@@ -81,14 +81,15 @@ impl Operations {
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
-            (self.additions, "additions"),
-            (self.multiplications, "multiplications"),
-            (self.divisions, "divisions"),
-            (self.sine_cosines, "sine-cosine pairs"),
-            (self.square_roots, "square roots"),
-            (self.other_functions, "other functions"),
+            (self.additions, "addition"),
+            (self.multiplications, "multiplication"),
+            (self.divisions, "division"),
+            (self.sine_cosines, "sine-cosine pair"),
+            (self.square_roots, "square root"),
+            (self.other_functions, "other function"),
         ];
-        let parts: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}")).collect();
+        let counted = |(n, what): &(usize, &str)| format!("{n} {what}{}", if *n == 1 { "" } else { "s" });
+        let parts: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(counted).collect();
         if parts.is_empty() { write!(f, "none") } else { write!(f, "{}", parts.join(", ")) }
     }
 }

@@ -7,13 +7,19 @@ extern crate self as sim_kernel;
 
 mod array;
 mod description;
+mod dual;
+mod lanes;
 mod mechanism;
 mod scalar;
 mod wave;
 
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
-pub use mechanism::{ConstraintLinearization, Dynamics, Initial, Mechanism, pivot_is_refused};
+pub use dual::Dual;
+pub use lanes::{LaneMask, Lanes};
+pub use mechanism::{
+    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
+};
 pub use scalar::{Mask, Scalar};
 
 #[cfg(feature = "macros")]
