@@ -733,7 +733,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             ],
         ]
     }
-    /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`.
+    /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
     /// Operations: 17 additions, 58 multiplications, 6 sine-cosine pairs.
     #[inline]
@@ -789,7 +789,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
     ///
-    /// Operations: 22 additions, 50 multiplications, 1 divisions, 1 sine-cosine pairs, 1 square roots.
+    /// Operations: 22 additions, 50 multiplications, 1 division, 1 sine-cosine pair, 1 square root.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, gamma, _, _, _, _] = *q;
@@ -826,7 +826,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             S::from_f64(0.0),
         ]
     }
-    /// Constraints `C`, 6; zero throughout the motion.
+    /// Constraints `C`, 6, in SI units; zero throughout the motion.
     ///
     /// Operations: 25 additions, 14 multiplications, 7 sine-cosine pairs.
     #[inline]
@@ -866,7 +866,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             w_6 - self.ya - w_7 + self.u * u7_x - self.zf * u6_y,
         ]
     }
-    /// The sum of the magnitudes of the terms of `C`, 6: what its rounding is relative to.
+    /// The sum of the magnitudes of the terms of `C`, 6, in SI units: what its rounding is relative to.
     ///
     /// Operations: 43 additions, 14 multiplications, 7 sine-cosine pairs.
     #[inline]
@@ -910,7 +910,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 + (self.zf * u6_y).abs(),
         ]
     }
-    /// Constraint Jacobian `C_q`, 6 x 7.
+    /// Constraint Jacobian `C_q`, 6 x 7: units of each constraint per unit of each coordinate.
     ///
     /// Operations: 17 additions, 14 multiplications, 7 sine-cosine pairs.
     #[inline]
@@ -1003,7 +1003,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             ],
         ]
     }
-    /// `C_t`, 6: the speeds obey `C_q q' + C_t = 0`.
+    /// `C_t`, 6, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
     /// Operations: none.
     #[inline]
@@ -1017,7 +1017,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             S::from_f64(0.0),
         ]
     }
-    /// `(C_q q' + C_t)_q q' + (..)_t`, 6: the part of `C''` without accelerations.
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 6, units of `C` per second squared: the part of `C''` without accelerations.
     ///
     /// Operations: 28 additions, 53 multiplications, 7 sine-cosine pairs.
     #[inline]
@@ -1067,7 +1067,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 - epsilon_dot * (self.u * u7_x * epsilon_dot - self.zf * u6_y * w_10),
         ]
     }
-    /// `C` (6), `C_q` (6 x 7) and `C_t` (6) together, for projection.
+    /// `C` (6), `C_q` (6 x 7) and `C_t` (6) together, in SI units, for projection.
     ///
     /// Operations: 39 additions, 14 multiplications, 7 sine-cosine pairs.
     #[inline]
@@ -1260,7 +1260,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 12 additions, 12 multiplications, 1 divisions, 1 sine-cosine pairs, 1 square roots.
+    /// Operations: 12 additions, 12 multiplications, 1 division, 1 sine-cosine pair, 1 square root.
     #[inline]
     pub fn power(
         &self,
@@ -1283,9 +1283,9 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         self.c0 * gamma_dot * (self.l0 - w_7)
             * ((w_3 * (w_4 - w_5) + w_6 * (w + w_2)) / w_7) + beta_dot * self.mom
     }
-    /// Outputs, in SI units.
+    /// Outputs, 8, in SI units.
     ///
-    /// Operations: 12 additions, 9 multiplications, 1 sine-cosine pairs, 2 square roots.
+    /// Operations: 12 additions, 9 multiplications, 1 sine-cosine pair, 2 square roots.
     #[inline]
     pub fn outputs(
         &self,
@@ -1312,9 +1312,9 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         ]
             .into()
     }
-    /// Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 12 additions, 12 multiplications, 1 divisions, 1 sine-cosine pairs, 1 square roots.
+    /// Operations: 12 additions, 12 multiplications, 1 division, 1 sine-cosine pair, 1 square root.
     #[inline]
     pub fn output_rates(
         &self,
@@ -1345,7 +1345,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         ]
             .into()
     }
-    /// `left - right` of each event, zero when it happens.
+    /// `left - right` of each event, 0, in SI units: zero when it happens.
     ///
     /// Operations: none.
     #[inline]
@@ -1413,7 +1413,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             P_y,
         ]
     }
-    /// Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.
+    /// Declared start: values or guesses of the coordinates (7), and speeds (7), in SI units; 0 where nothing is declared.
     ///
     /// Operations: 2 additions.
     #[inline]
@@ -1481,7 +1481,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 309 additions, 306 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square roots.
+    /// Operations: 309 additions, 306 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1885,7 +1885,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 1160 additions, 1412 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square roots.
+    /// Operations: 1160 additions, 1412 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -3135,7 +3135,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to the parameters (42 columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 2355 additions, 2933 multiplications, 24 divisions, 7 sine-cosine pairs, 1 square roots.
+    /// Operations: 2355 additions, 2933 multiplications, 24 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_sensitivity(
         &self,

@@ -2,91 +2,7 @@
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
 ///
-/// # Equations of motion
-///
-/// ```text
-/// mass_matrix * accelerations = generalized_forces - convective_forces
-/// coordinates = [phi_1; phi_2; phi_3; phi_4; phi_5]
-/// [
-///     4*m*l^2/3, mass_matrix[1, 2], 0, 0, 0, 0, 0, 0, 0, 0, 0;
-///     mass_matrix[1, 2], m*l^2/3, 0, 0, 0, 0, 0, 0, 0, 0, 0;
-///     0, 0, m*l^2/3, 0, 0, m*l*cos(phi_3)/2, m*l*sin(phi_3)/2, 0, 0, 0, 0;
-///     0, 0, 0, m*l^2/3, 0, 0, 0, m*l*cos(phi_4)/2, m*l*sin(phi_4)/2, 0, 0;
-///     0, 0, 0, 0, m*l^2/3, 0, 0, 0, 0, m*l*cos(phi_5)/2, m*l*sin(phi_5)/2;
-///     0, 0, m*l*cos(phi_3)/2, 0, 0, m, 0, 0, 0, 0, 0;
-///     0, 0, m*l*sin(phi_3)/2, 0, 0, 0, m, 0, 0, 0, 0;
-///     0, 0, 0, m*l*cos(phi_4)/2, 0, 0, 0, m, 0, 0, 0;
-///     0, 0, 0, m*l*sin(phi_4)/2, 0, 0, 0, 0, m, 0, 0;
-///     0, 0, 0, 0, m*l*cos(phi_5)/2, 0, 0, 0, 0, m, 0;
-///     0, 0, 0, 0, m*l*sin(phi_5)/2, 0, 0, 0, 0, 0, m
-/// ] * [
-///     phi_1_ddot;
-///     phi_2_ddot;
-///     phi_3_ddot;
-///     phi_4_ddot;
-///     phi_5_ddot
-/// ] = [
-///     -3*m*l*g*sin(phi_1)/2 - convective_forces[1];
-///     -m*l*g*sin(phi_2)/2 - convective_forces[2];
-///     -m*l*g*sin(phi_3)/2;
-///     -m*l*g*sin(phi_4)/2;
-///     -m*l*g*sin(phi_5)/2;
-///     m*l*phi_3_dot^2*sin(phi_3)/2;
-///     -m*g - m*l*phi_3_dot^2*cos(phi_3)/2;
-///     m*l*phi_4_dot^2*sin(phi_4)/2;
-///     -m*g - m*l*phi_4_dot^2*cos(phi_4)/2;
-///     m*l*phi_5_dot^2*sin(phi_5)/2;
-///     -m*g - m*l*phi_5_dot^2*cos(phi_5)/2
-/// ]
-///
-/// mass_matrix = [
-///     4*m*l^2/3, mass_matrix[1, 2], 0, 0, 0, 0, 0, 0, 0, 0, 0;
-///     mass_matrix[1, 2], m*l^2/3, 0, 0, 0, 0, 0, 0, 0, 0, 0;
-///     0, 0, m*l^2/3, 0, 0, m*l*cos(phi_3)/2, m*l*sin(phi_3)/2, 0, 0, 0, 0;
-///     0, 0, 0, m*l^2/3, 0, 0, 0, m*l*cos(phi_4)/2, m*l*sin(phi_4)/2, 0, 0;
-///     0, 0, 0, 0, m*l^2/3, 0, 0, 0, 0, m*l*cos(phi_5)/2, m*l*sin(phi_5)/2;
-///     0, 0, m*l*cos(phi_3)/2, 0, 0, m, 0, 0, 0, 0, 0;
-///     0, 0, m*l*sin(phi_3)/2, 0, 0, 0, m, 0, 0, 0, 0;
-///     0, 0, 0, m*l*cos(phi_4)/2, 0, 0, 0, m, 0, 0, 0;
-///     0, 0, 0, m*l*sin(phi_4)/2, 0, 0, 0, 0, m, 0, 0;
-///     0, 0, 0, 0, m*l*cos(phi_5)/2, 0, 0, 0, 0, m, 0;
-///     0, 0, 0, 0, m*l*sin(phi_5)/2, 0, 0, 0, 0, 0, m
-/// ]
-/// mass_matrix[1, 2] = m*l^2*cos(phi_1)*cos(phi_2)/2 + m*l^2*sin(phi_1)*sin(phi_2)/2
-///
-/// convective_forces = [
-///     convective_forces[1];
-///     convective_forces[2];
-///     0;
-///     0;
-///     0;
-///     -m*l*phi_3_dot^2*sin(phi_3)/2;
-///     m*l*phi_3_dot^2*cos(phi_3)/2;
-///     -m*l*phi_4_dot^2*sin(phi_4)/2;
-///     m*l*phi_4_dot^2*cos(phi_4)/2;
-///     -m*l*phi_5_dot^2*sin(phi_5)/2;
-///     m*l*phi_5_dot^2*cos(phi_5)/2
-/// ]
-/// convective_forces[1] = m*l*s_2*sin(phi_1)/2 - m*l*s_1*cos(phi_1)/2
-/// convective_forces[2] = m*l*s_2*sin(phi_2)/4 - m*l*s_1*cos(phi_2)/4
-///
-/// generalized_forces = [
-///     -3*m*l*g*sin(phi_1)/2;
-///     -m*l*g*sin(phi_2)/2;
-///     -m*l*g*sin(phi_3)/2;
-///     -m*l*g*sin(phi_4)/2;
-///     -m*l*g*sin(phi_5)/2;
-///     0;
-///     -m*g;
-///     0;
-///     -m*g;
-///     0;
-///     -m*g
-/// ]
-///
-/// s_1 = 2*l*phi_1_dot^2*sin(phi_1) + l*phi_2_dot^2*sin(phi_2)
-/// s_2 = 2*l*phi_1_dot^2*cos(phi_1) + l*phi_2_dot^2*cos(phi_2)
-/// ```
+/// Its equations of motion are printed by `codegen FILE --equations infix`.
 #[allow(non_snake_case)]
 #[derive(
     ::core::clone::Clone,
@@ -226,7 +142,7 @@ pub struct ChainPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Chain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 additions, 19 multiplications, 1 divisions.
+    /// Operations: 2 additions, 19 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> ChainPrepared<S> {
         let l_squared = self.l * self.l;
@@ -320,7 +236,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             [w_21, w_24, w_26, w_27, mass_phi_2_phi_2],
         ]
     }
-    /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`.
+    /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
     /// Operations: 42 additions, 86 multiplications, 5 sine-cosine pairs.
     #[inline]
@@ -419,42 +335,42 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             -(sin_phi_5 * w),
         ]
     }
-    /// Constraints `C`, 0; zero throughout the motion.
+    /// Constraints `C`, 0, in SI units; zero throughout the motion.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraints(&self, t: S, q: &[S; 5]) -> [S; 0] {
         []
     }
-    /// The sum of the magnitudes of the terms of `C`, 0: what its rounding is relative to.
+    /// The sum of the magnitudes of the terms of `C`, 0, in SI units: what its rounding is relative to.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 5]) -> [S; 0] {
         []
     }
-    /// Constraint Jacobian `C_q`, 0 x 5.
+    /// Constraint Jacobian `C_q`, 0 x 5: units of each constraint per unit of each coordinate.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 0] {
         []
     }
-    /// `C_t`, 0: the speeds obey `C_q q' + C_t = 0`.
+    /// `C_t`, 0, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_time_derivative(&self, t: S, q: &[S; 5]) -> [S; 0] {
         []
     }
-    /// `(C_q q' + C_t)_q q' + (..)_t`, 0: the part of `C''` without accelerations.
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 0, units of `C` per second squared: the part of `C''` without accelerations.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
         []
     }
-    /// `C` (0), `C_q` (0 x 5) and `C_t` (0) together, for projection.
+    /// `C` (0), `C_q` (0 x 5) and `C_t` (0) together, in SI units, for projection.
     ///
     /// Operations: none.
     #[inline]
@@ -551,7 +467,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
                     + self.l * phi_5_dot * sin_phi_5));
         -(w_4 + phi_1_dot * sin_phi_1 * S::from_f64(0.5) * self.m * self.l * self.g)
     }
-    /// Outputs, in SI units.
+    /// Outputs, 2, in SI units.
     ///
     /// Operations: 9 additions, 2 multiplications, 5 sine-cosine pairs.
     #[inline]
@@ -584,7 +500,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         ]
             .into()
     }
-    /// Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 2, in SI units per second.
     ///
     /// Operations: 8 additions, 12 multiplications, 5 sine-cosine pairs.
     #[inline]
@@ -621,7 +537,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         ]
             .into()
     }
-    /// `left - right` of each event, zero when it happens.
+    /// `left - right` of each event, 0, in SI units: zero when it happens.
     ///
     /// Operations: none.
     #[inline]
@@ -665,7 +581,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4 + cos_phi_5)),
         ]
     }
-    /// Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.
+    /// Declared start: values or guesses of the coordinates (5), and speeds (5), in SI units; 0 where nothing is declared.
     ///
     /// Operations: none.
     #[inline]

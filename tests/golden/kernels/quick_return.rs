@@ -431,7 +431,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             ],
         ]
     }
-    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`.
+    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
     /// Operations: 3 additions, 12 multiplications, 2 sine-cosine pairs.
     #[inline]
@@ -460,7 +460,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
         [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.BC * self.F)]
     }
-    /// Constraints `C`, 2; zero throughout the motion.
+    /// Constraints `C`, 2, in SI units; zero throughout the motion.
     ///
     /// Operations: 4 additions, 6 multiplications, 3 sine-cosine pairs.
     #[inline]
@@ -477,7 +477,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 - sin_beta * self.O2A * cos_alpha,
         ]
     }
-    /// The sum of the magnitudes of the terms of `C`, 2: what its rounding is relative to.
+    /// The sum of the magnitudes of the terms of `C`, 2, in SI units: what its rounding is relative to.
     ///
     /// Operations: 9 additions, 6 multiplications, 3 sine-cosine pairs.
     #[inline]
@@ -494,7 +494,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 + (sin_beta * self.O2A * cos_alpha).abs(),
         ]
     }
-    /// Constraint Jacobian `C_q`, 2 x 3.
+    /// Constraint Jacobian `C_q`, 2 x 3: units of each constraint per unit of each coordinate.
     ///
     /// Operations: 4 additions, 9 multiplications, 3 sine-cosine pairs.
     #[inline]
@@ -515,14 +515,14 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             ],
         ]
     }
-    /// `C_t`, 2: the speeds obey `C_q q' + C_t = 0`.
+    /// `C_t`, 2, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
         [S::from_f64(0.0), S::from_f64(0.0)]
     }
-    /// `(C_q q' + C_t)_q q' + (..)_t`, 2: the part of `C''` without accelerations.
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
     /// Operations: 7 additions, 20 multiplications, 3 sine-cosine pairs.
     #[inline]
@@ -545,7 +545,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 - cos_beta * self.O4O2 * beta_dot_squared,
         ]
     }
-    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, for projection.
+    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
     ///
     /// Operations: 7 additions, 14 multiplications, 3 sine-cosine pairs.
     #[inline]
@@ -622,9 +622,9 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         alpha_dot * self.T
             - self.F * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma)
     }
-    /// Outputs, in SI units.
+    /// Outputs, 10, in SI units.
     ///
-    /// Operations: 12 additions, 28 multiplications, 1 divisions, 3 sine-cosine pairs, 3 square roots.
+    /// Operations: 12 additions, 28 multiplications, 1 division, 3 sine-cosine pairs, 3 square roots.
     #[inline]
     pub fn outputs(
         &self,
@@ -665,7 +665,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         ]
             .into()
     }
-    /// Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
     /// Operations: 14 additions, 43 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
@@ -711,9 +711,9 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         ]
             .into()
     }
-    /// `left - right` of each event, zero when it happens.
+    /// `left - right` of each event, 1, in SI units: zero when it happens.
     ///
-    /// Operations: 1 additions, 1 multiplications.
+    /// Operations: 1 addition, 1 multiplication.
     #[inline]
     pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
         let [alpha, _, _] = *q;
@@ -763,9 +763,9 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             B_y + sin_gamma * self.BG5,
         ]
     }
-    /// Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.
+    /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
     ///
-    /// Operations: 1 multiplications.
+    /// Operations: 1 multiplication.
     #[inline]
     pub fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
         sim_kernel::Initial {

@@ -494,7 +494,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             ],
         ]
     }
-    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`.
+    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
     /// Operations: 3 additions, 12 multiplications, 2 sine-cosine pairs.
     #[inline]
@@ -523,7 +523,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
         [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.BC * self.F)]
     }
-    /// Constraints `C`, 2; zero throughout the motion.
+    /// Constraints `C`, 2, in SI units; zero throughout the motion.
     ///
     /// Operations: 4 additions, 6 multiplications, 2 divisions, 3 sine-cosine pairs.
     #[inline]
@@ -540,7 +540,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
                 - self.O4G4 * cos_beta / (sin_beta * self.O4G4),
         ]
     }
-    /// The sum of the magnitudes of the terms of `C`, 2: what its rounding is relative to.
+    /// The sum of the magnitudes of the terms of `C`, 2, in SI units: what its rounding is relative to.
     ///
     /// Operations: 9 additions, 6 multiplications, 2 divisions, 3 sine-cosine pairs.
     #[inline]
@@ -557,7 +557,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
                 + (self.O4G4 * cos_beta / (sin_beta * self.O4G4)).abs(),
         ]
     }
-    /// Constraint Jacobian `C_q`, 2 x 3.
+    /// Constraint Jacobian `C_q`, 2 x 3: units of each constraint per unit of each coordinate.
     ///
     /// Operations: 4 additions, 11 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline]
@@ -581,14 +581,14 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             ],
         ]
     }
-    /// `C_t`, 2: the speeds obey `C_q q' + C_t = 0`.
+    /// `C_t`, 2, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
     /// Operations: none.
     #[inline]
     pub fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
         [S::from_f64(0.0), S::from_f64(0.0)]
     }
-    /// `(C_q q' + C_t)_q q' + (..)_t`, 2: the part of `C''` without accelerations.
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
     /// Operations: 8 additions, 32 multiplications, 7 divisions, 3 sine-cosine pairs.
     #[inline]
@@ -622,7 +622,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             alpha_dot * w_2 - beta_dot * beta_dot * w,
         ]
     }
-    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, for projection.
+    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
     ///
     /// Operations: 7 additions, 16 multiplications, 7 divisions, 3 sine-cosine pairs.
     #[inline]
@@ -704,7 +704,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         alpha_dot * self.T
             - self.F * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma)
     }
-    /// Outputs, in SI units.
+    /// Outputs, 10, in SI units.
     ///
     /// Operations: 13 additions, 29 multiplications, 2 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
@@ -749,7 +749,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         ]
             .into()
     }
-    /// Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
     /// Operations: 14 additions, 43 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
@@ -795,9 +795,9 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         ]
             .into()
     }
-    /// `left - right` of each event, zero when it happens.
+    /// `left - right` of each event, 1, in SI units: zero when it happens.
     ///
-    /// Operations: 1 additions, 1 multiplications.
+    /// Operations: 1 addition, 1 multiplication.
     #[inline]
     pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
         let [alpha, _, _] = *q;
@@ -847,9 +847,9 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             B_y + sin_gamma * self.BG5,
         ]
     }
-    /// Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.
+    /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
     ///
-    /// Operations: 1 multiplications.
+    /// Operations: 1 multiplication.
     #[inline]
     pub fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
         sim_kernel::Initial {
