@@ -10,6 +10,7 @@ mod arguments;
 mod list;
 mod quantity;
 mod run;
+mod settings;
 
 use arguments::{Arguments, Command, RunArguments};
 use clap::Parser;
