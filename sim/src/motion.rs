@@ -13,6 +13,7 @@ use std::cell::{Cell, RefCell};
 #[derive(Debug)]
 pub struct Motion<'m, M: Mechanism> {
     mechanism: &'m M,
+    prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition>,
     evaluations: Cell<u64>,
@@ -22,7 +23,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// The motion of a mechanism, kept on its constraints in this way.
     pub fn new(mechanism: &'m M, stabilisation: Stabilisation) -> Motion<'m, M> {
         let partition = RefCell::new(Partition::default());
-        Motion { mechanism, stabilisation, partition, evaluations: Cell::new(0) }
+        Motion { mechanism, prepared: mechanism.prepare(), stabilisation, partition, evaluations: Cell::new(0) }
     }
 
     /// The mechanism.
@@ -46,7 +47,8 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow().follow(self.mechanism, &mut state)?;
         }
-        let mut dynamics = accelerate(self.mechanism, state.time, &state.positions, &state.speeds)?;
+        let mut dynamics =
+            solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?;
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
             let push = baumgarte(self.mechanism, &state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
@@ -143,7 +145,18 @@ pub fn accelerate<M: Mechanism>(
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    let solved = mechanism.dynamics(time, q, qd);
+    solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
+}
+
+#[inline]
+fn solve_equations<M: Mechanism>(
+    mechanism: &M,
+    prepared: &M::Prepared,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let solved = M::prepared_dynamics(prepared, time, q, qd);
     if !solved.refused && is_finite(&solved.accelerations) && is_finite(&solved.multipliers) && solved.power.is_finite()
     {
         return Ok(solved);
