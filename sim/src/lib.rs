@@ -21,14 +21,16 @@ pub mod show;
 mod solve;
 mod table;
 mod trajectory;
+#[cfg(feature = "analysis")]
+pub mod verify;
 mod write;
 
 pub use assemble::{Start, assemble, declared_start};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use integrate::{
-    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Step,
-    Steps, Tableau, Weight, integrate,
+    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
+    Step, Steps, Tableau, Weight, integrate,
 };
 pub use interpolate::hermite;
 pub use mobility::{Mobility, mobility};

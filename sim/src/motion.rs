@@ -56,6 +56,40 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         Ok(Sample::new(state, &dynamics))
     }
 
+    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
+    /// not what is integrated.
+    ///
+    /// # Errors
+    /// As the right-hand side.
+    pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let state = &at.state;
+        let generated = M::prepared_dynamics_jacobian(&self.prepared, state.time, &state.positions, &state.speeds);
+        let is_wanted = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
+        if is_wanted && !generated.refused {
+            return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
+        }
+        self.difference_quotients(at)
+    }
+
+    #[cold]
+    fn difference_quotients(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let zero = M::QQ::filled(M::Q::filled(0.0));
+        let (mut by_positions, mut by_speeds) = (zero, zero);
+        for j in 0..M::Q::LEN {
+            let (mut moved, mut hastened) = (at.state, at.state);
+            let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(1.0);
+            let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
+            moved.positions[j] += steps[0];
+            hastened.speeds[j] += steps[1];
+            let [moved, hastened] = [self.sample(moved)?.accelerations, self.sample(hastened)?.accelerations];
+            for i in 0..M::Q::LEN {
+                by_positions[i][j] = (moved[i] - at.accelerations[i]) / steps[0];
+                by_speeds[i][j] = (hastened[i] - at.accelerations[i]) / steps[1];
+            }
+        }
+        Ok((by_positions, by_speeds))
+    }
+
     /// Brings the end of a step, or a point inside it, onto the constraints.
     ///
     /// # Errors

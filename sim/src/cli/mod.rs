@@ -11,8 +11,9 @@ mod list;
 mod quantity;
 mod run;
 mod settings;
+mod verify;
 
-use arguments::{Arguments, Command, RunArguments};
+use arguments::{Arguments, Command, RunArguments, VerifyArguments};
 use clap::Parser;
 use codegen::nearest;
 use sim_kernel::{Description, Mechanism};
@@ -23,11 +24,16 @@ use std::process::ExitCode;
 pub struct Entry {
     description: &'static Description,
     run: fn(&RunArguments) -> Result<(), Stop>,
+    verify: fn(&VerifyArguments) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
 pub fn entry<M: Mechanism>() -> Entry {
-    Entry { description: const { &M::DESCRIPTION }, run: run::run_command::<M> }
+    Entry {
+        description: const { &M::DESCRIPTION },
+        run: run::run_command::<M>,
+        verify: verify::verify_command::<M>,
+    }
 }
 
 /// Why a command did not do what it was asked.
@@ -67,6 +73,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
             let entry = find(mechanisms, &arguments.model)?;
             (entry.run)(&arguments)
         }
+        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
     }
 }
 

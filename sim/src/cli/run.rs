@@ -71,7 +71,7 @@ fn remove_earlier_results(description: &Description, directory: &Path) -> Result
     Ok(())
 }
 
-fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
+pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
@@ -85,7 +85,7 @@ fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) 
     Ok(M::with_parameters(parameters))
 }
 
-fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
+pub(super) fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;
