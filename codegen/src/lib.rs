@@ -10,10 +10,12 @@ pub mod emit;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;
+pub mod notation;
 pub mod oracle;
 pub mod program;
 pub mod symbolic;
 
+use notation::{Notation, Part};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
@@ -24,10 +26,37 @@ use quote::{ToTokens, quote};
 pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
     let declaration = dsl::parse(tokens.clone())?;
     let model = model::resolve(&declaration)?;
-    let mut equations = dynamics::derive(model);
+    let mut equations = dynamics::derive_cheapest(model);
     let program = program::plan(&mut equations);
     let text = dsl::source_text(tokens);
     Ok(emit::emit(&declaration.head, &text, &equations, &program, path))
+}
+
+/// The formatted items of every mechanism that a text declares: a Rust file with `mechanism! { .. }` in it, or a bare
+/// declaration. For build scripts; the file that they write is `include!`d.
+///
+/// ```
+/// // In build.rs, where `text` is read from a file and the result written into OUT_DIR:
+/// let text = "pub Pendulum; coordinates { phi [rad]; } parameters { l [m] = 1; }
+///     bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81]; }";
+/// match codegen::generate_text(text, "sim_kernel") {
+///     Ok(items) => assert!(items.contains("pub struct Pendulum")),
+///     Err(mistakes) => {
+///         let lines = codegen::mistakes::located("pendulum.txt", mistakes);
+///         lines.lines().for_each(|line| println!("cargo::error={line}"));
+///     }
+/// }
+/// ```
+///
+/// # Errors
+/// As [`generate`], for the first declaration with mistakes; and if there is none.
+pub fn generate_text(text: &str, path: &str) -> syn::Result<String> {
+    let path: TokenStream = path.parse()?;
+    let mut items = String::new();
+    for declaration in dsl::declarations(text)? {
+        items += &emit::format(generate(declaration, &path)?)?;
+    }
+    Ok(items)
 }
 
 /// The equations of motion of a declaration, as far as the symbols go.
@@ -36,6 +65,14 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 /// As [`generate`].
 pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion> {
     Ok(dynamics::derive(model::resolve(&dsl::parse(tokens)?)?))
+}
+
+/// The equations of motion of a declaration's text, to be read.
+///
+/// # Errors
+/// As [`generate`], and if the text is not made of Rust's tokens.
+pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Part>> {
+    Ok(notation::equations(&equations(declaration.parse()?)?, notation))
 }
 
 /// What the procedural macro does: `path; declaration` to items, or to the mistakes and a stand-in.

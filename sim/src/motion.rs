@@ -63,7 +63,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// As the right-hand side.
     pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
         let state = &at.state;
-        let generated = M::prepared_dynamics_jacobian(&self.prepared, state.time, &state.positions, &state.speeds);
+        let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
         let is_wanted = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
         if is_wanted && !generated.refused {
             return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
@@ -191,15 +191,17 @@ fn solve_equations<M: Mechanism>(
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
     let solved = M::prepared_dynamics(prepared, time, q, qd);
-    if !solved.refused && is_finite(&solved.accelerations) && is_finite(&solved.multipliers) && solved.power.is_finite()
-    {
+    if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }
     accelerate_by_pivoting(mechanism, time, q, qd)
 }
 
-fn is_finite<A: Array<f64>>(values: &A) -> bool {
-    values.iter().all(|value| value.is_finite())
+/// Whether all of a solution is.
+#[inline(always)]
+fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool {
+    let values = solved.accelerations.iter().chain(solved.multipliers.iter());
+    values.chain([&solved.power]).all(|value| value.is_finite())
 }
 
 #[cold]

@@ -2,19 +2,20 @@
 //! solved, in which order things are computed and under which names.
 
 mod collect;
+mod diagram;
 mod eliminate;
 mod kernels;
 mod lower;
 mod motion;
 mod names;
 mod operations;
-mod order;
 mod planner;
 mod prepared;
 mod results;
 mod schedule;
 mod values;
 
+pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
 pub use results::{Record, Results};

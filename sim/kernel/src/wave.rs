@@ -37,7 +37,7 @@ const COS: [f64; 6] = [
 ];
 
 /// Sine and cosine of each angle: the same bits as one by one.
-#[inline]
+#[inline(always)]
 pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     let mut all_plain = true;
@@ -227,6 +227,8 @@ mod tests {
             angles.push(20.0 * unit() - 10.0);
             angles.push(LARGEST * (2.0 * unit() - 1.0));
             angles.push(2f64.powf(-200.0 * unit()));
+            // Beyond the reduction, where libm takes over; up to 2^150, which 400 bits of pi reduce well enough.
+            angles.push(2f64.powf(20.0 + 130.0 * unit()));
             // Nearest doubles to multiples of pi/2, where almost all digits cancel.
             let multiple = (unit() * (LARGEST / FRAC_PI_2)).floor() * FRAC_PI_2;
             angles.extend([multiple, multiple.next_up(), -multiple.next_down()]);

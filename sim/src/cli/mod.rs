@@ -29,11 +29,7 @@ pub struct Entry {
 
 /// Makes a mechanism known to [`main`].
 pub fn entry<M: Mechanism>() -> Entry {
-    Entry {
-        description: const { &M::DESCRIPTION },
-        run: run::run_command::<M>,
-        verify: verify::verify_command::<M>,
-    }
+    Entry { description: const { &M::DESCRIPTION }, run: run::run_command::<M>, verify: verify::verify_command::<M> }
 }
 
 /// Why a command did not do what it was asked.
