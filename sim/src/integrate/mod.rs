@@ -23,7 +23,7 @@ use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -167,6 +167,14 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     Ok(())
 }
 
+/// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.
+const MOST_MOVED: f64 = 1000.0;
+
+/// The differences of positions and speeds.
+fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
+    (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
+}
+
 /// One step, with its end on the constraints and the estimate of its error.
 #[inline]
 fn attempt<M: Mechanism, A: Advance<M>>(
@@ -181,8 +189,10 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     if !(error <= 1.0) {
         return Ok((*from, error));
     }
+    let before = end;
     motion.keep(&mut end)?;
-    Ok((motion.sample(end)?, error))
+    let moved = tolerance.map_or(0.0, |tolerance| tolerance.norm(&before, &end, &difference(&before, &end)));
+    Ok((motion.sample(end)?, error.max(moved / MOST_MOVED)))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {

@@ -50,6 +50,8 @@ pub struct Radau5<M: Mechanism> {
     stages: [Rates<M>; 3],
     /// The length of the last step, whose polynomial foretells the next; 0 if there is none.
     last: f64,
+    /// The time that the last step came to.
+    reached: f64,
     jacobian: Blocks<M>,
     real: Lu<f64>,
     complex: Lu<Complex<f64>>,
@@ -67,7 +69,14 @@ impl<M: Mechanism> Radau5<M> {
     pub fn new() -> Radau5<M> {
         let (n, zero) = (M::Q::LEN, M::QQ::filled(M::Q::filled(0.0)));
         let jacobian = Blocks { by_positions: zero, by_speeds: zero };
-        Radau5 { stages: [Rates::zero(); 3], last: 0.0, jacobian, real: Lu::new(n), complex: Lu::new(n) }
+        Radau5 {
+            stages: [Rates::zero(); 3],
+            last: 0.0,
+            reached: f64::NAN,
+            jacobian,
+            real: Lu::new(n),
+            complex: Lu::new(n),
+        }
     }
 
     /// Factorises both systems for a step of length h.
@@ -107,9 +116,10 @@ impl<M: Mechanism> Radau5<M> {
     }
 
     /// Where the polynomial of the last step foretells the stages of the next.
-    fn foretell(&mut self, h: f64) {
+    fn foretell(&mut self, from: &Sample<M>, h: f64) {
         let (last, stages) = (self.last, self.stages);
-        if last == 0.0 {
+        // A step that was refused foretells nothing.
+        if last == 0.0 || self.reached != from.state.time {
             self.stages = [Rates::zero(); 3];
             return;
         }
@@ -217,7 +227,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         let fail = || Failure::at::<M>(What::NoConvergence, from.state.time, &from.state.positions);
         let (by_positions, by_speeds) = motion.jacobian(from)?;
         self.jacobian = Blocks { by_positions, by_speeds };
-        self.foretell(h);
+        self.foretell(from, h);
         // Unless the step succeeds, the next one starts from nothing.
         self.last = 0.0;
         if !self.factorise(h) {
@@ -228,7 +238,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         change.work = h * rates.iter().zip(B).map(|(rates, weight)| weight * rates.work).sum::<f64>();
         let end = from.state.changed(time, 1.0, &change);
         let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, from, &end, h, tolerance))?;
-        self.last = h;
+        (self.last, self.reached) = (h, time);
         Ok(Attempt { end, error })
     }
 
