@@ -62,6 +62,16 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
+    /// Constraints that are independent elsewhere depend on each other here.
+    #[error(
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here, and \
+             from here there may be more than one way to go on. Equal steps may pass it (`--method rk4 --steps N`); or change a length \
+             or the start a little"
+    )]
+    SingularPosition {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// The equations of motion do not determine the accelerations.
     #[error(
         "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \
@@ -71,12 +81,69 @@ pub enum What {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
     },
-    /// The samples would not fit in memory.
-    #[error("{steps} steps do not fit in memory; take larger steps or a shorter run")]
-    TooManySteps {
-        /// The steps asked for.
-        steps: usize,
+    /// Some motion has no or negative kinetic energy.
+    #[error(
+        "the mass matrix is not positive: moving `{coordinate}` would have negative kinetic energy. Masses and inertias \
+             must not be negative{suspects}"
+    )]
+    NegativeMass {
+        /// The coordinate that moves most.
+        coordinate: &'static str,
+        /// Negative parameters, as a part of a sentence.
+        suspects: String,
     },
+    /// No equilibrium was found.
+    #[error(
+        "no equilibrium was found: at the nearest position at rest an acceleration of {acceleration:.3e} is left. Start nearer to \
+             one, or hold what nothing holds"
+    )]
+    NoEquilibrium {
+        /// The largest acceleration, in SI units.
+        acceleration: f64,
+    },
+    /// The samples would not fit in memory.
+    #[error("{rows} rows do not fit in memory; record fewer")]
+    TooManyRows {
+        /// The rows asked for.
+        rows: usize,
+    },
+    /// The method cannot choose its steps.
+    #[error("this method makes no estimate of its error and cannot choose its steps: give their number")]
+    NoErrorEstimate,
+    /// The tolerance cannot be met by any step.
+    #[error(
+        "the tolerance cannot be met: the step has shrunk to {step:.1e} s. Allow a larger tolerance, or use `--method radau5` \
+             if the mechanism is stiff; at a jump of a load no step is small enough"
+    )]
+    StepTooSmall {
+        /// The step that was refused, in seconds.
+        step: f64,
+    },
+    /// The implicit method's equations were not solved.
+    #[error("the equations of an implicit step were not solved: Newton's method does not converge. Take smaller steps")]
+    NoConvergence,
+    /// An event happens without end.
+    #[error(
+        "event `{event}` chatters: it happened {count} times within one step. Its condition changes faster than the motion; \
+             make it smooth"
+    )]
+    Chattering {
+        /// Its name.
+        event: &'static str,
+        /// How often it happened.
+        count: usize,
+    },
+    /// Something failed where an event was looked for.
+    #[error("while event `{event}` was looked for: {what}")]
+    InEvent {
+        /// The event.
+        event: &'static str,
+        /// What failed.
+        what: Box<What>,
+    },
+    /// Somebody asked it to end.
+    #[error("interrupted; what was computed until then is kept")]
+    Interrupted,
     /// A number that is not finite.
     #[error(
         "{quantity} is not finite. A load or an expression leaves its domain (division by zero, root of a negative number), \
@@ -93,6 +160,13 @@ impl Failure {
     pub fn at<M: Mechanism>(what: What, time: f64, q: &M::Q) -> Failure {
         let names = M::DESCRIPTION.coordinates.iter().map(|c| c.position.name);
         Failure { what, time, state: names.zip(q.iter().copied()).collect() }
+    }
+}
+
+impl Failure {
+    /// The same, while an event was looked for.
+    pub(crate) fn in_event(self, event: &'static str) -> Failure {
+        Failure { what: What::InEvent { event, what: Box::new(self.what) }, ..self }
     }
 }
 

@@ -7,32 +7,44 @@ mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod equilibrium;
 mod events;
 mod failure;
 mod integrate;
 mod interpolate;
+mod mobility;
 mod motion;
+mod partition;
 mod project;
 mod root;
 mod run;
+mod settings;
 pub mod show;
 mod solve;
 mod table;
 mod trajectory;
 mod vector;
+#[cfg(feature = "analysis")]
+pub mod verify;
 mod write;
 
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
-pub use events::{Occurrence, locate_events};
+pub use equilibrium::{Equilibrium, equilibrium};
+pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
-pub use integrate::{RK4, Tableau, integrate};
-pub use interpolate::interpolate;
-pub use motion::{accelerate, residuals};
-pub use project::{project_positions, project_velocities};
-pub use run::{Grid, Run, run};
+pub use integrate::{
+    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
+    Step, Steps, Tableau, Weight, integrate,
+};
+pub use interpolate::hermite;
+pub use mobility::{Mobility, check_masses, mobility};
+pub use motion::{Motion, accelerate, residuals};
+pub use project::{project, project_positions, project_velocities, rates};
+pub use run::{Run, run};
+pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
-pub use trajectory::{Sample, State, Trajectory};
+pub use trajectory::{Rates, Sample, State, Trajectory};
 pub use vector::{Vectors, Work};
 pub use write::{WriteError, summary, write_csv, write_json};

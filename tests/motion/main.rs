@@ -4,7 +4,16 @@
 
 mod andrews;
 mod assembly;
+mod constraints;
+mod events;
 mod failure;
+mod faulty;
+mod linkages;
+mod long;
+mod order;
 mod pendulum;
 mod quick_return;
+mod statics;
+mod stiff;
 mod units;
+mod verification;

@@ -1,5 +1,6 @@
 //! What can be said on the command line.
 
+use super::settings::SettingsArguments;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -8,7 +9,7 @@ use std::path::PathBuf;
 #[command(
     version,
     arg_required_else_help = true,
-    after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --step 0.1ms --set O2A=180mm\n  \
+    after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --set O2A=180mm\n  sim run quick-return --method rk4 --steps 8192\n  \
                   sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n\n\
                   Exit status: 0 done, 1 the run failed (what was computed is written), 2 the command line is wrong."
 )]
@@ -23,6 +24,12 @@ pub(super) enum Command {
     List,
     /// Runs a mechanism and writes its motion, a summary and figures.
     Run(RunArguments),
+    /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
+    Verify(VerifyArguments),
+    /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
+    Assemble(StartArguments),
+    /// Finds the equilibrium near the start and the eigenvalues of small motions about it.
+    Equilibrium(StartArguments),
 }
 
 /// How to run.
@@ -37,17 +44,8 @@ pub(super) struct RunArguments {
     /// The mechanism, as `list` names it.
     pub(super) model: String,
 
-    /// End of the run; in seconds unless a unit is given.
-    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
-    pub(super) t_end: String,
-
-    /// Number of steps of equal size.
-    #[arg(long, value_name = "N", default_value_t = 8192, conflicts_with = "step", value_parser = whole_number, allow_hyphen_values = true)]
-    pub(super) steps: usize,
-
-    /// Size of a step, instead of their number; made a little smaller if it does not divide the run.
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pub(super) step: Option<String>,
+    #[command(flatten)]
+    pub(super) settings: SettingsArguments,
 
     /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
@@ -67,6 +65,40 @@ pub(super) struct RunArguments {
     pub(super) no_figures: bool,
 }
 
-fn whole_number(text: &str) -> Result<usize, String> {
-    text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number above 0 is needed, such as 8192".to_owned())
+/// What to verify.
+#[derive(Args)]
+#[command(
+    after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
+    the verdict. Exit status 1 if a check fails."
+)]
+pub(super) struct VerifyArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
+
+    /// Verifies the motion until then, or for as long as 150 steps of DOP853 take.
+    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
+    pub(super) t_end: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(super) initial: Vec<String>,
+}
+
+/// A mechanism and its start.
+#[derive(Args)]
+pub(super) struct StartArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(super) initial: Vec<String>,
 }

@@ -10,8 +10,11 @@ mod arguments;
 mod list;
 mod quantity;
 mod run;
+mod settings;
+mod statics;
+mod verify;
 
-use arguments::{Arguments, Command, RunArguments};
+use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments};
 use clap::Parser;
 use codegen::nearest;
 use sim_kernel::{Description, Mechanism};
@@ -22,11 +25,20 @@ use std::process::ExitCode;
 pub struct Entry {
     description: &'static Description,
     run: fn(&RunArguments) -> Result<(), Stop>,
+    verify: fn(&VerifyArguments) -> Result<(), Stop>,
+    assemble: fn(&StartArguments) -> Result<(), Stop>,
+    equilibrium: fn(&StartArguments) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
 pub fn entry<M: Mechanism>() -> Entry {
-    Entry { description: const { &M::DESCRIPTION }, run: run::run_command::<M> }
+    Entry {
+        description: const { &M::DESCRIPTION },
+        run: run::run_command::<M>,
+        verify: verify::verify_command::<M>,
+        assemble: statics::assemble_command::<M>,
+        equilibrium: statics::equilibrium_command::<M>,
+    }
 }
 
 /// Why a command did not do what it was asked.
@@ -66,6 +78,9 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
             let entry = find(mechanisms, &arguments.model)?;
             (entry.run)(&arguments)
         }
+        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments),
+        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments),
     }
 }
 

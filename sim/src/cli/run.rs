@@ -5,7 +5,7 @@ use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::{Stop, unknown};
 use crate::show;
-use crate::{Grid, Run, Start, Table, WriteError, declared_start, run, summary, write_csv, write_json};
+use crate::{Run, Start, Stepping, Table, WriteError, declared_start, run, summary, write_csv, write_json};
 use serde_json::json;
 use sim_kernel::{Array, Description, Mechanism};
 use std::fs;
@@ -13,19 +13,16 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Steps beyond which the files of a run would take gigabytes.
-const MOST_STEPS: usize = 10_000_000;
-
 /// Runs a mechanism, writes what it found, and prints a short table.
 pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let clock = Instant::now();
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
-    let grid = grid(arguments)?;
+    let settings = arguments.settings.settings(description)?;
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     remove_earlier_results(description, &directory)?;
-    let found = run(mechanism, &start, grid)?;
+    let found = run(mechanism, &start, &settings)?;
     fs::create_dir_all(&directory).map_err(|e| WriteError::new(&directory, e))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     write_csv(&table, &directory.join("trajectory.csv"))?;
@@ -74,7 +71,7 @@ fn remove_earlier_results(description: &Description, directory: &Path) -> Result
     Ok(())
 }
 
-fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
+pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
@@ -88,18 +85,21 @@ fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) 
     Ok(M::with_parameters(parameters))
 }
 
-fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
+pub(super) fn start_with<M: Mechanism>(
+    mechanism: &M,
+    description: &Description,
+    settings: &[String],
+) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;
         let coordinates = description.coordinates;
         if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
             start.positions[at] = parse_quantity(name, value, coordinates[at].position.unit)?;
-            let stays_guess = coordinates[at].start == sim_kernel::Start::Guess;
-            start.position_given[at] = if stays_guess { 0.0 } else { 1.0 };
+            start.position_given[at] = coordinates[at].start != sim_kernel::Start::Guess;
         } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
             start.speeds[at] = parse_quantity(name, value, coordinates[at].speed.unit)?;
-            start.speed_given[at] = 1.0;
+            start.speed_given[at] = true;
         } else {
             if description.parameters.iter().any(|p| p.name == name) {
                 return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
@@ -111,26 +111,22 @@ fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: 
     Ok(start)
 }
 
-fn grid(arguments: &RunArguments) -> Result<Grid, Stop> {
-    let end = positive("--t-end", &arguments.t_end)?;
-    let steps = match &arguments.step {
-        // A step that divides the run up to rounding is taken as it is.
-        Some(step) => (end / positive("--step", step)? * (1.0 - 1e-12)).ceil().max(1.0),
-        None => arguments.steps as f64,
-    };
-    if !(1.0..=MOST_STEPS as f64).contains(&steps) {
-        return Err(Stop::Usage(format!("{steps:e} steps are asked for; from 1 to {MOST_STEPS:e} are possible")));
-    }
-    Ok(Grid { end, steps: steps as usize })
-}
-
-fn positive(option: &str, text: &str) -> Result<f64, Stop> {
-    let time = parse_quantity(option, text, "s")?;
-    if time > 0.0 { Ok(time) } else { Err(Stop::Usage(format!("{option}: a time above 0 is needed, not `{text}`"))) }
-}
-
 /// Relative change of energy from which the result deserves doubt.
 const DOUBTFUL_BALANCE: f64 = 1e-3;
+
+/// The method, its steps and what they took.
+fn method<M: Mechanism>(run: &Run<M>) -> String {
+    let settings = &run.settings;
+    let steps = match settings.stepping {
+        Stepping::Equal(steps) => format!("{} of {:.6e} s", counted(steps, "step"), settings.end / steps as f64),
+        Stepping::Adaptive(tolerance) => {
+            let accepted = usize::try_from(run.steps.accepted).unwrap_or(usize::MAX);
+            format!("rtol {:e}, {}, {} refused", tolerance.relative, counted(accepted, "step"), run.steps.rejected)
+        }
+    };
+    let (name, kept) = (settings.method.name(), settings.stabilisation);
+    format!("{name}, {steps}, {} right-hand sides, {kept}", run.evaluations)
+}
 
 /// The short table for the terminal.
 fn report<M: Mechanism>(
@@ -141,11 +137,10 @@ fn report<M: Mechanism>(
     [without, total]: [f64; 2],
 ) -> String {
     let description = const { &M::DESCRIPTION };
-    let (steps, end) = (run.grid.steps, run.grid.end);
-    let method = format!("{}, {} of {:.6e} s, projected", crate::RK4.name, counted(steps, "step"), end / steps as f64);
+    let end = run.settings.end;
     let reached = table.times().last().copied().unwrap_or(0.0);
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
-    let mut rows = vec![("model", description.name.to_owned()), ("method", method), ("time", span)];
+    let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
     match run.period() {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
         None if description.events.contains(&"period") => rows.push(("period", "not reached".into())),
@@ -153,6 +148,14 @@ fn report<M: Mechanism>(
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
         rows.push(("event", format!("{} at {:.12} s", event.name, event.state.time)));
+    }
+    let dependent = &run.mobility.dependent;
+    if !dependent.is_empty() {
+        let names = dependent.join("`, `");
+        rows.push((
+            "redundant",
+            format!("`{names}`: implied by the other constraints at the start; reaction shown as 0"),
+        ));
     }
     if M::L::LEN > 0 {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
