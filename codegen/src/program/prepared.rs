@@ -8,6 +8,8 @@ use super::results::{Record, Results};
 use super::schedule::{Leaves, derived_name};
 use super::values::{Input, Operation, Value};
 use super::{Arguments, Kernel, Receiver, Tree};
+use indexmap::IndexMap;
+use std::collections::BTreeSet;
 
 /// `prepare`, and the kernels of what it returns.
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
@@ -39,30 +41,32 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     [prepare].into_iter().chain(kernels).collect()
 }
 
-/// The parameters that are needed as they are, and all that others need of what depends on parameters alone.
+/// What depends on parameters alone and others need, and the parameters that are needed as they are.
 fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Value]) -> Vec<(String, Value)> {
     let values = &lowering.values;
-    let is_simple = |value: Value| match values.operation(value) {
-        Operation::Constant(_) => true,
-        Operation::Negate(operand) => values.operands(*operand).is_empty(),
-        _ => false,
+    let is_computed = |value: Value| match values.operation(value) {
+        Operation::Constant(_) | Operation::Input(_) => false,
+        Operation::Negate(operand) => !values.operands(*operand).is_empty(),
+        _ => true,
     };
     let needed = values.reachable(roots, &Leaves::default());
     let variable = needed.iter().filter(|value| !values.is_parametric(**value));
-    let mut fields: Vec<Value> = variable.flat_map(|value| values.operands(*value)).chain(roots.to_vec()).collect();
-    fields.retain(|value| values.is_parametric(*value) && !is_simple(*value));
-    // The opposite of a parameter is written out, and needs the parameter.
-    fields.extend(needed.iter().copied().filter(|value| {
-        matches!(values.operation(*value), Operation::Input(Input::Parameter(_)))
-            && needed.iter().any(|user| is_simple(*user) && values.operands(*user).contains(value))
-    }));
-    fields.sort();
-    fields.dedup();
+    let operands = variable.flat_map(|value| values.operands(*value)).chain(roots.to_vec());
+    let computed = operands.filter(|value| values.is_parametric(*value) && is_computed(*value));
+    let mut fields: BTreeSet<Value> = computed.collect();
+    let leaves = fields.iter().map(|value| (*value, Tree::Constant(0.0))).collect();
+    let is_parameter = |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_)));
+    fields.extend(values.reachable(roots, &leaves).into_iter().filter(is_parameter));
     name_fields(planner, lowering, motion, fields)
 }
 
 /// Parameters keep their names; what was computed is named for what it is.
-fn name_fields(planner: &Planner, lowering: &Lowering, motion: &Motion, fields: Vec<Value>) -> Vec<(String, Value)> {
+fn name_fields(
+    planner: &Planner,
+    lowering: &Lowering,
+    motion: &Motion,
+    fields: BTreeSet<Value>,
+) -> Vec<(String, Value)> {
     let values = &lowering.values;
     let parameters = &planner.equations.model.parameters;
     let wished = planner.names_wished(lowering, motion.labels.clone());
@@ -70,7 +74,7 @@ fn name_fields(planner: &Planner, lowering: &Lowering, motion: &Motion, fields: 
     parameters.iter().for_each(|parameter| {
         names.unique(&parameter.name);
     });
-    let mut named: indexmap::IndexMap<Value, String> = indexmap::IndexMap::new();
+    let mut named: IndexMap<Value, String> = IndexMap::new();
     for value in fields {
         let name = match values.operation(value) {
             Operation::Input(Input::Parameter(i)) => parameters[*i].name.clone(),
