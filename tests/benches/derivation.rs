@@ -28,7 +28,7 @@ fn stages(description: &Description) {
         let parsed = clock.elapsed();
         let model = model::resolve(&declaration).unwrap();
         let resolved = clock.elapsed();
-        let mut equations = dynamics::derive(model);
+        let mut equations = dynamics::derive_cheapest(model);
         let derived = clock.elapsed();
         let program = program::plan(&mut equations);
         let planned = clock.elapsed();

@@ -198,7 +198,7 @@ fn dependent<const Q: usize>(states: &[[[f64; Q]; 2]; STATES], route: &impl Fn(&
 fn making(name: &str, declaration: &str) -> Making {
     let derive = || {
         let parsed = dsl::parse(declaration.parse().unwrap()).unwrap();
-        let mut equations = dynamics::derive(model::resolve(&parsed).unwrap());
+        let mut equations = dynamics::derive_cheapest(model::resolve(&parsed).unwrap());
         let program = program::plan(&mut equations);
         let rust = emit::emit(&parsed.head, declaration, &equations, &program, &quote!(sim_kernel));
         (program, rust)
@@ -210,8 +210,13 @@ fn making(name: &str, declaration: &str) -> Making {
     });
     let derivation = derivation.min().unwrap();
     let (program, rust) = derive();
-    let statements = program.kernels.iter().find(|kernel| kernel.name == "dynamics").unwrap().statements.len();
-    Making { derivation, statements, compilation: compilation(name, &rust.to_string()) }
+    let kernel = program.kernels.iter().find(|kernel| kernel.name == "dynamics").unwrap();
+    let statements = kernel.statements.len() + kernel.pieces.iter().map(|piece| piece.statements.len()).sum::<usize>();
+    Making {
+        derivation,
+        statements,
+        compilation: compilation(name, &codegen::emit::format(rust).ok().unwrap_or_default()),
+    }
 }
 
 /// rustc on the emitted file alone, optimised, `dynamics` in numbers of type f64; none if it cannot be run.
