@@ -49,8 +49,9 @@ impl<'a> Schedule<'a> {
         let (names, statements) = (FxHashMap::default(), vec![]);
         let mut schedule =
             Schedule { values, labels, named, angles, levels, uses, local_names, leaves, names, statements };
-        for value in values.all() {
-            schedule.state(value);
+        // From the results backwards: what is used together is computed together, and little has to be kept for long.
+        for root in roots {
+            if schedule.named[root.index()] { schedule.state(*root) } else { schedule.require(*root) }
         }
         schedule
     }

@@ -621,27 +621,27 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_6 = self.sa * u3_x - self.sb * u3_y;
         let w_7 = self.sa * u3_y + u3_x * self.sb;
         let w_8 = self.ee - self.ea;
-        let w_9 = self.zt * u5_x + w_8 * n4_x;
-        let w_10 = self.zt * u5_y - w_8 * cos_w_2;
-        let w_11 = self.m4 * self.ee * self.zt;
-        let w_12 = self.m4 * self.ea * self.zt;
-        let w_13 = self.i4 + self.m4 * self.ee * self.ee
+        let w_9 = self.i4 + self.m4 * self.ee * self.ee
             - self.m4 * self.ee * self.ea * S::from_f64(2.0)
             + self.m4 * self.ea * self.ea;
-        let mass_delta_Phi = w_13 + n4_x * u5_x * (w_11 - w_12)
-            + cos_w_2 * u5_y * (w_12 - w_11);
+        let w_10 = self.m4 * self.ee * self.zt;
+        let w_11 = self.m4 * self.ea * self.zt;
+        let mass_delta_Phi = w_9 + n4_x * u5_x * (w_10 - w_11)
+            + cos_w_2 * u5_y * (w_11 - w_10);
+        let w_12 = self.zt * u5_y - w_8 * cos_w_2;
+        let w_13 = self.zt * u5_x + w_8 * n4_x;
         let w_14 = u5_y * self.ta + u5_x * self.tb;
         let w_15 = u5_x * self.ta - u5_y * self.tb;
         let w_16 = self.zf - self.fa;
-        let w_17 = self.u * u7_y + w_16 * u6_x;
-        let w_18 = self.u * u7_x - w_16 * u6_y;
-        let w_19 = self.m6 * self.zf * self.u;
-        let w_20 = self.m6 * self.fa * self.u;
-        let w_21 = self.i6 + self.m6 * self.zf * self.zf
+        let w_17 = self.i6 + self.m6 * self.zf * self.zf
             - S::from_f64(2.0) * self.m6 * self.zf * self.fa
             + self.m6 * self.fa * self.fa;
-        let mass_epsilon_Omega = w_21 + u6_x * u7_y * (w_19 - w_20)
-            + u6_y * u7_x * (w_20 - w_19);
+        let w_18 = self.m6 * self.zf * self.u;
+        let w_19 = self.m6 * self.fa * self.u;
+        let mass_epsilon_Omega = w_17 + u6_x * u7_y * (w_18 - w_19)
+            + u6_y * u7_x * (w_19 - w_18);
+        let w_20 = self.u * u7_x - w_16 * u6_y;
+        let w_21 = self.u * u7_y + w_16 * u6_x;
         let w_22 = u7_x * self.ua + u7_y * self.ub;
         let w_23 = u7_y * self.ua - u7_x * self.ub;
         [
@@ -687,7 +687,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_delta_Phi,
-                self.m4 * (w_10 * w_10 + w_9 * w_9)
+                self.m4 * (w_12 * w_12 + w_13 * w_13)
                     + self.m5 * (w_14 * w_14 + w_15 * w_15) + (self.i4 + self.i5),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
@@ -708,7 +708,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_epsilon_Omega,
-                self.m6 * (w_18 * w_18 + w_17 * w_17)
+                self.m6 * (w_20 * w_20 + w_21 * w_21)
                     + self.m7 * (w_22 * w_22 + w_23 * w_23) + (self.i6 + self.i7),
             ],
         ]
@@ -739,12 +739,12 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w, w_2, delta, w_3, epsilon]);
-        let w_4 = self.m2 * self.rr * self.da;
+        let w_4 = u2_y * u1_x;
         let w_5 = u1_y * u2_x;
-        let w_6 = u2_y * u1_x;
-        let w_7 = w_6 - w_5;
-        let w_8 = self.m4 * self.ee * self.zt;
-        let w_9 = self.m4 * self.ea * self.zt;
+        let w_6 = w_4 - w_5;
+        let w_7 = self.m2 * self.rr * self.da;
+        let w_8 = self.m4 * self.ea * self.zt;
+        let w_9 = self.m4 * self.ee * self.zt;
         let w_10 = n4_x * u5_y + cos_w_2 * u5_x;
         let w_11 = self.m6 * self.zf * self.u;
         let w_12 = self.m6 * self.fa * self.u;
@@ -752,12 +752,12 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_14 = u6_x * u7_x;
         let w_15 = w_14 + w_13;
         [
-            self.m2 * self.rr * self.da * S::from_f64(2.0) * Theta_dot * beta_dot * w_7
-                + w_4 * Theta_dot * Theta_dot * w_7,
-            w_4 * beta_dot * beta_dot * (w_5 - w_6),
+            self.m2 * self.rr * self.da * S::from_f64(2.0) * Theta_dot * beta_dot * w_6
+                + w_7 * Theta_dot * Theta_dot * w_6,
+            w_7 * beta_dot * beta_dot * (w_5 - w_4),
             S::from_f64(0.0),
-            (w_9 - w_8) * delta_dot * delta_dot * w_10,
-            (w_8 - w_9) * w_10 * Phi_dot * Phi_dot
+            (w_8 - w_9) * delta_dot * delta_dot * w_10,
+            (w_9 - w_8) * w_10 * Phi_dot * Phi_dot
                 + (S::from_f64(2.0) * self.m4 * self.ee * self.zt
                     - S::from_f64(2.0) * self.m4 * self.ea * self.zt) * Phi_dot
                     * delta_dot * w_10,
@@ -774,32 +774,32 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     pub fn generalized_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, gamma, _, _, _, _] = *q;
         let ([u3_y], [u3_x]) = S::sin_cos_each([gamma]);
-        let w = self.xb - self.xc + self.sc * u3_y + self.sd * u3_x;
-        let w_2 = self.yb - self.yc - self.sc * u3_x + u3_y * self.sd;
-        let w_3 = (w * w + w_2 * w_2).sqrt();
-        let w_4 = self.c0 * self.xb * self.sc * self.l0
+        let w = self.c0 * self.xb * self.sc * self.l0
             - self.c0 * self.xc * self.sc * self.l0
             + self.c0 * self.sd * self.yb * self.l0
             - self.c0 * self.sd * self.yc * self.l0;
+        let w_2 = self.xb - self.xc + self.sc * u3_y + self.sd * u3_x;
+        let w_3 = self.yb - self.yc - self.sc * u3_x + u3_y * self.sd;
+        let w_4 = (w_2 * w_2 + w_3 * w_3).sqrt();
         let w_5 = self.c0 * self.xc * self.sd * self.l0
             - self.c0 * self.xb * self.sd * self.l0
             + self.c0 * self.sc * self.yb * self.l0
             - self.c0 * self.sc * self.yc * self.l0;
         let w_6 = u3_y
             * (w_5
-                + w_3
+                + w_4
                     * (self.c0 * self.xb * self.sd - self.c0 * self.xc * self.sd
                         - self.c0 * self.sc * self.yb + self.c0 * self.sc * self.yc));
         let w_7 = u3_x
-            * (w_4
-                + w_3
+            * (w
+                + w_4
                     * (self.c0 * self.xc * self.sc - self.c0 * self.xb * self.sc
                         - self.c0 * self.sd * self.yb + self.c0 * self.sd * self.yc))
             + w_6;
         [
             self.mom,
             S::from_f64(0.0),
-            w_7 / w_3,
+            w_7 / w_4,
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1027,23 +1027,23 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             ],
         ) = S::sin_cos_each([w, beta, gamma, delta, w_2, w_3, epsilon]);
         let w_4 = beta_dot + Theta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
         let w_5 = Theta_dot * self.d * u2_x * w_4;
         let w_6 = beta_dot * (beta_dot * self.rr * u1_x - self.d * u2_x * w_4);
-        let w_7 = beta_dot * (beta_dot * self.rr * u1_y - self.d * w_4 * u2_y);
-        let w_8 = Theta_dot * self.d * w_4 * u2_y;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_7 = Theta_dot * self.d * w_4 * u2_y;
+        let w_8 = beta_dot * (beta_dot * self.rr * u1_y - self.d * w_4 * u2_y);
         let w_9 = Phi_dot + delta_dot;
         let w_10 = Omega_dot + epsilon_dot;
         [
             w_5 - w_6 + gamma_dot_squared * self.ss * u3_y,
-            w_8 - w_7 - gamma_dot_squared * self.ss * u3_x,
+            w_7 - w_8 - gamma_dot_squared * self.ss * u3_x,
             w_5 - w_6 + delta_dot * (delta_dot * self.zt * u5_x + self.ee * n4_x * w_9)
                 + self.ee * n4_x * Phi_dot * w_9,
-            w_8 - w_7 - self.ee * Phi_dot * w_9 * cos_w_2
+            w_7 - w_8 - self.ee * Phi_dot * w_9 * cos_w_2
                 + delta_dot * (delta_dot * self.zt * u5_y - self.ee * w_9 * cos_w_2),
             w_5 - w_6 + Omega_dot * self.zf * u6_x * w_10
                 + epsilon_dot * (epsilon_dot * self.u * u7_y + self.zf * u6_x * w_10),
-            w_8 - w_7 + Omega_dot * self.zf * w_10 * u6_y
+            w_7 - w_8 + Omega_dot * self.zf * w_10 * u6_y
                 - epsilon_dot * (epsilon_dot * self.u * u7_x - self.zf * w_10 * u6_y),
         ]
     }
@@ -1178,10 +1178,9 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
         let [beta_dot, Theta_dot, gamma_dot, Phi_dot, delta_dot, Omega_dot, epsilon_dot,
         ] = *qd;
-        let w = beta_dot + Theta_dot;
-        let w_2 = beta + Theta_;
-        let w_3 = Phi_ + delta;
-        let w_4 = Omega_ + epsilon;
+        let w = beta + Theta_;
+        let w_2 = Phi_ + delta;
+        let w_3 = Omega_ + epsilon;
         let (
             [u2_y,
             u1_y,
@@ -1194,49 +1193,50 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             [u2_x,
             u1_x,
             u3_x,
-            cos_w_3,
+            cos_w_2,
             u5_x,
             u7_x,
             u6_x,
             ],
-        ) = S::sin_cos_each([w_2, beta, gamma, w_3, delta, epsilon, w_4]);
-        let w_5 = Theta_dot * self.da * u2_y
-            - beta_dot * (self.rr * u1_y - self.da * u2_y);
-        let w_6 = beta_dot * (self.rr * u1_x - self.da * u2_x)
-            - Theta_dot * self.da * u2_x;
-        let w_7 = self.sa * u3_x - self.sb * u3_y;
-        let w_8 = self.sa * u3_y + u3_x * self.sb;
-        let w_9 = Phi_dot + delta_dot;
-        let w_10 = self.ee - self.ea;
-        let w_11 = Phi_dot * cos_w_3 * w_10
-            - delta_dot * (self.zt * u5_y - cos_w_3 * w_10);
-        let w_12 = Phi_dot * w_10 * n4_x + delta_dot * (self.zt * u5_x + w_10 * n4_x);
-        let w_13 = u5_y * self.ta + u5_x * self.tb;
-        let w_14 = u5_x * self.ta - u5_y * self.tb;
-        let w_15 = Omega_dot + epsilon_dot;
-        let w_16 = self.zf - self.fa;
-        let w_17 = epsilon_dot * (self.u * u7_x - u6_y * w_16) - Omega_dot * u6_y * w_16;
-        let w_18 = Omega_dot * w_16 * u6_x + epsilon_dot * (self.u * u7_y + w_16 * u6_x);
-        let w_19 = u7_x * self.ua + u7_y * self.ub;
-        let w_20 = u7_y * self.ua - u7_x * self.ub;
-        let w_21 = gamma_dot * gamma_dot
-            * (S::from_f64(0.5) * self.m3 * (w_7 * w_7 + w_8 * w_8)
+        ) = S::sin_cos_each([w, beta, gamma, w_2, delta, epsilon, w_3]);
+        let w_4 = self.sa * u3_x - self.sb * u3_y;
+        let w_5 = self.sa * u3_y + u3_x * self.sb;
+        let w_6 = gamma_dot * gamma_dot
+            * (S::from_f64(0.5) * self.m3 * (w_4 * w_4 + w_5 * w_5)
                 + S::from_f64(0.5) * self.i3);
-        let w_22 = delta_dot * delta_dot
-            * (S::from_f64(0.5) * self.m5 * (w_13 * w_13 + w_14 * w_14)
+        let w_7 = u5_y * self.ta + u5_x * self.tb;
+        let w_8 = u5_x * self.ta - u5_y * self.tb;
+        let w_9 = delta_dot * delta_dot
+            * (S::from_f64(0.5) * self.m5 * (w_7 * w_7 + w_8 * w_8)
                 + S::from_f64(0.5) * self.i5);
-        let w_23 = epsilon_dot * epsilon_dot
-            * (S::from_f64(0.5) * self.m7 * (w_19 * w_19 + w_20 * w_20)
+        let w_10 = u7_x * self.ua + u7_y * self.ub;
+        let w_11 = u7_y * self.ua - u7_x * self.ub;
+        let w_12 = epsilon_dot * epsilon_dot
+            * (S::from_f64(0.5) * self.m7 * (w_10 * w_10 + w_11 * w_11)
                 + S::from_f64(0.5) * self.i7);
-        let w_24 = S::from_f64(0.5) * self.m4 * (w_11 * w_11 + w_12 * w_12);
-        let w_25 = S::from_f64(0.5) * self.m6 * (w_17 * w_17 + w_18 * w_18);
-        let w_26 = beta_dot * beta_dot
+        let w_13 = Theta_dot * self.da * u2_y
+            - beta_dot * (self.rr * u1_y - self.da * u2_y);
+        let w_14 = beta_dot * (self.rr * u1_x - self.da * u2_x)
+            - Theta_dot * self.da * u2_x;
+        let w_15 = self.ee - self.ea;
+        let w_16 = Phi_dot * cos_w_2 * w_15
+            - delta_dot * (self.zt * u5_y - cos_w_2 * w_15);
+        let w_17 = Phi_dot * w_15 * n4_x + delta_dot * (self.zt * u5_x + w_15 * n4_x);
+        let w_18 = S::from_f64(0.5) * self.m4 * (w_16 * w_16 + w_17 * w_17);
+        let w_19 = self.zf - self.fa;
+        let w_20 = epsilon_dot * (self.u * u7_x - u6_y * w_19) - Omega_dot * u6_y * w_19;
+        let w_21 = Omega_dot * w_19 * u6_x + epsilon_dot * (self.u * u7_y + w_19 * u6_x);
+        let w_22 = S::from_f64(0.5) * self.m6 * (w_20 * w_20 + w_21 * w_21);
+        let w_23 = beta_dot * beta_dot
             * (S::from_f64(0.5) * self.i1
                 + S::from_f64(0.5) * self.m1 * self.ra * self.ra);
-        w_21 + w_22 + w_23 + S::from_f64(0.5) * self.m2 * (w_5 * w_5 + w_6 * w_6) + w_24
-            + w_25 + w_26 + w * w * S::from_f64(0.5) * self.i2
-            + w_9 * w_9 * S::from_f64(0.5) * self.i4
-            + w_15 * w_15 * S::from_f64(0.5) * self.i6
+        let w_24 = beta_dot + Theta_dot;
+        let w_25 = Phi_dot + delta_dot;
+        let w_26 = Omega_dot + epsilon_dot;
+        w_6 + w_9 + w_12 + S::from_f64(0.5) * self.m2 * (w_13 * w_13 + w_14 * w_14)
+            + w_18 + w_22 + w_23 + w_24 * w_24 * S::from_f64(0.5) * self.i2
+            + w_25 * w_25 * S::from_f64(0.5) * self.i4
+            + w_26 * w_26 * S::from_f64(0.5) * self.i6
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -1483,257 +1483,249 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w, gamma, w_2, delta, w_3, epsilon]);
-        let w_4 = self.rr * u1_y;
-        let w_5 = w_4 - self.da * u2_y;
-        let w_6 = self.rr * u1_x;
-        let w_7 = w_6 - self.da * u2_x;
-        let mass_beta_beta = self.m2 * (w_5 * w_5 + w_7 * w_7) + self.k;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_5 + u2_x * w_7);
-        let w_8 = self.sa * u3_x - self.sb * u3_y;
-        let w_9 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_8 * w_8 + w_9 * w_9) + self.i3;
-        let w_10 = self.zt * u5_x;
-        let w_11 = w_10 + self.k_4 * n4_x;
-        let w_12 = self.zt * u5_y;
-        let w_13 = w_12 - self.k_4 * cos_w_2;
-        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
-            + cos_w_2 * u5_y * self.k_8;
-        let w_14 = u5_y * self.ta + u5_x * self.tb;
-        let w_15 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_13 * w_13 + w_11 * w_11)
-            + self.m5 * (w_14 * w_14 + w_15 * w_15) + self.k_9;
-        let w_16 = self.u * u7_y;
-        let w_17 = w_16 + self.k_10 * u6_x;
-        let w_18 = self.u * u7_x;
-        let w_19 = w_18 - self.k_10 * u6_y;
-        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
-            + u6_y * u7_x * self.k_14;
-        let w_20 = u7_x * self.ua + u7_y * self.ub;
-        let w_21 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_19 * w_19 + w_17 * w_17)
-            + self.m7 * (w_20 * w_20 + w_21 * w_21) + self.k_15;
-        let loop3_x_by_Theta = u2_y * self.d;
-        let loop3_x_by_beta = loop3_x_by_Theta - w_4;
-        let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_6 - minus_loop3_y_by_Theta;
-        let minus_loop3_y_by_gamma = u3_y * self.ss;
-        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
-        let minus_loop4_y_by_Phi = self.ee * n4_x;
-        let loop6_x_by_Omega = self.zf * u6_y;
-        let minus_loop6_y_by_Omega = self.zf * u6_x;
+        let w_4 = u1_y * u2_x;
+        let w_5 = u2_y * u1_x;
+        let w_6 = w_4 - w_5;
         let Theta_dot_squared = Theta_dot * Theta_dot;
-        let w_22 = u1_y * u2_x;
-        let w_23 = u2_y * u1_x;
-        let w_24 = w_22 - w_23;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_24
-            + self.k_3 * Theta_dot_squared * w_24 + self.mom;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w_25 = u3_y * self.sc;
-        let w_26 = u3_x * self.sd;
-        let w_27 = self.k_17 + w_25 + w_26;
-        let w_28 = u3_x * self.sc;
-        let w_29 = u3_y * self.sd;
-        let w_30 = self.k_18 - w_28 + w_29;
-        let w_31 = (w_27 * w_27 + w_30 * w_30).sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + w_31 * self.k_21)
-            + u3_y * (self.k_20 + w_31 * self.k_22)) / w_31;
-        let delta_dot_squared = delta_dot * delta_dot;
-        let w_32 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_32;
-        let Phi_dot_squared = Phi_dot * Phi_dot;
-        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_33 = u7_y * u6_y;
-        let w_34 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_33 + w_34);
-        let Omega_dot_squared = Omega_dot * Omega_dot;
-        let w_35 = w_34 + w_33;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_36 = Theta_dot * beta_dot * self.k_25;
-        let w_37 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_36);
-        let w_38 = self.rr * u1_x * beta_dot_squared;
-        let w_39 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_36);
-        let w_40 = self.rr * u1_y * beta_dot_squared;
-        let w_41 = Phi_dot * delta_dot * self.k_26;
-        let w_42 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
-        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_43 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
-        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_44 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
-        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let w_45 = mass_delta_Phi * l_delta_Phi;
-        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_46 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
-        let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let w_47 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
-        let pivot_delta = mass_delta_delta - w_45;
-        let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let k_lambda_loop4_x_delta = w_12 - minus_loop4_x_by_Phi
-            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_10 + minus_loop4_y_by_Phi);
-        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_48 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
-        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let w_49 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let w_50 = mass_epsilon_Omega * l_epsilon_Omega;
-        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_51 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let w_52 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - w_50;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_18
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_16 + minus_loop6_y_by_Omega);
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_53 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let w_54 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_6
+            + self.k_3 * Theta_dot_squared * w_6 + self.mom;
+        let w_7 = self.rr * u1_y;
+        let w_8 = w_7 - self.da * u2_y;
+        let w_9 = self.rr * u1_x;
+        let w_10 = w_9 - self.da * u2_x;
+        let mass_beta_beta = self.m2 * (w_8 * w_8 + w_10 * w_10) + self.k;
         let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_8 + u2_x * w_10);
         let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let w_55 = mass_Theta_beta * l_Theta_beta;
-        let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
-        let w_56 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let l_lambda_loop3_y_beta = P_x * inverse_beta;
-        let w_57 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let w_58 = P_x * l_lambda_loop3_y_beta;
-        let w_59 = P_x * l_lambda_loop3_x_beta;
-        let pivot_Theta = self.mass_Theta_Theta - w_55;
+        let w_11 = mass_Theta_beta * l_Theta_beta;
+        let pivot_Theta = self.mass_Theta_Theta - w_11;
         let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
+            - rhs_beta * l_Theta_beta;
+        let loop3_x_by_Theta = u2_y * self.d;
+        let loop3_x_by_beta = loop3_x_by_Theta - w_7;
+        let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
+        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
+        let minus_loop3_x_by_gamma = u3_x * self.ss;
+        let w_12 = self.sa * u3_x - self.sb * u3_y;
+        let w_13 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_12 * w_12 + w_13 * w_13) + self.i3;
+        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
+        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
+        let w_14 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
+        let w_15 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_16 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = w_14 + w_15 + w_16;
+        let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
+        let minus_loop3_y_by_Theta = u2_x * self.d;
+        let P_x = w_9 - minus_loop3_y_by_Theta;
+        let l_lambda_loop3_y_beta = P_x * inverse_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
-        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_60 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_61 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_62 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_63 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let abs_w_56 = w_56.abs();
-        let abs_w_60 = w_60.abs();
-        let minus_pivot_lambda_loop3_x = w_43 + w_56 + w_60;
-        let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
-        let k_lambda_loop3_y_lambda_loop3_x = w_61
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_57;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_56 + w_60;
-        let k_lambda_loop4_y_lambda_loop3_x = w_61 - w_57;
+        let w_17 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let minus_loop3_y_by_gamma = u3_y * self.ss;
+        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
+        let w_18 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_17
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_18;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_64 = k_lambda_loop3_y_lambda_loop3_x
+        let w_19 = k_lambda_loop3_y_lambda_loop3_x
             * minus_l_lambda_loop3_y_lambda_loop3_x;
+        let w_20 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
+        let w_21 = P_x * l_lambda_loop3_y_beta;
+        let w_22 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let pivot_lambda_loop3_y = w_19 - w_20 - w_21 - w_22;
+        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
+        let w_23 = u3_y * self.sc;
+        let w_24 = u3_x * self.sd;
+        let w_25 = self.k_17 + w_23 + w_24;
+        let w_26 = u3_x * self.sc;
+        let w_27 = u3_y * self.sd;
+        let w_28 = self.k_18 - w_26 + w_27;
+        let w_29 = (w_25 * w_25 + w_28 * w_28).sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + w_29 * self.k_21)
+            + u3_y * (self.k_20 + w_29 * self.k_22)) / w_29;
+        let w_30 = Theta_dot * beta_dot * self.k_25;
+        let w_31 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_30);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_32 = self.rr * u1_y * beta_dot_squared;
+        let w_33 = rhs_beta * l_lambda_loop3_y_beta;
+        let w_34 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_35 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_30);
+        let w_36 = self.rr * u1_x * beta_dot_squared;
+        let w_37 = rhs_beta * l_lambda_loop3_x_beta;
+        let w_38 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
+            - (w_35 + u3_y * self.ss * gamma_dot_squared - w_36) - w_37 - w_38;
+        let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
+            - (w_31 - u3_x * self.ss * gamma_dot_squared - w_32) - w_33 + w_34
+            + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_39 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_40 = P_x * l_lambda_loop3_x_beta;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_15 + w_16;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let w_65 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * l_lambda_loop4_x_lambda_loop3_x;
-        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
-            * k_lambda_loop4_y_lambda_loop3_x;
-        let w_66 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_67 = k_lambda_loop4_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let abs_w_58 = w_58.abs();
-        let abs_w_62 = w_62.abs();
-        let pivot_lambda_loop3_y = w_64 - w_44 - w_58 - w_62;
-        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let k_lambda_loop4_x_lambda_loop3_y = w_63 - w_59
+        let k_lambda_loop4_x_lambda_loop3_y = w_39 - w_40
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_58 - w_62;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_68 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let w_41 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * l_lambda_loop4_x_lambda_loop3_x;
+        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
+        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
+        let w_42 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
+        let w_43 = self.zt * u5_y;
+        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
+            + cos_w_2 * u5_y * self.k_8;
+        let k_lambda_loop4_x_delta = w_43 - minus_loop4_x_by_Phi
+            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
+        let w_44 = w_43 - self.k_4 * cos_w_2;
+        let w_45 = self.zt * u5_x;
+        let w_46 = w_45 + self.k_4 * n4_x;
+        let w_47 = u5_y * self.ta + u5_x * self.tb;
+        let w_48 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_44 * w_44 + w_46 * w_46)
+            + self.m5 * (w_47 * w_47 + w_48 * w_48) + self.k_9;
+        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
+        let w_49 = mass_delta_Phi * l_delta_Phi;
+        let pivot_delta = mass_delta_delta - w_49;
+        let inverse_delta = S::from_f64(1.0) / pivot_delta;
+        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
+        let w_50 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
+        let w_51 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_41 - w_42 - w_50 - w_15 - w_16 - w_51;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
+        let delta_dot_squared = delta_dot * delta_dot;
+        let w_52 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_52;
+        let Phi_dot_squared = Phi_dot * Phi_dot;
+        let w_53 = Phi_dot * delta_dot * self.k_26;
+        let rhs_delta = self.k_8 * w_52 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_52 - rhs_Phi * l_delta_Phi;
+        let w_54 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_55 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
+            - (w_35 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_53)
+                - w_36 + self.zt * u5_x * delta_dot_squared)
+            - l_lambda_loop4_x_delta * rhs_delta - w_37 - w_38 - w_54 - w_55;
+        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
+        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_45 + minus_loop4_y_by_Phi);
+        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
+        let k_lambda_loop4_y_lambda_loop3_x = w_17 - w_18;
+        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
+            * k_lambda_loop4_y_lambda_loop3_x;
+        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_21 - w_22;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_69 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let w_70 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let abs_w_65 = w_65.abs();
-        let abs_w_68 = w_68.abs();
-        let pivot_lambda_loop4_x = w_65 - w_46 - w_48 - w_56 - w_60 - w_68;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let k_lambda_loop4_y_lambda_loop4_x = w_61
+        let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_17
             - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_57 - w_66 - w_69;
-        let k_lambda_loop6_x_lambda_loop4_x = w_65 - w_56 - w_60 - w_68;
-        let k_lambda_loop6_y_lambda_loop4_x = w_61 - w_57 - w_66 - w_69;
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_18 - w_56 - w_57;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_71 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let w_58 = k_lambda_loop4_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_59 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
+        let w_60 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
+        let w_61 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let w_62 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let pivot_lambda_loop4_y = w_58 - w_59 - w_60 - w_21 - w_22 - w_61 - w_62;
+        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
+        let w_63 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_64 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_31 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_53)
+                - w_32 + self.zt * u5_y * delta_dot_squared)
+            - l_lambda_loop4_y_delta * rhs_delta - w_33 + w_34 + w_63 - w_64
+            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
+        let k_lambda_loop6_x_lambda_loop4_x = w_41 - w_15 - w_16 - w_51;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let w_72 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let w_73 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let abs_w_67 = w_67.abs();
-        let abs_w_70 = w_70.abs();
-        let pivot_lambda_loop4_y = w_67 - w_47 - w_49 - w_58 - w_62 - w_70 - w_71;
-        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let k_lambda_loop6_x_lambda_loop4_y = w_63 - w_59
+        let k_lambda_loop6_x_lambda_loop4_y = w_39 - w_40
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_67 - w_58 - w_62 - w_70
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let w_74 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
+        let loop6_x_by_Omega = self.zf * u6_y;
+        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
+        let w_65 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
+        let w_66 = self.u * u7_x;
+        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
+            + u6_y * u7_x * self.k_14;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_66
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let w_67 = w_66 - self.k_10 * u6_y;
+        let w_68 = self.u * u7_y;
+        let w_69 = w_68 + self.k_10 * u6_x;
+        let w_70 = u7_x * self.ua + u7_y * self.ub;
+        let w_71 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_67 * w_67 + w_69 * w_69)
+            + self.m7 * (w_70 * w_70 + w_71 * w_71) + self.k_15;
+        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
+        let w_72 = mass_epsilon_Omega * l_epsilon_Omega;
+        let pivot_epsilon = mass_epsilon_epsilon - w_72;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_73 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let w_74 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
+        let w_75 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
+        let pivot_lambda_loop6_x = w_41 - w_65 - w_73 - w_15 - w_16 - w_51 - w_74 - w_75;
+        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
+        let Omega_dot_squared = Omega_dot * Omega_dot;
+        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
+        let w_76 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+            + epsilon_dot * Omega_dot * self.k_27;
+        let w_77 = u7_y * u6_y;
+        let w_78 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_77 + w_78);
+        let w_79 = w_78 + w_77;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_79
+            + self.k_13 * Omega_dot_squared * w_79 - rhs_Omega * l_epsilon_Omega;
+        let minus_rhs_lambda_loop6_x = w_35 + u6_x * w_76 - w_36
+            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
+            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_37 + w_38 + w_54 + w_55
+            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let minus_loop6_y_by_Omega = self.zf * u6_x;
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - (w_68 + minus_loop6_y_by_Omega);
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let k_lambda_loop6_y_lambda_loop4_x = w_17 - w_18 - w_56 - w_57;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let k_lambda_loop6_y_lambda_loop4_y = w_58 - w_21 - w_22 - w_61
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_y_lambda_loop4_y;
-        let w_75 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_65 - w_51 - w_53 - w_56 - w_60 - w_68 - w_72 - w_74;
-        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
             * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_57 + w_61 - w_66
-            - w_69 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_18 + w_17 - w_56
+            - w_57 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_76 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
-        let pivot_lambda_loop6_y = w_67 - w_52 - w_54 - w_58 - w_62 - w_70 - w_73 - w_75
-            - w_76;
-        let rhs_delta = self.k_8 * w_32 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_32 - rhs_Phi * l_delta_Phi;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_35
-            + self.k_13 * Omega_dot_squared * w_35 - rhs_Omega * l_epsilon_Omega;
-        let w_77 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_78 = rhs_beta * l_lambda_loop3_y_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_23 - w_22)
-            - rhs_beta * l_Theta_beta;
-        let w_79 = l_lambda_loop3_x_Theta * rhs_Theta;
-        let w_80 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_37 + u3_y * self.ss * gamma_dot_squared - w_38) - w_77 - w_79;
-        let w_81 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_82 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_39 - u3_x * self.ss * gamma_dot_squared - w_40) - w_78 + w_80
-            + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_83 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
-        let w_84 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_37 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_41)
-                - w_38 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_77 - w_79 - w_81 - w_83;
-        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_39 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_41)
-                - w_40 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_78 + w_80 + w_82 - w_84
-            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let minus_rhs_lambda_loop6_x = w_37 + u6_x * w_42 - w_38
-            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_77 + w_79 + w_81 + w_83
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let w_80 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
+        let w_81 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let w_82 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let w_83 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
+        let w_84 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
+        let pivot_lambda_loop6_y = w_58 - w_80 - w_81 - w_21 - w_22 - w_61 - w_82 - w_83
+            - w_84;
         let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_39 + u6_y * w_42 - w_40 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_78 + w_80 + w_82 - w_84
+            - (w_31 + u6_y * w_76 - w_32 - self.u * u7_x * epsilon_dot_squared)
+            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_33 + w_34 + w_63 - w_64
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
             + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
@@ -1766,12 +1758,20 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             + minus_l_lambda_loop3_y_Theta * lambda_loop4_y
             + l_lambda_loop3_x_Theta * minus_lambda_loop6_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop6_y;
-        let epsilon_ddot = inverse_epsilon * rhs_epsilon
-            + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
-            - l_lambda_loop6_y_epsilon * lambda_loop6_y;
         let delta_ddot = inverse_delta * rhs_delta
             - l_lambda_loop4_x_delta * lambda_loop4_x
             - l_lambda_loop4_y_delta * lambda_loop4_y;
+        let epsilon_ddot = inverse_epsilon * rhs_epsilon
+            + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
+            - l_lambda_loop6_y_epsilon * lambda_loop6_y;
+        let abs_w_15 = w_15.abs();
+        let abs_w_16 = w_16.abs();
+        let abs_w_21 = w_21.abs();
+        let abs_w_22 = w_22.abs();
+        let abs_w_41 = w_41.abs();
+        let abs_w_51 = w_51.abs();
+        let abs_w_58 = w_58.abs();
+        let abs_w_61 = w_61.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_beta * inverse_beta - l_Theta_beta * Theta_ddot
@@ -1801,8 +1801,8 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 -minus_lambda_loop6_x,
                 lambda_loop6_y,
             ],
-            power: self.c0 * gamma_dot * (self.l0 - w_31)
-                * ((w_27 * (w_28 - w_29) + w_30 * (w_25 + w_26)) / w_31)
+            power: self.c0 * gamma_dot * (self.l0 - w_29)
+                * ((w_25 * (w_26 - w_27) + w_28 * (w_23 + w_24)) / w_29)
                 + self.mom * beta_dot,
             refused: sim_kernel::pivot_is_refused(
                 mass_gamma_gamma,
@@ -1810,7 +1810,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             ) | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.abs_mass_Phi_Phi)
                 | sim_kernel::pivot_is_refused(
                     pivot_delta,
-                    mass_delta_delta.abs() + w_45.abs(),
+                    mass_delta_delta.abs() + w_49.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     self.mass_Omega_Omega,
@@ -1818,38 +1818,38 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_epsilon,
-                    mass_epsilon_epsilon.abs() + w_50.abs(),
+                    mass_epsilon_epsilon.abs() + w_72.abs(),
                 ) | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta.abs())
                 | sim_kernel::pivot_is_refused(
                     pivot_Theta,
-                    self.abs_mass_Theta_Theta + w_55.abs(),
+                    self.abs_mass_Theta_Theta + w_11.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
-                    w_43.abs() + abs_w_56 + abs_w_60,
+                    w_14.abs() + abs_w_15 + abs_w_16,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop3_y,
-                    w_44.abs() + abs_w_58 + abs_w_62 + w_64.abs(),
+                    w_20.abs() + abs_w_21 + abs_w_22 + w_19.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop4_x,
-                    w_46.abs() + w_48.abs() + abs_w_56 + abs_w_60 + abs_w_65 + abs_w_68,
+                    w_42.abs() + w_50.abs() + abs_w_15 + abs_w_16 + abs_w_41 + abs_w_51,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop4_y,
-                    w_47.abs() + w_49.abs() + abs_w_58 + abs_w_62 + abs_w_67 + abs_w_70
-                        + w_71.abs(),
+                    w_59.abs() + w_60.abs() + abs_w_21 + abs_w_22 + abs_w_58 + abs_w_61
+                        + w_62.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop6_x,
-                    w_51.abs() + w_53.abs() + abs_w_56 + abs_w_60 + abs_w_65 + abs_w_68
-                        + w_72.abs() + w_74.abs(),
+                    w_65.abs() + w_73.abs() + abs_w_15 + abs_w_16 + abs_w_41 + abs_w_51
+                        + w_74.abs() + w_75.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop6_y,
-                    w_52.abs() + w_54.abs() + abs_w_58 + abs_w_62 + abs_w_67 + abs_w_70
-                        + w_73.abs() + w_75.abs() + w_76.abs(),
+                    w_80.abs() + w_81.abs() + abs_w_21 + abs_w_22 + abs_w_58 + abs_w_61
+                        + w_82.abs() + w_83.abs() + w_84.abs(),
                 ),
         }
     }
@@ -1892,281 +1892,250 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let w_6 = self.rr * u1_x;
         let w_7 = w_6 - self.da * u2_x;
         let mass_beta_beta = self.m2 * (w_5 * w_5 + w_7 * w_7) + self.k;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_5 + u2_x * w_7);
-        let w_8 = self.sa * u3_x - self.sb * u3_y;
-        let w_9 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_8 * w_8 + w_9 * w_9) + self.i3;
-        let w_10 = self.zt * u5_x;
-        let w_11 = w_10 + self.k_4 * n4_x;
-        let w_12 = self.zt * u5_y;
-        let w_13 = w_12 - self.k_4 * cos_w_2;
-        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
-            + cos_w_2 * u5_y * self.k_8;
-        let w_14 = u5_y * self.ta + u5_x * self.tb;
-        let w_15 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_13 * w_13 + w_11 * w_11)
-            + self.m5 * (w_14 * w_14 + w_15 * w_15) + self.k_9;
-        let w_16 = self.u * u7_y;
-        let w_17 = w_16 + self.k_10 * u6_x;
-        let w_18 = self.u * u7_x;
-        let w_19 = w_18 - self.k_10 * u6_y;
-        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
-            + u6_y * u7_x * self.k_14;
-        let w_20 = u7_x * self.ua + u7_y * self.ub;
-        let w_21 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_19 * w_19 + w_17 * w_17)
-            + self.m7 * (w_20 * w_20 + w_21 * w_21) + self.k_15;
-        let loop3_x_by_Theta = u2_y * self.d;
-        let loop3_x_by_beta = loop3_x_by_Theta - w_4;
-        let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_6 - minus_loop3_y_by_Theta;
-        let minus_loop3_y_by_gamma = u3_y * self.ss;
-        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
-        let loop4_x_by_delta = w_12 - minus_loop4_x_by_Phi;
-        let minus_loop4_y_by_Phi = self.ee * n4_x;
-        let minus_loop4_y_by_delta = w_10 + minus_loop4_y_by_Phi;
-        let loop6_x_by_Omega = self.zf * u6_y;
-        let minus_loop6_y_by_Omega = self.zf * u6_x;
-        let minus_loop6_y_by_epsilon = w_16 + minus_loop6_y_by_Omega;
-        let w_22 = beta_dot + Theta_dot;
-        let w_23 = self.rr * u1_x * beta_dot;
-        let w_24 = self.da * u2_x * Theta_dot * w_22
-            - beta_dot * (w_23 - self.da * u2_x * w_22);
-        let w_25 = self.rr * u1_y * beta_dot;
-        let w_26 = beta_dot * (w_25 - self.da * u2_y * w_22)
-            - self.da * u2_y * Theta_dot * w_22;
-        let Theta_dot_squared = Theta_dot * Theta_dot;
-        let w_27 = u1_y * u2_x;
-        let w_28 = u2_y * u1_x;
-        let w_29 = w_27 - w_28;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_29
-            + self.k_3 * Theta_dot_squared * w_29 + self.mom;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w_30 = u3_y * self.sc;
-        let w_31 = u3_x * self.sd;
-        let w_32 = self.k_17 + w_30 + w_31;
-        let w_33 = u3_x * self.sc;
-        let w_34 = u3_y * self.sd;
-        let w_35 = self.k_18 - w_33 + w_34;
-        let w_36 = w_32 * w_32 + w_35 * w_35;
-        let sqrt_w_36 = w_36.sqrt();
-        let w_37 = w_33 - w_34;
-        let w_38 = w_30 + w_31;
-        let w_39 = w_32 * w_37 + w_35 * w_38;
-        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_36 * self.k_21)
-            + u3_y * (self.k_20 + sqrt_w_36 * self.k_22)) / sqrt_w_36;
-        let w_40 = Phi_dot + delta_dot;
-        let w_41 = self.zt * u5_y * delta_dot;
-        let w_42 = self.k_4 * cos_w_2 * Phi_dot * w_40
-            - delta_dot * (w_41 - self.k_4 * cos_w_2 * w_40);
-        let w_43 = self.zt * u5_x * delta_dot;
-        let w_44 = self.k_4 * n4_x * Phi_dot * w_40
-            + delta_dot * (w_43 + self.k_4 * n4_x * w_40);
-        let delta_dot_squared = delta_dot * delta_dot;
-        let w_45 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_45;
-        let Phi_dot_squared = Phi_dot * Phi_dot;
-        let w_46 = Omega_dot + epsilon_dot;
-        let w_47 = self.u * u7_y * epsilon_dot;
-        let w_48 = epsilon_dot * (w_47 + self.k_10 * u6_x * w_46)
-            + self.k_10 * u6_x * Omega_dot * w_46;
-        let w_49 = self.u * u7_x * epsilon_dot;
-        let w_50 = self.k_10 * u6_y * Omega_dot * w_46
-            - epsilon_dot * (w_49 - self.k_10 * u6_y * w_46);
-        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_51 = u7_y * u6_y;
-        let w_52 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_51 + w_52);
-        let Omega_dot_squared = Omega_dot * Omega_dot;
-        let w_53 = w_52 + w_51;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_54 = Theta_dot * beta_dot * self.k_25;
-        let w_55 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_54);
-        let w_56 = self.rr * u1_x * beta_dot_squared;
-        let w_57 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_54);
-        let w_58 = self.rr * u1_y * beta_dot_squared;
-        let w_59 = Phi_dot * delta_dot * self.k_26;
-        let w_60 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
-        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_61 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
-        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_62 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
-        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let w_63 = mass_delta_Phi * l_delta_Phi;
-        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_64 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
-        let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let w_65 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
-        let pivot_delta = mass_delta_delta - w_63;
-        let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let k_lambda_loop4_x_delta = loop4_x_by_delta
-            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - minus_loop4_y_by_delta;
-        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_66 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
-        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let w_67 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let w_68 = mass_epsilon_Omega * l_epsilon_Omega;
-        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_69 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let w_70 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - w_68;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_18
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - minus_loop6_y_by_epsilon;
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_71 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let w_72 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
         let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
-        let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let w_73 = mass_Theta_beta * l_Theta_beta;
+        let loop3_x_by_Theta = u2_y * self.d;
+        let P_y = w_4 - loop3_x_by_Theta;
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_5 + u2_x * w_7);
+        let loop3_x_by_beta = loop3_x_by_Theta - w_4;
         let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
-        let w_74 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let l_lambda_loop3_y_beta = P_x * inverse_beta;
-        let w_75 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let w_76 = P_x * l_lambda_loop3_y_beta;
-        let w_77 = P_x * l_lambda_loop3_x_beta;
-        let pivot_Theta = self.mass_Theta_Theta - w_73;
-        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
+        let l_Theta_beta = mass_Theta_beta * inverse_beta;
+        let w_8 = mass_Theta_beta * l_Theta_beta;
+        let pivot_Theta = self.mass_Theta_Theta - w_8;
+        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
+        let minus_loop3_y_by_Theta = u2_x * self.d;
+        let P_x = w_6 - minus_loop3_y_by_Theta;
+        let l_lambda_loop3_y_beta = P_x * inverse_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
-        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_78 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_79 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_80 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_81 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let abs_w_74 = w_74.abs();
-        let abs_w_78 = w_78.abs();
-        let minus_pivot_lambda_loop3_x = w_61 + w_74 + w_78;
+        let w_9 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let minus_loop3_x_by_gamma = u3_x * self.ss;
+        let minus_loop3_y_by_gamma = u3_y * self.ss;
+        let w_10 = self.sa * u3_x - self.sb * u3_y;
+        let w_11 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_10 * w_10 + w_11 * w_11) + self.i3;
+        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
+        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
+        let w_12 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_9
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_12;
+        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
+        let w_13 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
+        let w_14 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
+        let w_15 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = w_13 + w_14 + w_15;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
-        let k_lambda_loop3_y_lambda_loop3_x = w_79
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_75;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_74 + w_78;
-        let k_lambda_loop4_y_lambda_loop3_x = w_79 - w_75;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_82 = k_lambda_loop3_y_lambda_loop3_x
+        let w_16 = k_lambda_loop3_y_lambda_loop3_x
             * minus_l_lambda_loop3_y_lambda_loop3_x;
+        let w_17 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
+        let w_18 = P_x * l_lambda_loop3_y_beta;
+        let w_19 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let pivot_lambda_loop3_y = w_16 - w_17 - w_18 - w_19;
+        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
+        let w_20 = u3_y * self.sc;
+        let w_21 = u3_x * self.sd;
+        let w_22 = self.k_17 + w_20 + w_21;
+        let w_23 = u3_x * self.sc;
+        let w_24 = u3_y * self.sd;
+        let w_25 = self.k_18 - w_23 + w_24;
+        let w_26 = w_22 * w_22 + w_25 * w_25;
+        let sqrt_w_26 = w_26.sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_26 * self.k_21)
+            + u3_y * (self.k_20 + sqrt_w_26 * self.k_22)) / sqrt_w_26;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let Theta_dot_squared = Theta_dot * Theta_dot;
+        let w_27 = Theta_dot * beta_dot * self.k_25;
+        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_27);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_29 = self.rr * u1_y * beta_dot_squared;
+        let w_30 = u1_y * u2_x;
+        let w_31 = u2_y * u1_x;
+        let w_32 = w_30 - w_31;
+        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_32
+            + self.k_3 * Theta_dot_squared * w_32 + self.mom;
+        let w_33 = rhs_beta * l_lambda_loop3_y_beta;
+        let rhs_Theta = self.k_3 * beta_dot_squared * (w_31 - w_30)
+            - rhs_beta * l_Theta_beta;
+        let w_34 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_35 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_27);
+        let w_36 = self.rr * u1_x * beta_dot_squared;
+        let w_37 = rhs_beta * l_lambda_loop3_x_beta;
+        let w_38 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
+            - (w_35 + u3_y * self.ss * gamma_dot_squared - w_36) - w_37 - w_38;
+        let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
+            - (w_28 - u3_x * self.ss * gamma_dot_squared - w_29) - w_33 + w_34
+            + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_39 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_40 = P_x * l_lambda_loop3_x_beta;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_14 + w_15;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let w_83 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * l_lambda_loop4_x_lambda_loop3_x;
-        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
-            * k_lambda_loop4_y_lambda_loop3_x;
-        let w_84 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_85 = k_lambda_loop4_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let abs_w_76 = w_76.abs();
-        let abs_w_80 = w_80.abs();
-        let pivot_lambda_loop3_y = w_82 - w_62 - w_76 - w_80;
-        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let k_lambda_loop4_x_lambda_loop3_y = w_81 - w_77
+        let k_lambda_loop4_x_lambda_loop3_y = w_39 - w_40
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_76 - w_80;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_86 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let w_41 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * l_lambda_loop4_x_lambda_loop3_x;
+        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
+        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
+        let w_42 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
+        let w_43 = self.zt * u5_y;
+        let loop4_x_by_delta = w_43 - minus_loop4_x_by_Phi;
+        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
+            + cos_w_2 * u5_y * self.k_8;
+        let k_lambda_loop4_x_delta = loop4_x_by_delta
+            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
+        let w_44 = w_43 - self.k_4 * cos_w_2;
+        let w_45 = self.zt * u5_x;
+        let w_46 = w_45 + self.k_4 * n4_x;
+        let w_47 = u5_y * self.ta + u5_x * self.tb;
+        let w_48 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_44 * w_44 + w_46 * w_46)
+            + self.m5 * (w_47 * w_47 + w_48 * w_48) + self.k_9;
+        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
+        let w_49 = mass_delta_Phi * l_delta_Phi;
+        let pivot_delta = mass_delta_delta - w_49;
+        let inverse_delta = S::from_f64(1.0) / pivot_delta;
+        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
+        let w_50 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
+        let w_51 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_41 - w_42 - w_50 - w_14 - w_15 - w_51;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
+        let delta_dot_squared = delta_dot * delta_dot;
+        let w_52 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_52;
+        let Phi_dot_squared = Phi_dot * Phi_dot;
+        let w_53 = Phi_dot * delta_dot * self.k_26;
+        let rhs_delta = self.k_8 * w_52 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_52 - rhs_Phi * l_delta_Phi;
+        let w_54 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_55 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
+            - (w_35 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_53)
+                - w_36 + self.zt * u5_x * delta_dot_squared)
+            - l_lambda_loop4_x_delta * rhs_delta - w_37 - w_38 - w_54 - w_55;
+        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
+        let minus_loop4_y_by_delta = w_45 + minus_loop4_y_by_Phi;
+        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
+            - minus_loop4_y_by_delta;
+        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
+        let k_lambda_loop4_y_lambda_loop3_x = w_9 - w_12;
+        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
+            * k_lambda_loop4_y_lambda_loop3_x;
+        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_18 - w_19;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_87 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let w_88 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let abs_w_83 = w_83.abs();
-        let abs_w_86 = w_86.abs();
-        let pivot_lambda_loop4_x = w_83 - w_64 - w_66 - w_74 - w_78 - w_86;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let k_lambda_loop4_y_lambda_loop4_x = w_79
+        let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_9
             - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_75 - w_84 - w_87;
-        let k_lambda_loop6_x_lambda_loop4_x = w_83 - w_74 - w_78 - w_86;
-        let k_lambda_loop6_y_lambda_loop4_x = w_79 - w_75 - w_84 - w_87;
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_12 - w_56 - w_57;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_89 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let w_58 = k_lambda_loop4_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_59 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
+        let w_60 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
+        let w_61 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let w_62 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let pivot_lambda_loop4_y = w_58 - w_59 - w_60 - w_18 - w_19 - w_61 - w_62;
+        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
+        let w_63 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_64 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_53)
+                - w_29 + self.zt * u5_y * delta_dot_squared)
+            - l_lambda_loop4_y_delta * rhs_delta - w_33 + w_34 + w_63 - w_64
+            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
+        let k_lambda_loop6_x_lambda_loop4_x = w_41 - w_14 - w_15 - w_51;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let w_90 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let w_91 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let abs_w_85 = w_85.abs();
-        let abs_w_88 = w_88.abs();
-        let pivot_lambda_loop4_y = w_85 - w_65 - w_67 - w_76 - w_80 - w_88 - w_89;
-        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let k_lambda_loop6_x_lambda_loop4_y = w_81 - w_77
+        let k_lambda_loop6_x_lambda_loop4_y = w_39 - w_40
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_85 - w_76 - w_80 - w_88
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let w_92 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
+        let loop6_x_by_Omega = self.zf * u6_y;
+        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
+        let w_65 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
+        let w_66 = self.u * u7_x;
+        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
+            + u6_y * u7_x * self.k_14;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_66
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let w_67 = w_66 - self.k_10 * u6_y;
+        let w_68 = self.u * u7_y;
+        let w_69 = w_68 + self.k_10 * u6_x;
+        let w_70 = u7_x * self.ua + u7_y * self.ub;
+        let w_71 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_67 * w_67 + w_69 * w_69)
+            + self.m7 * (w_70 * w_70 + w_71 * w_71) + self.k_15;
+        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
+        let w_72 = mass_epsilon_Omega * l_epsilon_Omega;
+        let pivot_epsilon = mass_epsilon_epsilon - w_72;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_73 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let w_74 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
+        let w_75 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
+        let pivot_lambda_loop6_x = w_41 - w_65 - w_73 - w_14 - w_15 - w_51 - w_74 - w_75;
+        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
+        let Omega_dot_squared = Omega_dot * Omega_dot;
+        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
+        let w_76 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+            + epsilon_dot * Omega_dot * self.k_27;
+        let w_77 = u7_y * u6_y;
+        let w_78 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_77 + w_78);
+        let w_79 = w_78 + w_77;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_79
+            + self.k_13 * Omega_dot_squared * w_79 - rhs_Omega * l_epsilon_Omega;
+        let minus_rhs_lambda_loop6_x = w_35 + u6_x * w_76 - w_36
+            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
+            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_37 + w_38 + w_54 + w_55
+            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let minus_loop6_y_by_Omega = self.zf * u6_x;
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let minus_loop6_y_by_epsilon = w_68 + minus_loop6_y_by_Omega;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - minus_loop6_y_by_epsilon;
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let k_lambda_loop6_y_lambda_loop4_x = w_9 - w_12 - w_56 - w_57;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let k_lambda_loop6_y_lambda_loop4_y = w_58 - w_18 - w_19 - w_61
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_y_lambda_loop4_y;
-        let w_93 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_83 - w_69 - w_71 - w_74 - w_78 - w_86 - w_90 - w_92;
-        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
             * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_75 + w_79 - w_84
-            - w_87 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_12 + w_9 - w_56
+            - w_57 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_94 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
-        let pivot_lambda_loop6_y = w_85 - w_70 - w_72 - w_76 - w_80 - w_88 - w_91 - w_93
-            - w_94;
+        let w_80 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
+        let w_81 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let w_82 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let w_83 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
+        let w_84 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
+        let pivot_lambda_loop6_y = w_58 - w_80 - w_81 - w_18 - w_19 - w_61 - w_82 - w_83
+            - w_84;
         let inverse_lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y;
-        let rhs_delta = self.k_8 * w_45 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_45 - rhs_Phi * l_delta_Phi;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_53
-            + self.k_13 * Omega_dot_squared * w_53 - rhs_Omega * l_epsilon_Omega;
-        let w_95 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_96 = rhs_beta * l_lambda_loop3_y_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_28 - w_27)
-            - rhs_beta * l_Theta_beta;
-        let w_97 = l_lambda_loop3_x_Theta * rhs_Theta;
-        let w_98 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_55 + u3_y * self.ss * gamma_dot_squared - w_56) - w_95 - w_97;
-        let w_99 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_100 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_57 - u3_x * self.ss * gamma_dot_squared - w_58) - w_96 + w_98
-            + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_101 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
-        let w_102 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_55 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_59)
-                - w_56 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_95 - w_97 - w_99 - w_101;
-        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_57 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_59)
-                - w_58 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_96 + w_98 + w_100 - w_102
-            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let minus_rhs_lambda_loop6_x = w_55 + u6_x * w_60 - w_56
-            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_95 + w_97 + w_99 + w_101
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
         let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_57 + u6_y * w_60 - w_58 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_96 + w_98 + w_100 - w_102
+            - (w_28 + u6_y * w_76 - w_29 - self.u * u7_x * epsilon_dot_squared)
+            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_33 + w_34 + w_63 - w_64
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
             + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
@@ -2185,12 +2154,21 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_y * minus_lambda_loop6_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop6_y;
+        let w_85 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
         let lambda_loop3_x = minus_l_lambda_loop3_y_lambda_loop3_x * lambda_loop3_y
             - minus_inverse_lambda_loop3_x * rhs_lambda_loop3_x
             - l_lambda_loop4_x_lambda_loop3_x * lambda_loop4_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_x * minus_lambda_loop6_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop6_y;
+        let w_86 = P_y * w_85
+            + P_x * (lambda_loop3_x + lambda_loop4_x - minus_lambda_loop6_x);
+        let w_87 = self.d
+            * (u2_x * (minus_lambda_loop6_x - lambda_loop3_x - lambda_loop4_x)
+                - u2_y * w_85);
+        let w_88 = w_87 - l_Theta_beta * w_86;
+        let w_89 = self.rr * u1_x * beta_dot;
+        let w_90 = beta_dot + Theta_dot;
         let Theta_ddot = inverse_Theta * rhs_Theta
             - l_lambda_loop3_x_Theta * lambda_loop3_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop3_y
@@ -2205,386 +2183,400 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop3_y_beta * lambda_loop4_y
             + l_lambda_loop3_x_beta * minus_lambda_loop6_x
             - l_lambda_loop3_y_beta * lambda_loop6_y;
+        let w_91 = beta_dot * (w_89 - u2_x * self.d * w_90)
+            - self.d * (u2_x * Theta_dot * w_90 + u2_y * Theta_ddot) + beta_ddot * P_y;
+        let w_92 = l_lambda_loop3_y_beta * w_86;
+        let w_93 = minus_l_lambda_loop3_y_Theta * w_88;
+        let w_94 = self.rr * u1_y * beta_dot;
+        let w_95 = self.d * (u2_y * Theta_dot * w_90 - u2_x * Theta_ddot)
+            - beta_dot * (w_94 - u2_y * self.d * w_90) + P_x * beta_ddot;
+        let w_96 = l_lambda_loop3_x_beta * w_86;
+        let w_97 = l_lambda_loop3_x_Theta * w_88;
+        let w_98 = w_95 - w_96 - w_97;
+        let w_99 = w_91 - w_92 + w_93 + minus_l_lambda_loop3_y_lambda_loop3_x * w_98;
+        let w_100 = l_lambda_loop4_x_lambda_loop3_x * w_98;
+        let w_101 = l_lambda_loop4_x_lambda_loop3_y * w_99;
+        let w_102 = w_95 - w_96 - w_97 - w_100 - w_101;
+        let w_103 = minus_l_lambda_loop4_y_lambda_loop3_x * w_98;
+        let w_104 = l_lambda_loop4_y_lambda_loop3_y * w_99;
+        let w_105 = w_91 - w_92 + w_93 + w_103 - w_104
+            - l_lambda_loop4_y_lambda_loop4_x * w_102;
+        let w_106 = w_95 - w_96 - w_97 - w_100 - w_101
+            - l_lambda_loop6_x_lambda_loop4_x * w_102
+            - l_lambda_loop6_x_lambda_loop4_y * w_105;
+        let w_107 = inverse_lambda_loop6_y
+            * (w_91 - w_92 + w_93 + w_103 - w_104
+                - l_lambda_loop6_y_lambda_loop4_x * w_102
+                - l_lambda_loop6_y_lambda_loop4_y * w_105
+                - l_lambda_loop6_y_lambda_loop6_x * w_106);
+        let w_108 = inverse_lambda_loop6_x * w_106
+            - l_lambda_loop6_y_lambda_loop6_x * w_107;
+        let w_109 = inverse_lambda_loop4_y * w_105
+            - l_lambda_loop6_x_lambda_loop4_y * w_108
+            - l_lambda_loop6_y_lambda_loop4_y * w_107;
+        let w_110 = inverse_lambda_loop4_x * w_102
+            - l_lambda_loop4_y_lambda_loop4_x * w_109
+            - l_lambda_loop6_x_lambda_loop4_x * w_108
+            - l_lambda_loop6_y_lambda_loop4_x * w_107;
+        let w_111 = inverse_lambda_loop3_y * w_99
+            - l_lambda_loop4_x_lambda_loop3_y * w_110
+            - l_lambda_loop4_y_lambda_loop3_y * w_109
+            - l_lambda_loop4_x_lambda_loop3_y * w_108
+            - l_lambda_loop4_y_lambda_loop3_y * w_107;
+        let w_112 = minus_l_lambda_loop3_y_lambda_loop3_x * w_111
+            - minus_inverse_lambda_loop3_x * w_98
+            - l_lambda_loop4_x_lambda_loop3_x * w_110
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_109
+            - l_lambda_loop4_x_lambda_loop3_x * w_108
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_107;
+        let w_113 = inverse_Theta * w_88 - l_lambda_loop3_x_Theta * w_112
+            + minus_l_lambda_loop3_y_Theta * w_111 - l_lambda_loop3_x_Theta * w_110
+            + minus_l_lambda_loop3_y_Theta * w_109 - l_lambda_loop3_x_Theta * w_108
+            + minus_l_lambda_loop3_y_Theta * w_107;
+        let w_114 = beta_dot * (w_94 - self.da * u2_y * w_90)
+            - self.da * u2_y * Theta_dot * w_90;
+        let w_115 = self.da * u2_x * Theta_dot * w_90
+            - beta_dot * (w_89 - self.da * u2_x * w_90);
+        let w_116 = w_90 * (Theta_dot + beta_dot);
+        let w_117 = u2_y * w_116;
+        let w_118 = self.da * w_117;
+        let w_119 = u2_x * w_116;
+        let w_120 = self.da * w_119;
+        let w_121 = self.k_2 * (w_5 * u2_x - u2_y * w_7);
+        let w_122 = w_87 + self.k_2 * (u2_y * w_114 - u2_x * w_115)
+            - self.m2 * (w_5 * w_118 + w_7 * w_120)
+            + w_121 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
+        let w_123 = w_87 + self.k_2 * (u2_x * (w_120 - w_115) + u2_y * (w_114 + w_118))
+            + beta_ddot * w_121 - l_Theta_beta * w_122;
+        let w_124 = minus_l_lambda_loop3_y_Theta * w_123;
+        let w_125 = Theta_ddot + beta_ddot;
+        let w_126 = self.d * (w_119 + u2_y * w_125);
+        let w_127 = l_lambda_loop3_y_beta * w_122;
+        let w_128 = self.d * (w_117 - u2_x * w_125);
+        let w_129 = l_lambda_loop3_x_beta * w_122;
+        let w_130 = l_lambda_loop3_x_Theta * w_123;
+        let w_131 = w_128 - w_129 - w_130;
+        let w_132 = w_124 - w_126 - w_127
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_131;
+        let w_133 = l_lambda_loop4_x_lambda_loop3_x * w_131;
+        let w_134 = l_lambda_loop4_x_lambda_loop3_y * w_132;
+        let w_135 = w_128 - w_129 - w_130 - w_133 - w_134;
+        let w_136 = minus_l_lambda_loop4_y_lambda_loop3_x * w_131;
+        let w_137 = l_lambda_loop4_y_lambda_loop3_y * w_132;
+        let w_138 = w_124 - w_126 - w_127 + w_136 - w_137
+            - l_lambda_loop4_y_lambda_loop4_x * w_135;
+        let w_139 = w_128 - w_129 - w_130 - w_133 - w_134
+            - l_lambda_loop6_x_lambda_loop4_x * w_135
+            - l_lambda_loop6_x_lambda_loop4_y * w_138;
+        let w_140 = inverse_lambda_loop6_y
+            * (w_124 - w_126 - w_127 + w_136 - w_137
+                - l_lambda_loop6_y_lambda_loop4_x * w_135
+                - l_lambda_loop6_y_lambda_loop4_y * w_138
+                - l_lambda_loop6_y_lambda_loop6_x * w_139);
+        let w_141 = inverse_lambda_loop6_x * w_139
+            - l_lambda_loop6_y_lambda_loop6_x * w_140;
+        let w_142 = inverse_lambda_loop4_y * w_138
+            - l_lambda_loop6_x_lambda_loop4_y * w_141
+            - l_lambda_loop6_y_lambda_loop4_y * w_140;
+        let w_143 = inverse_lambda_loop4_x * w_135
+            - l_lambda_loop4_y_lambda_loop4_x * w_142
+            - l_lambda_loop6_x_lambda_loop4_x * w_141
+            - l_lambda_loop6_y_lambda_loop4_x * w_140;
+        let w_144 = inverse_lambda_loop3_y * w_132
+            - l_lambda_loop4_x_lambda_loop3_y * w_143
+            - l_lambda_loop4_y_lambda_loop3_y * w_142
+            - l_lambda_loop4_x_lambda_loop3_y * w_141
+            - l_lambda_loop4_y_lambda_loop3_y * w_140;
+        let w_145 = minus_l_lambda_loop3_y_lambda_loop3_x * w_144
+            - minus_inverse_lambda_loop3_x * w_131
+            - l_lambda_loop4_x_lambda_loop3_x * w_143
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_142
+            - l_lambda_loop4_x_lambda_loop3_x * w_141
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_140;
+        let w_146 = inverse_Theta * w_123 - l_lambda_loop3_x_Theta * w_145
+            + minus_l_lambda_loop3_y_Theta * w_144 - l_lambda_loop3_x_Theta * w_143
+            + minus_l_lambda_loop3_y_Theta * w_142 - l_lambda_loop3_x_Theta * w_141
+            + minus_l_lambda_loop3_y_Theta * w_140;
+        let w_147 = w_23 - w_24;
+        let w_148 = w_20 + w_21;
+        let w_149 = w_22 * w_147 + w_25 * w_148;
+        let w_150 = (w_147 * w_147 - w_22 * w_148 + w_148 * w_148 + w_25 * w_147)
+            / sqrt_w_26 - sqrt_w_26 * w_149 * (w_149 / (sqrt_w_26 * sqrt_w_26) / w_26);
+        let w_151 = self.c0
+            * ((self.l0 - sqrt_w_26) * w_150
+                - sqrt_w_26 * w_149 * (w_149 / sqrt_w_26 / w_26))
+            + self.ss * (u3_x * lambda_loop3_y - u3_y * lambda_loop3_x);
+        let gamma_ddot = rhs_gamma * inverse_gamma
+            + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
+            + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
+        let w_152 = minus_l_lambda_loop3_x_gamma * w_151
+            - self.ss * (u3_x * gamma_dot_squared + u3_y * gamma_ddot);
+        let w_153 = l_lambda_loop4_x_lambda_loop3_x * w_152;
+        let w_154 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
+            + minus_l_lambda_loop3_y_gamma * w_151
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_152;
+        let w_155 = l_lambda_loop4_x_lambda_loop3_y * w_154;
+        let w_156 = w_153 + w_155;
+        let w_157 = minus_l_lambda_loop4_y_lambda_loop3_x * w_152;
+        let w_158 = l_lambda_loop4_y_lambda_loop3_y * w_154;
+        let w_159 = w_157 - w_158 + l_lambda_loop4_y_lambda_loop4_x * w_156;
+        let w_160 = l_lambda_loop6_x_lambda_loop4_x * w_156 - w_153 - w_155
+            - l_lambda_loop6_x_lambda_loop4_y * w_159;
+        let w_161 = inverse_lambda_loop6_y
+            * (w_157 - w_158 + l_lambda_loop6_y_lambda_loop4_x * w_156
+                - l_lambda_loop6_y_lambda_loop4_y * w_159
+                - l_lambda_loop6_y_lambda_loop6_x * w_160);
+        let w_162 = inverse_lambda_loop6_x * w_160
+            - l_lambda_loop6_y_lambda_loop6_x * w_161;
+        let w_163 = inverse_lambda_loop4_y * w_159
+            - l_lambda_loop6_x_lambda_loop4_y * w_162
+            - l_lambda_loop6_y_lambda_loop4_y * w_161;
+        let w_164 = inverse_lambda_loop4_x * w_156
+            + l_lambda_loop4_y_lambda_loop4_x * w_163
+            + l_lambda_loop6_x_lambda_loop4_x * w_162
+            + l_lambda_loop6_y_lambda_loop4_x * w_161;
+        let w_165 = inverse_lambda_loop3_y * w_154
+            + l_lambda_loop4_x_lambda_loop3_y * w_164
+            - l_lambda_loop4_y_lambda_loop3_y * w_163
+            - l_lambda_loop4_x_lambda_loop3_y * w_162
+            - l_lambda_loop4_y_lambda_loop3_y * w_161;
+        let w_166 = minus_l_lambda_loop3_y_lambda_loop3_x * w_165
+            - minus_inverse_lambda_loop3_x * w_152
+            + l_lambda_loop4_x_lambda_loop3_x * w_164
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_163
+            - l_lambda_loop4_x_lambda_loop3_x * w_162
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_161;
+        let w_167 = minus_l_lambda_loop3_y_Theta * w_165 - l_lambda_loop3_x_Theta * w_166
+            + l_lambda_loop3_x_Theta * w_164 + minus_l_lambda_loop3_y_Theta * w_163
+            - l_lambda_loop3_x_Theta * w_162 + minus_l_lambda_loop3_y_Theta * w_161;
+        let w_168 = Phi_dot + delta_dot;
+        let w_168_squared = w_168 * w_168;
+        let w_169 = cos_w_2 * w_168_squared;
+        let w_170 = self.k_4 * w_169;
+        let w_171 = self.zt * u5_y * delta_dot;
+        let w_172 = self.k_4 * cos_w_2 * Phi_dot * w_168
+            - delta_dot * (w_171 - self.k_4 * cos_w_2 * w_168);
+        let w_173 = n4_x * w_168_squared;
+        let w_174 = self.k_4 * w_173;
+        let w_175 = self.zt * u5_x * delta_dot;
+        let w_176 = self.k_4 * n4_x * Phi_dot * w_168
+            + delta_dot * (w_175 + self.k_4 * n4_x * w_168);
+        let w_177 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
+        let delta_ddot = inverse_delta * rhs_delta
+            - l_lambda_loop4_x_delta * lambda_loop4_x
+            - l_lambda_loop4_y_delta * lambda_loop4_y;
+        let w_178 = self.k_5 * (w_46 * cos_w_2 + n4_x * w_44);
+        let w_179 = self.k_5 * (cos_w_2 * (w_170 - w_172) + n4_x * (w_174 - w_176))
+            + w_177 - delta_ddot * w_178;
+        let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
+            + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
+            + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
+        let w_180 = Phi_ddot + delta_ddot;
+        let w_181 = w_177 - self.k_5 * (cos_w_2 * w_172 + n4_x * w_176)
+            - w_178 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
+            + self.m4 * (w_46 * w_174 - w_44 * w_170);
+        let w_182 = w_181 - l_delta_Phi * w_179;
+        let w_183 = minus_l_lambda_loop4_x_Phi * w_179 - self.ee * (w_169 + n4_x * w_180)
+            - l_lambda_loop4_x_delta * w_182;
+        let w_184 = self.ee * (cos_w_2 * w_180 - w_173)
+            + minus_l_lambda_loop4_y_Phi * w_179 - l_lambda_loop4_y_delta * w_182
+            - l_lambda_loop4_y_lambda_loop4_x * w_183;
+        let w_185 = l_lambda_loop6_x_lambda_loop4_x * w_183
+            + l_lambda_loop6_x_lambda_loop4_y * w_184;
+        let w_186 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_185
+                - l_lambda_loop6_y_lambda_loop4_x * w_183
+                - l_lambda_loop6_y_lambda_loop4_y * w_184);
+        let w_187 = inverse_lambda_loop6_x * w_185
+            + l_lambda_loop6_y_lambda_loop6_x * w_186;
+        let w_188 = inverse_lambda_loop4_y * w_184
+            + l_lambda_loop6_x_lambda_loop4_y * w_187
+            - l_lambda_loop6_y_lambda_loop4_y * w_186;
+        let w_189 = inverse_lambda_loop4_x * w_183
+            - l_lambda_loop4_y_lambda_loop4_x * w_188
+            + l_lambda_loop6_x_lambda_loop4_x * w_187
+            - l_lambda_loop6_y_lambda_loop4_x * w_186;
+        let w_190 = l_lambda_loop4_x_lambda_loop3_y * w_187
+            - l_lambda_loop4_x_lambda_loop3_y * w_189
+            - l_lambda_loop4_y_lambda_loop3_y * w_188
+            - l_lambda_loop4_y_lambda_loop3_y * w_186;
+        let w_191 = minus_l_lambda_loop3_y_lambda_loop3_x * w_190
+            - l_lambda_loop4_x_lambda_loop3_x * w_189
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_188
+            + l_lambda_loop4_x_lambda_loop3_x * w_187
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_186;
+        let w_192 = minus_l_lambda_loop3_y_Theta * w_190 - l_lambda_loop3_x_Theta * w_191
+            - l_lambda_loop3_x_Theta * w_189 + minus_l_lambda_loop3_y_Theta * w_188
+            + l_lambda_loop3_x_Theta * w_187 + minus_l_lambda_loop3_y_Theta * w_186;
+        let w_193 = minus_loop4_y_by_delta * lambda_loop4_x
+            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_177;
+        let w_194 = delta_dot * (w_171 - self.ee * cos_w_2 * w_168)
+            - self.ee * (cos_w_2 * Phi_dot * w_168 + n4_x * Phi_ddot)
+            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_177
+            + l_lambda_loop4_x_delta * w_193;
+        let w_195 = self.ee * (cos_w_2 * Phi_ddot - n4_x * Phi_dot * w_168)
+            - delta_dot * (w_175 + self.ee * n4_x * w_168)
+            - loop4_x_by_delta * delta_ddot;
+        let w_196 = w_195 + minus_l_lambda_loop4_y_Phi * w_177
+            + l_lambda_loop4_y_delta * w_193 - l_lambda_loop4_y_lambda_loop4_x * w_194;
+        let w_197 = l_lambda_loop6_x_lambda_loop4_x * w_194
+            + l_lambda_loop6_x_lambda_loop4_y * w_196;
+        let w_198 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_197
+                - l_lambda_loop6_y_lambda_loop4_x * w_194
+                - l_lambda_loop6_y_lambda_loop4_y * w_196);
+        let w_199 = inverse_lambda_loop6_x * w_197
+            + l_lambda_loop6_y_lambda_loop6_x * w_198;
+        let w_200 = inverse_lambda_loop4_y * w_196
+            + l_lambda_loop6_x_lambda_loop4_y * w_199
+            - l_lambda_loop6_y_lambda_loop4_y * w_198;
+        let w_201 = inverse_lambda_loop4_x * w_194
+            - l_lambda_loop4_y_lambda_loop4_x * w_200
+            + l_lambda_loop6_x_lambda_loop4_x * w_199
+            - l_lambda_loop6_y_lambda_loop4_x * w_198;
+        let w_202 = l_lambda_loop4_x_lambda_loop3_y * w_199
+            - l_lambda_loop4_x_lambda_loop3_y * w_201
+            - l_lambda_loop4_y_lambda_loop3_y * w_200
+            - l_lambda_loop4_y_lambda_loop3_y * w_198;
+        let w_203 = minus_l_lambda_loop3_y_lambda_loop3_x * w_202
+            - l_lambda_loop4_x_lambda_loop3_x * w_201
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_200
+            + l_lambda_loop4_x_lambda_loop3_x * w_199
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_198;
+        let w_204 = minus_l_lambda_loop3_y_Theta * w_202 - l_lambda_loop3_x_Theta * w_203
+            - l_lambda_loop3_x_Theta * w_201 + minus_l_lambda_loop3_y_Theta * w_200
+            + l_lambda_loop3_x_Theta * w_199 + minus_l_lambda_loop3_y_Theta * w_198;
+        let w_205 = Omega_dot + epsilon_dot;
+        let w_205_squared = w_205 * w_205;
+        let w_206 = u6_y * w_205_squared;
         let epsilon_ddot = inverse_epsilon * rhs_epsilon
             + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
             - l_lambda_loop6_y_epsilon * lambda_loop6_y;
         let Omega_ddot = rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
             + l_lambda_loop6_x_Omega * minus_lambda_loop6_x
             + minus_l_lambda_loop6_y_Omega * lambda_loop6_y;
-        let delta_ddot = inverse_delta * rhs_delta
-            - l_lambda_loop4_x_delta * lambda_loop4_x
-            - l_lambda_loop4_y_delta * lambda_loop4_y;
-        let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
-            + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
-            + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
-        let gamma_ddot = rhs_gamma * inverse_gamma
-            + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
-            + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
-        let P_y = w_4 - loop3_x_by_Theta;
-        let w_103 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
-        let w_104 = P_y * w_103
-            + P_x * (lambda_loop3_x + lambda_loop4_x - minus_lambda_loop6_x);
-        let w_105 = self.d
-            * (u2_x * (minus_lambda_loop6_x - lambda_loop3_x - lambda_loop4_x)
-                - u2_y * w_103);
-        let w_106 = self.d * (u2_y * Theta_dot * w_22 - u2_x * Theta_ddot)
-            - beta_dot * (w_25 - u2_y * self.d * w_22) + P_x * beta_ddot;
-        let w_107 = beta_dot * (w_23 - u2_x * self.d * w_22)
-            - self.d * (u2_x * Theta_dot * w_22 + u2_y * Theta_ddot) + beta_ddot * P_y;
-        let w_108 = l_lambda_loop3_x_beta * w_104;
-        let w_109 = l_lambda_loop3_y_beta * w_104;
-        let w_110 = w_105 - l_Theta_beta * w_104;
-        let w_111 = l_lambda_loop3_x_Theta * w_110;
-        let w_112 = minus_l_lambda_loop3_y_Theta * w_110;
-        let w_113 = w_106 - w_108 - w_111;
-        let w_114 = l_lambda_loop4_x_lambda_loop3_x * w_113;
-        let w_115 = minus_l_lambda_loop4_y_lambda_loop3_x * w_113;
-        let w_116 = w_107 - w_109 + w_112
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_113;
-        let w_117 = l_lambda_loop4_x_lambda_loop3_y * w_116;
-        let w_118 = l_lambda_loop4_y_lambda_loop3_y * w_116;
-        let w_119 = w_106 - w_108 - w_111 - w_114 - w_117;
-        let w_120 = w_107 - w_109 + w_112 + w_115 - w_118
-            - l_lambda_loop4_y_lambda_loop4_x * w_119;
-        let w_121 = w_106 - w_108 - w_111 - w_114 - w_117
-            - l_lambda_loop6_x_lambda_loop4_x * w_119
-            - l_lambda_loop6_x_lambda_loop4_y * w_120;
-        let w_122 = inverse_lambda_loop6_y
-            * (w_107 - w_109 + w_112 + w_115 - w_118
-                - l_lambda_loop6_y_lambda_loop4_x * w_119
-                - l_lambda_loop6_y_lambda_loop4_y * w_120
-                - l_lambda_loop6_y_lambda_loop6_x * w_121);
-        let w_123 = inverse_lambda_loop6_x * w_121
-            - l_lambda_loop6_y_lambda_loop6_x * w_122;
-        let w_124 = inverse_lambda_loop4_y * w_120
-            - l_lambda_loop6_x_lambda_loop4_y * w_123
-            - l_lambda_loop6_y_lambda_loop4_y * w_122;
-        let w_125 = inverse_lambda_loop4_x * w_119
-            - l_lambda_loop4_y_lambda_loop4_x * w_124
-            - l_lambda_loop6_x_lambda_loop4_x * w_123
-            - l_lambda_loop6_y_lambda_loop4_x * w_122;
-        let w_126 = inverse_lambda_loop3_y * w_116
-            - l_lambda_loop4_x_lambda_loop3_y * w_125
-            - l_lambda_loop4_y_lambda_loop3_y * w_124
-            - l_lambda_loop4_x_lambda_loop3_y * w_123
-            - l_lambda_loop4_y_lambda_loop3_y * w_122;
-        let w_127 = minus_l_lambda_loop3_y_lambda_loop3_x * w_126
-            - minus_inverse_lambda_loop3_x * w_113
-            - l_lambda_loop4_x_lambda_loop3_x * w_125
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_124
-            - l_lambda_loop4_x_lambda_loop3_x * w_123
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_122;
-        let w_128 = inverse_Theta * w_110 - l_lambda_loop3_x_Theta * w_127
-            + minus_l_lambda_loop3_y_Theta * w_126 - l_lambda_loop3_x_Theta * w_125
-            + minus_l_lambda_loop3_y_Theta * w_124 - l_lambda_loop3_x_Theta * w_123
-            + minus_l_lambda_loop3_y_Theta * w_122;
-        let w_129 = l_lambda_loop6_x_epsilon * w_123 + l_lambda_loop6_y_epsilon * w_122;
-        let w_130 = l_lambda_loop4_x_delta * w_125 + l_lambda_loop4_y_delta * w_124;
-        let w_131 = w_22 * (Theta_dot + beta_dot);
-        let w_132 = u2_y * w_131;
-        let w_133 = self.da * w_132;
-        let w_134 = u2_x * w_131;
-        let w_135 = self.da * w_134;
-        let w_136 = self.k_2 * (w_5 * u2_x - u2_y * w_7);
-        let w_137 = w_105 + self.k_2 * (u2_y * w_26 - u2_x * w_24)
-            - self.m2 * (w_5 * w_133 + w_7 * w_135)
-            + w_136 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
-        let w_138 = Theta_ddot + beta_ddot;
-        let w_139 = self.d * (w_132 - u2_x * w_138);
-        let w_140 = self.d * (w_134 + u2_y * w_138);
-        let w_141 = l_lambda_loop3_x_beta * w_137;
-        let w_142 = l_lambda_loop3_y_beta * w_137;
-        let w_143 = w_105 + self.k_2 * (u2_x * (w_135 - w_24) + u2_y * (w_26 + w_133))
-            + beta_ddot * w_136 - l_Theta_beta * w_137;
-        let w_144 = l_lambda_loop3_x_Theta * w_143;
-        let w_145 = minus_l_lambda_loop3_y_Theta * w_143;
-        let w_146 = w_139 - w_141 - w_144;
-        let w_147 = l_lambda_loop4_x_lambda_loop3_x * w_146;
-        let w_148 = minus_l_lambda_loop4_y_lambda_loop3_x * w_146;
-        let w_149 = w_145 - w_140 - w_142
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_146;
-        let w_150 = l_lambda_loop4_x_lambda_loop3_y * w_149;
-        let w_151 = l_lambda_loop4_y_lambda_loop3_y * w_149;
-        let w_152 = w_139 - w_141 - w_144 - w_147 - w_150;
-        let w_153 = w_145 - w_140 - w_142 + w_148 - w_151
-            - l_lambda_loop4_y_lambda_loop4_x * w_152;
-        let w_154 = w_139 - w_141 - w_144 - w_147 - w_150
-            - l_lambda_loop6_x_lambda_loop4_x * w_152
-            - l_lambda_loop6_x_lambda_loop4_y * w_153;
-        let w_155 = inverse_lambda_loop6_y
-            * (w_145 - w_140 - w_142 + w_148 - w_151
-                - l_lambda_loop6_y_lambda_loop4_x * w_152
-                - l_lambda_loop6_y_lambda_loop4_y * w_153
-                - l_lambda_loop6_y_lambda_loop6_x * w_154);
-        let w_156 = inverse_lambda_loop6_x * w_154
-            - l_lambda_loop6_y_lambda_loop6_x * w_155;
-        let w_157 = inverse_lambda_loop4_y * w_153
-            - l_lambda_loop6_x_lambda_loop4_y * w_156
-            - l_lambda_loop6_y_lambda_loop4_y * w_155;
-        let w_158 = inverse_lambda_loop4_x * w_152
-            - l_lambda_loop4_y_lambda_loop4_x * w_157
-            - l_lambda_loop6_x_lambda_loop4_x * w_156
-            - l_lambda_loop6_y_lambda_loop4_x * w_155;
-        let w_159 = inverse_lambda_loop3_y * w_149
-            - l_lambda_loop4_x_lambda_loop3_y * w_158
-            - l_lambda_loop4_y_lambda_loop3_y * w_157
-            - l_lambda_loop4_x_lambda_loop3_y * w_156
-            - l_lambda_loop4_y_lambda_loop3_y * w_155;
-        let w_160 = minus_l_lambda_loop3_y_lambda_loop3_x * w_159
-            - minus_inverse_lambda_loop3_x * w_146
-            - l_lambda_loop4_x_lambda_loop3_x * w_158
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_157
-            - l_lambda_loop4_x_lambda_loop3_x * w_156
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_155;
-        let w_161 = inverse_Theta * w_143 - l_lambda_loop3_x_Theta * w_160
-            + minus_l_lambda_loop3_y_Theta * w_159 - l_lambda_loop3_x_Theta * w_158
-            + minus_l_lambda_loop3_y_Theta * w_157 - l_lambda_loop3_x_Theta * w_156
-            + minus_l_lambda_loop3_y_Theta * w_155;
-        let w_162 = l_lambda_loop6_x_epsilon * w_156 + l_lambda_loop6_y_epsilon * w_155;
-        let w_163 = l_lambda_loop4_x_delta * w_158 + l_lambda_loop4_y_delta * w_157;
-        let w_164 = (w_37 * w_37 - w_32 * w_38 + w_38 * w_38 + w_35 * w_37) / sqrt_w_36
-            - sqrt_w_36 * w_39 * (w_39 / (sqrt_w_36 * sqrt_w_36) / w_36);
-        let w_165 = self.c0
-            * ((self.l0 - sqrt_w_36) * w_164
-                - sqrt_w_36 * w_39 * (w_39 / sqrt_w_36 / w_36))
-            + self.ss * (u3_x * lambda_loop3_y - u3_y * lambda_loop3_x);
-        let w_166 = minus_l_lambda_loop3_x_gamma * w_165
-            - self.ss * (u3_x * gamma_dot_squared + u3_y * gamma_ddot);
-        let w_167 = l_lambda_loop4_x_lambda_loop3_x * w_166;
-        let w_168 = minus_l_lambda_loop4_y_lambda_loop3_x * w_166;
-        let w_169 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
-            + minus_l_lambda_loop3_y_gamma * w_165
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_166;
-        let w_170 = l_lambda_loop4_x_lambda_loop3_y * w_169;
-        let w_171 = l_lambda_loop4_y_lambda_loop3_y * w_169;
-        let w_172 = w_167 + w_170;
-        let w_173 = w_168 - w_171 + l_lambda_loop4_y_lambda_loop4_x * w_172;
-        let w_174 = l_lambda_loop6_x_lambda_loop4_x * w_172 - w_167 - w_170
-            - l_lambda_loop6_x_lambda_loop4_y * w_173;
-        let w_175 = inverse_lambda_loop6_y
-            * (w_168 - w_171 + l_lambda_loop6_y_lambda_loop4_x * w_172
-                - l_lambda_loop6_y_lambda_loop4_y * w_173
-                - l_lambda_loop6_y_lambda_loop6_x * w_174);
-        let w_176 = inverse_lambda_loop6_x * w_174
-            - l_lambda_loop6_y_lambda_loop6_x * w_175;
-        let w_177 = inverse_lambda_loop4_y * w_173
-            - l_lambda_loop6_x_lambda_loop4_y * w_176
-            - l_lambda_loop6_y_lambda_loop4_y * w_175;
-        let w_178 = inverse_lambda_loop4_x * w_172
-            + l_lambda_loop4_y_lambda_loop4_x * w_177
-            + l_lambda_loop6_x_lambda_loop4_x * w_176
-            + l_lambda_loop6_y_lambda_loop4_x * w_175;
-        let w_179 = inverse_lambda_loop3_y * w_169
-            + l_lambda_loop4_x_lambda_loop3_y * w_178
-            - l_lambda_loop4_y_lambda_loop3_y * w_177
-            - l_lambda_loop4_x_lambda_loop3_y * w_176
-            - l_lambda_loop4_y_lambda_loop3_y * w_175;
-        let w_180 = minus_l_lambda_loop3_y_lambda_loop3_x * w_179
-            - minus_inverse_lambda_loop3_x * w_166
-            + l_lambda_loop4_x_lambda_loop3_x * w_178
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_177
-            - l_lambda_loop4_x_lambda_loop3_x * w_176
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_175;
-        let w_181 = minus_l_lambda_loop3_y_Theta * w_179 - l_lambda_loop3_x_Theta * w_180
-            + l_lambda_loop3_x_Theta * w_178 + minus_l_lambda_loop3_y_Theta * w_177
-            - l_lambda_loop3_x_Theta * w_176 + minus_l_lambda_loop3_y_Theta * w_175;
-        let w_182 = l_lambda_loop6_x_epsilon * w_176 + l_lambda_loop6_y_epsilon * w_175;
-        let w_183 = l_lambda_loop4_x_delta * w_178 - l_lambda_loop4_y_delta * w_177;
-        let w_40_squared = w_40 * w_40;
-        let w_184 = n4_x * w_40_squared;
-        let w_185 = self.k_4 * w_184;
-        let w_186 = cos_w_2 * w_40_squared;
-        let w_187 = self.k_4 * w_186;
-        let w_188 = self.k_5 * (w_11 * cos_w_2 + n4_x * w_13);
-        let w_189 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
-        let w_190 = self.k_5 * (cos_w_2 * (w_187 - w_42) + n4_x * (w_185 - w_44)) + w_189
-            - delta_ddot * w_188;
-        let w_191 = w_189 - self.k_5 * (cos_w_2 * w_42 + n4_x * w_44)
-            - w_188 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
-            + self.m4 * (w_11 * w_185 - w_13 * w_187);
-        let w_192 = Phi_ddot + delta_ddot;
-        let w_193 = w_191 - l_delta_Phi * w_190;
-        let w_194 = minus_l_lambda_loop4_x_Phi * w_190 - self.ee * (w_186 + n4_x * w_192)
-            - l_lambda_loop4_x_delta * w_193;
-        let w_195 = self.ee * (cos_w_2 * w_192 - w_184)
-            + minus_l_lambda_loop4_y_Phi * w_190 - l_lambda_loop4_y_delta * w_193
-            - l_lambda_loop4_y_lambda_loop4_x * w_194;
-        let w_196 = l_lambda_loop6_x_lambda_loop4_x * w_194
-            + l_lambda_loop6_x_lambda_loop4_y * w_195;
-        let w_197 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_196
-                - l_lambda_loop6_y_lambda_loop4_x * w_194
-                - l_lambda_loop6_y_lambda_loop4_y * w_195);
-        let w_198 = inverse_lambda_loop6_x * w_196
-            + l_lambda_loop6_y_lambda_loop6_x * w_197;
-        let w_199 = inverse_lambda_loop4_y * w_195
-            + l_lambda_loop6_x_lambda_loop4_y * w_198
-            - l_lambda_loop6_y_lambda_loop4_y * w_197;
-        let w_200 = inverse_lambda_loop4_x * w_194
-            - l_lambda_loop4_y_lambda_loop4_x * w_199
-            + l_lambda_loop6_x_lambda_loop4_x * w_198
-            - l_lambda_loop6_y_lambda_loop4_x * w_197;
-        let w_201 = l_lambda_loop4_x_lambda_loop3_y * w_198
-            - l_lambda_loop4_x_lambda_loop3_y * w_200
-            - l_lambda_loop4_y_lambda_loop3_y * w_199
-            - l_lambda_loop4_y_lambda_loop3_y * w_197;
-        let w_202 = minus_l_lambda_loop3_y_lambda_loop3_x * w_201
-            - l_lambda_loop4_x_lambda_loop3_x * w_200
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_199
-            + l_lambda_loop4_x_lambda_loop3_x * w_198
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_197;
-        let w_203 = minus_l_lambda_loop3_y_Theta * w_201 - l_lambda_loop3_x_Theta * w_202
-            - l_lambda_loop3_x_Theta * w_200 + minus_l_lambda_loop3_y_Theta * w_199
-            + l_lambda_loop3_x_Theta * w_198 + minus_l_lambda_loop3_y_Theta * w_197;
-        let w_204 = l_lambda_loop6_x_epsilon * w_198 - l_lambda_loop6_y_epsilon * w_197;
-        let w_205 = inverse_delta * w_193 - l_lambda_loop4_x_delta * w_200
-            - l_lambda_loop4_y_delta * w_199;
-        let w_206 = self.ee * (cos_w_2 * Phi_ddot - n4_x * Phi_dot * w_40)
-            - delta_dot * (w_43 + self.ee * n4_x * w_40) - loop4_x_by_delta * delta_ddot;
-        let w_207 = minus_loop4_y_by_delta * lambda_loop4_x
-            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_189;
-        let w_208 = delta_dot * (w_41 - self.ee * cos_w_2 * w_40)
-            - self.ee * (cos_w_2 * Phi_dot * w_40 + n4_x * Phi_ddot)
-            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_189
-            + l_lambda_loop4_x_delta * w_207;
-        let w_209 = w_206 + minus_l_lambda_loop4_y_Phi * w_189
-            + l_lambda_loop4_y_delta * w_207 - l_lambda_loop4_y_lambda_loop4_x * w_208;
-        let w_210 = l_lambda_loop6_x_lambda_loop4_x * w_208
-            + l_lambda_loop6_x_lambda_loop4_y * w_209;
-        let w_211 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_210
-                - l_lambda_loop6_y_lambda_loop4_x * w_208
-                - l_lambda_loop6_y_lambda_loop4_y * w_209);
-        let w_212 = inverse_lambda_loop6_x * w_210
-            + l_lambda_loop6_y_lambda_loop6_x * w_211;
-        let w_213 = inverse_lambda_loop4_y * w_209
-            + l_lambda_loop6_x_lambda_loop4_y * w_212
-            - l_lambda_loop6_y_lambda_loop4_y * w_211;
-        let w_214 = inverse_lambda_loop4_x * w_208
-            - l_lambda_loop4_y_lambda_loop4_x * w_213
-            + l_lambda_loop6_x_lambda_loop4_x * w_212
-            - l_lambda_loop6_y_lambda_loop4_x * w_211;
-        let w_215 = l_lambda_loop4_x_lambda_loop3_y * w_212
-            - l_lambda_loop4_x_lambda_loop3_y * w_214
-            - l_lambda_loop4_y_lambda_loop3_y * w_213
-            - l_lambda_loop4_y_lambda_loop3_y * w_211;
-        let w_216 = minus_l_lambda_loop3_y_lambda_loop3_x * w_215
-            - l_lambda_loop4_x_lambda_loop3_x * w_214
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_213
-            + l_lambda_loop4_x_lambda_loop3_x * w_212
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_211;
-        let w_217 = minus_l_lambda_loop3_y_Theta * w_215 - l_lambda_loop3_x_Theta * w_216
-            - l_lambda_loop3_x_Theta * w_214 + minus_l_lambda_loop3_y_Theta * w_213
-            + l_lambda_loop3_x_Theta * w_212 + minus_l_lambda_loop3_y_Theta * w_211;
-        let w_218 = l_lambda_loop6_x_epsilon * w_212 - l_lambda_loop6_y_epsilon * w_211;
-        let w_219 = inverse_delta * w_207 + l_lambda_loop4_x_delta * w_214
-            + l_lambda_loop4_y_delta * w_213;
-        let w_46_squared = w_46 * w_46;
-        let w_220 = u6_y * w_46_squared;
-        let w_221 = self.k_10 * w_220;
-        let w_222 = u6_x * w_46_squared;
-        let w_223 = self.k_10 * w_222;
-        let w_224 = self.k_11 * (w_17 * u6_y + u6_x * w_19);
-        let w_225 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
-        let w_226 = self.k_11 * (u6_x * (w_223 - w_48) + u6_y * (w_221 - w_50)) + w_225
-            + epsilon_ddot * w_224;
-        let w_227 = w_224 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
-            - self.k_11 * (u6_x * w_48 + u6_y * w_50) + w_225
-            + self.m6 * (w_17 * w_223 - w_19 * w_221);
-        let w_228 = Omega_ddot + epsilon_ddot;
-        let w_229 = w_227 - l_epsilon_Omega * w_226;
-        let w_230 = self.zf * (w_220 - u6_x * w_228) - l_lambda_loop6_x_Omega * w_226
+        let w_207 = Omega_ddot + epsilon_ddot;
+        let w_208 = u6_x * w_205_squared;
+        let w_209 = self.k_10 * w_208;
+        let w_210 = self.u * u7_y * epsilon_dot;
+        let w_211 = epsilon_dot * (w_210 + self.k_10 * u6_x * w_205)
+            + self.k_10 * u6_x * Omega_dot * w_205;
+        let w_212 = self.k_10 * w_206;
+        let w_213 = self.u * u7_x * epsilon_dot;
+        let w_214 = self.k_10 * u6_y * Omega_dot * w_205
+            - epsilon_dot * (w_213 - self.k_10 * u6_y * w_205);
+        let w_215 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
+        let w_216 = self.k_11 * (w_69 * u6_y + u6_x * w_67);
+        let w_217 = self.k_11 * (u6_x * (w_209 - w_211) + u6_y * (w_212 - w_214)) + w_215
+            + epsilon_ddot * w_216;
+        let w_218 = w_216 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
+            - self.k_11 * (u6_x * w_211 + u6_y * w_214) + w_215
+            + self.m6 * (w_69 * w_209 - w_67 * w_212);
+        let w_219 = w_218 - l_epsilon_Omega * w_217;
+        let w_220 = self.zf * (w_206 - u6_x * w_207) - l_lambda_loop6_x_Omega * w_217
+            - l_lambda_loop6_x_epsilon * w_219;
+        let w_221 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_217 - self.zf * (w_208 + u6_y * w_207)
+                - l_lambda_loop6_y_epsilon * w_219
+                - l_lambda_loop6_y_lambda_loop6_x * w_220);
+        let w_222 = inverse_lambda_loop6_x * w_220
+            - l_lambda_loop6_y_lambda_loop6_x * w_221;
+        let w_223 = l_lambda_loop6_x_lambda_loop4_y * w_222
+            + l_lambda_loop6_y_lambda_loop4_y * w_221;
+        let w_224 = l_lambda_loop4_y_lambda_loop4_x * w_223
+            - l_lambda_loop6_x_lambda_loop4_x * w_222
+            - l_lambda_loop6_y_lambda_loop4_x * w_221;
+        let w_225 = l_lambda_loop4_y_lambda_loop3_y * w_223
+            - l_lambda_loop4_x_lambda_loop3_y * w_224
+            - l_lambda_loop4_x_lambda_loop3_y * w_222
+            - l_lambda_loop4_y_lambda_loop3_y * w_221;
+        let w_226 = minus_l_lambda_loop3_y_lambda_loop3_x * w_225
+            - l_lambda_loop4_x_lambda_loop3_x * w_224
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_223
+            - l_lambda_loop4_x_lambda_loop3_x * w_222
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_221;
+        let w_227 = minus_l_lambda_loop3_y_Theta * w_225 - l_lambda_loop3_x_Theta * w_226
+            - l_lambda_loop3_x_Theta * w_224 - minus_l_lambda_loop3_y_Theta * w_223
+            - l_lambda_loop3_x_Theta * w_222 + minus_l_lambda_loop3_y_Theta * w_221;
+        let w_228 = w_66 - loop6_x_by_Omega;
+        let w_229 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
+            + lambda_loop6_y * w_228 - l_epsilon_Omega * w_215;
+        let w_230 = self.zf * (u6_y * Omega_dot * w_205 - u6_x * Omega_ddot)
+            - epsilon_dot * (w_213 - self.zf * u6_y * w_205)
+            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_215
             - l_lambda_loop6_x_epsilon * w_229;
-        let w_231 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_226 - self.zf * (w_222 + u6_y * w_228)
+        let w_231 = epsilon_ddot * w_228
+            - self.zf * (u6_x * Omega_dot * w_205 + u6_y * Omega_ddot)
+            - epsilon_dot * (w_210 + self.zf * u6_x * w_205);
+        let w_232 = inverse_lambda_loop6_y
+            * (w_231 + minus_l_lambda_loop6_y_Omega * w_215
                 - l_lambda_loop6_y_epsilon * w_229
                 - l_lambda_loop6_y_lambda_loop6_x * w_230);
-        let w_232 = inverse_lambda_loop6_x * w_230
-            - l_lambda_loop6_y_lambda_loop6_x * w_231;
-        let w_233 = l_lambda_loop6_x_lambda_loop4_y * w_232
-            + l_lambda_loop6_y_lambda_loop4_y * w_231;
-        let w_234 = l_lambda_loop4_y_lambda_loop4_x * w_233
-            - l_lambda_loop6_x_lambda_loop4_x * w_232
-            - l_lambda_loop6_y_lambda_loop4_x * w_231;
-        let w_235 = l_lambda_loop4_y_lambda_loop3_y * w_233
-            - l_lambda_loop4_x_lambda_loop3_y * w_234
-            - l_lambda_loop4_x_lambda_loop3_y * w_232
-            - l_lambda_loop4_y_lambda_loop3_y * w_231;
-        let w_236 = minus_l_lambda_loop3_y_lambda_loop3_x * w_235
-            - l_lambda_loop4_x_lambda_loop3_x * w_234
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_233
-            - l_lambda_loop4_x_lambda_loop3_x * w_232
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_231;
-        let w_237 = minus_l_lambda_loop3_y_Theta * w_235 - l_lambda_loop3_x_Theta * w_236
-            - l_lambda_loop3_x_Theta * w_234 - minus_l_lambda_loop3_y_Theta * w_233
-            - l_lambda_loop3_x_Theta * w_232 + minus_l_lambda_loop3_y_Theta * w_231;
-        let w_238 = inverse_epsilon * w_229 - l_lambda_loop6_x_epsilon * w_232
-            - l_lambda_loop6_y_epsilon * w_231;
-        let w_239 = l_lambda_loop4_y_delta * w_233 - l_lambda_loop4_x_delta * w_234;
-        let w_240 = w_18 - loop6_x_by_Omega;
-        let w_241 = epsilon_ddot * w_240
-            - self.zf * (u6_x * Omega_dot * w_46 + u6_y * Omega_ddot)
-            - epsilon_dot * (w_47 + self.zf * u6_x * w_46);
-        let w_242 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
-            + lambda_loop6_y * w_240 - l_epsilon_Omega * w_225;
-        let w_243 = self.zf * (u6_y * Omega_dot * w_46 - u6_x * Omega_ddot)
-            - epsilon_dot * (w_49 - self.zf * u6_y * w_46)
-            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_225
-            - l_lambda_loop6_x_epsilon * w_242;
-        let w_244 = inverse_lambda_loop6_y
-            * (w_241 + minus_l_lambda_loop6_y_Omega * w_225
-                - l_lambda_loop6_y_epsilon * w_242
-                - l_lambda_loop6_y_lambda_loop6_x * w_243);
-        let w_245 = inverse_lambda_loop6_x * w_243
-            - l_lambda_loop6_y_lambda_loop6_x * w_244;
-        let w_246 = l_lambda_loop6_x_lambda_loop4_y * w_245
-            + l_lambda_loop6_y_lambda_loop4_y * w_244;
-        let w_247 = l_lambda_loop4_y_lambda_loop4_x * w_246
-            - l_lambda_loop6_x_lambda_loop4_x * w_245
-            - l_lambda_loop6_y_lambda_loop4_x * w_244;
-        let w_248 = l_lambda_loop4_y_lambda_loop3_y * w_246
-            - l_lambda_loop4_x_lambda_loop3_y * w_247
-            - l_lambda_loop4_x_lambda_loop3_y * w_245
-            - l_lambda_loop4_y_lambda_loop3_y * w_244;
-        let w_249 = minus_l_lambda_loop3_y_lambda_loop3_x * w_248
-            - l_lambda_loop4_x_lambda_loop3_x * w_247
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_246
-            - l_lambda_loop4_x_lambda_loop3_x * w_245
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_244;
-        let w_250 = minus_l_lambda_loop3_y_Theta * w_248 - l_lambda_loop3_x_Theta * w_249
-            - l_lambda_loop3_x_Theta * w_247 - minus_l_lambda_loop3_y_Theta * w_246
-            - l_lambda_loop3_x_Theta * w_245 + minus_l_lambda_loop3_y_Theta * w_244;
-        let w_251 = inverse_epsilon * w_242 - l_lambda_loop6_x_epsilon * w_245
-            - l_lambda_loop6_y_epsilon * w_244;
-        let w_252 = l_lambda_loop4_y_delta * w_246 - l_lambda_loop4_x_delta * w_247;
-        let w_253 = u2_x * (w_22 + Theta_dot);
+        let w_233 = inverse_lambda_loop6_x * w_230
+            - l_lambda_loop6_y_lambda_loop6_x * w_232;
+        let w_234 = l_lambda_loop6_x_lambda_loop4_y * w_233
+            + l_lambda_loop6_y_lambda_loop4_y * w_232;
+        let w_235 = l_lambda_loop4_y_lambda_loop4_x * w_234
+            - l_lambda_loop6_x_lambda_loop4_x * w_233
+            - l_lambda_loop6_y_lambda_loop4_x * w_232;
+        let w_236 = l_lambda_loop4_y_lambda_loop3_y * w_234
+            - l_lambda_loop4_x_lambda_loop3_y * w_235
+            - l_lambda_loop4_x_lambda_loop3_y * w_233
+            - l_lambda_loop4_y_lambda_loop3_y * w_232;
+        let w_237 = minus_l_lambda_loop3_y_lambda_loop3_x * w_236
+            - l_lambda_loop4_x_lambda_loop3_x * w_235
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_234
+            - l_lambda_loop4_x_lambda_loop3_x * w_233
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_232;
+        let w_238 = minus_l_lambda_loop3_y_Theta * w_236 - l_lambda_loop3_x_Theta * w_237
+            - l_lambda_loop3_x_Theta * w_235 - minus_l_lambda_loop3_y_Theta * w_234
+            - l_lambda_loop3_x_Theta * w_233 + minus_l_lambda_loop3_y_Theta * w_232;
+        let w_239 = l_lambda_loop4_x_delta * w_110 + l_lambda_loop4_y_delta * w_109;
+        let w_240 = l_lambda_loop4_x_delta * w_143 + l_lambda_loop4_y_delta * w_142;
+        let w_241 = l_lambda_loop4_x_delta * w_164 - l_lambda_loop4_y_delta * w_163;
+        let w_242 = inverse_delta * w_182 - l_lambda_loop4_x_delta * w_189
+            - l_lambda_loop4_y_delta * w_188;
+        let w_243 = inverse_delta * w_193 + l_lambda_loop4_x_delta * w_201
+            + l_lambda_loop4_y_delta * w_200;
+        let w_244 = l_lambda_loop4_y_delta * w_223 - l_lambda_loop4_x_delta * w_224;
+        let w_245 = l_lambda_loop4_y_delta * w_234 - l_lambda_loop4_x_delta * w_235;
+        let w_246 = l_lambda_loop6_x_epsilon * w_108 + l_lambda_loop6_y_epsilon * w_107;
+        let w_247 = l_lambda_loop6_x_epsilon * w_141 + l_lambda_loop6_y_epsilon * w_140;
+        let w_248 = l_lambda_loop6_x_epsilon * w_162 + l_lambda_loop6_y_epsilon * w_161;
+        let w_249 = l_lambda_loop6_x_epsilon * w_187 - l_lambda_loop6_y_epsilon * w_186;
+        let w_250 = l_lambda_loop6_x_epsilon * w_199 - l_lambda_loop6_y_epsilon * w_198;
+        let w_251 = inverse_epsilon * w_219 - l_lambda_loop6_x_epsilon * w_222
+            - l_lambda_loop6_y_epsilon * w_221;
+        let w_252 = inverse_epsilon * w_229 - l_lambda_loop6_x_epsilon * w_233
+            - l_lambda_loop6_y_epsilon * w_232;
+        let w_253 = u2_x * (w_90 + Theta_dot);
         let w_254 = beta_dot * (w_6 + w_7) - self.da * w_253;
-        let w_255 = u2_y * (Theta_dot + w_22);
+        let w_255 = u2_y * (Theta_dot + w_90);
         let w_256 = self.da * w_255 - beta_dot * (w_5 + w_4);
         let w_257 = self.m2 * (w_5 * w_254 + w_7 * w_256);
-        let w_258 = beta_dot * (w_6 + P_x) - self.d * w_253;
+        let w_258 = self.k_2 * (u2_y * w_254 + u2_x * w_256) + l_Theta_beta * w_257;
         let w_259 = beta_dot * (w_4 + P_y) - self.d * w_255;
-        let w_260 = l_lambda_loop3_x_beta * w_257;
-        let w_261 = l_lambda_loop3_y_beta * w_257;
-        let w_262 = self.k_2 * (u2_y * w_254 + u2_x * w_256) + l_Theta_beta * w_257;
-        let w_263 = l_lambda_loop3_x_Theta * w_262;
-        let w_264 = minus_l_lambda_loop3_y_Theta * w_262;
-        let w_265 = w_258 + w_260 - w_263;
-        let w_266 = l_lambda_loop4_x_lambda_loop3_x * w_265;
-        let w_267 = minus_l_lambda_loop4_y_lambda_loop3_x * w_265;
-        let w_268 = w_259 + w_261 + w_264
+        let w_260 = l_lambda_loop3_y_beta * w_257;
+        let w_261 = minus_l_lambda_loop3_y_Theta * w_258;
+        let w_262 = beta_dot * (w_6 + P_x) - self.d * w_253;
+        let w_263 = l_lambda_loop3_x_beta * w_257;
+        let w_264 = l_lambda_loop3_x_Theta * w_258;
+        let w_265 = w_262 + w_263 - w_264;
+        let w_266 = w_259 + w_260 + w_261
             + minus_l_lambda_loop3_y_lambda_loop3_x * w_265;
-        let w_269 = l_lambda_loop4_x_lambda_loop3_y * w_268;
-        let w_270 = l_lambda_loop4_y_lambda_loop3_y * w_268;
-        let w_271 = w_258 + w_260 - w_263 - w_266 - w_269;
-        let w_272 = w_259 + w_261 + w_264 + w_267 - w_270
-            - l_lambda_loop4_y_lambda_loop4_x * w_271;
-        let w_273 = w_258 + w_260 - w_263 - w_266 - w_269
-            - l_lambda_loop6_x_lambda_loop4_x * w_271
+        let w_267 = l_lambda_loop4_x_lambda_loop3_x * w_265;
+        let w_268 = l_lambda_loop4_x_lambda_loop3_y * w_266;
+        let w_269 = w_262 + w_263 - w_264 - w_267 - w_268;
+        let w_270 = minus_l_lambda_loop4_y_lambda_loop3_x * w_265;
+        let w_271 = l_lambda_loop4_y_lambda_loop3_y * w_266;
+        let w_272 = w_259 + w_260 + w_261 + w_270 - w_271
+            - l_lambda_loop4_y_lambda_loop4_x * w_269;
+        let w_273 = w_262 + w_263 - w_264 - w_267 - w_268
+            - l_lambda_loop6_x_lambda_loop4_x * w_269
             - l_lambda_loop6_x_lambda_loop4_y * w_272;
         let w_274 = inverse_lambda_loop6_y
-            * (w_259 + w_261 + w_264 + w_267 - w_270
-                - l_lambda_loop6_y_lambda_loop4_x * w_271
+            * (w_259 + w_260 + w_261 + w_270 - w_271
+                - l_lambda_loop6_y_lambda_loop4_x * w_269
                 - l_lambda_loop6_y_lambda_loop4_y * w_272
                 - l_lambda_loop6_y_lambda_loop6_x * w_273);
         let w_275 = inverse_lambda_loop6_x * w_273
@@ -2592,11 +2584,11 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let w_276 = inverse_lambda_loop4_y * w_272
             - l_lambda_loop6_x_lambda_loop4_y * w_275
             - l_lambda_loop6_y_lambda_loop4_y * w_274;
-        let w_277 = inverse_lambda_loop4_x * w_271
+        let w_277 = inverse_lambda_loop4_x * w_269
             - l_lambda_loop4_y_lambda_loop4_x * w_276
             - l_lambda_loop6_x_lambda_loop4_x * w_275
             - l_lambda_loop6_y_lambda_loop4_x * w_274;
-        let w_278 = inverse_lambda_loop3_y * w_268
+        let w_278 = inverse_lambda_loop3_y * w_266
             - l_lambda_loop4_x_lambda_loop3_y * w_277
             - l_lambda_loop4_y_lambda_loop3_y * w_276
             - l_lambda_loop4_x_lambda_loop3_y * w_275
@@ -2607,7 +2599,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             + minus_l_lambda_loop4_y_lambda_loop3_x * w_276
             - l_lambda_loop4_x_lambda_loop3_x * w_275
             + minus_l_lambda_loop4_y_lambda_loop3_x * w_274;
-        let w_280 = inverse_Theta * w_262 - l_lambda_loop3_x_Theta * w_279
+        let w_280 = inverse_Theta * w_258 - l_lambda_loop3_x_Theta * w_279
             + minus_l_lambda_loop3_y_Theta * w_278 - l_lambda_loop3_x_Theta * w_277
             + minus_l_lambda_loop3_y_Theta * w_276 - l_lambda_loop3_x_Theta * w_275
             + minus_l_lambda_loop3_y_Theta * w_274;
@@ -2615,444 +2607,452 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             + l_lambda_loop3_x_beta * w_279 + l_lambda_loop3_y_beta * w_278
             + l_lambda_loop3_x_beta * w_277 + l_lambda_loop3_y_beta * w_276
             + l_lambda_loop3_x_beta * w_275 + l_lambda_loop3_y_beta * w_274;
-        let w_282 = l_lambda_loop6_x_epsilon * w_275 + l_lambda_loop6_y_epsilon * w_274;
-        let w_283 = l_lambda_loop4_x_delta * w_277 + l_lambda_loop4_y_delta * w_276;
-        let w_284 = u2_x * (w_22 + Theta_dot + beta_dot);
+        let w_282 = u2_x * (w_90 + Theta_dot + beta_dot);
+        let w_283 = self.da * w_282;
+        let w_284 = u2_y * (Theta_dot + w_90 + beta_dot);
         let w_285 = self.da * w_284;
-        let w_286 = u2_y * (Theta_dot + w_22 + beta_dot);
-        let w_287 = self.da * w_286;
-        let w_288 = self.m2 * (w_5 * w_285 - w_7 * w_287);
-        let w_289 = self.d * w_284;
-        let w_290 = self.d * w_286;
-        let w_291 = l_lambda_loop3_x_beta * w_288;
-        let w_292 = l_lambda_loop3_y_beta * w_288;
-        let w_293 = self.k_2 * (u2_x * w_287 - u2_y * w_285) - l_Theta_beta * w_288;
-        let w_294 = l_lambda_loop3_x_Theta * w_293;
-        let w_295 = minus_l_lambda_loop3_y_Theta * w_293;
-        let w_296 = w_289 + w_291 + w_294;
-        let w_297 = l_lambda_loop4_x_lambda_loop3_x * w_296;
-        let w_298 = minus_l_lambda_loop4_y_lambda_loop3_x * w_296;
-        let w_299 = w_295 - w_290 - w_292
-            - minus_l_lambda_loop3_y_lambda_loop3_x * w_296;
-        let w_300 = l_lambda_loop4_x_lambda_loop3_y * w_299;
-        let w_301 = l_lambda_loop4_y_lambda_loop3_y * w_299;
-        let w_302 = w_297 - w_289 - w_291 - w_294 - w_300;
-        let w_303 = w_295 - w_290 - w_292 - w_298 - w_301
-            - l_lambda_loop4_y_lambda_loop4_x * w_302;
-        let w_304 = w_297 - w_289 - w_291 - w_294 - w_300
-            - l_lambda_loop6_x_lambda_loop4_x * w_302
-            - l_lambda_loop6_x_lambda_loop4_y * w_303;
-        let w_305 = inverse_lambda_loop6_y
-            * (w_295 - w_290 - w_292 - w_298 - w_301
-                - l_lambda_loop6_y_lambda_loop4_x * w_302
-                - l_lambda_loop6_y_lambda_loop4_y * w_303
-                - l_lambda_loop6_y_lambda_loop6_x * w_304);
-        let w_306 = inverse_lambda_loop6_x * w_304
-            - l_lambda_loop6_y_lambda_loop6_x * w_305;
-        let w_307 = inverse_lambda_loop4_y * w_303
-            - l_lambda_loop6_x_lambda_loop4_y * w_306
-            - l_lambda_loop6_y_lambda_loop4_y * w_305;
-        let w_308 = inverse_lambda_loop4_x * w_302
-            - l_lambda_loop4_y_lambda_loop4_x * w_307
-            - l_lambda_loop6_x_lambda_loop4_x * w_306
-            - l_lambda_loop6_y_lambda_loop4_x * w_305;
-        let w_309 = inverse_lambda_loop3_y * w_299
-            - l_lambda_loop4_x_lambda_loop3_y * w_308
-            - l_lambda_loop4_y_lambda_loop3_y * w_307
+        let w_286 = self.m2 * (w_5 * w_283 - w_7 * w_285);
+        let w_287 = self.k_2 * (u2_x * w_285 - u2_y * w_283) - l_Theta_beta * w_286;
+        let w_288 = self.d * w_282;
+        let w_289 = l_lambda_loop3_x_beta * w_286;
+        let w_290 = l_lambda_loop3_x_Theta * w_287;
+        let w_291 = w_288 + w_289 + w_290;
+        let w_292 = minus_l_lambda_loop3_y_Theta * w_287;
+        let w_293 = self.d * w_284;
+        let w_294 = l_lambda_loop3_y_beta * w_286;
+        let w_295 = w_292 - w_293 - w_294
+            - minus_l_lambda_loop3_y_lambda_loop3_x * w_291;
+        let w_296 = l_lambda_loop4_x_lambda_loop3_x * w_291;
+        let w_297 = l_lambda_loop4_x_lambda_loop3_y * w_295;
+        let w_298 = w_296 - w_288 - w_289 - w_290 - w_297;
+        let w_299 = minus_l_lambda_loop4_y_lambda_loop3_x * w_291;
+        let w_300 = l_lambda_loop4_y_lambda_loop3_y * w_295;
+        let w_301 = w_292 - w_293 - w_294 - w_299 - w_300
+            - l_lambda_loop4_y_lambda_loop4_x * w_298;
+        let w_302 = w_296 - w_288 - w_289 - w_290 - w_297
+            - l_lambda_loop6_x_lambda_loop4_x * w_298
+            - l_lambda_loop6_x_lambda_loop4_y * w_301;
+        let w_303 = inverse_lambda_loop6_y
+            * (w_292 - w_293 - w_294 - w_299 - w_300
+                - l_lambda_loop6_y_lambda_loop4_x * w_298
+                - l_lambda_loop6_y_lambda_loop4_y * w_301
+                - l_lambda_loop6_y_lambda_loop6_x * w_302);
+        let w_304 = inverse_lambda_loop6_x * w_302
+            - l_lambda_loop6_y_lambda_loop6_x * w_303;
+        let w_305 = inverse_lambda_loop4_y * w_301
+            - l_lambda_loop6_x_lambda_loop4_y * w_304
+            - l_lambda_loop6_y_lambda_loop4_y * w_303;
+        let w_306 = inverse_lambda_loop4_x * w_298
+            - l_lambda_loop4_y_lambda_loop4_x * w_305
+            - l_lambda_loop6_x_lambda_loop4_x * w_304
+            - l_lambda_loop6_y_lambda_loop4_x * w_303;
+        let w_307 = inverse_lambda_loop3_y * w_295
             - l_lambda_loop4_x_lambda_loop3_y * w_306
-            - l_lambda_loop4_y_lambda_loop3_y * w_305;
-        let w_310 = minus_inverse_lambda_loop3_x * w_296
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_309
-            - l_lambda_loop4_x_lambda_loop3_x * w_308
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_307
+            - l_lambda_loop4_y_lambda_loop3_y * w_305
+            - l_lambda_loop4_x_lambda_loop3_y * w_304
+            - l_lambda_loop4_y_lambda_loop3_y * w_303;
+        let w_308 = minus_inverse_lambda_loop3_x * w_291
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_307
             - l_lambda_loop4_x_lambda_loop3_x * w_306
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_305;
-        let w_311 = inverse_Theta * w_293 - l_lambda_loop3_x_Theta * w_310
-            + minus_l_lambda_loop3_y_Theta * w_309 - l_lambda_loop3_x_Theta * w_308
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_305
+            - l_lambda_loop4_x_lambda_loop3_x * w_304
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_303;
+        let w_309 = inverse_Theta * w_287 - l_lambda_loop3_x_Theta * w_308
             + minus_l_lambda_loop3_y_Theta * w_307 - l_lambda_loop3_x_Theta * w_306
-            + minus_l_lambda_loop3_y_Theta * w_305;
-        let w_312 = l_lambda_loop6_x_epsilon * w_306 + l_lambda_loop6_y_epsilon * w_305;
-        let w_313 = l_lambda_loop4_x_delta * w_308 + l_lambda_loop4_y_delta * w_307;
-        let w_314 = self.m3 * (w_8 * w_9 * gamma_dot - w_9 * w_8 * gamma_dot);
-        let w_315 = minus_l_lambda_loop3_x_gamma * w_314 - u3_y * gamma_dot * self.k_28;
-        let w_316 = l_lambda_loop4_x_lambda_loop3_x * w_315;
-        let w_317 = minus_l_lambda_loop4_y_lambda_loop3_x * w_315;
-        let w_318 = u3_x * gamma_dot * self.k_28 + minus_l_lambda_loop3_y_gamma * w_314
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_315;
-        let w_319 = l_lambda_loop4_x_lambda_loop3_y * w_318;
-        let w_320 = l_lambda_loop4_y_lambda_loop3_y * w_318;
-        let w_321 = w_316 + w_319;
-        let w_322 = w_317 - w_320 + l_lambda_loop4_y_lambda_loop4_x * w_321;
-        let w_323 = l_lambda_loop6_x_lambda_loop4_x * w_321 - w_316 - w_319
-            - l_lambda_loop6_x_lambda_loop4_y * w_322;
-        let w_324 = inverse_lambda_loop6_y
-            * (w_317 - w_320 + l_lambda_loop6_y_lambda_loop4_x * w_321
-                - l_lambda_loop6_y_lambda_loop4_y * w_322
-                - l_lambda_loop6_y_lambda_loop6_x * w_323);
-        let w_325 = inverse_lambda_loop6_x * w_323
-            - l_lambda_loop6_y_lambda_loop6_x * w_324;
-        let w_326 = inverse_lambda_loop4_y * w_322
-            - l_lambda_loop6_x_lambda_loop4_y * w_325
-            - l_lambda_loop6_y_lambda_loop4_y * w_324;
-        let w_327 = inverse_lambda_loop4_x * w_321
-            + l_lambda_loop4_y_lambda_loop4_x * w_326
-            + l_lambda_loop6_x_lambda_loop4_x * w_325
-            + l_lambda_loop6_y_lambda_loop4_x * w_324;
-        let w_328 = inverse_lambda_loop3_y * w_318
-            + l_lambda_loop4_x_lambda_loop3_y * w_327
-            - l_lambda_loop4_y_lambda_loop3_y * w_326
-            - l_lambda_loop4_x_lambda_loop3_y * w_325
-            - l_lambda_loop4_y_lambda_loop3_y * w_324;
-        let w_329 = minus_l_lambda_loop3_y_lambda_loop3_x * w_328
-            - minus_inverse_lambda_loop3_x * w_315
-            + l_lambda_loop4_x_lambda_loop3_x * w_327
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_326
-            - l_lambda_loop4_x_lambda_loop3_x * w_325
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_324;
-        let w_330 = minus_l_lambda_loop3_y_Theta * w_328 - l_lambda_loop3_x_Theta * w_329
-            + l_lambda_loop3_x_Theta * w_327 + minus_l_lambda_loop3_y_Theta * w_326
-            - l_lambda_loop3_x_Theta * w_325 + minus_l_lambda_loop3_y_Theta * w_324;
-        let w_331 = l_lambda_loop6_x_epsilon * w_325 + l_lambda_loop6_y_epsilon * w_324;
-        let w_332 = l_lambda_loop4_x_delta * w_327 - l_lambda_loop4_y_delta * w_326;
-        let w_333 = cos_w_2 * (Phi_dot + w_40 + delta_dot);
-        let w_334 = self.k_4 * w_333;
-        let w_335 = n4_x * (w_40 + Phi_dot + delta_dot);
-        let w_336 = self.k_4 * w_335;
-        let w_337 = self.k_5 * (cos_w_2 * w_336 - n4_x * w_334);
-        let w_338 = self.m4 * (w_13 * w_336 + w_11 * w_334) + l_delta_Phi * w_337;
-        let w_339 = minus_l_lambda_loop4_x_Phi * w_337 - self.ee * w_335
-            + l_lambda_loop4_x_delta * w_338;
-        let w_340 = self.ee * w_333 + minus_l_lambda_loop4_y_Phi * w_337
-            + l_lambda_loop4_y_delta * w_338 - l_lambda_loop4_y_lambda_loop4_x * w_339;
-        let w_341 = l_lambda_loop6_x_lambda_loop4_x * w_339
-            + l_lambda_loop6_x_lambda_loop4_y * w_340;
-        let w_342 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_341
-                - l_lambda_loop6_y_lambda_loop4_x * w_339
-                - l_lambda_loop6_y_lambda_loop4_y * w_340);
-        let w_343 = inverse_lambda_loop6_x * w_341
-            + l_lambda_loop6_y_lambda_loop6_x * w_342;
-        let w_344 = inverse_lambda_loop4_y * w_340
-            + l_lambda_loop6_x_lambda_loop4_y * w_343
-            - l_lambda_loop6_y_lambda_loop4_y * w_342;
-        let w_345 = inverse_lambda_loop4_x * w_339
-            - l_lambda_loop4_y_lambda_loop4_x * w_344
-            + l_lambda_loop6_x_lambda_loop4_x * w_343
-            - l_lambda_loop6_y_lambda_loop4_x * w_342;
-        let w_346 = l_lambda_loop4_x_lambda_loop3_y * w_343
-            - l_lambda_loop4_x_lambda_loop3_y * w_345
-            - l_lambda_loop4_y_lambda_loop3_y * w_344
-            - l_lambda_loop4_y_lambda_loop3_y * w_342;
-        let w_347 = minus_l_lambda_loop3_y_lambda_loop3_x * w_346
-            - l_lambda_loop4_x_lambda_loop3_x * w_345
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_344
-            + l_lambda_loop4_x_lambda_loop3_x * w_343
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_342;
-        let w_348 = minus_l_lambda_loop3_y_Theta * w_346 - l_lambda_loop3_x_Theta * w_347
-            - l_lambda_loop3_x_Theta * w_345 + minus_l_lambda_loop3_y_Theta * w_344
-            + l_lambda_loop3_x_Theta * w_343 + minus_l_lambda_loop3_y_Theta * w_342;
-        let w_349 = l_lambda_loop6_x_epsilon * w_343 - l_lambda_loop6_y_epsilon * w_342;
-        let w_350 = inverse_delta * w_338 + l_lambda_loop4_x_delta * w_345
-            + l_lambda_loop4_y_delta * w_344;
-        let w_351 = cos_w_2 * (Phi_dot + w_40);
-        let w_352 = self.k_4 * w_351 - delta_dot * (w_13 + w_12);
-        let w_353 = n4_x * (w_40 + Phi_dot);
-        let w_354 = delta_dot * (w_10 + w_11) + self.k_4 * w_353;
-        let w_355 = self.k_5 * (cos_w_2 * w_354 - n4_x * w_352);
-        let w_356 = self.m5 * (w_15 * w_14 * delta_dot - w_14 * w_15 * delta_dot)
-            - self.m4 * (w_13 * w_354 + w_11 * w_352) - l_delta_Phi * w_355;
-        let w_357 = minus_l_lambda_loop4_x_Phi * w_355
-            - (delta_dot * (w_10 + minus_loop4_y_by_delta) + self.ee * w_353)
-            - l_lambda_loop4_x_delta * w_356;
-        let w_358 = self.ee * w_351 - delta_dot * (w_12 + loop4_x_by_delta)
-            + minus_l_lambda_loop4_y_Phi * w_355 - l_lambda_loop4_y_delta * w_356
-            - l_lambda_loop4_y_lambda_loop4_x * w_357;
-        let w_359 = l_lambda_loop6_x_lambda_loop4_x * w_357
-            + l_lambda_loop6_x_lambda_loop4_y * w_358;
-        let w_360 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_359
-                - l_lambda_loop6_y_lambda_loop4_x * w_357
-                - l_lambda_loop6_y_lambda_loop4_y * w_358);
-        let w_361 = inverse_lambda_loop6_x * w_359
-            + l_lambda_loop6_y_lambda_loop6_x * w_360;
-        let w_362 = inverse_lambda_loop4_y * w_358
-            + l_lambda_loop6_x_lambda_loop4_y * w_361
-            - l_lambda_loop6_y_lambda_loop4_y * w_360;
-        let w_363 = inverse_lambda_loop4_x * w_357
-            - l_lambda_loop4_y_lambda_loop4_x * w_362
-            + l_lambda_loop6_x_lambda_loop4_x * w_361
-            - l_lambda_loop6_y_lambda_loop4_x * w_360;
-        let w_364 = l_lambda_loop4_x_lambda_loop3_y * w_361
-            - l_lambda_loop4_x_lambda_loop3_y * w_363
-            - l_lambda_loop4_y_lambda_loop3_y * w_362
-            - l_lambda_loop4_y_lambda_loop3_y * w_360;
-        let w_365 = minus_l_lambda_loop3_y_lambda_loop3_x * w_364
-            - l_lambda_loop4_x_lambda_loop3_x * w_363
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_362
-            + l_lambda_loop4_x_lambda_loop3_x * w_361
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_360;
-        let w_366 = minus_l_lambda_loop3_y_Theta * w_364 - l_lambda_loop3_x_Theta * w_365
-            - l_lambda_loop3_x_Theta * w_363 + minus_l_lambda_loop3_y_Theta * w_362
-            + l_lambda_loop3_x_Theta * w_361 + minus_l_lambda_loop3_y_Theta * w_360;
-        let w_367 = l_lambda_loop6_x_epsilon * w_361 - l_lambda_loop6_y_epsilon * w_360;
-        let w_368 = inverse_delta * w_356 - l_lambda_loop4_x_delta * w_363
-            - l_lambda_loop4_y_delta * w_362;
-        let w_369 = u6_x * (w_46 + Omega_dot + epsilon_dot);
-        let w_370 = self.k_10 * w_369;
-        let w_371 = u6_y * (Omega_dot + w_46 + epsilon_dot);
-        let w_372 = self.k_10 * w_371;
-        let w_373 = self.k_11 * (u6_x * w_372 - u6_y * w_370);
-        let w_374 = self.m6 * (w_19 * w_370 + w_17 * w_372) - l_epsilon_Omega * w_373;
-        let w_375 = self.zf * w_369 + l_lambda_loop6_x_Omega * w_373
-            + l_lambda_loop6_x_epsilon * w_374;
-        let w_376 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_373 - self.zf * w_371
-                - l_lambda_loop6_y_epsilon * w_374
-                + l_lambda_loop6_y_lambda_loop6_x * w_375);
-        let w_377 = inverse_lambda_loop6_x * w_375
-            + l_lambda_loop6_y_lambda_loop6_x * w_376;
-        let w_378 = l_lambda_loop6_x_lambda_loop4_y * w_377
-            - l_lambda_loop6_y_lambda_loop4_y * w_376;
-        let w_379 = l_lambda_loop6_x_lambda_loop4_x * w_377
-            - l_lambda_loop4_y_lambda_loop4_x * w_378
-            - l_lambda_loop6_y_lambda_loop4_x * w_376;
-        let w_380 = l_lambda_loop4_x_lambda_loop3_y * w_377
-            - l_lambda_loop4_x_lambda_loop3_y * w_379
-            - l_lambda_loop4_y_lambda_loop3_y * w_378
-            - l_lambda_loop4_y_lambda_loop3_y * w_376;
-        let w_381 = minus_l_lambda_loop3_y_lambda_loop3_x * w_380
-            - l_lambda_loop4_x_lambda_loop3_x * w_379
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_378
-            + l_lambda_loop4_x_lambda_loop3_x * w_377
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_376;
-        let w_382 = minus_l_lambda_loop3_y_Theta * w_380 - l_lambda_loop3_x_Theta * w_381
-            - l_lambda_loop3_x_Theta * w_379 + minus_l_lambda_loop3_y_Theta * w_378
-            + l_lambda_loop3_x_Theta * w_377 + minus_l_lambda_loop3_y_Theta * w_376;
-        let w_383 = inverse_epsilon * w_374 + l_lambda_loop6_x_epsilon * w_377
-            - l_lambda_loop6_y_epsilon * w_376;
-        let w_384 = l_lambda_loop4_x_delta * w_379 + l_lambda_loop4_y_delta * w_378;
-        let w_385 = u6_x * (w_46 + Omega_dot);
-        let w_386 = epsilon_dot * (w_16 + w_17) + self.k_10 * w_385;
-        let w_387 = u6_y * (Omega_dot + w_46);
-        let w_388 = epsilon_dot * (w_19 + w_18) - self.k_10 * w_387;
-        let w_389 = self.k_11 * (u6_y * w_386 + u6_x * w_388);
-        let w_390 = self.m7 * (w_20 * w_21 * epsilon_dot - w_21 * w_20 * epsilon_dot)
-            + self.m6 * (w_19 * w_386 - w_17 * w_388) + l_epsilon_Omega * w_389;
-        let w_391 = l_lambda_loop6_x_Omega * w_389
-            - (epsilon_dot * (w_16 + minus_loop6_y_by_epsilon) + self.zf * w_385)
-            - l_lambda_loop6_x_epsilon * w_390;
-        let w_392 = inverse_lambda_loop6_y
-            * (epsilon_dot * (w_18 + w_240) - self.zf * w_387
-                - minus_l_lambda_loop6_y_Omega * w_389 - l_lambda_loop6_y_epsilon * w_390
-                - l_lambda_loop6_y_lambda_loop6_x * w_391);
-        let w_393 = inverse_lambda_loop6_x * w_391
-            - l_lambda_loop6_y_lambda_loop6_x * w_392;
-        let w_394 = l_lambda_loop6_x_lambda_loop4_y * w_393
-            + l_lambda_loop6_y_lambda_loop4_y * w_392;
-        let w_395 = l_lambda_loop4_y_lambda_loop4_x * w_394
-            - l_lambda_loop6_x_lambda_loop4_x * w_393
-            - l_lambda_loop6_y_lambda_loop4_x * w_392;
-        let w_396 = l_lambda_loop4_y_lambda_loop3_y * w_394
-            - l_lambda_loop4_x_lambda_loop3_y * w_395
-            - l_lambda_loop4_x_lambda_loop3_y * w_393
-            - l_lambda_loop4_y_lambda_loop3_y * w_392;
-        let w_397 = minus_l_lambda_loop3_y_lambda_loop3_x * w_396
-            - l_lambda_loop4_x_lambda_loop3_x * w_395
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_394
-            - l_lambda_loop4_x_lambda_loop3_x * w_393
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_392;
-        let w_398 = minus_l_lambda_loop3_y_Theta * w_396 - l_lambda_loop3_x_Theta * w_397
-            - l_lambda_loop3_x_Theta * w_395 - minus_l_lambda_loop3_y_Theta * w_394
-            - l_lambda_loop3_x_Theta * w_393 + minus_l_lambda_loop3_y_Theta * w_392;
-        let w_399 = inverse_epsilon * w_390 - l_lambda_loop6_x_epsilon * w_393
-            - l_lambda_loop6_y_epsilon * w_392;
-        let w_400 = l_lambda_loop4_y_delta * w_394 - l_lambda_loop4_x_delta * w_395;
+            + minus_l_lambda_loop3_y_Theta * w_305 - l_lambda_loop3_x_Theta * w_304
+            + minus_l_lambda_loop3_y_Theta * w_303;
+        let w_310 = self.m3 * (w_10 * w_11 * gamma_dot - w_11 * w_10 * gamma_dot);
+        let w_311 = minus_l_lambda_loop3_x_gamma * w_310 - u3_y * gamma_dot * self.k_28;
+        let w_312 = l_lambda_loop4_x_lambda_loop3_x * w_311;
+        let w_313 = u3_x * gamma_dot * self.k_28 + minus_l_lambda_loop3_y_gamma * w_310
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_311;
+        let w_314 = l_lambda_loop4_x_lambda_loop3_y * w_313;
+        let w_315 = w_312 + w_314;
+        let w_316 = minus_l_lambda_loop4_y_lambda_loop3_x * w_311;
+        let w_317 = l_lambda_loop4_y_lambda_loop3_y * w_313;
+        let w_318 = w_316 - w_317 + l_lambda_loop4_y_lambda_loop4_x * w_315;
+        let w_319 = l_lambda_loop6_x_lambda_loop4_x * w_315 - w_312 - w_314
+            - l_lambda_loop6_x_lambda_loop4_y * w_318;
+        let w_320 = inverse_lambda_loop6_y
+            * (w_316 - w_317 + l_lambda_loop6_y_lambda_loop4_x * w_315
+                - l_lambda_loop6_y_lambda_loop4_y * w_318
+                - l_lambda_loop6_y_lambda_loop6_x * w_319);
+        let w_321 = inverse_lambda_loop6_x * w_319
+            - l_lambda_loop6_y_lambda_loop6_x * w_320;
+        let w_322 = inverse_lambda_loop4_y * w_318
+            - l_lambda_loop6_x_lambda_loop4_y * w_321
+            - l_lambda_loop6_y_lambda_loop4_y * w_320;
+        let w_323 = inverse_lambda_loop4_x * w_315
+            + l_lambda_loop4_y_lambda_loop4_x * w_322
+            + l_lambda_loop6_x_lambda_loop4_x * w_321
+            + l_lambda_loop6_y_lambda_loop4_x * w_320;
+        let w_324 = inverse_lambda_loop3_y * w_313
+            + l_lambda_loop4_x_lambda_loop3_y * w_323
+            - l_lambda_loop4_y_lambda_loop3_y * w_322
+            - l_lambda_loop4_x_lambda_loop3_y * w_321
+            - l_lambda_loop4_y_lambda_loop3_y * w_320;
+        let w_325 = minus_l_lambda_loop3_y_lambda_loop3_x * w_324
+            - minus_inverse_lambda_loop3_x * w_311
+            + l_lambda_loop4_x_lambda_loop3_x * w_323
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_322
+            - l_lambda_loop4_x_lambda_loop3_x * w_321
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_320;
+        let w_326 = minus_l_lambda_loop3_y_Theta * w_324 - l_lambda_loop3_x_Theta * w_325
+            + l_lambda_loop3_x_Theta * w_323 + minus_l_lambda_loop3_y_Theta * w_322
+            - l_lambda_loop3_x_Theta * w_321 + minus_l_lambda_loop3_y_Theta * w_320;
+        let w_327 = n4_x * (w_168 + Phi_dot + delta_dot);
+        let w_328 = self.k_4 * w_327;
+        let w_329 = cos_w_2 * (Phi_dot + w_168 + delta_dot);
+        let w_330 = self.k_4 * w_329;
+        let w_331 = self.k_5 * (cos_w_2 * w_328 - n4_x * w_330);
+        let w_332 = self.m4 * (w_44 * w_328 + w_46 * w_330) + l_delta_Phi * w_331;
+        let w_333 = minus_l_lambda_loop4_x_Phi * w_331 - self.ee * w_327
+            + l_lambda_loop4_x_delta * w_332;
+        let w_334 = self.ee * w_329 + minus_l_lambda_loop4_y_Phi * w_331
+            + l_lambda_loop4_y_delta * w_332 - l_lambda_loop4_y_lambda_loop4_x * w_333;
+        let w_335 = l_lambda_loop6_x_lambda_loop4_x * w_333
+            + l_lambda_loop6_x_lambda_loop4_y * w_334;
+        let w_336 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_335
+                - l_lambda_loop6_y_lambda_loop4_x * w_333
+                - l_lambda_loop6_y_lambda_loop4_y * w_334);
+        let w_337 = inverse_lambda_loop6_x * w_335
+            + l_lambda_loop6_y_lambda_loop6_x * w_336;
+        let w_338 = inverse_lambda_loop4_y * w_334
+            + l_lambda_loop6_x_lambda_loop4_y * w_337
+            - l_lambda_loop6_y_lambda_loop4_y * w_336;
+        let w_339 = inverse_lambda_loop4_x * w_333
+            - l_lambda_loop4_y_lambda_loop4_x * w_338
+            + l_lambda_loop6_x_lambda_loop4_x * w_337
+            - l_lambda_loop6_y_lambda_loop4_x * w_336;
+        let w_340 = l_lambda_loop4_x_lambda_loop3_y * w_337
+            - l_lambda_loop4_x_lambda_loop3_y * w_339
+            - l_lambda_loop4_y_lambda_loop3_y * w_338
+            - l_lambda_loop4_y_lambda_loop3_y * w_336;
+        let w_341 = minus_l_lambda_loop3_y_lambda_loop3_x * w_340
+            - l_lambda_loop4_x_lambda_loop3_x * w_339
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_338
+            + l_lambda_loop4_x_lambda_loop3_x * w_337
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_336;
+        let w_342 = minus_l_lambda_loop3_y_Theta * w_340 - l_lambda_loop3_x_Theta * w_341
+            - l_lambda_loop3_x_Theta * w_339 + minus_l_lambda_loop3_y_Theta * w_338
+            + l_lambda_loop3_x_Theta * w_337 + minus_l_lambda_loop3_y_Theta * w_336;
+        let w_343 = n4_x * (w_168 + Phi_dot);
+        let w_344 = delta_dot * (w_45 + w_46) + self.k_4 * w_343;
+        let w_345 = cos_w_2 * (Phi_dot + w_168);
+        let w_346 = self.k_4 * w_345 - delta_dot * (w_44 + w_43);
+        let w_347 = self.k_5 * (cos_w_2 * w_344 - n4_x * w_346);
+        let w_348 = self.m5 * (w_48 * w_47 * delta_dot - w_47 * w_48 * delta_dot)
+            - self.m4 * (w_44 * w_344 + w_46 * w_346) - l_delta_Phi * w_347;
+        let w_349 = minus_l_lambda_loop4_x_Phi * w_347
+            - (delta_dot * (w_45 + minus_loop4_y_by_delta) + self.ee * w_343)
+            - l_lambda_loop4_x_delta * w_348;
+        let w_350 = self.ee * w_345 - delta_dot * (w_43 + loop4_x_by_delta)
+            + minus_l_lambda_loop4_y_Phi * w_347 - l_lambda_loop4_y_delta * w_348
+            - l_lambda_loop4_y_lambda_loop4_x * w_349;
+        let w_351 = l_lambda_loop6_x_lambda_loop4_x * w_349
+            + l_lambda_loop6_x_lambda_loop4_y * w_350;
+        let w_352 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_351
+                - l_lambda_loop6_y_lambda_loop4_x * w_349
+                - l_lambda_loop6_y_lambda_loop4_y * w_350);
+        let w_353 = inverse_lambda_loop6_x * w_351
+            + l_lambda_loop6_y_lambda_loop6_x * w_352;
+        let w_354 = inverse_lambda_loop4_y * w_350
+            + l_lambda_loop6_x_lambda_loop4_y * w_353
+            - l_lambda_loop6_y_lambda_loop4_y * w_352;
+        let w_355 = inverse_lambda_loop4_x * w_349
+            - l_lambda_loop4_y_lambda_loop4_x * w_354
+            + l_lambda_loop6_x_lambda_loop4_x * w_353
+            - l_lambda_loop6_y_lambda_loop4_x * w_352;
+        let w_356 = l_lambda_loop4_x_lambda_loop3_y * w_353
+            - l_lambda_loop4_x_lambda_loop3_y * w_355
+            - l_lambda_loop4_y_lambda_loop3_y * w_354
+            - l_lambda_loop4_y_lambda_loop3_y * w_352;
+        let w_357 = minus_l_lambda_loop3_y_lambda_loop3_x * w_356
+            - l_lambda_loop4_x_lambda_loop3_x * w_355
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_354
+            + l_lambda_loop4_x_lambda_loop3_x * w_353
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_352;
+        let w_358 = minus_l_lambda_loop3_y_Theta * w_356 - l_lambda_loop3_x_Theta * w_357
+            - l_lambda_loop3_x_Theta * w_355 + minus_l_lambda_loop3_y_Theta * w_354
+            + l_lambda_loop3_x_Theta * w_353 + minus_l_lambda_loop3_y_Theta * w_352;
+        let w_359 = u6_x * (w_205 + Omega_dot + epsilon_dot);
+        let w_360 = u6_y * (Omega_dot + w_205 + epsilon_dot);
+        let w_361 = self.k_10 * w_360;
+        let w_362 = self.k_10 * w_359;
+        let w_363 = self.k_11 * (u6_x * w_361 - u6_y * w_362);
+        let w_364 = self.m6 * (w_67 * w_362 + w_69 * w_361) - l_epsilon_Omega * w_363;
+        let w_365 = self.zf * w_359 + l_lambda_loop6_x_Omega * w_363
+            + l_lambda_loop6_x_epsilon * w_364;
+        let w_366 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_363 - self.zf * w_360
+                - l_lambda_loop6_y_epsilon * w_364
+                + l_lambda_loop6_y_lambda_loop6_x * w_365);
+        let w_367 = inverse_lambda_loop6_x * w_365
+            + l_lambda_loop6_y_lambda_loop6_x * w_366;
+        let w_368 = l_lambda_loop6_x_lambda_loop4_y * w_367
+            - l_lambda_loop6_y_lambda_loop4_y * w_366;
+        let w_369 = l_lambda_loop6_x_lambda_loop4_x * w_367
+            - l_lambda_loop4_y_lambda_loop4_x * w_368
+            - l_lambda_loop6_y_lambda_loop4_x * w_366;
+        let w_370 = l_lambda_loop4_x_lambda_loop3_y * w_367
+            - l_lambda_loop4_x_lambda_loop3_y * w_369
+            - l_lambda_loop4_y_lambda_loop3_y * w_368
+            - l_lambda_loop4_y_lambda_loop3_y * w_366;
+        let w_371 = minus_l_lambda_loop3_y_lambda_loop3_x * w_370
+            - l_lambda_loop4_x_lambda_loop3_x * w_369
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_368
+            + l_lambda_loop4_x_lambda_loop3_x * w_367
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_366;
+        let w_372 = minus_l_lambda_loop3_y_Theta * w_370 - l_lambda_loop3_x_Theta * w_371
+            - l_lambda_loop3_x_Theta * w_369 + minus_l_lambda_loop3_y_Theta * w_368
+            + l_lambda_loop3_x_Theta * w_367 + minus_l_lambda_loop3_y_Theta * w_366;
+        let w_373 = u6_x * (w_205 + Omega_dot);
+        let w_374 = epsilon_dot * (w_68 + w_69) + self.k_10 * w_373;
+        let w_375 = u6_y * (Omega_dot + w_205);
+        let w_376 = epsilon_dot * (w_67 + w_66) - self.k_10 * w_375;
+        let w_377 = self.k_11 * (u6_y * w_374 + u6_x * w_376);
+        let w_378 = self.m7 * (w_70 * w_71 * epsilon_dot - w_71 * w_70 * epsilon_dot)
+            + self.m6 * (w_67 * w_374 - w_69 * w_376) + l_epsilon_Omega * w_377;
+        let w_379 = l_lambda_loop6_x_Omega * w_377
+            - (epsilon_dot * (w_68 + minus_loop6_y_by_epsilon) + self.zf * w_373)
+            - l_lambda_loop6_x_epsilon * w_378;
+        let w_380 = inverse_lambda_loop6_y
+            * (epsilon_dot * (w_66 + w_228) - self.zf * w_375
+                - minus_l_lambda_loop6_y_Omega * w_377 - l_lambda_loop6_y_epsilon * w_378
+                - l_lambda_loop6_y_lambda_loop6_x * w_379);
+        let w_381 = inverse_lambda_loop6_x * w_379
+            - l_lambda_loop6_y_lambda_loop6_x * w_380;
+        let w_382 = l_lambda_loop6_x_lambda_loop4_y * w_381
+            + l_lambda_loop6_y_lambda_loop4_y * w_380;
+        let w_383 = l_lambda_loop4_y_lambda_loop4_x * w_382
+            - l_lambda_loop6_x_lambda_loop4_x * w_381
+            - l_lambda_loop6_y_lambda_loop4_x * w_380;
+        let w_384 = l_lambda_loop4_y_lambda_loop3_y * w_382
+            - l_lambda_loop4_x_lambda_loop3_y * w_383
+            - l_lambda_loop4_x_lambda_loop3_y * w_381
+            - l_lambda_loop4_y_lambda_loop3_y * w_380;
+        let w_385 = minus_l_lambda_loop3_y_lambda_loop3_x * w_384
+            - l_lambda_loop4_x_lambda_loop3_x * w_383
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_382
+            - l_lambda_loop4_x_lambda_loop3_x * w_381
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_380;
+        let w_386 = minus_l_lambda_loop3_y_Theta * w_384 - l_lambda_loop3_x_Theta * w_385
+            - l_lambda_loop3_x_Theta * w_383 - minus_l_lambda_loop3_y_Theta * w_382
+            - l_lambda_loop3_x_Theta * w_381 + minus_l_lambda_loop3_y_Theta * w_380;
+        let w_387 = l_lambda_loop4_x_delta * w_277 + l_lambda_loop4_y_delta * w_276;
+        let w_388 = l_lambda_loop4_x_delta * w_306 + l_lambda_loop4_y_delta * w_305;
+        let w_389 = l_lambda_loop4_x_delta * w_323 - l_lambda_loop4_y_delta * w_322;
+        let w_390 = inverse_delta * w_332 + l_lambda_loop4_x_delta * w_339
+            + l_lambda_loop4_y_delta * w_338;
+        let w_391 = inverse_delta * w_348 - l_lambda_loop4_x_delta * w_355
+            - l_lambda_loop4_y_delta * w_354;
+        let w_392 = l_lambda_loop4_x_delta * w_369 + l_lambda_loop4_y_delta * w_368;
+        let w_393 = l_lambda_loop4_y_delta * w_382 - l_lambda_loop4_x_delta * w_383;
+        let w_394 = l_lambda_loop6_x_epsilon * w_275 + l_lambda_loop6_y_epsilon * w_274;
+        let w_395 = l_lambda_loop6_x_epsilon * w_304 + l_lambda_loop6_y_epsilon * w_303;
+        let w_396 = l_lambda_loop6_x_epsilon * w_321 + l_lambda_loop6_y_epsilon * w_320;
+        let w_397 = l_lambda_loop6_x_epsilon * w_337 - l_lambda_loop6_y_epsilon * w_336;
+        let w_398 = l_lambda_loop6_x_epsilon * w_353 - l_lambda_loop6_y_epsilon * w_352;
+        let w_399 = inverse_epsilon * w_364 + l_lambda_loop6_x_epsilon * w_367
+            - l_lambda_loop6_y_epsilon * w_366;
+        let w_400 = inverse_epsilon * w_378 - l_lambda_loop6_x_epsilon * w_381
+            - l_lambda_loop6_y_epsilon * w_380;
+        let abs_w_14 = w_14.abs();
+        let abs_w_15 = w_15.abs();
+        let abs_w_18 = w_18.abs();
+        let abs_w_19 = w_19.abs();
+        let abs_w_41 = w_41.abs();
+        let abs_w_51 = w_51.abs();
+        let abs_w_58 = w_58.abs();
+        let abs_w_61 = w_61.abs();
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    inverse_beta * w_104 - l_Theta_beta * w_128
-                        - l_lambda_loop3_x_beta * w_127 - l_lambda_loop3_y_beta * w_126
-                        - l_lambda_loop3_x_beta * w_125 - l_lambda_loop3_y_beta * w_124
-                        - l_lambda_loop3_x_beta * w_123 - l_lambda_loop3_y_beta * w_122,
-                    inverse_beta * w_137 - l_Theta_beta * w_161
-                        - l_lambda_loop3_x_beta * w_160 - l_lambda_loop3_y_beta * w_159
-                        - l_lambda_loop3_x_beta * w_158 - l_lambda_loop3_y_beta * w_157
-                        - l_lambda_loop3_x_beta * w_156 - l_lambda_loop3_y_beta * w_155,
-                    l_lambda_loop3_x_beta * w_178 - l_Theta_beta * w_181
-                        - l_lambda_loop3_x_beta * w_180 - l_lambda_loop3_y_beta * w_179
-                        - l_lambda_loop3_y_beta * w_177 - l_lambda_loop3_x_beta * w_176
-                        - l_lambda_loop3_y_beta * w_175,
-                    l_lambda_loop3_x_beta * w_198 - l_Theta_beta * w_203
-                        - l_lambda_loop3_x_beta * w_202 - l_lambda_loop3_y_beta * w_201
-                        - l_lambda_loop3_x_beta * w_200 - l_lambda_loop3_y_beta * w_199
-                        - l_lambda_loop3_y_beta * w_197,
-                    l_lambda_loop3_x_beta * w_212 - l_Theta_beta * w_217
-                        - l_lambda_loop3_x_beta * w_216 - l_lambda_loop3_y_beta * w_215
-                        - l_lambda_loop3_x_beta * w_214 - l_lambda_loop3_y_beta * w_213
-                        - l_lambda_loop3_y_beta * w_211,
-                    l_lambda_loop3_y_beta * w_233 - l_Theta_beta * w_237
-                        - l_lambda_loop3_x_beta * w_236 - l_lambda_loop3_y_beta * w_235
-                        - l_lambda_loop3_x_beta * w_234 - l_lambda_loop3_x_beta * w_232
-                        - l_lambda_loop3_y_beta * w_231,
-                    l_lambda_loop3_y_beta * w_246 - l_Theta_beta * w_250
-                        - l_lambda_loop3_x_beta * w_249 - l_lambda_loop3_y_beta * w_248
-                        - l_lambda_loop3_x_beta * w_247 - l_lambda_loop3_x_beta * w_245
-                        - l_lambda_loop3_y_beta * w_244,
+                    inverse_beta * w_86 - l_Theta_beta * w_113
+                        - l_lambda_loop3_x_beta * w_112 - l_lambda_loop3_y_beta * w_111
+                        - l_lambda_loop3_x_beta * w_110 - l_lambda_loop3_y_beta * w_109
+                        - l_lambda_loop3_x_beta * w_108 - l_lambda_loop3_y_beta * w_107,
+                    inverse_beta * w_122 - l_Theta_beta * w_146
+                        - l_lambda_loop3_x_beta * w_145 - l_lambda_loop3_y_beta * w_144
+                        - l_lambda_loop3_x_beta * w_143 - l_lambda_loop3_y_beta * w_142
+                        - l_lambda_loop3_x_beta * w_141 - l_lambda_loop3_y_beta * w_140,
+                    l_lambda_loop3_x_beta * w_164 - l_Theta_beta * w_167
+                        - l_lambda_loop3_x_beta * w_166 - l_lambda_loop3_y_beta * w_165
+                        - l_lambda_loop3_y_beta * w_163 - l_lambda_loop3_x_beta * w_162
+                        - l_lambda_loop3_y_beta * w_161,
+                    l_lambda_loop3_x_beta * w_187 - l_Theta_beta * w_192
+                        - l_lambda_loop3_x_beta * w_191 - l_lambda_loop3_y_beta * w_190
+                        - l_lambda_loop3_x_beta * w_189 - l_lambda_loop3_y_beta * w_188
+                        - l_lambda_loop3_y_beta * w_186,
+                    l_lambda_loop3_x_beta * w_199 - l_Theta_beta * w_204
+                        - l_lambda_loop3_x_beta * w_203 - l_lambda_loop3_y_beta * w_202
+                        - l_lambda_loop3_x_beta * w_201 - l_lambda_loop3_y_beta * w_200
+                        - l_lambda_loop3_y_beta * w_198,
+                    l_lambda_loop3_y_beta * w_223 - l_Theta_beta * w_227
+                        - l_lambda_loop3_x_beta * w_226 - l_lambda_loop3_y_beta * w_225
+                        - l_lambda_loop3_x_beta * w_224 - l_lambda_loop3_x_beta * w_222
+                        - l_lambda_loop3_y_beta * w_221,
+                    l_lambda_loop3_y_beta * w_234 - l_Theta_beta * w_238
+                        - l_lambda_loop3_x_beta * w_237 - l_lambda_loop3_y_beta * w_236
+                        - l_lambda_loop3_x_beta * w_235 - l_lambda_loop3_x_beta * w_233
+                        - l_lambda_loop3_y_beta * w_232,
                 ],
-                [w_128, w_161, w_181, w_203, w_217, w_237, w_250],
+                [w_113, w_146, w_167, w_192, w_204, w_227, w_238],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_127
-                        + minus_l_lambda_loop3_y_gamma * w_126,
-                    minus_l_lambda_loop3_x_gamma * w_160
-                        + minus_l_lambda_loop3_y_gamma * w_159,
-                    inverse_gamma * w_165 + minus_l_lambda_loop3_x_gamma * w_180
-                        + minus_l_lambda_loop3_y_gamma * w_179,
-                    minus_l_lambda_loop3_x_gamma * w_202
-                        + minus_l_lambda_loop3_y_gamma * w_201,
-                    minus_l_lambda_loop3_x_gamma * w_216
-                        + minus_l_lambda_loop3_y_gamma * w_215,
-                    minus_l_lambda_loop3_x_gamma * w_236
-                        + minus_l_lambda_loop3_y_gamma * w_235,
-                    minus_l_lambda_loop3_x_gamma * w_249
-                        + minus_l_lambda_loop3_y_gamma * w_248,
+                    minus_l_lambda_loop3_x_gamma * w_112
+                        + minus_l_lambda_loop3_y_gamma * w_111,
+                    minus_l_lambda_loop3_x_gamma * w_145
+                        + minus_l_lambda_loop3_y_gamma * w_144,
+                    inverse_gamma * w_151 + minus_l_lambda_loop3_x_gamma * w_166
+                        + minus_l_lambda_loop3_y_gamma * w_165,
+                    minus_l_lambda_loop3_x_gamma * w_191
+                        + minus_l_lambda_loop3_y_gamma * w_190,
+                    minus_l_lambda_loop3_x_gamma * w_203
+                        + minus_l_lambda_loop3_y_gamma * w_202,
+                    minus_l_lambda_loop3_x_gamma * w_226
+                        + minus_l_lambda_loop3_y_gamma * w_225,
+                    minus_l_lambda_loop3_x_gamma * w_237
+                        + minus_l_lambda_loop3_y_gamma * w_236,
                 ],
                 [
-                    l_delta_Phi * w_130 + minus_l_lambda_loop4_x_Phi * w_125
-                        + minus_l_lambda_loop4_y_Phi * w_124,
-                    l_delta_Phi * w_163 + minus_l_lambda_loop4_x_Phi * w_158
-                        + minus_l_lambda_loop4_y_Phi * w_157,
-                    minus_l_lambda_loop4_y_Phi * w_177 - l_delta_Phi * w_183
-                        - minus_l_lambda_loop4_x_Phi * w_178,
-                    self.inverse_Phi * w_190 - l_delta_Phi * w_205
-                        + minus_l_lambda_loop4_x_Phi * w_200
-                        + minus_l_lambda_loop4_y_Phi * w_199,
-                    self.inverse_Phi * w_189 + l_delta_Phi * w_219
-                        + minus_l_lambda_loop4_x_Phi * w_214
-                        + minus_l_lambda_loop4_y_Phi * w_213,
-                    minus_l_lambda_loop4_x_Phi * w_234 - l_delta_Phi * w_239
-                        - minus_l_lambda_loop4_y_Phi * w_233,
-                    minus_l_lambda_loop4_x_Phi * w_247 - l_delta_Phi * w_252
-                        - minus_l_lambda_loop4_y_Phi * w_246,
+                    l_delta_Phi * w_239 + minus_l_lambda_loop4_x_Phi * w_110
+                        + minus_l_lambda_loop4_y_Phi * w_109,
+                    l_delta_Phi * w_240 + minus_l_lambda_loop4_x_Phi * w_143
+                        + minus_l_lambda_loop4_y_Phi * w_142,
+                    minus_l_lambda_loop4_y_Phi * w_163 - l_delta_Phi * w_241
+                        - minus_l_lambda_loop4_x_Phi * w_164,
+                    self.inverse_Phi * w_179 - l_delta_Phi * w_242
+                        + minus_l_lambda_loop4_x_Phi * w_189
+                        + minus_l_lambda_loop4_y_Phi * w_188,
+                    self.inverse_Phi * w_177 + l_delta_Phi * w_243
+                        + minus_l_lambda_loop4_x_Phi * w_201
+                        + minus_l_lambda_loop4_y_Phi * w_200,
+                    minus_l_lambda_loop4_x_Phi * w_224 - l_delta_Phi * w_244
+                        - minus_l_lambda_loop4_y_Phi * w_223,
+                    minus_l_lambda_loop4_x_Phi * w_235 - l_delta_Phi * w_245
+                        - minus_l_lambda_loop4_y_Phi * w_234,
                 ],
-                [-w_130, -w_163, w_183, w_205, -w_219, w_239, w_252],
+                [-w_239, -w_240, w_241, w_242, -w_243, w_244, w_245],
                 [
-                    l_epsilon_Omega * w_129 - l_lambda_loop6_x_Omega * w_123
-                        + minus_l_lambda_loop6_y_Omega * w_122,
-                    l_epsilon_Omega * w_162 - l_lambda_loop6_x_Omega * w_156
-                        + minus_l_lambda_loop6_y_Omega * w_155,
-                    l_epsilon_Omega * w_182 - l_lambda_loop6_x_Omega * w_176
-                        + minus_l_lambda_loop6_y_Omega * w_175,
-                    l_lambda_loop6_x_Omega * w_198 - l_epsilon_Omega * w_204
-                        + minus_l_lambda_loop6_y_Omega * w_197,
-                    l_lambda_loop6_x_Omega * w_212 - l_epsilon_Omega * w_218
-                        + minus_l_lambda_loop6_y_Omega * w_211,
-                    self.inverse_Omega * w_226 - l_epsilon_Omega * w_238
-                        - l_lambda_loop6_x_Omega * w_232
-                        + minus_l_lambda_loop6_y_Omega * w_231,
-                    self.inverse_Omega * w_225 - l_epsilon_Omega * w_251
-                        - l_lambda_loop6_x_Omega * w_245
-                        + minus_l_lambda_loop6_y_Omega * w_244,
+                    l_epsilon_Omega * w_246 - l_lambda_loop6_x_Omega * w_108
+                        + minus_l_lambda_loop6_y_Omega * w_107,
+                    l_epsilon_Omega * w_247 - l_lambda_loop6_x_Omega * w_141
+                        + minus_l_lambda_loop6_y_Omega * w_140,
+                    l_epsilon_Omega * w_248 - l_lambda_loop6_x_Omega * w_162
+                        + minus_l_lambda_loop6_y_Omega * w_161,
+                    l_lambda_loop6_x_Omega * w_187 - l_epsilon_Omega * w_249
+                        + minus_l_lambda_loop6_y_Omega * w_186,
+                    l_lambda_loop6_x_Omega * w_199 - l_epsilon_Omega * w_250
+                        + minus_l_lambda_loop6_y_Omega * w_198,
+                    self.inverse_Omega * w_217 - l_epsilon_Omega * w_251
+                        - l_lambda_loop6_x_Omega * w_222
+                        + minus_l_lambda_loop6_y_Omega * w_221,
+                    self.inverse_Omega * w_215 - l_epsilon_Omega * w_252
+                        - l_lambda_loop6_x_Omega * w_233
+                        + minus_l_lambda_loop6_y_Omega * w_232,
                 ],
-                [-w_129, -w_162, -w_182, w_204, w_218, w_238, w_251],
+                [-w_246, -w_247, -w_248, w_249, w_250, w_251, w_252],
             ],
             accelerations_by_speeds: [
                 [
                     -w_281,
-                    inverse_beta * w_288 - l_Theta_beta * w_311
-                        - l_lambda_loop3_x_beta * w_310 - l_lambda_loop3_y_beta * w_309
+                    inverse_beta * w_286 - l_Theta_beta * w_309
                         - l_lambda_loop3_x_beta * w_308 - l_lambda_loop3_y_beta * w_307
-                        - l_lambda_loop3_x_beta * w_306 - l_lambda_loop3_y_beta * w_305,
-                    l_lambda_loop3_x_beta * w_327 - l_Theta_beta * w_330
-                        - l_lambda_loop3_x_beta * w_329 - l_lambda_loop3_y_beta * w_328
-                        - l_lambda_loop3_y_beta * w_326 - l_lambda_loop3_x_beta * w_325
-                        - l_lambda_loop3_y_beta * w_324,
-                    l_lambda_loop3_x_beta * w_343 - l_Theta_beta * w_348
-                        - l_lambda_loop3_x_beta * w_347 - l_lambda_loop3_y_beta * w_346
-                        - l_lambda_loop3_x_beta * w_345 - l_lambda_loop3_y_beta * w_344
-                        - l_lambda_loop3_y_beta * w_342,
-                    l_lambda_loop3_x_beta * w_361 - l_Theta_beta * w_366
-                        - l_lambda_loop3_x_beta * w_365 - l_lambda_loop3_y_beta * w_364
-                        - l_lambda_loop3_x_beta * w_363 - l_lambda_loop3_y_beta * w_362
-                        - l_lambda_loop3_y_beta * w_360,
-                    l_lambda_loop3_x_beta * w_377 - l_Theta_beta * w_382
-                        - l_lambda_loop3_x_beta * w_381 - l_lambda_loop3_y_beta * w_380
-                        - l_lambda_loop3_x_beta * w_379 - l_lambda_loop3_y_beta * w_378
-                        - l_lambda_loop3_y_beta * w_376,
-                    l_lambda_loop3_y_beta * w_394 - l_Theta_beta * w_398
-                        - l_lambda_loop3_x_beta * w_397 - l_lambda_loop3_y_beta * w_396
-                        - l_lambda_loop3_x_beta * w_395 - l_lambda_loop3_x_beta * w_393
-                        - l_lambda_loop3_y_beta * w_392,
+                        - l_lambda_loop3_x_beta * w_306 - l_lambda_loop3_y_beta * w_305
+                        - l_lambda_loop3_x_beta * w_304 - l_lambda_loop3_y_beta * w_303,
+                    l_lambda_loop3_x_beta * w_323 - l_Theta_beta * w_326
+                        - l_lambda_loop3_x_beta * w_325 - l_lambda_loop3_y_beta * w_324
+                        - l_lambda_loop3_y_beta * w_322 - l_lambda_loop3_x_beta * w_321
+                        - l_lambda_loop3_y_beta * w_320,
+                    l_lambda_loop3_x_beta * w_337 - l_Theta_beta * w_342
+                        - l_lambda_loop3_x_beta * w_341 - l_lambda_loop3_y_beta * w_340
+                        - l_lambda_loop3_x_beta * w_339 - l_lambda_loop3_y_beta * w_338
+                        - l_lambda_loop3_y_beta * w_336,
+                    l_lambda_loop3_x_beta * w_353 - l_Theta_beta * w_358
+                        - l_lambda_loop3_x_beta * w_357 - l_lambda_loop3_y_beta * w_356
+                        - l_lambda_loop3_x_beta * w_355 - l_lambda_loop3_y_beta * w_354
+                        - l_lambda_loop3_y_beta * w_352,
+                    l_lambda_loop3_x_beta * w_367 - l_Theta_beta * w_372
+                        - l_lambda_loop3_x_beta * w_371 - l_lambda_loop3_y_beta * w_370
+                        - l_lambda_loop3_x_beta * w_369 - l_lambda_loop3_y_beta * w_368
+                        - l_lambda_loop3_y_beta * w_366,
+                    l_lambda_loop3_y_beta * w_382 - l_Theta_beta * w_386
+                        - l_lambda_loop3_x_beta * w_385 - l_lambda_loop3_y_beta * w_384
+                        - l_lambda_loop3_x_beta * w_383 - l_lambda_loop3_x_beta * w_381
+                        - l_lambda_loop3_y_beta * w_380,
                 ],
-                [w_280, w_311, w_330, w_348, w_366, w_382, w_398],
+                [w_280, w_309, w_326, w_342, w_358, w_372, w_386],
                 [
                     minus_l_lambda_loop3_x_gamma * w_279
                         + minus_l_lambda_loop3_y_gamma * w_278,
-                    minus_l_lambda_loop3_x_gamma * w_310
-                        + minus_l_lambda_loop3_y_gamma * w_309,
-                    inverse_gamma * w_314 + minus_l_lambda_loop3_x_gamma * w_329
-                        + minus_l_lambda_loop3_y_gamma * w_328,
-                    minus_l_lambda_loop3_x_gamma * w_347
-                        + minus_l_lambda_loop3_y_gamma * w_346,
-                    minus_l_lambda_loop3_x_gamma * w_365
-                        + minus_l_lambda_loop3_y_gamma * w_364,
-                    minus_l_lambda_loop3_x_gamma * w_381
-                        + minus_l_lambda_loop3_y_gamma * w_380,
-                    minus_l_lambda_loop3_x_gamma * w_397
-                        + minus_l_lambda_loop3_y_gamma * w_396,
+                    minus_l_lambda_loop3_x_gamma * w_308
+                        + minus_l_lambda_loop3_y_gamma * w_307,
+                    inverse_gamma * w_310 + minus_l_lambda_loop3_x_gamma * w_325
+                        + minus_l_lambda_loop3_y_gamma * w_324,
+                    minus_l_lambda_loop3_x_gamma * w_341
+                        + minus_l_lambda_loop3_y_gamma * w_340,
+                    minus_l_lambda_loop3_x_gamma * w_357
+                        + minus_l_lambda_loop3_y_gamma * w_356,
+                    minus_l_lambda_loop3_x_gamma * w_371
+                        + minus_l_lambda_loop3_y_gamma * w_370,
+                    minus_l_lambda_loop3_x_gamma * w_385
+                        + minus_l_lambda_loop3_y_gamma * w_384,
                 ],
                 [
-                    l_delta_Phi * w_283 + minus_l_lambda_loop4_x_Phi * w_277
+                    l_delta_Phi * w_387 + minus_l_lambda_loop4_x_Phi * w_277
                         + minus_l_lambda_loop4_y_Phi * w_276,
-                    l_delta_Phi * w_313 + minus_l_lambda_loop4_x_Phi * w_308
-                        + minus_l_lambda_loop4_y_Phi * w_307,
-                    minus_l_lambda_loop4_y_Phi * w_326 - l_delta_Phi * w_332
-                        - minus_l_lambda_loop4_x_Phi * w_327,
-                    self.inverse_Phi * w_337 + l_delta_Phi * w_350
-                        + minus_l_lambda_loop4_x_Phi * w_345
-                        + minus_l_lambda_loop4_y_Phi * w_344,
-                    self.inverse_Phi * w_355 - l_delta_Phi * w_368
-                        + minus_l_lambda_loop4_x_Phi * w_363
-                        + minus_l_lambda_loop4_y_Phi * w_362,
-                    l_delta_Phi * w_384 + minus_l_lambda_loop4_x_Phi * w_379
-                        + minus_l_lambda_loop4_y_Phi * w_378,
-                    minus_l_lambda_loop4_x_Phi * w_395 - l_delta_Phi * w_400
-                        - minus_l_lambda_loop4_y_Phi * w_394,
+                    l_delta_Phi * w_388 + minus_l_lambda_loop4_x_Phi * w_306
+                        + minus_l_lambda_loop4_y_Phi * w_305,
+                    minus_l_lambda_loop4_y_Phi * w_322 - l_delta_Phi * w_389
+                        - minus_l_lambda_loop4_x_Phi * w_323,
+                    self.inverse_Phi * w_331 + l_delta_Phi * w_390
+                        + minus_l_lambda_loop4_x_Phi * w_339
+                        + minus_l_lambda_loop4_y_Phi * w_338,
+                    self.inverse_Phi * w_347 - l_delta_Phi * w_391
+                        + minus_l_lambda_loop4_x_Phi * w_355
+                        + minus_l_lambda_loop4_y_Phi * w_354,
+                    l_delta_Phi * w_392 + minus_l_lambda_loop4_x_Phi * w_369
+                        + minus_l_lambda_loop4_y_Phi * w_368,
+                    minus_l_lambda_loop4_x_Phi * w_383 - l_delta_Phi * w_393
+                        - minus_l_lambda_loop4_y_Phi * w_382,
                 ],
-                [-w_283, -w_313, w_332, -w_350, w_368, -w_384, w_400],
+                [-w_387, -w_388, w_389, -w_390, w_391, -w_392, w_393],
                 [
-                    l_epsilon_Omega * w_282 - l_lambda_loop6_x_Omega * w_275
+                    l_epsilon_Omega * w_394 - l_lambda_loop6_x_Omega * w_275
                         + minus_l_lambda_loop6_y_Omega * w_274,
-                    l_epsilon_Omega * w_312 - l_lambda_loop6_x_Omega * w_306
-                        + minus_l_lambda_loop6_y_Omega * w_305,
-                    l_epsilon_Omega * w_331 - l_lambda_loop6_x_Omega * w_325
-                        + minus_l_lambda_loop6_y_Omega * w_324,
-                    l_lambda_loop6_x_Omega * w_343 - l_epsilon_Omega * w_349
-                        + minus_l_lambda_loop6_y_Omega * w_342,
-                    l_lambda_loop6_x_Omega * w_361 - l_epsilon_Omega * w_367
-                        + minus_l_lambda_loop6_y_Omega * w_360,
-                    self.inverse_Omega * w_373 - l_epsilon_Omega * w_383
-                        + l_lambda_loop6_x_Omega * w_377
-                        + minus_l_lambda_loop6_y_Omega * w_376,
-                    minus_l_lambda_loop6_y_Omega * w_392 - self.inverse_Omega * w_389
-                        - l_epsilon_Omega * w_399 - l_lambda_loop6_x_Omega * w_393,
+                    l_epsilon_Omega * w_395 - l_lambda_loop6_x_Omega * w_304
+                        + minus_l_lambda_loop6_y_Omega * w_303,
+                    l_epsilon_Omega * w_396 - l_lambda_loop6_x_Omega * w_321
+                        + minus_l_lambda_loop6_y_Omega * w_320,
+                    l_lambda_loop6_x_Omega * w_337 - l_epsilon_Omega * w_397
+                        + minus_l_lambda_loop6_y_Omega * w_336,
+                    l_lambda_loop6_x_Omega * w_353 - l_epsilon_Omega * w_398
+                        + minus_l_lambda_loop6_y_Omega * w_352,
+                    self.inverse_Omega * w_363 - l_epsilon_Omega * w_399
+                        + l_lambda_loop6_x_Omega * w_367
+                        + minus_l_lambda_loop6_y_Omega * w_366,
+                    minus_l_lambda_loop6_y_Omega * w_380 - self.inverse_Omega * w_377
+                        - l_epsilon_Omega * w_400 - l_lambda_loop6_x_Omega * w_381,
                 ],
-                [-w_282, -w_312, -w_331, w_349, w_367, w_383, w_399],
+                [-w_394, -w_395, -w_396, w_397, w_398, w_399, w_400],
             ],
             multipliers_by_positions: [
-                [w_127, w_160, w_180, w_202, w_216, w_236, w_249],
-                [w_126, w_159, w_179, w_201, w_215, w_235, w_248],
-                [w_125, w_158, -w_178, w_200, w_214, w_234, w_247],
-                [w_124, w_157, w_177, w_199, w_213, -w_233, -w_246],
-                [w_123, w_156, w_176, -w_198, -w_212, w_232, w_245],
-                [w_122, w_155, w_175, w_197, w_211, w_231, w_244],
+                [w_112, w_145, w_166, w_191, w_203, w_226, w_237],
+                [w_111, w_144, w_165, w_190, w_202, w_225, w_236],
+                [w_110, w_143, -w_164, w_189, w_201, w_224, w_235],
+                [w_109, w_142, w_163, w_188, w_200, -w_223, -w_234],
+                [w_108, w_141, w_162, -w_187, -w_199, w_222, w_233],
+                [w_107, w_140, w_161, w_186, w_198, w_221, w_232],
             ],
             multipliers_by_speeds: [
-                [w_279, w_310, w_329, w_347, w_365, w_381, w_397],
-                [w_278, w_309, w_328, w_346, w_364, w_380, w_396],
-                [w_277, w_308, -w_327, w_345, w_363, w_379, w_395],
-                [w_276, w_307, w_326, w_344, w_362, w_378, -w_394],
-                [w_275, w_306, w_325, -w_343, -w_361, -w_377, w_393],
-                [w_274, w_305, w_324, w_342, w_360, w_376, w_392],
+                [w_279, w_308, w_325, w_341, w_357, w_371, w_385],
+                [w_278, w_307, w_324, w_340, w_356, w_370, w_384],
+                [w_277, w_306, -w_323, w_339, w_355, w_369, w_383],
+                [w_276, w_305, w_322, w_338, w_354, w_368, -w_382],
+                [w_275, w_304, w_321, -w_337, -w_353, -w_367, w_381],
+                [w_274, w_303, w_320, w_336, w_352, w_366, w_380],
             ],
             refused: sim_kernel::pivot_is_refused(
                 mass_gamma_gamma,
@@ -3060,7 +3060,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             ) | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.abs_mass_Phi_Phi)
                 | sim_kernel::pivot_is_refused(
                     pivot_delta,
-                    mass_delta_delta.abs() + w_63.abs(),
+                    mass_delta_delta.abs() + w_49.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     self.mass_Omega_Omega,
@@ -3068,38 +3068,38 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_epsilon,
-                    mass_epsilon_epsilon.abs() + w_68.abs(),
+                    mass_epsilon_epsilon.abs() + w_72.abs(),
                 ) | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta.abs())
                 | sim_kernel::pivot_is_refused(
                     pivot_Theta,
-                    self.abs_mass_Theta_Theta + w_73.abs(),
+                    self.abs_mass_Theta_Theta + w_8.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
-                    w_61.abs() + abs_w_74 + abs_w_78,
+                    w_13.abs() + abs_w_14 + abs_w_15,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop3_y,
-                    w_62.abs() + abs_w_76 + abs_w_80 + w_82.abs(),
+                    w_17.abs() + abs_w_18 + abs_w_19 + w_16.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop4_x,
-                    w_64.abs() + w_66.abs() + abs_w_74 + abs_w_78 + abs_w_83 + abs_w_86,
+                    w_42.abs() + w_50.abs() + abs_w_14 + abs_w_15 + abs_w_41 + abs_w_51,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop4_y,
-                    w_65.abs() + w_67.abs() + abs_w_76 + abs_w_80 + abs_w_85 + abs_w_88
-                        + w_89.abs(),
+                    w_59.abs() + w_60.abs() + abs_w_18 + abs_w_19 + abs_w_58 + abs_w_61
+                        + w_62.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop6_x,
-                    w_69.abs() + w_71.abs() + abs_w_74 + abs_w_78 + abs_w_83 + abs_w_86
-                        + w_90.abs() + w_92.abs(),
+                    w_65.abs() + w_73.abs() + abs_w_14 + abs_w_15 + abs_w_41 + abs_w_51
+                        + w_74.abs() + w_75.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_loop6_y,
-                    w_70.abs() + w_72.abs() + abs_w_76 + abs_w_80 + abs_w_85 + abs_w_88
-                        + w_91.abs() + w_93.abs() + w_94.abs(),
+                    w_80.abs() + w_81.abs() + abs_w_18 + abs_w_19 + abs_w_58 + abs_w_61
+                        + w_82.abs() + w_83.abs() + w_84.abs(),
                 ),
         }
     }

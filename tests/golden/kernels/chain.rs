@@ -186,53 +186,53 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
-        let w = self.m * self.l * S::from_f64(0.5);
-        let mass_P4_x_phi_5 = w * cos_phi_5;
-        let mass_P4_y_phi_5 = w * sin_phi_5;
-        let w_2 = self.l * cos_phi_1;
-        let w_3 = self.l * cos_phi_2;
         let u1_x = self.l * sin_phi_1;
+        let w = self.m + self.m;
+        let w_2 = self.m + w;
+        let w_3 = self.l * cos_phi_1;
         let u2_x = self.l * sin_phi_2;
-        let w_4 = self.l * cos_phi_3;
+        let w_4 = u2_x * w_2;
+        let w_5 = self.l * cos_phi_2;
+        let w_6 = w_5 * w_2;
+        let w_7 = self.m * l_squared * S::from_f64(0.5)
+            * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) + u1_x * w_4 + w_3 * w_6;
+        let w_8 = self.m * self.l * S::from_f64(0.5);
         let u3_x = self.l * sin_phi_3;
-        let w_5 = self.l * cos_phi_4;
+        let w_9 = u3_x * w;
+        let w_10 = w_8 * sin_phi_3 + w_9;
+        let w_11 = self.l * cos_phi_3;
+        let w_12 = w_11 * w;
+        let w_13 = cos_phi_3 * w_8 + w_12;
+        let w_14 = u1_x * w_10 + w_3 * w_13;
         let u4_x = self.l * sin_phi_4;
-        let w_6 = self.m * u4_x;
-        let w_7 = self.m * w_5;
-        let w_8 = w * sin_phi_4 + w_6;
-        let w_9 = self.m + self.m;
-        let w_10 = u3_x * w_9;
-        let w_11 = w * cos_phi_4 + w_7;
-        let w_12 = w_4 * w_9;
-        let w_13 = w * sin_phi_3 + w_10;
-        let w_14 = self.m + w_9;
-        let w_15 = u2_x * w_14;
-        let w_16 = cos_phi_3 * w + w_12;
-        let w_17 = w_3 * w_14;
-        let w_18 = self.m * l_squared * S::from_f64(0.5)
-            * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) + u1_x * w_15 + w_2 * w_17;
-        let w_19 = u1_x * w_13 + w_2 * w_16;
-        let w_20 = u1_x * w_8 + w_2 * w_11;
-        let w_21 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_2;
-        let w_22 = u2_x * w_13 + w_3 * w_16;
-        let w_23 = u2_x * w_8 + w_3 * w_11;
-        let w_24 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_3;
-        let w_25 = u3_x * w_8 + w_4 * w_11;
-        let w_26 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_4;
-        let w_27 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_5;
+        let w_15 = self.m * u4_x;
+        let w_16 = w_8 * sin_phi_4 + w_15;
+        let w_17 = self.l * cos_phi_4;
+        let w_18 = self.m * w_17;
+        let w_19 = w_8 * cos_phi_4 + w_18;
+        let w_20 = u1_x * w_16 + w_3 * w_19;
+        let mass_P4_y_phi_5 = w_8 * sin_phi_5;
+        let mass_P4_x_phi_5 = w_8 * cos_phi_5;
+        let w_21 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_3;
+        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        let w_22 = u2_x * w_10 + w_5 * w_13;
+        let w_23 = u2_x * w_16 + w_5 * w_19;
+        let w_24 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_5;
+        let w_25 = u3_x * w_16 + w_11 * w_19;
+        let w_26 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_11;
+        let w_27 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_17;
         [
             [
-                S::from_f64(1.3333333333333333) * self.m * l_squared + u1_x * u1_x * w_14
-                    + w_2 * w_2 * w_14,
-                w_18,
-                w_19,
+                S::from_f64(1.3333333333333333) * self.m * l_squared + u1_x * u1_x * w_2
+                    + w_3 * w_3 * w_2,
+                w_7,
+                w_14,
                 w_20,
                 w_21,
             ],
-            [w_18, mass_phi_2_phi_2 + u2_x * w_15 + w_3 * w_17, w_22, w_23, w_24],
-            [w_19, w_22, mass_phi_2_phi_2 + u3_x * w_10 + w_4 * w_12, w_25, w_26],
-            [w_20, w_23, w_25, mass_phi_2_phi_2 + u4_x * w_6 + w_5 * w_7, w_27],
+            [w_7, mass_phi_2_phi_2 + u2_x * w_4 + w_5 * w_6, w_22, w_23, w_24],
+            [w_14, w_22, mass_phi_2_phi_2 + u3_x * w_9 + w_11 * w_12, w_25, w_26],
+            [w_20, w_23, w_25, mass_phi_2_phi_2 + u4_x * w_15 + w_17 * w_18, w_27],
             [w_21, w_24, w_26, w_27, mass_phi_2_phi_2],
         ]
     }
@@ -243,6 +243,8 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m * self.l * self.l;
+        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let (
             [sin_phi_1,
             sin_phi_2,
@@ -257,40 +259,38 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
-        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let w = S::from_f64(0.5) * self.m * self.l;
-        let w_2 = S::from_f64(0.5) * self.m * self.l * self.l;
+        let w_2 = sin_phi_1 * cos_phi_2;
         let w_3 = cos_phi_1 * sin_phi_2;
-        let w_4 = sin_phi_1 * cos_phi_2;
+        let w_4 = S::from_f64(0.5) * self.m * self.l;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let minus_P2_x_convective = self.l
-            * (phi_1_dot_squared * sin_phi_1 + phi_2_dot_squared * sin_phi_2);
+        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
-        let w_5 = self.l * phi_3_dot_squared * sin_phi_3 + minus_P2_x_convective;
-        let w_6 = self.l * phi_3_dot_squared * cos_phi_3 + P2_y_convective;
-        let w_7 = self.l * phi_4_dot_squared * sin_phi_4 + w_5;
-        let w_8 = self.l * phi_4_dot_squared * cos_phi_4 + w_6;
-        let w_9 = w * phi_5_dot_squared * sin_phi_5 + self.m * w_7;
-        let w_10 = w * phi_5_dot_squared * cos_phi_5 + self.m * w_8;
-        let w_11 = w * phi_4_dot_squared * cos_phi_4 + self.m * w_6 + w_10;
-        let w_12 = w * phi_4_dot_squared * sin_phi_4 + self.m * w_5 + w_9;
-        let w_13 = w * phi_3_dot_squared * cos_phi_3 + self.m * P2_y_convective + w_11;
-        let w_14 = w * phi_3_dot_squared * sin_phi_3 + self.m * minus_P2_x_convective
-            + w_12;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let w_5 = self.l * phi_3_dot_squared * cos_phi_3 + P2_y_convective;
+        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        let w_6 = self.l * phi_4_dot_squared * cos_phi_4 + w_5;
+        let w_7 = w_4 * phi_5_dot_squared * cos_phi_5 + self.m * w_6;
+        let w_8 = w_4 * phi_4_dot_squared * cos_phi_4 + self.m * w_5 + w_7;
+        let w_9 = w_4 * phi_3_dot_squared * cos_phi_3 + self.m * P2_y_convective + w_8;
+        let minus_P2_x_convective = self.l
+            * (phi_1_dot_squared * sin_phi_1 + phi_2_dot_squared * sin_phi_2);
+        let w_10 = self.l * phi_3_dot_squared * sin_phi_3 + minus_P2_x_convective;
+        let w_11 = self.l * phi_4_dot_squared * sin_phi_4 + w_10;
+        let w_12 = w_4 * phi_5_dot_squared * sin_phi_5 + self.m * w_11;
+        let w_13 = w_4 * phi_4_dot_squared * sin_phi_4 + self.m * w_10 + w_12;
+        let w_14 = w_4 * phi_3_dot_squared * sin_phi_3 + self.m * minus_P2_x_convective
+            + w_13;
         [
-            w_2 * phi_2_dot_squared * (w_4 - w_3) + w_13 * self.l * sin_phi_1
+            w * phi_2_dot_squared * (w_2 - w_3) + w_9 * self.l * sin_phi_1
                 - w_14 * self.l * cos_phi_1,
-            w_2 * phi_1_dot_squared * (w_3 - w_4) + w_13 * self.l * sin_phi_2
+            w * phi_1_dot_squared * (w_3 - w_2) + w_9 * self.l * sin_phi_2
                 - w_14 * self.l * cos_phi_2,
-            P2_y_convective * w * sin_phi_3 - minus_P2_x_convective * w * cos_phi_3
-                + w_11 * self.l * sin_phi_3 - w_12 * self.l * cos_phi_3,
-            w_6 * w * sin_phi_4 - w_5 * w * cos_phi_4 + w_10 * self.l * sin_phi_4
-                - w_9 * self.l * cos_phi_4,
-            w_8 * w * sin_phi_5 - w_7 * w * cos_phi_5,
+            P2_y_convective * w_4 * sin_phi_3 - minus_P2_x_convective * w_4 * cos_phi_3
+                + w_8 * self.l * sin_phi_3 - w_13 * self.l * cos_phi_3,
+            w_5 * w_4 * sin_phi_4 - w_10 * w_4 * cos_phi_4 + w_7 * self.l * sin_phi_4
+                - w_12 * self.l * cos_phi_4,
+            w_6 * w_4 * sin_phi_5 - w_11 * w_4 * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
@@ -306,17 +306,17 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             phi_4,
             phi_5,
         ]);
-        let w = self.m * self.l * self.g * S::from_f64(0.5);
-        let w_2 = self.m * self.g;
-        let w_3 = w_2 + w_2;
-        let w_4 = w_2 + w_3;
+        let w = self.m * self.g;
+        let w_2 = w + w;
+        let w_3 = w + w_2;
+        let w_4 = self.m * self.l * self.g * S::from_f64(0.5);
         [
             -(sin_phi_1 * S::from_f64(1.5) * self.m * self.l * self.g
-                + w_4 * self.l * sin_phi_1),
-            -(sin_phi_2 * w + w_4 * self.l * sin_phi_2),
-            -(w * sin_phi_3 + w_3 * self.l * sin_phi_3),
-            -(w * sin_phi_4 + w_2 * self.l * sin_phi_4),
-            -(w * sin_phi_5),
+                + w_3 * self.l * sin_phi_1),
+            -(sin_phi_2 * w_4 + w_3 * self.l * sin_phi_2),
+            -(w_4 * sin_phi_3 + w_2 * self.l * sin_phi_3),
+            -(w_4 * sin_phi_4 + w * self.l * sin_phi_4),
+            -(w_4 * sin_phi_5),
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -376,7 +376,6 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
-        let l_squared = self.l * self.l;
         let (
             [sin_phi_1,
             sin_phi_2,
@@ -410,6 +409,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let w_13 = S::from_f64(2.0) * (P3_y_dot + w_10) + self.l * phi_5_dot * sin_phi_5;
         let w_14 = w_2 * w_2 + w_3 * w_3 + w_5 * w_5 + w_7 * w_7 + w_9 * w_9
             + w_11 * w_11 + w_12 * w_12 + w_13 * w_13;
+        let l_squared = self.l * self.l;
         let w_15 = self.m * l_squared * S::from_f64(0.041666666666666664)
             * (phi_2_dot * phi_2_dot + phi_3_dot * phi_3_dot + phi_4_dot * phi_4_dot
                 + phi_5_dot * phi_5_dot);
@@ -633,122 +633,118 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
-        let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
-        let w = self.l * cos_phi_1;
-        let w_2 = self.l * cos_phi_2;
         let u1_x = self.l * sin_phi_1;
-        let u2_x = self.l * sin_phi_2;
-        let w_3 = self.l * cos_phi_3;
-        let u3_x = self.l * sin_phi_3;
-        let w_4 = self.l * cos_phi_4;
+        let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
+        let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
+        let w = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
         let u4_x = self.l * sin_phi_4;
-        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
+        let w_2 = u4_x * w;
+        let w_3 = self.l * cos_phi_4;
+        let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
+        let w_4 = mass_P4_x_phi_5 * l_P4_y_phi_5;
+        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_2 - w_3 * w_4;
+        let w_5 = u4_x * w_2;
+        let w_6 = u4_x * w_4;
+        let w_7 = w_3 * w_6;
+        let l_P4_x_phi_5 = mass_P4_x_phi_5 * self.inverse_phi_5;
+        let w_8 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
+        let w_9 = w_3 * w_8;
+        let w_10 = w_3 * w_9;
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_5 - w_7 - w_7 + w_10;
+        let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
+        let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
+        let w_11 = self.m + w - k_P3_y_phi_4 * l_P3_y_phi_4;
+        let u3_x = self.l * sin_phi_3;
+        let w_12 = u3_x * w_11;
+        let w_13 = self.l * cos_phi_3;
+        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_6 + w_9;
+        let w_14 = w_4 + k_P3_x_phi_4 * l_P3_y_phi_4;
+        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_12 - w_13 * w_14;
+        let w_15 = u3_x * w_12;
+        let w_16 = u3_x * w_14;
+        let w_17 = w_13 * w_16;
+        let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
+        let w_18 = self.m + w_8 - k_P3_x_phi_4 * l_P3_x_phi_4;
+        let w_19 = w_13 * w_18;
+        let w_20 = w_13 * w_19;
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_15 - w_17 - w_17 + w_20;
+        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
+        let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
+        let w_21 = self.m + w_11 - k_P2_y_phi_3 * l_P2_y_phi_3;
+        let w_22 = u1_x * u1_x * w_21;
+        let w_23 = self.l * cos_phi_1;
+        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_16 + w_19;
+        let w_24 = w_14 + k_P2_x_phi_3 * l_P2_y_phi_3;
+        let w_25 = u1_x * w_24;
+        let w_26 = w_23 * w_25;
+        let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
+        let w_27 = self.m + w_18 - k_P2_x_phi_3 * l_P2_x_phi_3;
+        let w_28 = w_23 * w_23 * w_27;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_22 - w_26 - w_26 + w_28;
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
-        let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
         let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let minus_P2_x_convective = self.l
-            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
+        let w_29 = minus_rhs_phi_5 * l_P4_y_phi_5
+            - (self.k_6 + self.k_2 * cos_phi_5 * phi_5_dot_squared)
+            - P4_y_convective * w;
+        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
+        let w_30 = self.k_2 * sin_phi_5 * phi_5_dot_squared
+            + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_4
+            + minus_P4_x_convective * w_8;
+        let rhs_phi_4 = u4_x * w_29 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_6
+            + w_3 * w_30;
+        let phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
+        let w_31 = w_29 - (self.k_6 + self.k_2 * cos_phi_4 * phi_4_dot_squared)
+            - minus_P4_x_convective * w_4 - l_P3_y_phi_4 * rhs_phi_4
+            - P3_y_convective * w_11;
+        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
+        let w_32 = self.k_2 * sin_phi_4 * phi_4_dot_squared + w_30
+            - l_P3_x_phi_4 * rhs_phi_4 + P3_y_convective * w_14
+            + minus_P3_x_convective * w_18;
+        let rhs_phi_3 = u3_x * w_31 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_16
+            + w_13 * w_32;
+        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
-        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
-        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
-        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
-        let l_P4_x_phi_5 = mass_P4_x_phi_5 * self.inverse_phi_5;
-        let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
-        let w_5 = mass_P4_x_phi_5 * l_P4_y_phi_5;
-        let w_6 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
-        let w_7 = u4_x * w_5;
-        let w_8 = u4_x * w_6;
-        let w_9 = u4_x * w_8;
-        let w_10 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
-        let w_11 = w_4 * w_7;
-        let w_12 = w_4 * w_10;
-        let w_13 = w_4 * w_12;
-        let abs_w_11 = w_11.abs();
-        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_9 - w_11 - w_11 + w_13;
-        let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
-        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_7 + w_12;
-        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_8 - w_4 * w_5;
-        let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
-        let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
-        let w_14 = w_5 + k_P3_x_phi_4 * l_P3_y_phi_4;
-        let w_15 = self.m + w_6 - k_P3_y_phi_4 * l_P3_y_phi_4;
-        let w_16 = u3_x * w_14;
-        let w_17 = u3_x * w_15;
-        let w_18 = u3_x * w_17;
-        let w_19 = self.m + w_10 - k_P3_x_phi_4 * l_P3_x_phi_4;
-        let w_20 = w_3 * w_16;
-        let w_21 = w_3 * w_19;
-        let w_22 = w_3 * w_21;
-        let abs_w_20 = w_20.abs();
-        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_18 - w_20 - w_20 + w_22;
-        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
-        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_16 + w_21;
-        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_17 - w_3 * w_14;
-        let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
-        let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
-        let w_23 = w_14 + k_P2_x_phi_3 * l_P2_y_phi_3;
-        let w_24 = self.m + w_15 - k_P2_y_phi_3 * l_P2_y_phi_3;
-        let w_25 = u1_x * w_23;
-        let w_26 = u2_x * w_23;
-        let w_27 = u1_x * u1_x * w_24;
-        let w_28 = u2_x * w_24;
-        let w_29 = u2_x * w_28;
-        let w_30 = self.m + w_19 - k_P2_x_phi_3 * l_P2_x_phi_3;
-        let w_31 = w * w_25;
-        let w_32 = w_2 * w_26;
-        let w_33 = w * w * w_30;
-        let w_34 = w_2 * w_30;
-        let w_35 = w_2 * w_34;
-        let abs_w_31 = w_31.abs();
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_27 - w_31 - w_31 + w_33;
-        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
-            + u1_x * w_28 - w_2 * w_25 - w * w_26 + w * w_34;
-        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
-        let w_36 = k_phi_2_phi_1 * l_phi_2_phi_1;
-        let abs_w_32 = w_32.abs();
-        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_29 - w_32 - w_32 + w_35 - w_36;
-        let w_37 = minus_rhs_phi_5 * l_P4_y_phi_5
-            - (self.k_6 + self.k_2 * cos_phi_5 * phi_5_dot_squared)
-            - P4_y_convective * w_6;
-        let w_38 = self.k_2 * sin_phi_5 * phi_5_dot_squared
-            + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_5
-            + minus_P4_x_convective * w_10;
-        let rhs_phi_4 = u4_x * w_37 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_7
-            + w_4 * w_38;
-        let w_39 = w_37 - (self.k_6 + self.k_2 * cos_phi_4 * phi_4_dot_squared)
-            - minus_P4_x_convective * w_5 - l_P3_y_phi_4 * rhs_phi_4
-            - P3_y_convective * w_15;
-        let w_40 = self.k_2 * sin_phi_4 * phi_4_dot_squared + w_38
-            - l_P3_x_phi_4 * rhs_phi_4 + P3_y_convective * w_14
-            + minus_P3_x_convective * w_19;
-        let rhs_phi_3 = u3_x * w_39 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_16
-            + w_3 * w_40;
-        let w_41 = w_39 - (self.k_6 + cos_phi_3 * self.k_2 * phi_3_dot_squared)
+        let w_33 = w_31 - (self.k_6 + cos_phi_3 * self.k_2 * phi_3_dot_squared)
             - minus_P3_x_convective * w_14 - l_P2_y_phi_3 * rhs_phi_3
-            - P2_y_convective * w_24;
-        let w_42 = self.k_2 * sin_phi_3 * phi_3_dot_squared + w_40
-            - l_P2_x_phi_3 * rhs_phi_3 + P2_y_convective * w_23
-            + minus_P2_x_convective * w_30;
+            - P2_y_convective * w_21;
+        let minus_P2_x_convective = self.l
+            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
+        let w_34 = self.k_2 * sin_phi_3 * phi_3_dot_squared + w_32
+            - l_P2_x_phi_3 * rhs_phi_3 + P2_y_convective * w_24
+            + minus_P2_x_convective * w_27;
         let rhs_phi_1 = cos_phi_1 * sin_phi_2 * self.k * phi_2_dot_squared
             - sin_phi_1 * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared)
-            + u1_x * w_41 - minus_P2_x_convective * w_25 + w * w_42;
+            + u1_x * w_33 - minus_P2_x_convective * w_25 + w_23 * w_34;
+        let u2_x = self.l * sin_phi_2;
+        let w_35 = u2_x * w_21;
+        let w_36 = self.l * cos_phi_2;
+        let w_37 = u2_x * w_24;
+        let w_38 = w_36 * w_27;
+        let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
+            + u1_x * w_35 - w_36 * w_25 - w_23 * w_37 + w_23 * w_38;
+        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
+        let w_39 = u2_x * w_35;
+        let w_40 = w_36 * w_37;
+        let w_41 = w_36 * w_38;
+        let w_42 = k_phi_2_phi_1 * l_phi_2_phi_1;
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_39 - w_40 - w_40 + w_41 - w_42;
         let rhs_phi_2 = cos_phi_2 * sin_phi_1 * self.k * phi_1_dot_squared
             - sin_phi_2 * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared)
-            + u2_x * w_41 - minus_P2_x_convective * w_26 + w_2 * w_42
+            + u2_x * w_33 - minus_P2_x_convective * w_37 + w_36 * w_34
             - l_phi_2_phi_1 * rhs_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
-        let P2_x_ddot = w * phi_1_ddot - minus_P2_x_convective + w_2 * phi_2_ddot;
+        let P2_x_ddot = w_23 * phi_1_ddot - minus_P2_x_convective + w_36 * phi_2_ddot;
         let P2_y_ddot = P2_y_convective + u1_x * phi_1_ddot + u2_x * phi_2_ddot;
         let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P2_x_phi_3 * P2_x_ddot
             - l_P2_y_phi_3 * P2_y_ddot;
-        let P3_x_ddot = w_3 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
+        let P3_x_ddot = w_13 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
         let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
             - l_P3_y_phi_4 * P3_y_ddot;
@@ -759,6 +755,10 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_45 = sin_phi_1 * phi_1_dot * self.k_3 + self.l * sin_phi_2 * phi_2_dot
             + (S::from_f64(2.0) * P2_y_dot + w_43) + (S::from_f64(2.0) * P3_y_dot + w_44)
             + (S::from_f64(2.0) * (P3_y_dot + w_44) + self.l * sin_phi_5 * phi_5_dot);
+        let abs_w_7 = w_7.abs();
+        let abs_w_17 = w_17.abs();
+        let abs_w_26 = w_26.abs();
+        let abs_w_40 = w_40.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -767,7 +767,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
                 phi_4_ddot,
                 -(minus_rhs_phi_5 * self.inverse_phi_5
                     + l_P4_x_phi_5
-                        * (w_4 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
+                        * (w_3 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
                     + l_P4_y_phi_5 * (P4_y_convective + u4_x * phi_4_ddot + P3_y_ddot)),
             ],
             multipliers: [],
@@ -778,23 +778,23 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_4,
-                    self.abs_mass_phi_2_phi_2 + w_9.abs() + abs_w_11 + abs_w_11
-                        + w_13.abs(),
+                    self.abs_mass_phi_2_phi_2 + w_5.abs() + abs_w_7 + abs_w_7
+                        + w_10.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_3,
-                    self.abs_mass_phi_2_phi_2 + w_18.abs() + abs_w_20 + abs_w_20
-                        + w_22.abs(),
+                    self.abs_mass_phi_2_phi_2 + w_15.abs() + abs_w_17 + abs_w_17
+                        + w_20.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_1,
-                    self.abs_mass_phi_1_phi_1 + w_27.abs() + abs_w_31 + abs_w_31
-                        + w_33.abs(),
+                    self.abs_mass_phi_1_phi_1 + w_22.abs() + abs_w_26 + abs_w_26
+                        + w_28.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_2,
-                    self.abs_mass_phi_2_phi_2 + w_29.abs() + abs_w_32 + abs_w_32
-                        + w_35.abs() + w_36.abs(),
+                    self.abs_mass_phi_2_phi_2 + w_39.abs() + abs_w_40 + abs_w_40
+                        + w_41.abs() + w_42.abs(),
                 ),
         }
     }

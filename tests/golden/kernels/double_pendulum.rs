@@ -247,12 +247,12 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     pub fn convective_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
-        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
         let w = S::from_f64(0.5) * self.rho * self.width * self.thickness * self.l
             * self.l * self.l;
-        let w_2 = cos_phi1 * v_x;
-        let w_3 = u_x * cos_phi2;
-        [w * phi2_dot * phi2_dot * (w_3 - w_2), w * phi1_dot * phi1_dot * (w_2 - w_3)]
+        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
+        let w_2 = u_x * cos_phi2;
+        let w_3 = cos_phi1 * v_x;
+        [w * phi2_dot * phi2_dot * (w_2 - w_3), w * phi1_dot * phi1_dot * (w_3 - w_2)]
     }
     /// Generalised forces `T_q' F`, 2: joules per unit of each coordinate.
     ///
@@ -260,8 +260,8 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [phi1, phi2] = *q;
-        let l_squared = self.l * self.l;
         let ([u_x, v_x], [_, _]) = S::sin_cos_each([phi1, phi2]);
+        let l_squared = self.l * self.l;
         [
             -(u_x * S::from_f64(1.5) * l_squared * self.rho * self.width * self.thickness
                 * self.g),
@@ -326,17 +326,17 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     pub fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
-        let w = self.l * self.l * self.l;
         let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let w_2 = self.l * S::from_f64(2.0);
-        let w_3 = phi1_dot * cos_phi1 * w_2 + self.l * phi2_dot * cos_phi2;
-        let w_4 = phi1_dot * w_2 * u_x + self.l * phi2_dot * v_x;
-        let w_5 = self.l * self.rho * self.width * self.thickness * S::from_f64(0.125)
-            * (w_3 * w_3 + w_4 * w_4);
-        w_5
-            + phi1_dot * phi1_dot * S::from_f64(0.16666666666666666) * w * self.rho
+        let w = self.l * S::from_f64(2.0);
+        let w_2 = phi1_dot * cos_phi1 * w + self.l * phi2_dot * cos_phi2;
+        let w_3 = phi1_dot * w * u_x + self.l * phi2_dot * v_x;
+        let w_4 = self.l * self.rho * self.width * self.thickness * S::from_f64(0.125)
+            * (w_2 * w_2 + w_3 * w_3);
+        let w_5 = self.l * self.l * self.l;
+        w_4
+            + phi1_dot * phi1_dot * S::from_f64(0.16666666666666666) * w_5 * self.rho
                 * self.width * self.thickness
-            + phi2_dot * phi2_dot * w * self.rho * self.width * self.thickness
+            + phi2_dot * phi2_dot * w_5 * self.rho * self.width * self.thickness
                 * S::from_f64(0.041666666666666664)
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -505,14 +505,14 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
         let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let mass_phi2_phi1 = self.k * (cos_phi1 * cos_phi2 + u_x * v_x);
-        let phi1_dot_squared = phi1_dot * phi1_dot;
         let phi2_dot_squared = phi2_dot * phi2_dot;
         let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
             - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
+        let mass_phi2_phi1 = self.k * (cos_phi1 * cos_phi2 + u_x * v_x);
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
         let w = mass_phi2_phi1 * l_phi2_phi1;
         let pivot_phi2 = self.mass_phi2_phi2 - w;
+        let phi1_dot_squared = phi1_dot * phi1_dot;
         let phi2_ddot = S::from_f64(1.0) / pivot_phi2
             * (cos_phi2 * u_x * self.k * phi1_dot_squared
                 - v_x * (self.k_6 + cos_phi1 * self.k * phi1_dot_squared)
@@ -547,20 +547,20 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 0]> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
-        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let w = cos_phi1 * cos_phi2 + u_x * v_x;
-        let mass_phi2_phi1 = self.k * w;
         let phi1_dot_squared = phi1_dot * phi1_dot;
+        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
         let phi2_dot_squared = phi2_dot * phi2_dot;
-        let w_2 = u_x * phi1_dot_squared * self.k_2 + self.l * v_x * phi2_dot_squared;
-        let w_3 = cos_phi1 * phi1_dot_squared * self.k_2
+        let w = u_x * phi1_dot_squared * self.k_2 + self.l * v_x * phi2_dot_squared;
+        let w_2 = cos_phi1 * phi1_dot_squared * self.k_2
             + self.l * cos_phi2 * phi2_dot_squared;
-        let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
-            - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
+        let w_3 = cos_phi1 * cos_phi2 + u_x * v_x;
+        let mass_phi2_phi1 = self.k * w_3;
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
         let w_4 = mass_phi2_phi1 * l_phi2_phi1;
         let pivot_phi2 = self.mass_phi2_phi2 - w_4;
         let inverse_phi2 = S::from_f64(1.0) / pivot_phi2;
+        let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
+            - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
         let phi2_ddot = inverse_phi2
             * (cos_phi2 * u_x * self.k * phi1_dot_squared
                 - v_x * (self.k_6 + cos_phi1 * self.k * phi1_dot_squared)
@@ -570,16 +570,16 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
         let w_7 = w_5 - w_6;
         let w_8 = self.k_8 * w_7;
         let w_9 = S::from_f64(0.5) * phi2_ddot * w_8;
-        let w_10 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w_2 + cos_phi1 * w_3)
+        let w_10 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w + cos_phi1 * w_2)
             - cos_phi1 * self.k_4 + w_9;
         let w_11 = S::from_f64(0.5)
             * (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_8;
         let w_12 = inverse_phi2
-            * (self.k * w * phi1_dot_squared + w_11 - l_phi2_phi1 * w_10);
-        let w_13 = self.k * w * phi2_dot_squared - w_9;
+            * (self.k * w_3 * phi1_dot_squared + w_11 - l_phi2_phi1 * w_10);
+        let w_13 = self.k * w_3 * phi2_dot_squared - w_9;
         let w_14 = inverse_phi2
-            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w_2 + cos_phi2 * w_3)
-                - w_11 - cos_phi2 * self.k_6 - l_phi2_phi1 * w_13);
+            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w + cos_phi2 * w_2) - w_11
+                - cos_phi2 * self.k_6 - l_phi2_phi1 * w_13);
         let w_15 = inverse_phi2 * self.k_8 * phi1_dot * w_7;
         let w_16 = self.k_8 * phi2_dot * (w_6 - w_5);
         let w_17 = inverse_phi2 * l_phi2_phi1 * w_16;

@@ -361,8 +361,8 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [theta2, theta3, _] = *q;
         let [theta2_dot, theta3_dot, _] = *qd;
-        let ([u2_y, u3_y], [u2_x, u3_x]) = S::sin_cos_each([theta2, theta3]);
         let w = S::from_f64(0.5) * self.a * self.m3 * self.b;
+        let ([u2_y, u3_y], [u2_x, u3_x]) = S::sin_cos_each([theta2, theta3]);
         let w_2 = u2_y * u3_x;
         let w_3 = u2_x * u3_y;
         [
@@ -450,14 +450,14 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
         let [theta2, theta3, theta4] = *q;
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
-        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
         let ([u2_y, u3_y, u4_y], [u2_x, u3_x, u4_x]) = S::sin_cos_each([
             theta2,
             theta3,
             theta4,
         ]);
+        let theta2_dot_squared = theta2_dot * theta2_dot;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
         [
             theta4_dot_squared * self.c * u4_x - theta2_dot_squared * self.a * u2_x
                 - theta3_dot_squared * self.b * u3_x,
@@ -553,23 +553,23 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
         let [theta2_ddot, theta3_ddot, theta4_ddot] = *qdd;
         let [lambda_closure_x, lambda_closure_y] = *lambda;
+        let w = S::from_f64(2.0) * self.a;
         let ([u2_y, u3_y, u4_y], [u2_x, u3_x, u4_x]) = S::sin_cos_each([
             theta2,
             theta3,
             theta4,
         ]);
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = S::from_f64(2.0) * self.a;
         let w_2 = theta2_ddot * u2_y + theta2_dot_squared * u2_x;
+        let theta3_dot_squared = theta3_dot * theta3_dot;
         let w_3 = S::from_f64(0.5) * self.m3;
         let w_4 = (w * w_2 + self.b * (theta3_ddot * u3_y + theta3_dot_squared * u3_x))
             * w_3;
-        let w_5 = S::from_f64(2.0) * self.g;
-        let w_6 = theta2_ddot * u2_x - u2_y * theta2_dot_squared;
+        let w_5 = theta2_ddot * u2_x - u2_y * theta2_dot_squared;
+        let w_6 = S::from_f64(2.0) * self.g;
         let w_7 = w_3
-            * (w * w_6 + self.b * (theta3_ddot * u3_x - u3_y * theta3_dot_squared)
-                + w_5);
+            * (w * w_5 + self.b * (theta3_ddot * u3_x - u3_y * theta3_dot_squared)
+                + w_6);
         let w_8 = S::from_f64(0.5) * self.m2;
         let theta4_dot_squared = theta4_dot * theta4_dot;
         let w_9 = S::from_f64(0.5) * self.m4;
@@ -583,10 +583,10 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             lambda_closure_x - w_4,
             lambda_closure_y + w_7,
             lambda_closure_x - w_4 - self.a * w_2 * w_8,
-            lambda_closure_y + w_7 + w_8 * (self.a * w_6 + w_5),
+            lambda_closure_y + w_7 + w_8 * (self.a * w_5 + w_6),
             -(lambda_closure_x
                 + self.c * (theta4_ddot * u4_y + theta4_dot_squared * u4_x) * w_9),
-            w_9 * (self.c * (theta4_ddot * u4_x - u4_y * theta4_dot_squared) + w_5)
+            w_9 * (self.c * (theta4_ddot * u4_x - u4_y * theta4_dot_squared) + w_6)
                 - lambda_closure_y,
         ]
             .into()
@@ -708,52 +708,52 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta3,
             theta4,
         ]);
-        let mass_theta3_theta2 = self.k_2 * (u2_y * u3_y + u2_x * u3_x);
-        let minus_closure_x_by_theta2 = self.a * u2_y;
-        let B_y = self.c * u4_y;
-        let A_x = self.a * u2_x;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
-        let theta2_dot_squared = theta2_dot * theta2_dot;
         let theta3_dot_squared = theta3_dot * theta3_dot;
         let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
             + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let w = B_y * l_lambda_closure_x_theta4;
-        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
-            * self.inverse_theta4;
-        let w_2 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
+        let mass_theta3_theta2 = self.k_2 * (u2_y * u3_y + u2_x * u3_x);
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let w_3 = mass_theta3_theta2 * l_theta3_theta2;
+        let w = mass_theta3_theta2 * l_theta3_theta2;
+        let pivot_theta3 = self.mass_theta3_theta3 - w;
+        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
+            - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
+        let minus_closure_x_by_theta2 = self.a * u2_y;
         let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
             * self.inverse_theta2;
-        let w_4 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let w_5 = A_x * l_lambda_closure_y_theta2;
-        let pivot_theta3 = self.mass_theta3_theta3 - w_3;
-        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let k_lambda_closure_x_theta3 = mass_theta3_theta2
             * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
-        let k_lambda_closure_y_theta3 = self.b * u3_x
-            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let w_6 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
-        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let w_7 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let minus_pivot_lambda_closure_x = w + w_4 + w_6;
+        let B_y = self.c * u4_y;
+        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
+        let w_2 = B_y * l_lambda_closure_x_theta4;
+        let w_3 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
+        let w_4 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
+        let minus_pivot_lambda_closure_x = w_2 + w_3 + w_4;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
+        let minus_closure_y_by_theta4 = self.c * u4_x;
+        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
+            * self.inverse_theta4;
+        let A_x = self.a * u2_x;
+        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
+        let k_lambda_closure_y_theta3 = self.b * u3_x
+            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
+        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
         let k_lambda_closure_y_lambda_closure_x = B_y * minus_l_lambda_closure_y_theta4
             + minus_closure_x_by_theta2 * l_lambda_closure_y_theta2
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_8 = k_lambda_closure_y_lambda_closure_x
+        let w_5 = k_lambda_closure_y_lambda_closure_x
             * minus_l_lambda_closure_y_lambda_closure_x;
-        let pivot_lambda_closure_y = w_8 - w_2 - w_5 - w_7;
-        let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
-            - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
+        let w_6 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
+        let w_7 = A_x * l_lambda_closure_y_theta2;
+        let w_8 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
+        let pivot_lambda_closure_y = w_5 - w_6 - w_7 - w_8;
+        let minus_rhs_theta4 = u4_x * self.k_9;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
         let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
             - (self.c * u4_x * theta4_dot_squared - self.a * u2_x * theta2_dot_squared
                 - self.b * u3_x * theta3_dot_squared)
@@ -797,15 +797,15 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_theta3,
-                    self.abs_mass_theta3_theta3 + w_3.abs(),
+                    self.abs_mass_theta3_theta3 + w.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
-                    w.abs() + w_4.abs() + w_6.abs(),
+                    w_2.abs() + w_3.abs() + w_4.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_closure_y,
-                    w_2.abs() + w_5.abs() + w_7.abs() + w_8.abs(),
+                    w_6.abs() + w_7.abs() + w_8.abs() + w_5.abs(),
                 ),
         }
     }
@@ -826,91 +826,88 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta3,
             theta4,
         ]);
-        let w = u2_y * u3_y + u2_x * u3_x;
-        let mass_theta3_theta2 = self.k_2 * w;
-        let minus_closure_x_by_theta2 = self.a * u2_y;
-        let B_y = self.c * u4_y;
-        let A_x = self.a * u2_x;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
         let theta2_dot_squared = theta2_dot * theta2_dot;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_2 = self.b * u3_x * theta3_dot_squared;
-        let w_3 = u2_x * theta2_dot_squared * self.k_3 + w_2;
-        let w_4 = self.b * u3_y * theta3_dot_squared;
-        let w_5 = u2_y * theta2_dot_squared * self.k_3 + w_4;
-        let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
-            + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let w_6 = B_y * l_lambda_closure_x_theta4;
+        let w = self.b * u3_y * theta3_dot_squared;
+        let w_2 = u2_y * theta2_dot_squared * self.k_3 + w;
+        let B_y = self.c * u4_y;
+        let minus_closure_y_by_theta4 = self.c * u4_x;
         let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
             * self.inverse_theta4;
-        let w_7 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
-        let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let w_8 = mass_theta3_theta2 * l_theta3_theta2;
+        let minus_closure_x_by_theta2 = self.a * u2_y;
+        let A_x = self.a * u2_x;
+        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
+        let w_3 = u2_y * u3_y + u2_x * u3_x;
+        let mass_theta3_theta2 = self.k_2 * w_3;
         let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
             * self.inverse_theta2;
-        let w_9 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let w_10 = A_x * l_lambda_closure_y_theta2;
-        let pivot_theta3 = self.mass_theta3_theta3 - w_8;
-        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let k_lambda_closure_x_theta3 = mass_theta3_theta2
             * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
+        let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
+        let w_4 = mass_theta3_theta2 * l_theta3_theta2;
+        let pivot_theta3 = self.mass_theta3_theta3 - w_4;
+        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let k_lambda_closure_y_theta3 = self.b * u3_x
             - mass_theta3_theta2 * l_lambda_closure_y_theta2;
-        let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let w_11 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let w_12 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let minus_pivot_lambda_closure_x = w_6 + w_9 + w_11;
-        let minus_inverse_lambda_closure_x = S::from_f64(1.0)
-            / minus_pivot_lambda_closure_x;
         let k_lambda_closure_y_lambda_closure_x = B_y * minus_l_lambda_closure_y_theta4
             + minus_closure_x_by_theta2 * l_lambda_closure_y_theta2
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
+        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
+        let w_5 = B_y * l_lambda_closure_x_theta4;
+        let w_6 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
+        let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
+        let w_7 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
+        let minus_pivot_lambda_closure_x = w_5 + w_6 + w_7;
+        let minus_inverse_lambda_closure_x = S::from_f64(1.0)
+            / minus_pivot_lambda_closure_x;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_13 = k_lambda_closure_y_lambda_closure_x
+        let w_8 = k_lambda_closure_y_lambda_closure_x
             * minus_l_lambda_closure_y_lambda_closure_x;
-        let pivot_lambda_closure_y = w_13 - w_7 - w_10 - w_12;
+        let w_9 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
+        let w_10 = A_x * l_lambda_closure_y_theta2;
+        let w_11 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
+        let pivot_lambda_closure_y = w_8 - w_9 - w_10 - w_11;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
+        let minus_rhs_theta4 = u4_x * self.k_9;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
+        let w_12 = self.b * u3_x * theta3_dot_squared;
+        let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
+            + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
         let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
             - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
         let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
             - (self.c * u4_x * theta4_dot_squared - self.a * u2_x * theta2_dot_squared
-                - w_2) + rhs_theta2 * minus_l_lambda_closure_x_theta2
+                - w_12) + rhs_theta2 * minus_l_lambda_closure_x_theta2
             - l_lambda_closure_x_theta3 * rhs_theta3;
         let lambda_closure_y = inverse_lambda_closure_y
             * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
                 - (self.c * u4_y * theta4_dot_squared
-                    - self.a * u2_y * theta2_dot_squared - w_4)
+                    - self.a * u2_y * theta2_dot_squared - w)
                 - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
                 - rhs_theta2 * l_lambda_closure_y_theta2
                 - l_lambda_closure_y_theta3 * rhs_theta3);
         let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
             * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
+        let w_13 = u2_x * theta2_dot_squared * self.k_3 + w_12;
         let theta3_ddot = inverse_theta3 * rhs_theta3
             - l_lambda_closure_x_theta3 * lambda_closure_x
             - l_lambda_closure_y_theta3 * lambda_closure_y;
-        let theta2_ddot = rhs_theta2 * self.inverse_theta2
-            - l_theta3_theta2 * theta3_ddot
-            + minus_l_lambda_closure_x_theta2 * lambda_closure_x
-            - l_lambda_closure_y_theta2 * lambda_closure_y;
-        let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
-            - minus_rhs_theta4 * self.inverse_theta4
-            - l_lambda_closure_x_theta4 * lambda_closure_x;
         let w_14 = u3_y * u2_x;
         let w_15 = u2_y * u3_x;
         let w_16 = w_14 - w_15;
         let w_17 = self.k_11 * w_16;
         let w_18 = S::from_f64(0.5) * theta3_ddot * w_17;
-        let w_19 = u2_y * (self.k_6 - w_5 * self.k_4 + self.a * lambda_closure_y)
-            + u2_x * (self.a * lambda_closure_x - w_3 * self.k_4) - w_18
+        let w_19 = u2_y * (self.k_6 - w_2 * self.k_4 + self.a * lambda_closure_y)
+            + u2_x * (self.a * lambda_closure_x - w_13 * self.k_4) - w_18
             + self.k * theta2_dot_squared;
+        let theta2_ddot = rhs_theta2 * self.inverse_theta2
+            - l_theta3_theta2 * theta3_ddot
+            + minus_l_lambda_closure_x_theta2 * lambda_closure_x
+            - l_lambda_closure_y_theta2 * lambda_closure_y;
         let w_20 = S::from_f64(0.5) * theta2_ddot * w_17;
-        let w_21 = self.k_2 * w * theta2_dot_squared - w_20 - l_theta3_theta2 * w_19;
+        let w_21 = self.k_2 * w_3 * theta2_dot_squared - w_20 - l_theta3_theta2 * w_19;
         let w_22 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
             + minus_l_lambda_closure_x_theta2 * w_19 - l_lambda_closure_x_theta3 * w_21;
         let w_23 = inverse_lambda_closure_y
@@ -921,9 +918,9 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             - minus_inverse_lambda_closure_x * w_22;
         let w_25 = inverse_theta3 * w_21 - l_lambda_closure_x_theta3 * w_24
             - l_lambda_closure_y_theta3 * w_23;
-        let w_26 = self.k_2 * w * theta3_dot_squared + w_18;
-        let w_27 = u3_y * (self.k_8 - w_5 * self.k_7 + self.b * lambda_closure_y)
-            + u3_x * (self.b * lambda_closure_x - w_3 * self.k_7)
+        let w_26 = self.k_2 * w_3 * theta3_dot_squared + w_18;
+        let w_27 = u3_y * (self.k_8 - w_2 * self.k_7 + self.b * lambda_closure_y)
+            + u3_x * (self.b * lambda_closure_x - w_13 * self.k_7)
             + theta3_dot_squared * self.k_12 + w_20 - l_theta3_theta2 * w_26;
         let w_28 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
             + minus_l_lambda_closure_x_theta2 * w_26 - l_lambda_closure_x_theta3 * w_27;
@@ -937,6 +934,9 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             - l_lambda_closure_y_theta3 * w_29;
         let w_32 = u4_y * (self.k_9 - self.c * lambda_closure_y)
             - self.c * u4_x * lambda_closure_x;
+        let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
+            - minus_rhs_theta4 * self.inverse_theta4
+            - l_lambda_closure_x_theta4 * lambda_closure_x;
         let w_33 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
             - l_lambda_closure_x_theta4 * w_32;
         let w_34 = inverse_lambda_closure_y
@@ -1028,15 +1028,15 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_theta3,
-                    self.abs_mass_theta3_theta3 + w_8.abs(),
+                    self.abs_mass_theta3_theta3 + w_4.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
-                    w_6.abs() + w_9.abs() + w_11.abs(),
+                    w_5.abs() + w_6.abs() + w_7.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_closure_y,
-                    w_7.abs() + w_10.abs() + w_12.abs() + w_13.abs(),
+                    w_9.abs() + w_10.abs() + w_11.abs() + w_8.abs(),
                 ),
         }
     }

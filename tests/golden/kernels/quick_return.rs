@@ -401,11 +401,11 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, beta, gamma] = *q;
         let [_, beta_dot, gamma_dot] = *qd;
+        let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
             beta,
             gamma,
         ]);
-        let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let w_2 = sin_beta * cos_gamma;
         let w_3 = cos_beta * sin_gamma;
         [
@@ -650,22 +650,22 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         ]);
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
-        let w_2 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_3 = (O2A_squared
+        let w_2 = (O2A_squared
             * (alpha_dot_squared * sin_alpha * sin_alpha
                 - alpha_ddot * cos_alpha * sin_alpha)
             + self.O2A * A_y * (alpha_ddot * cos_alpha - sin_alpha * alpha_dot_squared))
             / w;
+        let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
         let w_4 = O2A_squared * alpha_dot_squared;
-        let beta_dot_squared = beta_dot * beta_dot;
         let O4G4_squared = self.O4G4 * self.O4G4;
+        let beta_dot_squared = beta_dot * beta_dot;
         let w_5 = beta_dot_squared * O4G4_squared;
         [
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * (w_3 - w_2 * w_2 / (w * w)),
+            w.sqrt() * (w_2 - w_3 * w_3 / (w * w)),
             alpha_ddot * O2A_squared * alpha_dot * w_4.sqrt() / w_4
                 - beta_ddot * beta_dot * O4G4_squared * w_5.sqrt() / w_5,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
@@ -787,49 +787,49 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             gamma,
             alpha,
         ]);
+        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
         let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
         let guide_by_gamma = cos_gamma * self.BC;
-        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
-        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha
-            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_2 = self.O2A * (sin_beta * cos_alpha * w - cos_beta * sin_alpha * w)
-            + self.k_8 * beta_dot * alpha_dot
-                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_3 = slot_by_alpha * l_lambda_slot_alpha;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_4 = mass_gamma_beta * l_beta_gamma;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_5 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_4;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_6 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha
+            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let w = mass_gamma_beta * l_beta_gamma;
+        let pivot_beta = self.mass_beta_beta - w;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_7 = minus_slot_by_beta * minus_l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_5 + w_6;
+        let w_2 = guide_by_gamma * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_3 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let minus_pivot_lambda_guide = w_2 + w_3;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_8 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_8 - w_3 - w_7;
+        let w_4 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
+        let w_5 = slot_by_alpha * l_lambda_slot_alpha;
+        let w_6 = minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let pivot_lambda_slot = w_4 - w_5 - w_6;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
+        let w_7 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_8 = self.O2A * (sin_beta * cos_alpha * w_7 - cos_beta * sin_alpha * w_7)
+            + self.k_8 * beta_dot * alpha_dot
+                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
+            - cos_beta * self.O4O2 * beta_dot_squared;
         let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_2 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_8 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
@@ -856,15 +856,15 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_beta,
-                    self.abs_mass_beta_beta + w_4.abs(),
+                    self.abs_mass_beta_beta + w.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_5.abs() + w_6.abs(),
+                    w_2.abs() + w_3.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
-                    w_3.abs() + w_7.abs() + w_8.abs(),
+                    w_5.abs() + w_6.abs() + w_4.abs(),
                 ),
         }
     }
@@ -888,178 +888,180 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
         let mass_gamma_beta = self.k * w;
         let guide_by_gamma = cos_gamma * self.BC;
-        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
-        let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha + sin_beta * A_y;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_2 = self.O4B * cos_beta * beta_dot_squared;
-        let w_3 = w_2 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_4 = w_2 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_5 = self.O4B * sin_beta * beta_dot_squared;
-        let w_6 = w_5 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_7 = w_5 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w_8 = alpha_dot - beta_dot;
-        let w_9 = sin_alpha * w_8;
-        let w_10 = beta_dot - alpha_dot;
-        let w_11 = cos_beta * sin_alpha;
-        let w_12 = sin_beta * cos_alpha;
-        let w_13 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_14 = self.O2A * (sin_beta * cos_alpha * w_13 - cos_beta * sin_alpha * w_13)
-            + self.k_8 * beta_dot * alpha_dot * (w_11 - w_12)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_15 = slot_by_alpha * l_lambda_slot_alpha;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_16 = mass_gamma_beta * l_beta_gamma;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_17 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_16;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_18 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha + sin_beta * A_y;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let w_2 = mass_gamma_beta * l_beta_gamma;
+        let pivot_beta = self.mass_beta_beta - w_2;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_19 = minus_slot_by_beta * minus_l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_17 + w_18;
+        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let minus_pivot_lambda_guide = w_3 + w_4;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_20 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_20 - w_15 - w_19;
+        let w_5 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
+        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
+        let w_6 = slot_by_alpha * l_lambda_slot_alpha;
+        let w_7 = minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let pivot_lambda_slot = w_5 - w_6 - w_7;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
-        let rhs_lambda_guide = w_7 - rhs_gamma * l_lambda_guide_gamma
+        let w_8 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_9 = cos_beta * sin_alpha;
+        let w_10 = sin_beta * cos_alpha;
+        let w_11 = self.O2A * (sin_beta * cos_alpha * w_8 - cos_beta * sin_alpha * w_8)
+            + self.k_8 * beta_dot * alpha_dot * (w_9 - w_10)
+            - cos_beta * self.O4O2 * beta_dot_squared;
+        let w_12 = self.O4B * sin_beta * beta_dot_squared;
+        let w_13 = w_12 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_lambda_guide = w_13 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_14 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_11 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
+        let w_14 = w_10 - w_9;
+        let w_15 = self.O2A * w_14;
+        let w_16 = lambda_slot * w_15;
+        let w_17 = self.inverse_alpha * w_16;
+        let w_18 = alpha_dot - beta_dot;
+        let w_19 = cos_beta * cos_alpha * w_18;
+        let w_20 = sin_alpha * w_18;
+        let w_21 = self.O2A * (w_19 + sin_beta * w_20);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
         let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
             + minus_l_lambda_slot_beta * lambda_slot;
+        let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
+        let w_22 = l_lambda_slot_alpha * w_16;
+        let w_23 = l_lambda_guide_beta * w_16;
+        let w_24 = inverse_lambda_slot
+            * (w_18 * w_21 + w_15 * (beta_ddot - alpha_ddot) + w_22
+                + minus_l_lambda_slot_beta * w_16
+                - minus_l_lambda_slot_lambda_guide * w_23);
+        let w_25 = cos_beta * A_y;
+        let w_26 = w_25 - self.O2A * sin_beta * cos_alpha;
+        let w_27 = alpha_ddot * w_15 - alpha_dot * w_21
+            + beta_dot
+                * (self.O2A * (w_19 + sin_beta * sin_alpha * alpha_dot)
+                    - sin_beta * A_y * beta_dot) + beta_ddot * w_26;
+        let w_28 = w_12 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_29 = self.O4B * cos_beta * beta_dot_squared;
+        let w_30 = w_29 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_31 = w_29 + cos_gamma * self.BC * gamma_dot_squared;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             - l_lambda_guide_gamma * lambda_guide;
-        let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_21 = w_12 - w_11;
-        let w_22 = self.O2A * w_21;
-        let w_23 = lambda_slot * w_22;
-        let w_24 = cos_beta * cos_alpha * w_8;
-        let w_25 = self.O2A * (w_24 + sin_beta * w_9);
-        let w_26 = l_lambda_slot_alpha * w_23;
-        let w_27 = l_lambda_guide_beta * w_23;
-        let w_28 = inverse_lambda_slot
-            * (w_8 * w_25 + w_22 * (beta_ddot - alpha_ddot) + w_26
-                + minus_l_lambda_slot_beta * w_23
-                - minus_l_lambda_slot_lambda_guide * w_27);
-        let w_29 = minus_inverse_lambda_guide * w_27
-            + minus_l_lambda_slot_lambda_guide * w_28;
-        let w_30 = inverse_beta * w_23 - l_lambda_guide_beta * w_29
-            + minus_l_lambda_slot_beta * w_28;
-        let w_31 = self.inverse_alpha * w_23;
         let w_32 = sin_gamma * cos_beta;
         let w_33 = sin_beta * cos_gamma;
         let w_34 = w_32 - w_33;
         let w_35 = self.k * w_34;
-        let w_36 = cos_beta * A_y;
-        let w_37 = w_36 - self.O2A * sin_beta * cos_alpha;
-        let w_38 = gamma_ddot * w_35;
-        let w_39 = sin_beta * (self.O4B * lambda_guide - w_6 * self.k_2 - w_7 * self.k_3)
-            - cos_beta * (w_3 * self.k_2 + w_4 * self.k_3 + self.k_4) - w_38
-            + lambda_slot * w_37 + beta_dot_squared * self.k_10;
-        let w_40 = beta_ddot * w_35;
-        let w_41 = self.k * w * beta_dot_squared - w_40;
-        let w_42 = alpha_ddot * w_22 - alpha_dot * w_25
-            + beta_dot
-                * (self.O2A * (w_24 + sin_beta * sin_alpha * alpha_dot)
-                    - sin_beta * A_y * beta_dot) + beta_ddot * w_37;
-        let w_43 = w_39 - l_beta_gamma * w_41;
-        let w_44 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_41 - l_lambda_guide_beta * w_43;
-        let w_45 = inverse_lambda_slot
-            * (w_42 - w_26 + minus_l_lambda_slot_beta * w_43
-                + minus_l_lambda_slot_lambda_guide * w_44);
-        let w_46 = minus_l_lambda_slot_lambda_guide * w_45
-            - minus_inverse_lambda_guide * w_44;
-        let w_47 = inverse_beta * w_43 - l_lambda_guide_beta * w_46
-            + minus_l_lambda_slot_beta * w_45;
-        let w_48 = sin_gamma * (self.BC * lambda_guide - w_6 * self.k_5 - w_7 * self.k_6)
-            - cos_gamma * (w_3 * self.k_5 + w_4 * self.k_6 + self.k_7) + w_40
+        let w_36 = gamma_ddot * w_35;
+        let w_37 = sin_beta
+            * (self.O4B * lambda_guide - w_28 * self.k_2 - w_13 * self.k_3)
+            - cos_beta * (w_30 * self.k_2 + w_31 * self.k_3 + self.k_4) - w_36
+            + lambda_slot * w_26 + beta_dot_squared * self.k_10;
+        let w_38 = beta_ddot * w_35;
+        let w_39 = self.k * w * beta_dot_squared - w_38;
+        let w_40 = w_37 - l_beta_gamma * w_39;
+        let w_41 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_39 - l_lambda_guide_beta * w_40;
+        let w_42 = inverse_lambda_slot
+            * (w_27 - w_22 + minus_l_lambda_slot_beta * w_40
+                + minus_l_lambda_slot_lambda_guide * w_41);
+        let w_43 = sin_gamma
+            * (self.BC * lambda_guide - w_28 * self.k_5 - w_13 * self.k_6)
+            - cos_gamma * (w_30 * self.k_5 + w_31 * self.k_6 + self.k_7) + w_38
             + gamma_dot_squared * self.k_11;
-        let w_49 = self.k * w * gamma_dot_squared + w_38 - l_beta_gamma * w_48;
-        let w_50 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_48 - l_lambda_guide_beta * w_49;
-        let w_51 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_49
-                + minus_l_lambda_slot_lambda_guide * w_50);
-        let w_52 = minus_l_lambda_slot_lambda_guide * w_51
-            - minus_inverse_lambda_guide * w_50;
-        let w_53 = inverse_beta * w_49 - l_lambda_guide_beta * w_52
-            + minus_l_lambda_slot_beta * w_51;
+        let w_44 = self.k * w * gamma_dot_squared + w_36 - l_beta_gamma * w_43;
+        let w_45 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_43 - l_lambda_guide_beta * w_44;
+        let w_46 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_44
+                + minus_l_lambda_slot_lambda_guide * w_45);
+        let w_47 = minus_inverse_lambda_guide * w_23
+            + minus_l_lambda_slot_lambda_guide * w_24;
+        let w_48 = inverse_beta * w_16 - l_lambda_guide_beta * w_47
+            + minus_l_lambda_slot_beta * w_24;
+        let w_49 = minus_l_lambda_slot_lambda_guide * w_42
+            - minus_inverse_lambda_guide * w_41;
+        let w_50 = inverse_beta * w_40 - l_lambda_guide_beta * w_49
+            + minus_l_lambda_slot_beta * w_42;
+        let w_51 = minus_l_lambda_slot_lambda_guide * w_46
+            - minus_inverse_lambda_guide * w_45;
+        let w_52 = inverse_beta * w_44 - l_lambda_guide_beta * w_51
+            + minus_l_lambda_slot_beta * w_46;
+        let w_53 = beta_dot - alpha_dot;
         let w_54 = inverse_lambda_slot
-            * (self.O2A * (cos_beta * w_9 + sin_beta * cos_alpha * w_10) + w_10 * w_22);
-        let w_55 = minus_l_lambda_slot_lambda_guide * w_54;
-        let w_56 = minus_l_lambda_slot_beta * w_54 - l_lambda_guide_beta * w_55;
-        let w_57 = self.k_12 * beta_dot * (w_33 - w_32);
-        let w_58 = l_beta_gamma * w_57;
-        let w_59 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_57
-            + l_lambda_guide_beta * w_58;
-        let w_60 = inverse_lambda_slot
-            * (self.O2A * (alpha_dot * w_21 - sin_beta * cos_alpha * beta_dot)
-                + beta_dot * (w_36 + w_37) + alpha_dot * w_22
-                - minus_l_lambda_slot_beta * w_58
-                + minus_l_lambda_slot_lambda_guide * w_59);
-        let w_61 = minus_l_lambda_slot_lambda_guide * w_60
-            - minus_inverse_lambda_guide * w_59;
-        let w_62 = minus_l_lambda_slot_beta * w_60 - inverse_beta * w_58
-            - l_lambda_guide_beta * w_61;
-        let w_63 = self.k_12 * gamma_dot * w_34;
-        let w_64 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_63;
-        let w_65 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_63
-                + minus_l_lambda_slot_lambda_guide * w_64);
-        let w_66 = minus_l_lambda_slot_lambda_guide * w_65
-            - minus_inverse_lambda_guide * w_64;
-        let w_67 = inverse_beta * w_63 - l_lambda_guide_beta * w_66
-            + minus_l_lambda_slot_beta * w_65;
+            * (self.O2A * (cos_beta * w_20 + sin_beta * cos_alpha * w_53) + w_53 * w_15);
+        let w_55 = self.k_12 * beta_dot * (w_33 - w_32);
+        let w_56 = l_beta_gamma * w_55;
+        let w_57 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_55
+            + l_lambda_guide_beta * w_56;
+        let w_58 = inverse_lambda_slot
+            * (self.O2A * (alpha_dot * w_14 - sin_beta * cos_alpha * beta_dot)
+                + beta_dot * (w_25 + w_26) + alpha_dot * w_15
+                - minus_l_lambda_slot_beta * w_56
+                + minus_l_lambda_slot_lambda_guide * w_57);
+        let w_59 = self.k_12 * gamma_dot * w_34;
+        let w_60 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_59;
+        let w_61 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_59
+                + minus_l_lambda_slot_lambda_guide * w_60);
+        let w_62 = minus_l_lambda_slot_lambda_guide * w_54;
+        let w_63 = minus_l_lambda_slot_beta * w_54 - l_lambda_guide_beta * w_62;
+        let w_64 = minus_l_lambda_slot_lambda_guide * w_58
+            - minus_inverse_lambda_guide * w_57;
+        let w_65 = minus_l_lambda_slot_beta * w_58 - inverse_beta * w_56
+            - l_lambda_guide_beta * w_64;
+        let w_66 = minus_l_lambda_slot_lambda_guide * w_61
+            - minus_inverse_lambda_guide * w_60;
+        let w_67 = inverse_beta * w_59 - l_lambda_guide_beta * w_66
+            + minus_l_lambda_slot_beta * w_61;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    -(w_31 + l_lambda_slot_alpha * w_28),
-                    w_31 - l_lambda_slot_alpha * w_45,
-                    -(l_lambda_slot_alpha * w_51),
+                    -(w_17 + l_lambda_slot_alpha * w_24),
+                    w_17 - l_lambda_slot_alpha * w_42,
+                    -(l_lambda_slot_alpha * w_46),
                 ],
-                [w_30, w_47, w_53],
+                [w_48, w_50, w_52],
                 [
-                    -(l_beta_gamma * w_30 + l_lambda_guide_gamma * w_29),
-                    self.inverse_gamma * w_41 - l_beta_gamma * w_47
-                        - l_lambda_guide_gamma * w_46,
-                    self.inverse_gamma * w_48 - l_beta_gamma * w_53
-                        - l_lambda_guide_gamma * w_52,
+                    -(l_beta_gamma * w_48 + l_lambda_guide_gamma * w_47),
+                    self.inverse_gamma * w_39 - l_beta_gamma * w_50
+                        - l_lambda_guide_gamma * w_49,
+                    self.inverse_gamma * w_43 - l_beta_gamma * w_52
+                        - l_lambda_guide_gamma * w_51,
                 ],
             ],
             accelerations_by_speeds: [
                 [
                     -(l_lambda_slot_alpha * w_54),
-                    -(l_lambda_slot_alpha * w_60),
-                    -(l_lambda_slot_alpha * w_65),
+                    -(l_lambda_slot_alpha * w_58),
+                    -(l_lambda_slot_alpha * w_61),
                 ],
-                [w_56, w_62, w_67],
+                [w_63, w_65, w_67],
                 [
-                    -(l_beta_gamma * w_56 + l_lambda_guide_gamma * w_55),
-                    self.inverse_gamma * w_57 - l_beta_gamma * w_62
-                        - l_lambda_guide_gamma * w_61,
+                    -(l_beta_gamma * w_63 + l_lambda_guide_gamma * w_62),
+                    self.inverse_gamma * w_55 - l_beta_gamma * w_65
+                        - l_lambda_guide_gamma * w_64,
                     -(l_beta_gamma * w_67 + l_lambda_guide_gamma * w_66),
                 ],
             ],
-            multipliers_by_positions: [[w_29, w_46, w_52], [w_28, w_45, w_51]],
-            multipliers_by_speeds: [[w_55, w_61, w_66], [w_54, w_60, w_65]],
+            multipliers_by_positions: [[w_47, w_49, w_51], [w_24, w_42, w_46]],
+            multipliers_by_speeds: [[w_62, w_64, w_66], [w_54, w_58, w_61]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
                 self.abs_mass_alpha_alpha,
@@ -1070,15 +1072,15 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_beta,
-                    self.abs_mass_beta_beta + w_16.abs(),
+                    self.abs_mass_beta_beta + w_2.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_17.abs() + w_18.abs(),
+                    w_3.abs() + w_4.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
-                    w_15.abs() + w_19.abs() + w_20.abs(),
+                    w_6.abs() + w_7.abs() + w_5.abs(),
                 ),
         }
     }

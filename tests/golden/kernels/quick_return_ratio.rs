@@ -441,11 +441,11 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, beta, gamma] = *q;
         let [_, beta_dot, gamma_dot] = *qd;
+        let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
             beta,
             gamma,
         ]);
-        let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let w_2 = sin_beta * cos_gamma;
         let w_3 = cos_beta * sin_gamma;
         [
@@ -540,25 +540,25 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             gamma,
             alpha,
         ]);
-        let sin_beta_squared = sin_beta * sin_beta;
-        let w = (cos_beta
-            * (sin_beta * self.O4G4 * S::from_f64(3.0) / sin_beta_squared
-                - self.O4G4 / sin_beta)
-            + cos_beta * cos_beta * cos_beta * S::from_f64(2.0) * self.O4G4
-                / (sin_beta * sin_beta_squared)) * (S::from_f64(1.0) / self.O4G4);
         let O2A_squared = self.O2A * self.O2A;
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let A_y_squared = A_y * A_y;
-        let w_2 = alpha_dot
+        let w = alpha_dot
             * (cos_alpha
                 * (sin_alpha * S::from_f64(3.0) * O2A_squared / A_y_squared
                     - self.O2A / A_y)
                 + cos_alpha * cos_alpha * cos_alpha * S::from_f64(2.0) * self.O2A
                     * O2A_squared / (A_y * A_y_squared));
+        let sin_beta_squared = sin_beta * sin_beta;
+        let w_2 = (cos_beta
+            * (sin_beta * self.O4G4 * S::from_f64(3.0) / sin_beta_squared
+                - self.O4G4 / sin_beta)
+            + cos_beta * cos_beta * cos_beta * S::from_f64(2.0) * self.O4G4
+                / (sin_beta * sin_beta_squared)) * (S::from_f64(1.0) / self.O4G4);
         [
             -(beta_dot * beta_dot * self.O4B * sin_beta
                 + gamma_dot * gamma_dot * self.BC * sin_gamma),
-            alpha_dot * w_2 - beta_dot * beta_dot * w,
+            alpha_dot * w - beta_dot * beta_dot * w_2,
         ]
     }
     /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
@@ -710,22 +710,22 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         ]);
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
-        let w_2 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_3 = (O2A_squared
+        let w_2 = (O2A_squared
             * (alpha_dot_squared * sin_alpha * sin_alpha
                 - alpha_ddot * cos_alpha * sin_alpha)
             + self.O2A * A_y * (alpha_ddot * cos_alpha - sin_alpha * alpha_dot_squared))
             / w;
+        let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
         let w_4 = O2A_squared * alpha_dot_squared;
-        let beta_dot_squared = beta_dot * beta_dot;
         let O4G4_squared = self.O4G4 * self.O4G4;
+        let beta_dot_squared = beta_dot * beta_dot;
         let w_5 = beta_dot_squared * O4G4_squared;
         [
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * (w_3 - w_2 * w_2 / (w * w)),
+            w.sqrt() * (w_2 - w_3 * w_3 / (w * w)),
             alpha_ddot * O2A_squared * alpha_dot * w_4.sqrt() / w_4
                 - beta_ddot * beta_dot * O4G4_squared * w_5.sqrt() / w_5,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
@@ -847,51 +847,51 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             gamma,
             alpha,
         ]);
-        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
-        let guide_by_gamma = cos_gamma * self.BC;
         let cos_alpha_squared = cos_alpha * cos_alpha;
         let w = self.O2A * sin_alpha;
         let A_y = self.O4O2 + w;
         let A_y_squared = A_y * A_y;
         let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
             + w / A_y;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let guide_by_gamma = cos_gamma * self.BC;
+        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
         let cos_beta_squared = cos_beta * cos_beta;
         let sin_beta_squared = sin_beta * sin_beta;
         let slot_by_beta = self.O4G4
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w_2 = beta_dot * beta_dot * self.inverse_O4G4
-            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
-                + cos_beta * cos_beta_squared * self.k_8
-                    / (sin_beta * sin_beta_squared));
-        let w_3 = alpha_dot * alpha_dot
-            * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
-                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_2;
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_4 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_5 = mass_gamma_beta * l_beta_gamma;
-        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_6 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_5;
+        let w_2 = mass_gamma_beta * l_beta_gamma;
+        let pivot_beta = self.mass_beta_beta - w_2;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_7 = k_lambda_guide_beta * l_lambda_guide_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let w_8 = slot_by_beta * l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_6 + w_7;
+        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let minus_pivot_lambda_guide = w_3 + w_4;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_9 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_9 - w_4 - w_8;
+        let w_5 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
+        let w_6 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let w_7 = slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = w_5 - w_6 - w_7;
+        let w_8 = beta_dot * beta_dot * self.inverse_O4G4
+            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
+                + cos_beta * cos_beta_squared * self.k_8
+                    / (sin_beta * sin_beta_squared));
+        let w_9 = alpha_dot * alpha_dot
+            * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
+                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_8;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
@@ -899,7 +899,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (self.T * minus_l_lambda_slot_alpha - w_3 - l_lambda_slot_beta * rhs_beta
+            * (self.T * minus_l_lambda_slot_alpha - w_9 - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
             + l_lambda_slot_lambda_guide * lambda_slot;
@@ -927,15 +927,15 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_beta,
-                    self.abs_mass_beta_beta + w_5.abs(),
+                    self.abs_mass_beta_beta + w_2.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_6.abs() + w_7.abs(),
+                    w_3.abs() + w_4.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
-                    w_4.abs() + w_8.abs() + w_9.abs(),
+                    w_6.abs() + w_7.abs() + w_5.abs(),
                 ),
         }
     }
@@ -959,180 +959,180 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
         let mass_gamma_beta = self.k * w;
         let guide_by_gamma = cos_gamma * self.BC;
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_2 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_2;
-        let A_y_squared = A_y * A_y;
-        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_2 / A_y;
+        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
         let cos_beta_squared = cos_beta * cos_beta;
         let sin_beta_squared = sin_beta * sin_beta;
         let slot_by_beta = self.O4G4
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = self.O4B * cos_beta * beta_dot_squared;
-        let w_4 = w_3 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_5 = w_3 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_6 = self.O4B * sin_beta * beta_dot_squared;
-        let w_7 = w_6 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_8 = w_6 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w_9 = sin_beta * sin_beta_squared;
-        let w_10 = sin_beta * self.k_9 / sin_beta_squared;
-        let w_11 = self.O4G4 / sin_beta;
-        let w_12 = cos_beta * cos_beta_squared * self.k_8 / w_9;
-        let w_13 = self.inverse_O4G4 * (cos_beta * (w_10 - w_11) + w_12);
-        let w_14 = A_y * A_y_squared;
-        let w_15 = sin_alpha * self.k_11 / A_y_squared;
-        let w_16 = self.O2A / A_y;
-        let w_17 = cos_alpha * cos_alpha_squared * self.k_10 / w_14;
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_18 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_19 = mass_gamma_beta * l_beta_gamma;
-        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_20 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_19;
+        let w_2 = mass_gamma_beta * l_beta_gamma;
+        let pivot_beta = self.mass_beta_beta - w_2;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_21 = k_lambda_guide_beta * l_lambda_guide_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let w_22 = slot_by_beta * l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_20 + w_21;
+        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let minus_pivot_lambda_guide = w_3 + w_4;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_23 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_23 - w_18 - w_22;
+        let w_5 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_6 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_6;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_6 / A_y;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_7 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let w_8 = slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = w_5 - w_7 - w_8;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
+        let w_9 = sin_alpha * self.k_11 / A_y_squared;
+        let w_10 = self.O2A / A_y;
+        let w_11 = A_y * A_y_squared;
+        let w_12 = cos_alpha * cos_alpha_squared * self.k_10 / w_11;
+        let w_13 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_14 = self.O4G4 / sin_beta;
+        let w_15 = sin_beta * sin_beta_squared;
+        let w_16 = cos_beta * cos_beta_squared * self.k_8 / w_15;
+        let w_17 = self.inverse_O4G4 * (cos_beta * (w_13 - w_14) + w_16);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
-        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
+        let w_18 = self.O4B * sin_beta * beta_dot_squared;
+        let w_19 = w_18 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_lambda_guide = w_19 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
             * (self.T * minus_l_lambda_slot_alpha
-                - (alpha_dot * alpha_dot * (cos_alpha * (w_15 - w_16) + w_17)
-                    - beta_dot * beta_dot * w_13) - l_lambda_slot_beta * rhs_beta
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_9 - w_10) + w_12)
+                    - beta_dot * beta_dot * w_17) - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
+        let w_20 = cos_alpha * (w_10 - w_9);
+        let w_21 = w_20 - w_12;
+        let w_22 = lambda_slot * w_21;
+        let w_23 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_11 - w_10)
+                + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
+                + cos_alpha_squared * cos_alpha_squared * self.k_13
+                    / (A_y_squared * A_y_squared));
+        let w_24 = inverse_lambda_slot
+            * (alpha_dot * w_23
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_21
+                + minus_l_lambda_slot_alpha * w_22);
+        let w_25 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_15 - w_14)
+                + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
+                + cos_beta_squared * cos_beta_squared * self.k_18
+                    / (sin_beta_squared * sin_beta_squared));
         let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
             + l_lambda_slot_lambda_guide * lambda_slot;
         let beta_ddot = inverse_beta * rhs_beta
             + l_lambda_guide_beta * minus_lambda_guide
             - l_lambda_slot_beta * lambda_slot;
+        let w_26 = self.inverse_O4G4 * (cos_beta * (w_14 - w_13) - w_16);
+        let w_27 = self.O4B * cos_beta * beta_dot_squared;
+        let w_28 = w_27 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_29 = w_27 + cos_gamma * self.BC * gamma_dot_squared;
+        let w_30 = w_18 + self.BG5 * sin_gamma * gamma_dot_squared;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             + l_lambda_guide_gamma * minus_lambda_guide;
-        let w_24 = cos_alpha * (w_16 - w_15);
-        let w_25 = w_24 - w_17;
-        let w_26 = lambda_slot * w_25;
-        let w_27 = alpha_dot
-            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_14 - w_16)
-                + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
-                + cos_alpha_squared * cos_alpha_squared * self.k_13
-                    / (A_y_squared * A_y_squared));
-        let w_28 = inverse_lambda_slot
-            * (alpha_dot * w_27
-                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_25
-                + minus_l_lambda_slot_alpha * w_26);
-        let w_29 = l_lambda_slot_lambda_guide * w_28;
-        let w_30 = l_lambda_guide_beta * w_29 - l_lambda_slot_beta * w_28;
         let w_31 = sin_gamma * cos_beta;
         let w_32 = sin_beta * cos_gamma;
         let w_33 = w_31 - w_32;
         let w_34 = self.k * w_33;
-        let w_35 = self.inverse_O4G4 * (cos_beta * (w_11 - w_10) - w_12);
-        let w_36 = gamma_ddot * w_34;
-        let w_37 = beta_dot_squared * self.k_17
-            - cos_beta * (w_4 * self.k_2 + w_5 * self.k_3 + self.k_4)
+        let w_35 = gamma_ddot * w_34;
+        let w_36 = beta_dot_squared * self.k_17
+            - cos_beta * (w_28 * self.k_2 + w_29 * self.k_3 + self.k_4)
             - sin_beta
-                * (w_7 * self.k_2 + w_8 * self.k_3 + self.O4B * minus_lambda_guide)
-            - w_36 - lambda_slot * w_35;
-        let w_38 = beta_ddot * w_34;
-        let w_39 = self.k * w * beta_dot_squared - w_38;
-        let w_40 = beta_dot * self.inverse_O4G4
-            * (sin_beta * (cos_beta_squared * self.k_19 / w_9 - w_11)
-                + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
-                + cos_beta_squared * cos_beta_squared * self.k_18
-                    / (sin_beta_squared * sin_beta_squared));
-        let w_41 = w_37 - l_beta_gamma * w_39;
-        let w_42 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_39 - l_lambda_guide_beta * w_41;
-        let w_43 = inverse_lambda_slot
-            * (beta_dot * w_40 + beta_ddot * w_35 + l_lambda_slot_beta * w_41
-                + l_lambda_slot_lambda_guide * w_42);
-        let w_44 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
-        let w_45 = inverse_beta * w_41 - l_lambda_guide_beta * w_44
-            + l_lambda_slot_beta * w_43;
-        let w_46 = w_38 - cos_gamma * (w_4 * self.k_5 + w_5 * self.k_6 + self.k_7)
+                * (w_30 * self.k_2 + w_19 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_35 - lambda_slot * w_26;
+        let w_37 = beta_ddot * w_34;
+        let w_38 = self.k * w * beta_dot_squared - w_37;
+        let w_39 = w_36 - l_beta_gamma * w_38;
+        let w_40 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
+        let w_41 = inverse_lambda_slot
+            * (beta_dot * w_25 + beta_ddot * w_26 + l_lambda_slot_beta * w_39
+                + l_lambda_slot_lambda_guide * w_40);
+        let w_42 = w_37 - cos_gamma * (w_28 * self.k_5 + w_29 * self.k_6 + self.k_7)
             - sin_gamma
-                * (w_7 * self.k_5 + w_8 * self.k_6 + self.BC * minus_lambda_guide)
+                * (w_30 * self.k_5 + w_19 * self.k_6 + self.BC * minus_lambda_guide)
             + gamma_dot_squared * self.k_22;
-        let w_47 = self.k * w * gamma_dot_squared + w_36 - l_beta_gamma * w_46;
-        let w_48 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_46 - l_lambda_guide_beta * w_47;
-        let w_49 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_47 + l_lambda_slot_lambda_guide * w_48);
-        let w_50 = l_lambda_slot_lambda_guide * w_49 - minus_inverse_lambda_guide * w_48;
-        let w_51 = inverse_beta * w_47 - l_lambda_guide_beta * w_50
-            + l_lambda_slot_beta * w_49;
-        let w_52 = inverse_lambda_slot * alpha_dot * (w_24 - w_17 + w_25);
-        let w_53 = l_lambda_slot_lambda_guide * w_52;
-        let w_54 = l_lambda_guide_beta * w_53 - l_lambda_slot_beta * w_52;
-        let w_55 = self.k_23 * beta_dot * (w_32 - w_31);
-        let w_56 = l_beta_gamma * w_55;
-        let w_57 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_55
-            + l_lambda_guide_beta * w_56;
-        let w_58 = inverse_lambda_slot
-            * (beta_dot * (w_13 - w_35) + l_lambda_slot_beta * w_56
-                - l_lambda_slot_lambda_guide * w_57);
-        let w_59 = minus_inverse_lambda_guide * w_57 + l_lambda_slot_lambda_guide * w_58;
-        let w_60 = l_lambda_guide_beta * w_59 - inverse_beta * w_56
-            - l_lambda_slot_beta * w_58;
-        let w_61 = self.k_23 * gamma_dot * w_33;
-        let w_62 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_61;
-        let w_63 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_61 + l_lambda_slot_lambda_guide * w_62);
-        let w_64 = l_lambda_slot_lambda_guide * w_63 - minus_inverse_lambda_guide * w_62;
-        let w_65 = inverse_beta * w_61 - l_lambda_guide_beta * w_64
-            + l_lambda_slot_beta * w_63;
+        let w_43 = self.k * w * gamma_dot_squared + w_35 - l_beta_gamma * w_42;
+        let w_44 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_42 - l_lambda_guide_beta * w_43;
+        let w_45 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_43 + l_lambda_slot_lambda_guide * w_44);
+        let w_46 = l_lambda_slot_lambda_guide * w_24;
+        let w_47 = l_lambda_guide_beta * w_46 - l_lambda_slot_beta * w_24;
+        let w_48 = l_lambda_slot_lambda_guide * w_41 - minus_inverse_lambda_guide * w_40;
+        let w_49 = inverse_beta * w_39 - l_lambda_guide_beta * w_48
+            + l_lambda_slot_beta * w_41;
+        let w_50 = l_lambda_slot_lambda_guide * w_45 - minus_inverse_lambda_guide * w_44;
+        let w_51 = inverse_beta * w_43 - l_lambda_guide_beta * w_50
+            + l_lambda_slot_beta * w_45;
+        let w_52 = inverse_lambda_slot * alpha_dot * (w_20 - w_12 + w_21);
+        let w_53 = self.k_23 * beta_dot * (w_32 - w_31);
+        let w_54 = l_beta_gamma * w_53;
+        let w_55 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_53
+            + l_lambda_guide_beta * w_54;
+        let w_56 = inverse_lambda_slot
+            * (beta_dot * (w_17 - w_26) + l_lambda_slot_beta * w_54
+                - l_lambda_slot_lambda_guide * w_55);
+        let w_57 = self.k_23 * gamma_dot * w_33;
+        let w_58 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_57;
+        let w_59 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_57 + l_lambda_slot_lambda_guide * w_58);
+        let w_60 = l_lambda_slot_lambda_guide * w_52;
+        let w_61 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_52;
+        let w_62 = minus_inverse_lambda_guide * w_55 + l_lambda_slot_lambda_guide * w_56;
+        let w_63 = l_lambda_guide_beta * w_62 - inverse_beta * w_54
+            - l_lambda_slot_beta * w_56;
+        let w_64 = l_lambda_slot_lambda_guide * w_59 - minus_inverse_lambda_guide * w_58;
+        let w_65 = inverse_beta * w_57 - l_lambda_guide_beta * w_64
+            + l_lambda_slot_beta * w_59;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_alpha * w_26 + minus_l_lambda_slot_alpha * w_28,
-                    -(minus_l_lambda_slot_alpha * w_43),
-                    -(minus_l_lambda_slot_alpha * w_49),
+                    self.inverse_alpha * w_22 + minus_l_lambda_slot_alpha * w_24,
+                    -(minus_l_lambda_slot_alpha * w_41),
+                    -(minus_l_lambda_slot_alpha * w_45),
                 ],
-                [w_30, w_45, w_51],
+                [w_47, w_49, w_51],
                 [
-                    l_lambda_guide_gamma * w_29 - l_beta_gamma * w_30,
-                    self.inverse_gamma * w_39 - l_beta_gamma * w_45
-                        - l_lambda_guide_gamma * w_44,
-                    self.inverse_gamma * w_46 - l_beta_gamma * w_51
+                    l_lambda_guide_gamma * w_46 - l_beta_gamma * w_47,
+                    self.inverse_gamma * w_38 - l_beta_gamma * w_49
+                        - l_lambda_guide_gamma * w_48,
+                    self.inverse_gamma * w_42 - l_beta_gamma * w_51
                         - l_lambda_guide_gamma * w_50,
                 ],
             ],
             accelerations_by_speeds: [
                 [
                     minus_l_lambda_slot_alpha * w_52,
-                    minus_l_lambda_slot_alpha * w_58,
-                    -(minus_l_lambda_slot_alpha * w_63),
+                    minus_l_lambda_slot_alpha * w_56,
+                    -(minus_l_lambda_slot_alpha * w_59),
                 ],
-                [w_54, w_60, w_65],
+                [w_61, w_63, w_65],
                 [
-                    l_lambda_guide_gamma * w_53 - l_beta_gamma * w_54,
-                    self.inverse_gamma * w_55 - l_beta_gamma * w_60
-                        + l_lambda_guide_gamma * w_59,
+                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_61,
+                    self.inverse_gamma * w_53 - l_beta_gamma * w_63
+                        + l_lambda_guide_gamma * w_62,
                     -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
                 ],
             ],
-            multipliers_by_positions: [[-w_29, w_44, w_50], [w_28, -w_43, -w_49]],
-            multipliers_by_speeds: [[-w_53, -w_59, w_64], [w_52, w_58, -w_63]],
+            multipliers_by_positions: [[-w_46, w_48, w_50], [w_24, -w_41, -w_45]],
+            multipliers_by_speeds: [[-w_60, -w_62, w_64], [w_52, w_56, -w_59]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
                 self.abs_mass_alpha_alpha,
@@ -1143,15 +1143,15 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_beta,
-                    self.abs_mass_beta_beta + w_19.abs(),
+                    self.abs_mass_beta_beta + w_2.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_20.abs() + w_21.abs(),
+                    w_3.abs() + w_4.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
-                    w_18.abs() + w_22.abs() + w_23.abs(),
+                    w_7.abs() + w_8.abs() + w_5.abs(),
                 ),
         }
     }

@@ -587,24 +587,24 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
-        let A_x = self.r * cos_theta;
-        let theta_dot_squared = theta_dot * theta_dot;
         let phi_dot_squared = phi_dot * phi_dot;
         let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
             + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
+        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
         let w = mass_phi_theta * l_phi_theta;
-        let l_lambda_guide_theta = A_x * self.inverse_theta;
-        let w_2 = A_x * l_lambda_guide_theta;
         let pivot_phi = self.mass_phi_phi - w;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
-        let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_3 = k_lambda_guide_phi * l_lambda_guide_phi;
-        let minus_pivot_lambda_guide = w_2 + w_3;
+        let theta_dot_squared = theta_dot * theta_dot;
         let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
             - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
+        let A_x = self.r * cos_theta;
+        let l_lambda_guide_theta = A_x * self.inverse_theta;
+        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
+        let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
+        let w_2 = A_x * l_lambda_guide_theta;
+        let w_3 = k_lambda_guide_phi * l_lambda_guide_phi;
+        let minus_pivot_lambda_guide = w_2 + w_3;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
             * (self.r * sin_theta * theta_dot_squared + self.l * rod_y * phi_dot_squared
                 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
@@ -643,43 +643,43 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
-        let A_x = self.r * cos_theta;
         let theta_dot_squared = theta_dot * theta_dot;
         let phi_dot_squared = phi_dot * phi_dot;
-        let w = self.l * rod_x * phi_dot_squared;
-        let w_2 = self.r * cos_theta * theta_dot_squared + w;
-        let w_3 = cos_theta * theta_dot_squared * self.k_2 + w;
-        let w_4 = self.l * rod_y * phi_dot_squared;
-        let w_5 = sin_theta * theta_dot_squared * self.k_2 + w_4;
-        let w_6 = self.r * sin_theta * theta_dot_squared + w_4;
+        let w = self.l * rod_y * phi_dot_squared;
+        let w_2 = sin_theta * theta_dot_squared * self.k_2 + w;
+        let w_3 = self.r * sin_theta * theta_dot_squared + w;
+        let A_x = self.r * cos_theta;
+        let l_lambda_guide_theta = A_x * self.inverse_theta;
+        let w_4 = A_x * l_lambda_guide_theta;
+        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
+        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
+        let l_phi_theta = mass_phi_theta * self.inverse_theta;
+        let w_5 = mass_phi_theta * l_phi_theta;
+        let pivot_phi = self.mass_phi_phi - w_5;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
+        let w_6 = k_lambda_guide_phi * l_lambda_guide_phi;
+        let minus_pivot_lambda_guide = w_4 + w_6;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
             + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
-        let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let w_7 = mass_phi_theta * l_phi_theta;
-        let l_lambda_guide_theta = A_x * self.inverse_theta;
-        let w_8 = A_x * l_lambda_guide_theta;
-        let pivot_phi = self.mass_phi_phi - w_7;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
-        let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_9 = k_lambda_guide_phi * l_lambda_guide_phi;
-        let minus_pivot_lambda_guide = w_8 + w_9;
-        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
             - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let minus_lambda_guide = minus_inverse_lambda_guide
-            * (w_6 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
+            * (w_3 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
+        let w_7 = self.l * rod_x * phi_dot_squared;
+        let w_8 = self.r * cos_theta * theta_dot_squared + w_7;
+        let w_9 = cos_theta * theta_dot_squared * self.k_2 + w_7;
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
-            + l_lambda_guide_theta * minus_lambda_guide;
         let w_10 = self.k_13 * (rod_y * cos_theta - sin_theta * rod_x);
         let w_11 = S::from_f64(0.5) * phi_ddot * w_10;
         let w_12 = sin_theta
-            * (self.k_6 - w_5 * self.k_4 - w_6 * self.k_3 - self.r * minus_lambda_guide)
-            - cos_theta * (w_2 * self.k_3 + w_3 * self.k_4) - w_11
+            * (self.k_6 - w_2 * self.k_4 - w_3 * self.k_3 - self.r * minus_lambda_guide)
+            - cos_theta * (w_8 * self.k_3 + w_9 * self.k_4) - w_11
             + theta_dot_squared * self.k_14;
         let w_13 = sin_theta * rod_y * self.k + cos_theta * rod_x * self.k_7;
+        let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
+            + l_lambda_guide_theta * minus_lambda_guide;
         let w_14 = S::from_f64(0.5) * theta_ddot * w_10;
         let w_15 = theta_dot_squared * w_13 - w_14 - l_phi_theta * w_12;
         let w_16 = minus_inverse_lambda_guide
@@ -688,8 +688,8 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let w_17 = inverse_phi * w_15 + l_lambda_guide_phi * w_16;
         let w_18 = phi_dot_squared * w_13 + w_11;
         let w_19 = rod_y
-            * (self.k_10 - w_5 * self.k_9 - w_6 * self.k_8 - self.l * minus_lambda_guide)
-            - rod_x * (w_2 * self.k_8 + w_3 * self.k_9) + phi_dot_squared * self.k_15
+            * (self.k_10 - w_2 * self.k_9 - w_3 * self.k_8 - self.l * minus_lambda_guide)
+            - rod_x * (w_8 * self.k_8 + w_9 * self.k_9) + phi_dot_squared * self.k_15
             + w_14;
         let w_20 = w_19 - l_phi_theta * w_18;
         let w_21 = minus_inverse_lambda_guide
@@ -734,11 +734,11 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi,
-                    self.abs_mass_phi_phi + w_7.abs(),
+                    self.abs_mass_phi_phi + w_5.abs(),
                 )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_8.abs() + w_9.abs(),
+                    w_4.abs() + w_6.abs(),
                 ),
         }
     }
