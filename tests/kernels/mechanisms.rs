@@ -14,6 +14,7 @@ mechanism! {
     loads { gravity [0, -g]; force -c*dot(P) at P; torque 0.1*sin(t) on rod; }
     initial { r = 0.5; phi = 0.1; dot(phi) = 3; }
     outputs { speed [m/s] = norm(dot(P)); radial [m/s^2] = ddot(r) - r*dot(phi)^2; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -31,6 +32,7 @@ mechanism! {
     events { low: B.y = -1; }
     outputs { tip [m] = B.x; tip_speed [m/s] = dot(B.x); tip_acceleration [m/s^2] = ddot(B.x); leash_force [N] = reaction(leash); }
     drawing { line O, A, B; ground [0, 0]; slider O along 0; circle B radius 0.05; point A; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -46,6 +48,7 @@ mechanism! {
     initial { x = 0.5; y = 0.7; }
     events { even: u = v; }
     outputs { u = u; v = v; w = w; rate = dot(u*v); second = ddot(w); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -59,6 +62,7 @@ mechanism! {
     constraints { pin: G - l/2*[cos(phi), sin(phi)] = [0, 0]; }
     initial { phi = 30; guess x = 300; guess q = 100; dot(phi) = 60 [rpm]; }
     outputs { pin_x [kN] = reaction(pin).x; pin_y [N] = reaction(pin).y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
