@@ -132,6 +132,6 @@ fn an_adaptive_method_never_leaves_the_branch_in_silence() {
         let ended = run.trajectory.failure.map(|failure| failure.to_string());
         println!("rtol {rtol:e}: {worst:.1e}, {} rows, {ended:?}", run.trajectory.samples.len());
         assert!(worst < 1e-6, "{worst:e}");
-        assert!(ended.is_none_or(|message| message.contains("singular position")));
+        assert!(ended.is_none_or(|message| message.contains("singular position") || message.contains("tolerance")));
     }
 }
