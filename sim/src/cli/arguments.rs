@@ -23,7 +23,7 @@ pub(super) enum Command {
     /// Lists the mechanisms.
     List,
     /// Runs a mechanism and writes its motion, a summary and figures.
-    Run(RunArguments),
+    Run(Box<RunArguments>),
     /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
     Verify(VerifyArguments),
     /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
