@@ -27,7 +27,7 @@ pub use integrate::{RK4, Tableau, integrate};
 pub use interpolate::interpolate;
 pub use motion::{accelerate, residuals};
 pub use project::{project_positions, project_velocities};
-pub use run::{Grid, Run, run};
+pub use run::{DOUBTFUL_BALANCE, Grid, Run, run};
 pub use sim_kernel::{self, Array, Description, Dynamics, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
 pub use trajectory::{Sample, State, Trajectory};

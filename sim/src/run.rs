@@ -18,6 +18,9 @@ pub struct Grid {
     pub steps: usize,
 }
 
+/// Relative change of energy from which a result deserves doubt.
+pub const DOUBTFUL_BALANCE: f64 = 1e-3;
+
 /// What a run found.
 #[derive(Clone, Debug)]
 pub struct Run<M: Mechanism> {

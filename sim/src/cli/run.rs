@@ -33,6 +33,11 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments) -> Result<(), 
     let before_figures = clock.elapsed();
     let wanted = !arguments.no_figures && !table.times().is_empty();
     let figures = if wanted { show::figures(&found, &table, &directory) } else { show::Figures::default() };
+    if !table.times().is_empty() {
+        let command = format!("sim run {}", description.name);
+        let about = show::About { summary: &summary(&found, &table), command: &command, run_file: None };
+        show::report(&found, &table, &about, &directory.join("report.html"))?;
+    }
     let timing = json!({
         "integration_seconds": found.integration_time.as_secs_f64(),
         "without_figures_seconds": before_figures.as_secs_f64(),
@@ -129,9 +134,6 @@ fn positive(option: &str, text: &str) -> Result<f64, Stop> {
     if time > 0.0 { Ok(time) } else { Err(Stop::Usage(format!("{option}: a time above 0 is needed, not `{text}`"))) }
 }
 
-/// Relative change of energy from which the result deserves doubt.
-const DOUBTFUL_BALANCE: f64 = 1e-3;
-
 /// The short table for the terminal.
 fn report<M: Mechanism>(
     run: &Run<M>,
@@ -165,7 +167,7 @@ fn report<M: Mechanism>(
         "energy",
         format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
     ));
-    if !(run.energy_balance < DOUBTFUL_BALANCE) {
+    if !(run.energy_balance < crate::DOUBTFUL_BALANCE) {
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
     let integration = 1e3 * run.integration_time.as_secs_f64();

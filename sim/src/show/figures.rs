@@ -2,7 +2,8 @@
 
 use super::{Curve, Plot, Pose, ShowError, mechanism, plot};
 use crate::{Column, Run, Table};
-use sim_kernel::Mechanism;
+use sim_kernel::{Description, Figure, Mechanism};
+use std::ops::Range;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
@@ -29,10 +30,10 @@ impl Figures {
 /// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
 pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> Figures {
     let description = const { &M::DESCRIPTION };
-    let mut outputs = table.outputs().iter().zip(description.outputs);
+    let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
     let mut figures = Figures::default();
-    for figure in description.figures {
-        let group: Vec<_> = outputs.by_ref().take(figure.len).collect();
+    for (figure, indices) in groups(description) {
+        let group = &outputs[indices];
         if group.iter().all(|(column, _)| column.values.iter().all(|value| !value.is_finite())) {
             continue;
         }
@@ -51,8 +52,17 @@ pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> F
     figures
 }
 
+/// Each declared figure with the indices of its outputs.
+pub(super) fn groups(description: &Description) -> impl Iterator<Item = (&Figure, Range<usize>)> {
+    description.figures.iter().scan(0, |first, figure| {
+        let outputs = *first..*first + figure.len;
+        *first = outputs.end;
+        Some((figure, outputs))
+    })
+}
+
 /// What a curve is called: the first line of its documentation, or its name.
-fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
+pub(super) fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
     docs.lines().next().filter(|line| !line.is_empty()).unwrap_or(name)
 }
 

@@ -1,4 +1,5 @@
-//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions.
+//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions; and the report, a
+//! page on which it moves.
 //!
 //! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
 //! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
@@ -12,14 +13,17 @@ mod figures;
 mod font;
 mod frame;
 mod mechanism;
+mod names;
 mod palette;
 mod plot;
 mod png;
+mod report;
 mod scene;
 mod svg;
 mod symbols;
 mod text;
 mod ticks;
+mod vectors;
 
 use std::fs;
 use std::path::Path;
@@ -29,6 +33,7 @@ use sim_kernel::Shape;
 
 pub use error::ShowError;
 pub use figures::{Figures, figures};
+pub use report::{About, report};
 pub use text::typeset;
 
 /// A curve of a plot.
