@@ -18,12 +18,14 @@ mod constraints;
 mod energy;
 mod lagrange;
 mod outputs;
+mod sensitivity;
 mod tmt;
 
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
+pub use sensitivity::Sensitivity;
 pub use tmt::{Row, Tmt};
 
 use crate::model::Model;
@@ -42,6 +44,8 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
+    /// Derivatives with respect to state and parameters.
+    pub sensitivity: Sensitivity,
 }
 
 /// Derives the equations of motion.
@@ -51,7 +55,8 @@ pub fn derive(mut model: Model) -> EquationsOfMotion {
     let constraints = Constraints::derive(&mut model, &mut derivatives);
     let energy = Energy::derive(&mut model, &tmt, &constraints);
     let outputs = Outputs::derive(&mut model);
-    EquationsOfMotion { model, tmt, constraints, energy, outputs }
+    let sensitivity = Sensitivity::derive(&mut model, &mut derivatives, &tmt, &constraints);
+    EquationsOfMotion { model, tmt, constraints, energy, outputs, sensitivity }
 }
 
 /// The derivatives that the equations are made of, each kept for all expressions.

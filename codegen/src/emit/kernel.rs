@@ -4,17 +4,24 @@ use super::record::record_type;
 use super::tree::tree;
 use super::{ident, size, types};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, Program, Results, Statement, Tree};
-use proc_macro2::TokenStream;
+use crate::program::{Arguments, Kernel, Program, Receiver, Record, Results, Statement, Tree};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// All kernels, as methods.
+/// All kernels, as methods of the mechanism and of what is prepared from its parameters.
 pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
-    let name = ident(&model.name);
-    let functions = program.kernels.iter().map(|kernel| function(model, kernel, path));
+    let (name, prepared) = (ident(&model.name), types::prepared_name(model));
+    let of = |receiver: Receiver| program.kernels.iter().filter(move |kernel| kernel.receiver == receiver);
+    let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, path));
+    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, path));
+    let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, path));
+    let allowed = quote! { #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
     quote! {
-        #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
-        impl<S: #path::Scalar> #name<S> { #(#functions)* }
+        #allowed
+        impl<S: #path::Scalar> #name<S> { #(#functions)* #(#shortcuts)* }
+
+        #allowed
+        impl<S: #path::Scalar> #prepared<S> { #(#prepared_functions)* }
     }
 }
 
@@ -36,6 +43,36 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
             #results
         }
     }
+}
+
+/// A kernel of what is prepared, for one call with given parameters.
+fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    let name = format_ident!("{}", kernel.name);
+    let list = arguments(model, kernel.arguments);
+    let names = argument_names(kernel.arguments);
+    let returns = returns(model, kernel, path);
+    let prepared = types::prepared_name(model);
+    let docs =
+        format!(" [`{prepared}::{name}`] once; for many calls with the same parameters [`Self::prepare`] first.");
+    quote! {
+        #[doc = #docs]
+        #[inline]
+        pub fn #name(&self #(, #list)*) -> #returns {
+            self.prepare().#name(#(#names),*)
+        }
+    }
+}
+
+/// `t, q, ..`
+pub(super) fn argument_names(arguments: Arguments) -> Vec<Ident> {
+    let count = match arguments {
+        Arguments::Parameters => 0,
+        Arguments::Positions => 2,
+        Arguments::Speeds => 3,
+        Arguments::Accelerations => 4,
+        Arguments::Multipliers => 5,
+    };
+    ["t", "q", "qd", "qdd", "lambda"][..count].iter().map(|name| ident(name)).collect()
 }
 
 /// `t: S, q: &[S; n], ..`
@@ -108,25 +145,34 @@ fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 
 /// What the trait's function of that name returns.
 pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let (n, m) = (size(model.coordinates.len()), size(model.constraints.len()));
+    let [n, m, p] = [model.coordinates.len(), model.constraints.len(), model.parameters.len()].map(size);
     match &kernel.results {
         Results::Scalar(_) => quote! { S },
         Results::Vector(entries) => {
             let len = size(entries.len());
             quote! { [S; #len] }
         }
-        Results::Matrix(rows) => {
-            let rows = size(rows.len());
-            quote! { [[S; #n]; #rows] }
+        Results::Matrix(columns, rows) => {
+            let (columns, rows) = (size(*columns), size(rows.len()));
+            quote! { [[S; #columns]; #rows] }
         }
-        Results::Linearization(..) => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
-        Results::Initial(..) => quote! { #path::Initial<[S; #n]> },
-        Results::Dynamics { .. } => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
+        Results::Record(record, _) => match record {
+            Record::Initial => quote! { #path::Initial<[S; #n]> },
+            Record::ConstraintLinearization => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
+            Record::Dynamics => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
+            Record::DynamicsJacobian => quote! { #path::DynamicsJacobian<S, [[S; #n]; #n], [[S; #n]; #m]> },
+            Record::DynamicsSensitivity => quote! { #path::DynamicsSensitivity<S, [[S; #p]; #n], [[S; #p]; #m]> },
+            Record::Prepared => {
+                let prepared = types::prepared_name(model);
+                quote! { #prepared<S> }
+            }
+        },
+        Results::Refused(_) => quote! { S::Mask },
     }
 }
 
 /// The struct that a kernel returns instead of an array.
-pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<proc_macro2::Ident> {
+pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<Ident> {
     match kernel.name {
         "outputs" => Some(types::outputs_name(model)),
         "output_rates" => Some(types::output_rates_name(model)),
@@ -135,33 +181,35 @@ pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<proc_macro2::I
 }
 
 fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+    let returned = returned(model, &kernel.results, path);
     match &kernel.results {
+        Results::Vector(entries) if record_of(model, kernel).is_some() && !entries.is_empty() => {
+            quote! { #returned.into() }
+        }
+        _ => returned,
+    }
+}
+
+fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> TokenStream {
+    match results {
         Results::Scalar(value) => tree(value),
-        Results::Vector(entries) => {
-            let array = vector(entries);
-            let named = record_of(model, kernel).is_some() && !entries.is_empty();
-            if named {
-                quote! { #array.into() }
-            } else {
-                array
-            }
-        }
-        Results::Matrix(rows) => matrix(rows),
-        Results::Linearization(values, jacobian, rates) => {
-            let (values, jacobian, rates) = (vector(values), matrix(jacobian), vector(rates));
-            quote! { #path::ConstraintLinearization { values: #values, jacobian: #jacobian, time_derivative: #rates } }
-        }
-        Results::Initial(positions, speeds) => {
-            let (positions, speeds) = (vector(positions), vector(speeds));
-            quote! { #path::Initial { positions: #positions, speeds: #speeds } }
-        }
-        Results::Dynamics { accelerations, multipliers, power, pivots } => {
-            let (accelerations, multipliers, power) = (vector(accelerations), vector(multipliers), tree(power));
-            let refused = refused(pivots.as_deref(), path);
-            quote! {
-                let refused = #refused;
-                #path::Dynamics { accelerations: #accelerations, multipliers: #multipliers, power: #power, refused }
-            }
+        Results::Vector(entries) => vector(entries),
+        Results::Matrix(_, rows) => matrix(rows),
+        Results::Refused(pivots) => refused(pivots.as_deref(), path),
+        Results::Record(record, fields) => {
+            let name = match record {
+                Record::Prepared => types::prepared_name(model).into_token_stream(),
+                _ => {
+                    let name = format_ident!("{record:?}");
+                    quote! { #path::#name }
+                }
+            };
+            let marker = (fields.is_empty()).then(|| quote! { scalar: ::core::marker::PhantomData });
+            let fields = fields.iter().map(|(name, field)| {
+                let (name, field) = (ident(name), returned(model, field, path));
+                quote! { #name: #field }
+            });
+            quote! { #name { #(#fields,)* #marker } }
         }
     }
 }

@@ -27,7 +27,7 @@ pub fn emit(
     program: &Program,
     path: &TokenStream,
 ) -> TokenStream {
-    let types = types::types(head, equations, path);
+    let types = types::types(head, equations, program, path);
     let kernels = kernel::kernels(&equations.model, program, path);
     let mechanism = types::mechanism_impl(equations, program, declaration, path);
     quote! { #types #kernels #mechanism }
@@ -35,12 +35,23 @@ pub fn emit(
 
 /// A name of the user's, raw where it is a keyword.
 fn ident(name: &str) -> Ident {
-    match name {
-        // A keyword since edition 2024, which syn does not refuse.
-        "gen" => Ident::new_raw(name, Span::call_site()),
-        _ => syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site())),
+    if KEYWORDS.contains(&name) {
+        return Ident::new_raw(name, Span::call_site());
+    }
+    // A raw name of the user's; names of the program's making are never written so.
+    match name.strip_prefix("r#") {
+        Some(raw) => Ident::new_raw(raw, Span::call_site()),
+        None => Ident::new(name, Span::call_site()),
     }
 }
+
+/// Words that a name cannot be unless it is raw (The Rust Reference, edition 2024, chapter Keywords).
+const KEYWORDS: [&str; 48] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
+    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
+    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
 
 /// A size, without a suffix.
 fn size(value: usize) -> Literal {

@@ -27,13 +27,21 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         kernel("constraint_convective", &["q", "qd"], vector.clone()),
         kernel("constraint_linearization", &["q"], quote! { #path::ConstraintLinearization<[S; 0], [[S; 0]; 0]> }),
         kernel("kinetic_energy", &["q", "qd"], quote! { S }),
-        kernel("dynamics", &["q", "qd"], quote! { #path::Dynamics<S, [S; 0], [S; 0]> }),
         kernel("power", &["q", "qd", "qdd", "lambda"], quote! { S }),
         kernel("outputs", &["q", "qd", "qdd", "lambda"], vector.clone()),
         kernel("output_rates", &["q", "qd", "qdd"], vector.clone()),
         kernel("events", &["q", "qd"], vector.clone()),
         kernel("drawing", &["q"], vector),
     ];
+    let prepared = [
+        ("prepared_dynamics", quote! { Dynamics<S, [S; 0], [S; 0]> }),
+        ("prepared_dynamics_jacobian", quote! { DynamicsJacobian<S, [[S; 0]; 0], [[S; 0]; 0]> }),
+        ("prepared_dynamics_sensitivity", quote! { DynamicsSensitivity<S, [[S; 0]; 0], [[S; 0]; 0]> }),
+    ];
+    let prepared = prepared.into_iter().map(|(name, returns)| {
+        let name = super::ident(name);
+        quote! { fn #name(prepared: &(), t: S, q: &[S; 0], qd: &[S; 0]) -> #path::#returns { loop {} } }
+    });
     quote! {
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<S = ::core::primitive::f64>(::core::marker::PhantomData<S>);
@@ -58,6 +66,10 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type OutputRates = [S; 0];
             type Events = [S; 0];
             type Drawing = [S; 0];
+            type QP = [[S; 0]; 0];
+            type LP = [[S; 0]; 0];
+            type Prepared = ();
+            type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
@@ -73,9 +85,14 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             fn with_parameters(parameters: [S; 0]) -> Self {
                 Self(::core::marker::PhantomData)
             }
+            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+                #name(::core::marker::PhantomData)
+            }
             fn initial(&self) -> #path::Initial<[S; 0]> {
                 loop {}
             }
+            fn prepare(&self) {}
+            #(#prepared)*
             #(#kernels)*
         }
     }

@@ -33,7 +33,7 @@ fn tokens(tree: &Tree) -> (TokenStream, Binding) {
     match tree {
         Tree::Constant(value) => (constant(*value), Binding::Atom),
         Tree::Name(name) => (ident(name).into_token_stream(), Binding::Atom),
-        Tree::Parameter(name) => {
+        Tree::Field(name) => {
             let name = ident(name);
             (quote! { self.#name }, Binding::Atom)
         }

@@ -1,13 +1,13 @@
 //! The mechanism's type, its named vectors, and the impl of the runtime's trait.
 
 use super::description::description;
-use super::kernel::{arguments, record_of, returned_array};
+use super::kernel::{argument_names, arguments, record_of, returned_array};
 use super::record::record;
 use super::{ident, size};
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Unit};
-use crate::program::{Kernel, Program, Results};
+use crate::program::{Kernel, Program, Receiver, Record, Results};
 use crate::symbolic::{Expr, evaluate};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -20,8 +20,12 @@ pub(super) fn output_rates_name(model: &Model) -> Ident {
     format_ident!("{}OutputRates", ident(&model.name))
 }
 
+pub(super) fn prepared_name(model: &Model) -> Ident {
+    format_ident!("{}Prepared", ident(&model.name))
+}
+
 /// The types that a user names.
-pub(super) fn types(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+pub(super) fn types(head: &Head, equations: &EquationsOfMotion, program: &Program, path: &TokenStream) -> TokenStream {
     let model = &equations.model;
     let visibility = &head.visibility;
     let mechanism = mechanism(head, model, path);
@@ -58,7 +62,8 @@ pub(super) fn types(head: &Head, equations: &EquationsOfMotion, path: &TokenStre
             path,
         ),
     ];
-    quote! { #mechanism #(#records)* }
+    let prepared = prepared(head, model, program);
+    quote! { #mechanism #(#records)* #prepared }
 }
 
 /// Documentation of a quantity with its unit, a line each.
@@ -94,6 +99,31 @@ fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
     }
 }
 
+/// What the kernels of each step need of the parameters.
+fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
+    let (visibility, name) = (&head.visibility, prepared_name(model));
+    let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(|field| ident(field)).collect();
+    let marker = fields.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let docs = format!(
+        " What the equations of motion need of the parameters of [`{0}`], from [`{0}::prepare`]; its methods are the \
+         kernels of each step.",
+        model.name
+    );
+    quote! {
+        #[doc = #docs]
+        #[allow(non_snake_case)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields: S,)* #marker }
+    }
+}
+
+fn prepared_fields(kernel: &Kernel) -> Vec<&str> {
+    match &kernel.results {
+        Results::Record(Record::Prepared, fields) => fields.iter().map(|(name, _)| name.as_str()).collect(),
+        _ => vec![],
+    }
+}
+
 /// The runtime's trait: sizes, description, and every kernel by name.
 pub(super) fn mechanism_impl(
     equations: &EquationsOfMotion,
@@ -102,7 +132,7 @@ pub(super) fn mechanism_impl(
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
-    let name = ident(&model.name);
+    let (name, prepared) = (ident(&model.name), prepared_name(model));
     let [n, m] = [model.coordinates.len(), model.constraints.len()];
     let z = size(n + m);
     let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
@@ -129,6 +159,10 @@ pub(super) fn mechanism_impl(
             type OutputRates = [S; #rates];
             type Events = [S; #events];
             type Drawing = [S; #drawing];
+            type QP = [[S; #p]; #n];
+            type LP = [[S; #p]; #m];
+            type Prepared = #prepared<S>;
+            type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #description;
 
@@ -142,6 +176,10 @@ pub(super) fn mechanism_impl(
 
             fn with_parameters(parameters: [S; #p]) -> Self {
                 Self { #(#fields: parameters[#places],)* #marker }
+            }
+
+            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+                #name { #(#fields: convert(self.#fields),)* #marker }
             }
 
             #(#forwards)*
@@ -164,13 +202,24 @@ fn constant(model: &Model, expr: Expr) -> f64 {
 fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let function = format_ident!("{}", kernel.name);
     let list = arguments(model, kernel.arguments);
-    let names: Vec<Ident> = ["t", "q", "qd", "qdd", "lambda"][..list.len()].iter().map(|name| ident(name)).collect();
+    let names = argument_names(kernel.arguments);
     let returns = returned_array(model, kernel, path);
     let to_array = record_of(model, kernel).map(|_| quote! { .into() });
-    quote! {
-        #[inline(always)]
-        fn #function(&self #(, #list)*) -> #returns {
-            self.#function(#(#names),*) #to_array
+    match kernel.receiver {
+        Receiver::Mechanism => quote! {
+            #[inline(always)]
+            fn #function(&self #(, #list)*) -> #returns {
+                self.#function(#(#names),*) #to_array
+            }
+        },
+        Receiver::Prepared => {
+            let of_prepared = format_ident!("prepared_{}", kernel.name);
+            quote! {
+                #[inline(always)]
+                fn #of_prepared(prepared: &Self::Prepared #(, #list)*) -> #returns {
+                    prepared.#function(#(#names),*)
+                }
+            }
         }
     }
 }

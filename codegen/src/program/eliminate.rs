@@ -1,106 +1,228 @@
-//! The planned solution of the equations of motion: a straight-line L D L' factorisation whose order is chosen
-//! from the structure of the system when the mechanism is built.
+//! The planned solution of the equations of motion: a straight-line factorisation whose order is chosen from the
+//! structure of the system when the mechanism is built.
 //!
-//! Coordinates come first, those with the fewest neighbours first; a constraint follows when all of its
-//! coordinates are gone. Then the pivots of the constraints are those of -C_q M^-1 C_q', which is definite as
-//! long as M is and the constraints are independent: a constraint taken earlier could meet a pivot that is zero
-//! at some position. Each pivot comes with the terms that it is the sum of, to be checked at run time.
+//! The system is symmetric, with three kinds of unknowns. A coordinate is eliminated by its pivot, L D L'. The
+//! acceleration of an intermediate quantity is known from those that it is defined by, `u = sum of a_j u_j + c`, and
+//! is substituted in rows and columns alike; so a chain of bodies is worked off from its tip as by the
+//! articulated-body method (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7). A multiplier is eliminated
+//! when all of its coordinates are gone: then the pivots are those of -C_q M^-1 C_q', which is definite as long as M
+//! is and the constraints are independent; one taken earlier could meet a pivot that is zero at some position.
+//!
+//! Each pivot comes with the terms that it is the sum of, to be checked at run time.
 
+use super::order::{Action, Pattern, order};
 use super::values::{Value, Values};
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
 
-/// A symmetric linear system, lower triangle; absent entries are zero wherever the mechanism is.
+/// A symmetric linear system; entries that are not there are zero wherever the mechanism is.
 pub(super) struct System {
-    /// Entry (i, j), j <= i.
-    pub(super) matrix: Vec<Vec<Option<Value>>>,
-    /// Right-hand side.
-    pub(super) rhs: Vec<Value>,
-    /// The first so many unknowns are coordinates; the others are multipliers.
-    pub(super) coordinates: usize,
+    /// What each unknown is.
+    pub(super) unknowns: Vec<Unknown>,
+    /// Entries (i, j), j <= i.
+    pub(super) entries: Vec<(usize, usize, Value)>,
+}
+
+/// A kind of unknown.
+pub(super) enum Unknown {
+    /// The acceleration of a coordinate.
+    Coordinate,
+    /// The acceleration of an intermediate quantity: unknowns with their coefficients in its definition.
+    Intermediate(Vec<(usize, Value)>),
+    /// A multiplier.
+    Multiplier,
 }
 
 /// Names for the intermediate results, for whoever reads the kernel.
 pub(super) type Labels = Vec<(Value, String)>;
 
-/// The solution with the pivots it divides by.
-pub(super) struct Solution {
-    /// The unknowns.
-    pub(super) unknowns: Vec<Value>,
+/// A factorised system, which solves any right-hand side.
+pub(super) struct Factors {
+    steps: Vec<Step>,
     /// Each pivot with the magnitudes of its terms added up.
     pub(super) pivots: Vec<(Value, Value)>,
+}
+
+/// What is done to one unknown.
+enum Step {
+    /// Rows below with their entries of L, and the reciprocal of the pivot.
+    Eliminate { unknown: usize, column: Vec<(usize, Value)>, inverse: Value },
+    /// Its definition, its column of the matrix, and its diagonal entry.
+    Substitute { unknown: usize, definition: Vec<(usize, Value)>, column: Vec<(usize, Value)>, diagonal: Value },
 }
 
 /// An entry under elimination: a sum that still grows.
 type Entry = Vec<(bool, Value)>;
 
-/// What remains of one elimination for back substitution.
-struct Step {
-    /// The reduced right-hand side divided by the pivot.
-    scaled: Value,
-    /// Rows below with their entries of L.
-    column: Vec<(usize, Value)>,
+/// Rows of a symmetric matrix under elimination, each entry under both of its indices' smaller one first.
+struct Matrix {
+    entries: IndexMap<(usize, usize), Entry, FxBuildHasher>,
 }
 
-/// Plans the solution. `None` if no order of this kind exists, as for a coordinate without mass.
-pub(super) fn eliminate(
+impl Matrix {
+    fn add(&mut self, i: usize, j: usize, negative: bool, value: Value) {
+        self.entries.entry((i.min(j), i.max(j))).or_default().push((negative, value));
+    }
+
+    /// The entry as it stands, as one value from now on; nothing if it is zero.
+    fn value(&mut self, values: &mut Values, i: usize, j: usize) -> Option<Value> {
+        let entry = self.entries.get_mut(&(i.min(j), i.max(j)))?;
+        let sum = values.sum(std::mem::take(entry));
+        *entry = vec![(false, sum)];
+        (!values.is_zero(sum)).then_some(sum)
+    }
+
+    /// The entries of a column in the given rows.
+    fn column(&mut self, values: &mut Values, k: usize, rows: &[usize]) -> Vec<(usize, Value)> {
+        rows.iter().filter(|i| **i != k).filter_map(|i| Some((*i, self.value(values, *i, k)?))).collect()
+    }
+}
+
+/// Plans the factorisation. `None` if no order of this kind exists, as for a coordinate without mass.
+pub(super) fn factorise(
     values: &mut Values,
     system: &System,
     names: &[String],
     labels: &mut Labels,
-) -> Option<Solution> {
-    let order = elimination_order(system)?;
-    let name = |position: usize| names[order[position]].as_str();
-    let mut label = |value: Value, text: String| labels.push((value, text));
-    // From here on rows and columns are in the order of elimination, lower triangle only.
-    let start = |value: Option<Value>| value.map(|value| (false, value)).into_iter().collect::<Entry>();
-    let mut matrix: Vec<Vec<Entry>> = order
-        .iter()
-        .enumerate()
-        .map(|(i, row)| order[..=i].iter().map(|column| start(system.entry(*row, *column))).collect())
-        .collect();
-    let mut rhs: Vec<Entry> = order.iter().map(|row| start(Some(system.rhs[*row]))).collect();
-    let (mut pivots, mut steps) = (Vec::new(), Vec::new());
-    let one = values.constant(1.0);
-    for k in 0..order.len() {
-        let pivot = values.sum(matrix[k][k].clone());
-        label(pivot, format!("pivot_{}", name(k)));
-        pivots.push((pivot, magnitude(values, &matrix[k][k])));
-        let inverse = values.quotient(one, pivot);
-        label(inverse, format!("inverse_{}", name(k)));
-        let reduced = values.sum(rhs[k].clone());
-        label(reduced, format!("rhs_{}", name(k)));
-        let mut column: Vec<(usize, Value, Value)> = Vec::new();
-        for i in k + 1..order.len() {
-            if matrix[i][k].is_empty() {
-                continue;
-            }
-            let value = values.sum(matrix[i][k].clone());
-            label(value, format!("k_{}_{}", name(i), name(k)));
-            let factor = values.product(vec![value, inverse]);
-            label(factor, format!("l_{}_{}", name(i), name(k)));
-            column.push((i, value, factor));
-            rhs[i].push((true, values.product(vec![factor, reduced])));
-            for &(j, value, _) in &column {
-                matrix[i][j].push((true, values.product(vec![factor, value])));
-            }
-        }
-        let scaled = values.product(vec![reduced, inverse]);
-        steps.push(Step { scaled, column: column.into_iter().map(|(i, _, factor)| (i, factor)).collect() });
+) -> Option<Factors> {
+    let actions = order(Pattern::of(system))?;
+    let mut matrix = Matrix { entries: IndexMap::default() };
+    for (i, j, value) in &system.entries {
+        matrix.add(*i, *j, false, *value);
     }
-    let mut unknowns = vec![one; order.len()];
-    for (k, step) in steps.into_iter().enumerate().rev() {
-        let mut terms = vec![(false, step.scaled)];
-        for (i, factor) in step.column {
-            terms.push((true, values.product(vec![factor, unknowns[order[i]]])));
-        }
-        unknowns[order[k]] = values.sum(terms);
-        label(unknowns[order[k]], name(k).to_owned());
+    let mut factors = Factors { steps: vec![], pivots: vec![] };
+    for Action { unknown, neighbours } in actions {
+        let step = match &system.unknowns[unknown] {
+            Unknown::Intermediate(definition) => substitute(values, &mut matrix, unknown, definition, &neighbours),
+            _ => {
+                let (step, pivot) = eliminate(values, &mut matrix, unknown, &neighbours, names, labels);
+                factors.pivots.push(pivot);
+                step
+            }
+        };
+        factors.steps.push(step);
     }
-    Some(Solution { unknowns, pivots })
+    Some(factors)
 }
 
-impl System {
-    fn entry(&self, i: usize, j: usize) -> Option<Value> {
-        self.matrix[i.max(j)][i.min(j)]
+fn eliminate(
+    values: &mut Values,
+    matrix: &mut Matrix,
+    k: usize,
+    neighbours: &[usize],
+    names: &[String],
+    labels: &mut Labels,
+) -> (Step, (Value, Value)) {
+    let mut label = |value: Value, text: String| labels.push((value, text));
+    let terms = matrix.entries.get(&(k, k)).cloned().unwrap_or_default();
+    let terms_size = magnitude(values, &terms);
+    let pivot = values.sum(terms);
+    label(pivot, format!("pivot_{}", names[k]));
+    let one = values.constant(1.0);
+    let inverse = values.quotient(one, pivot);
+    label(inverse, format!("inverse_{}", names[k]));
+    let mut column: Vec<(usize, Value)> = Vec::new();
+    let entries = matrix.column(values, k, neighbours);
+    for (at, (i, value)) in entries.iter().enumerate() {
+        label(*value, format!("k_{}_{}", names[*i], names[k]));
+        let factor = values.product(vec![*value, inverse]);
+        label(factor, format!("l_{}_{}", names[*i], names[k]));
+        column.push((*i, factor));
+        for (j, value) in &entries[..=at] {
+            let product = values.product(vec![factor, *value]);
+            matrix.add(*i, *j, true, product);
+        }
+    }
+    (Step::Eliminate { unknown: k, column, inverse }, (pivot, terms_size))
+}
+
+/// With `u_k = sum of a_j u_j + c`: `W_ij += a_i W_kj + W_ik a_j + a_i W_kk a_j`.
+fn substitute(
+    values: &mut Values,
+    matrix: &mut Matrix,
+    k: usize,
+    definition: &[(usize, Value)],
+    neighbours: &[usize],
+) -> Step {
+    let column = matrix.column(values, k, neighbours);
+    let diagonal = matrix.value(values, k, k).unwrap_or_else(|| values.constant(0.0));
+    for (i, w) in &column {
+        for (j, a) in definition {
+            let product = values.product(vec![*w, *a]);
+            // A pair of different unknowns is met from both sides, an unknown with itself only once.
+            for _ in 0..if i == j { 2 } else { 1 } {
+                matrix.add(*i, *j, false, product);
+            }
+        }
+    }
+    for (at, (i, a)) in definition.iter().enumerate() {
+        let scaled = values.product(vec![*a, diagonal]);
+        for (j, b) in &definition[..=at] {
+            let product = values.product(vec![scaled, *b]);
+            if !values.is_zero(product) {
+                matrix.add(*i, *j, false, product);
+            }
+        }
+    }
+    Step::Substitute { unknown: k, definition: definition.to_vec(), column, diagonal }
+}
+
+impl Factors {
+    /// The solution for a right-hand side, given the constants in the definitions of the intermediate quantities; both
+    /// have an entry for each unknown.
+    pub(super) fn solve(
+        &self,
+        values: &mut Values,
+        rhs: Vec<Value>,
+        constants: &[Value],
+        mut label: impl FnMut(Value, usize),
+    ) -> Vec<Value> {
+        let mut rhs: Vec<Entry> = rhs.into_iter().map(|value| vec![(false, value)]).collect();
+        let mut unknowns = vec![values.constant(0.0); rhs.len()];
+        for step in &self.steps {
+            let k = step.unknown();
+            let reduced = values.sum(std::mem::take(&mut rhs[k]));
+            match step {
+                Step::Eliminate { column, .. } => {
+                    label(reduced, k);
+                    for (i, factor) in column {
+                        rhs[*i].push((true, values.product(vec![*factor, reduced])));
+                    }
+                    // Kept for the way back.
+                    unknowns[k] = reduced;
+                }
+                Step::Substitute { definition, column, diagonal, .. } => {
+                    let constant = constants[k];
+                    for (i, w) in column {
+                        rhs[*i].push((true, values.product(vec![*w, constant])));
+                    }
+                    let inertial = values.product(vec![*diagonal, constant]);
+                    let passed_on = values.sum(vec![(false, reduced), (true, inertial)]);
+                    for (j, a) in definition {
+                        rhs[*j].push((false, values.product(vec![*a, passed_on])));
+                    }
+                }
+            }
+        }
+        for step in self.steps.iter().rev() {
+            let k = step.unknown();
+            let (first, negative, column) = match step {
+                Step::Eliminate { column, inverse, .. } => (values.product(vec![unknowns[k], *inverse]), true, column),
+                Step::Substitute { definition, .. } => (constants[k], false, definition),
+            };
+            let mut terms = vec![(false, first)];
+            terms.extend(column.iter().map(|(i, factor)| (negative, values.product(vec![*factor, unknowns[*i]]))));
+            unknowns[k] = values.sum(terms);
+        }
+        unknowns
+    }
+}
+
+impl Step {
+    fn unknown(&self) -> usize {
+        match self {
+            Step::Eliminate { unknown, .. } | Step::Substitute { unknown, .. } => *unknown,
+        }
     }
 }
 
@@ -108,30 +230,4 @@ impl System {
 fn magnitude(values: &mut Values, terms: &[(bool, Value)]) -> Value {
     let sizes = terms.iter().map(|(_, term)| (false, values.magnitude(*term))).collect();
     values.sum(sizes)
-}
-
-/// Which unknown to eliminate when, by structure alone.
-fn elimination_order(system: &System) -> Option<Vec<usize>> {
-    let n = system.rhs.len();
-    let mut linked: Vec<Vec<bool>> = (0..n).map(|i| (0..n).map(|j| system.entry(i, j).is_some()).collect()).collect();
-    let mut left: Vec<usize> = (0..n).collect();
-    let mut order = Vec::with_capacity(n);
-    while !left.is_empty() {
-        let is_ready = |k: usize| {
-            let is_coordinate = k < system.coordinates;
-            let waits = left.iter().any(|j| *j < system.coordinates && system.entry(k, *j).is_some());
-            linked[k][k] && (is_coordinate || !waits)
-        };
-        let degree = |k: usize| left.iter().filter(|j| **j != k && linked[k][**j]).count();
-        let next = left.iter().copied().filter(|k| is_ready(*k)).min_by_key(|k| (degree(*k), *k))?;
-        left.retain(|k| *k != next);
-        for &i in &left {
-            for &j in &left {
-                let fill = linked[i][next] && linked[next][j];
-                linked[i][j] |= fill;
-            }
-        }
-        order.push(next);
-    }
-    Some(order)
 }

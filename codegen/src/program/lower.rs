@@ -1,23 +1,34 @@
 //! Symbolic expressions to program values.
 
+use super::collect::{Term, collect};
 use super::values::{Input, Operation, Value, Values};
 use crate::symbolic::{Expr, Graph, Node, Number, Symbol};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Lowers expressions of one graph into one program.
 pub(super) struct Lowering<'a> {
     graph: &'a Graph,
     inputs: &'a FxHashMap<Symbol, Input>,
+    /// Other forms of expressions.
+    alternatives: &'a FxHashMap<Expr, Expr>,
     pub(super) values: Values,
     done: FxHashMap<Expr, Value>,
     computed: FxHashMap<Input, Value>,
+    /// For each value whether what was asked for needs it.
+    wanted: Vec<bool>,
 }
 
 impl<'a> Lowering<'a> {
-    pub(super) fn new(graph: &'a Graph, inputs: &'a FxHashMap<Symbol, Input>) -> Lowering<'a> {
+    pub(super) fn new(
+        graph: &'a Graph,
+        inputs: &'a FxHashMap<Symbol, Input>,
+        alternatives: &'a FxHashMap<Expr, Expr>,
+    ) -> Lowering<'a> {
         Lowering {
             graph,
             inputs,
+            alternatives,
+            wanted: vec![],
             values: Values::default(),
             done: FxHashMap::default(),
             computed: FxHashMap::default(),
@@ -29,7 +40,42 @@ impl<'a> Lowering<'a> {
         self.done.get(&expr).copied()
     }
 
+    /// The value of an expression, in whichever of its forms costs less beside what is there already.
     pub(super) fn lower(&mut self, expr: Expr) -> Value {
+        let known = self.done.contains_key(&expr);
+        let mut value = self.lower_form(expr);
+        if let Some(other) = self.alternatives.get(&expr).filter(|_| !known) {
+            let other = self.lower_form(*other);
+            if self.cost(other) < self.cost(value) {
+                value = other;
+                self.done.insert(expr, value);
+            }
+        }
+        self.new_values(value).into_iter().for_each(|new| self.wanted[new.index()] = true);
+        value
+    }
+
+    /// Operations that a value needs beyond those that are there already. Those on parameters alone are free.
+    fn cost(&mut self, value: Value) -> usize {
+        let new = self.new_values(value);
+        let variable = new.into_iter().filter(|new| !self.values.is_parametric(*new));
+        let operations = |operands: usize| if operands < 2 { operands } else { operands - 1 };
+        variable.map(|new| operations(self.values.operands(new).len())).sum()
+    }
+
+    /// What a value is made of that was not wanted yet.
+    fn new_values(&mut self, value: Value) -> Vec<Value> {
+        self.wanted.resize(self.values.len(), false);
+        let (mut new, mut stack) = (FxHashSet::default(), vec![value]);
+        while let Some(value) = stack.pop() {
+            if !self.wanted[value.index()] && new.insert(value) {
+                stack.extend(self.values.operands(value));
+            }
+        }
+        new.into_iter().collect()
+    }
+
+    fn lower_form(&mut self, expr: Expr) -> Value {
         if let Some(done) = self.done.get(&expr) {
             return *done;
         }
@@ -48,11 +94,11 @@ impl<'a> Lowering<'a> {
             Node::Product { coefficient, factors } => self.product(coefficient, factors),
             Node::Power { base, exponent } => self.power(*base, *exponent),
             Node::Call(function, argument) => {
-                let argument = self.lower(*argument);
+                let argument = self.lower_form(*argument);
                 self.values.add(Operation::Call(*function, argument))
             }
             Node::Atan2(y, x) => {
-                let (y, x) = (self.lower(*y), self.lower(*x));
+                let (y, x) = (self.lower_form(*y), self.lower_form(*x));
                 self.values.add(Operation::Atan2(y, x))
             }
         };
@@ -64,22 +110,46 @@ impl<'a> Lowering<'a> {
         exprs.iter().map(|expr| self.lower(*expr)).collect()
     }
 
+    pub(super) fn lower_rows(&mut self, rows: &[Vec<Expr>]) -> Vec<Vec<Value>> {
+        rows.iter().map(|row| self.lower_all(row)).collect()
+    }
+
     fn sum(&mut self, constant: &Number, terms: &[(Expr, Number)]) -> Value {
-        let mut values: Vec<(bool, Value)> = Vec::with_capacity(terms.len() + 1);
-        for (term, coefficient) in terms {
-            let value = self.lower(*term);
-            let size = self.values.constant(coefficient.abs().to_f64());
-            values.push((coefficient.is_negative(), self.values.product(vec![size, value])));
+        let mut summands: Vec<Term> = terms.iter().map(|(term, coefficient)| self.term(*term, coefficient)).collect();
+        let size = self.values.constant(constant.abs().to_f64());
+        summands.push(Term { negative: constant.is_negative(), factors: vec![size], divisors: vec![] });
+        collect(&mut self.values, summands)
+    }
+
+    /// `coefficient * expr` by its factors.
+    fn term(&mut self, expr: Expr, coefficient: &Number) -> Term {
+        let graph = self.graph;
+        let (inner, factors) = match graph.node(expr) {
+            Node::Product { coefficient, factors } => (coefficient.to_f64(), &**factors),
+            _ => (1.0, &[(expr, 1)][..]),
+        };
+        let number = coefficient.to_f64() * inner;
+        let mut term = Term { negative: false, factors: vec![self.values.constant(number.abs())], divisors: vec![] };
+        for (base, exponent) in factors {
+            let base = self.lower_form(*base);
+            let power = self.values.integer_power(base, exponent.unsigned_abs());
+            let list = if *exponent > 0 { &mut term.factors } else { &mut term.divisors };
+            list.push(power);
         }
-        values.push((constant.is_negative(), self.values.constant(constant.abs().to_f64())));
-        self.values.sum(values)
+        term.negative = number < 0.0;
+        for factor in term.factors.iter_mut().chain(&mut term.divisors) {
+            let (negative, size) = self.values.signed(*factor);
+            term.negative ^= negative;
+            *factor = size;
+        }
+        term
     }
 
     fn product(&mut self, coefficient: &Number, factors: &[(Expr, i64)]) -> Value {
         let mut above = vec![self.values.constant(coefficient.to_f64())];
         let mut below = vec![];
         for (base, exponent) in factors {
-            let base = self.lower(*base);
+            let base = self.lower_form(*base);
             let power = self.values.integer_power(base, exponent.unsigned_abs());
             if *exponent > 0 { above.push(power) } else { below.push(power) }
         }
@@ -88,12 +158,12 @@ impl<'a> Lowering<'a> {
     }
 
     fn power(&mut self, base: Expr, exponent: Expr) -> Value {
-        let value = self.lower(base);
+        let value = self.lower_form(base);
         let half = self.graph.as_number(exponent).is_some_and(|e| e.to_fraction() == Some((1, 2)));
         if half {
             return self.values.add(Operation::Sqrt(value));
         }
-        let exponent = self.lower(exponent);
+        let exponent = self.lower_form(exponent);
         self.values.add(Operation::Power(value, exponent))
     }
 }
@@ -102,22 +172,5 @@ impl Lowering<'_> {
     /// From now on these inputs are values that the program has computed.
     pub(super) fn replace_inputs(&mut self, replacements: FxHashMap<Input, Value>) {
         self.computed = replacements;
-    }
-
-    /// The inputs that values need.
-    pub(super) fn inputs_of(&self, roots: &[Value]) -> Vec<Input> {
-        let mut seen = vec![false; self.values.len()];
-        let mut stack = roots.to_vec();
-        let mut inputs = Vec::new();
-        while let Some(value) = stack.pop() {
-            if std::mem::replace(&mut seen[value.index()], true) {
-                continue;
-            }
-            match self.values.operation(value) {
-                Operation::Input(input) => inputs.push(*input),
-                _ => stack.extend(self.values.operands(value)),
-            }
-        }
-        inputs
     }
 }

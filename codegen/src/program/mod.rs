@@ -1,17 +1,23 @@
 //! Stage 4: equations to straight-line programs, one for each kernel: what is shared, how the equations are
 //! solved, in which order things are computed and under which names.
 
+mod collect;
 mod eliminate;
 mod kernels;
 mod lower;
+mod motion;
 mod names;
 mod operations;
+mod order;
+mod planner;
+mod prepared;
+mod results;
 mod schedule;
 mod values;
 
 pub use kernels::plan;
 pub use operations::Operations;
-pub use values::Input;
+pub use results::{Record, Results};
 
 /// All kernels of a mechanism.
 pub struct Program {
@@ -25,6 +31,8 @@ pub struct Kernel {
     pub name: &'static str,
     /// What it computes: formula, shape, units.
     pub docs: String,
+    /// What it is a method of.
+    pub receiver: Receiver,
     /// Its arguments.
     pub arguments: Arguments,
     /// The local names of the entries of its arguments; `None` for those it does not need.
@@ -32,9 +40,18 @@ pub struct Kernel {
     /// What is computed, in order.
     pub statements: Vec<Statement>,
     /// What is returned.
-    pub results: Results,
+    pub results: Results<Tree>,
     /// What it costs.
     pub operations: Operations,
+}
+
+/// What a kernel is a method of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Receiver {
+    /// The mechanism, a struct of its parameters.
+    Mechanism,
+    /// What was computed from the parameters before.
+    Prepared,
 }
 
 /// The arguments of a kernel: each kind includes those before.
@@ -89,13 +106,14 @@ pub struct Wave {
 }
 
 /// An expression over names.
+#[derive(Clone)]
 pub enum Tree {
     /// A number that is not negative.
     Constant(f64),
     /// A local name.
     Name(String),
-    /// A parameter of the mechanism.
-    Parameter(String),
+    /// A field of the receiver: a parameter, or what was computed from parameters before.
+    Field(String),
     /// Terms, each with whether it is subtracted; the first is added.
     Sum(Vec<(bool, Tree)>),
     /// Factors.
@@ -106,49 +124,4 @@ pub enum Tree {
     Negate(Box<Tree>),
     /// A method of the scalar: receiver first.
     Method(&'static str, Vec<Tree>),
-}
-
-/// What a kernel returns.
-pub enum Results {
-    /// One number.
-    Scalar(Tree),
-    /// A vector, or a struct with a field for each entry.
-    Vector(Vec<Tree>),
-    /// A matrix by rows.
-    Matrix(Vec<Vec<Tree>>),
-    /// C, C_q and C_t.
-    Linearization(Vec<Tree>, Vec<Vec<Tree>>, Vec<Tree>),
-    /// Start positions and speeds.
-    Initial(Vec<Tree>, Vec<Tree>),
-    /// The solved equations of motion.
-    Dynamics {
-        /// q''.
-        accelerations: Vec<Tree>,
-        /// lambda.
-        multipliers: Vec<Tree>,
-        /// Power.
-        power: Tree,
-        /// Each pivot with the magnitude of its terms; none if no elimination could be planned, and every state
-        /// is refused.
-        pivots: Option<Vec<(Tree, Tree)>>,
-    },
-}
-
-impl Results {
-    /// Calls `f` for every expression.
-    fn visit<'a>(&'a self, f: &mut dyn FnMut(&'a Tree)) {
-        match self {
-            Results::Scalar(tree) => f(tree),
-            Results::Vector(trees) => trees.iter().for_each(f),
-            Results::Matrix(rows) => rows.iter().flatten().for_each(f),
-            Results::Linearization(values, rows, rates) => {
-                values.iter().chain(rows.iter().flatten()).chain(rates).for_each(f);
-            }
-            Results::Initial(positions, speeds) => positions.iter().chain(speeds).for_each(f),
-            Results::Dynamics { accelerations, multipliers, power, pivots } => {
-                accelerations.iter().chain(multipliers).chain([power]).for_each(&mut *f);
-                pivots.iter().flatten().flat_map(|(pivot, terms)| [pivot, terms]).for_each(f);
-            }
-        }
-    }
 }

@@ -21,7 +21,7 @@ pub struct Operations {
 }
 
 impl Operations {
-    pub(super) fn of(statements: &[Statement], results: &Results) -> Operations {
+    pub(super) fn of(statements: &[Statement], results: &Results<Tree>) -> Operations {
         let mut operations = Operations::default();
         for statement in statements {
             match statement {
@@ -32,7 +32,7 @@ impl Operations {
                 }
             }
         }
-        results.visit(&mut |tree| operations.count(tree));
+        results.entries().into_iter().for_each(|tree| operations.count(tree));
         operations
     }
 
@@ -48,7 +48,7 @@ impl Operations {
 
     fn count(&mut self, tree: &Tree) {
         match tree {
-            Tree::Constant(_) | Tree::Name(_) | Tree::Parameter(_) => {}
+            Tree::Constant(_) | Tree::Name(_) | Tree::Field(_) => {}
             Tree::Sum(terms) => {
                 self.additions += terms.len() - 1;
                 terms.iter().for_each(|(_, term)| self.count(term));

@@ -4,13 +4,16 @@
 //! whose expression would grow beyond a line, gets a statement of its own.
 
 use super::names::Names;
-use super::values::{Input, Operation, Value, Values};
+use super::values::{Operation, Value, Values};
 use super::{Statement, Tree, Wave};
 use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
 /// Operations in one expression, beyond which a part of it gets a name.
 const LONGEST_EXPRESSION: usize = 14;
+
+/// Values that need no statement: inputs, and what was computed before.
+pub(super) type Leaves = FxHashMap<Value, Tree>;
 
 /// A schedule for the values that `roots` need.
 pub(super) struct Schedule<'a> {
@@ -23,34 +26,29 @@ pub(super) struct Schedule<'a> {
     /// The level of each angle.
     levels: Vec<usize>,
     uses: Vec<usize>,
-    local_names: &'a mut Names,
-    /// Names of the inputs and of what is stated.
+    local_names: Names,
+    leaves: &'a Leaves,
+    /// Names of what is stated.
     names: FxHashMap<Value, String>,
     /// What was scheduled, in order.
     pub(super) statements: Vec<Statement>,
 }
 
 impl<'a> Schedule<'a> {
-    /// Schedules everything that `roots` are made of. `labels` are names wished for; `inputs` the names of inputs.
+    /// Schedules everything that `roots` are made of. `labels` are names wished for, `local_names` those still free.
     pub(super) fn new(
         values: &'a Values,
         roots: &[Value],
         labels: &'a FxHashMap<Value, String>,
-        inputs: &FxHashMap<Input, String>,
-        local_names: &'a mut Names,
+        leaves: &'a Leaves,
+        local_names: Names,
     ) -> Schedule<'a> {
-        let uses = count_uses(values, roots);
-        let named = choose_named(values, &uses);
-        let (levels, angles) = wave_levels(values, &uses);
-        let names = values
-            .all()
-            .filter_map(|value| match values.operation(value) {
-                Operation::Input(input) => Some((value, inputs.get(input)?.clone())),
-                _ => None,
-            })
-            .collect();
-        let statements = vec![];
-        let mut schedule = Schedule { values, labels, named, angles, levels, uses, local_names, names, statements };
+        let uses = count_uses(values, roots, leaves);
+        let named = choose_named(values, &uses, leaves);
+        let (levels, angles) = wave_levels(values, &uses, leaves);
+        let (names, statements) = (FxHashMap::default(), vec![]);
+        let mut schedule =
+            Schedule { values, labels, named, angles, levels, uses, local_names, leaves, names, statements };
         for value in values.all() {
             schedule.state(value);
         }
@@ -73,6 +71,9 @@ impl<'a> Schedule<'a> {
 
     /// States all that the expression of a value needs.
     fn require(&mut self, value: Value) {
+        if self.leaves.contains_key(&value) {
+            return;
+        }
         for operand in self.values.operands(value) {
             match self.named[operand.index()] {
                 true => self.state(operand),
@@ -109,28 +110,19 @@ impl<'a> Schedule<'a> {
 
     /// A name that says what the value is, where that is short.
     fn derived_name(&self, value: Value) -> String {
-        let short = |value: &Value| {
-            let name = self.names.get(value).or_else(|| self.labels.get(value))?;
-            (name.len() <= 24).then(|| name.clone())
+        let known = |value: Value| match self.leaves.get(&value) {
+            Some(Tree::Name(name) | Tree::Field(name)) => Some(name),
+            _ => self.names.get(&value).or_else(|| self.labels.get(&value)),
         };
-        let name = match self.values.operation(value) {
-            Operation::Call(function, argument) => short(argument).map(|name| format!("{}_{name}", function.name())),
-            Operation::Sqrt(argument) => short(argument).map(|name| format!("sqrt_{name}")),
-            Operation::Product(factors) => match factors.as_slice() {
-                [a, b] if a == b => short(a).map(|name| format!("{name}_squared")),
-                _ => None,
-            },
-            _ => None,
-        };
-        name.unwrap_or_else(|| "w".into())
+        derived_name(self.values, value, known).unwrap_or_else(|| "w".into())
     }
 
     /// The expression that stands for a value: its name, or what it is made of.
     pub(super) fn tree(&self, value: Value) -> Tree {
-        match self.names.get(&value) {
-            Some(name) if self.is_parameter(value) => Tree::Parameter(name.clone()),
-            Some(name) => Tree::Name(name.clone()),
-            None => self.operation_tree(value),
+        match (self.leaves.get(&value), self.names.get(&value)) {
+            (Some(leaf), _) => leaf.clone(),
+            (_, Some(name)) => Tree::Name(name.clone()),
+            _ => self.operation_tree(value),
         }
     }
 
@@ -142,15 +134,11 @@ impl<'a> Schedule<'a> {
         }
     }
 
-    fn is_parameter(&self, value: Value) -> bool {
-        matches!(self.values.operation(value), Operation::Input(Input::Parameter(_)))
-    }
-
     fn operation_tree(&self, value: Value) -> Tree {
         let boxed = |value: &Value| Box::new(self.tree(*value));
         match self.values.operation(value) {
             Operation::Constant(bits) => Tree::Constant(f64::from_bits(*bits)),
-            // Every input has a name.
+            // Every input is a leaf.
             Operation::Input(_) => Tree::Constant(f64::NAN),
             Operation::Sum(terms) => {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
@@ -168,14 +156,33 @@ impl<'a> Schedule<'a> {
     }
 }
 
+/// A name that says what a value is, where that is short, from the names of what it is made of.
+pub(super) fn derived_name<'a>(
+    values: &Values,
+    value: Value,
+    known: impl Fn(Value) -> Option<&'a String>,
+) -> Option<String> {
+    let short = |value: Value| known(value).filter(|name| name.len() <= 24);
+    match values.operation(value) {
+        Operation::Call(function, argument) => Some(format!("{}_{}", function.name(), short(*argument)?)),
+        Operation::Sqrt(argument) => Some(format!("sqrt_{}", short(*argument)?)),
+        Operation::Quotient(one, below) if values.is_constant(*one, 1.0) => Some(format!("inverse_{}", short(*below)?)),
+        Operation::Product(factors) => match factors.as_slice() {
+            [a, b] if a == b => Some(format!("{}_squared", short(*a)?)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// How often each value is an operand or a root; 0 for what the roots do not need.
-fn count_uses(values: &Values, roots: &[Value]) -> Vec<usize> {
+fn count_uses(values: &Values, roots: &[Value], leaves: &Leaves) -> Vec<usize> {
     let mut uses = vec![0; values.len()];
     for root in roots {
         uses[root.index()] += 1;
     }
     for value in values.all().rev() {
-        if uses[value.index()] > 0 {
+        if uses[value.index()] > 0 && !leaves.contains_key(&value) {
             for operand in values.operands(value) {
                 uses[operand.index()] += 1;
             }
@@ -185,10 +192,10 @@ fn count_uses(values: &Values, roots: &[Value]) -> Vec<usize> {
 }
 
 /// For each value how many sines it depends on, one inside another, and the angles of each level.
-fn wave_levels(values: &Values, uses: &[usize]) -> (Vec<usize>, Vec<Vec<Value>>) {
+fn wave_levels(values: &Values, uses: &[usize], leaves: &Leaves) -> (Vec<usize>, Vec<Vec<Value>>) {
     let mut levels = vec![0; values.len()];
     let mut angles: Vec<Vec<Value>> = Vec::new();
-    for value in values.all().filter(|value| uses[value.index()] > 0) {
+    for value in values.all().filter(|value| uses[value.index()] > 0 && !leaves.contains_key(value)) {
         let operands = values.operands(value);
         let level = operands.iter().map(|operand| levels[operand.index()]).max().unwrap_or(0);
         levels[value.index()] = level;
@@ -203,10 +210,10 @@ fn wave_levels(values: &Values, uses: &[usize]) -> (Vec<usize>, Vec<Vec<Value>>)
     (levels, angles)
 }
 
-fn choose_named(values: &Values, uses: &[usize]) -> Vec<bool> {
+fn choose_named(values: &Values, uses: &[usize], leaves: &Leaves) -> Vec<bool> {
     let mut named = vec![false; values.len()];
     let mut size = vec![0; values.len()];
-    for value in values.all().filter(|value| uses[value.index()] > 0) {
+    for value in values.all().filter(|value| uses[value.index()] > 0 && !leaves.contains_key(value)) {
         let operands = values.operands(value);
         // Too long an expression gives up its largest parts first.
         let weight = |size: &[usize], named: &[bool]| -> usize {
@@ -220,7 +227,7 @@ fn choose_named(values: &Values, uses: &[usize]) -> Vec<bool> {
         size[value.index()] = weight(&size, &named) + operands.len().saturating_sub(1).max(operands.len().min(1));
         let leaf = match values.operation(value) {
             Operation::Constant(_) | Operation::Input(_) => true,
-            Operation::Negate(operand) => values.operands(*operand).is_empty(),
+            Operation::Negate(operand) => values.operands(*operand).is_empty() || leaves.contains_key(operand),
             _ => false,
         };
         let wave = matches!(values.operation(value), Operation::Call(Function::Sin | Function::Cos, _));

@@ -1,7 +1,9 @@
 //! Values of a straight-line program, shared by construction: the same operation on the same values is one value.
 //!
-//! Nothing algebraic happens here beyond 0 and 1; that is the engine's work, done before.
+//! Nothing algebraic happens here beyond 0 and 1, which is the engine's work and done before, but for one thing: what
+//! depends on parameters alone is kept together, so that it can be computed once for a set of parameters.
 
+use super::schedule::Leaves;
 use crate::symbolic::Function;
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
@@ -37,7 +39,7 @@ pub(super) enum Operation {
 
 /// An input of a kernel; numbers count in the order of declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub enum Input {
+pub(super) enum Input {
     /// A parameter of the mechanism.
     Parameter(usize),
     /// Time.
@@ -56,6 +58,8 @@ pub enum Input {
 #[derive(Default)]
 pub(super) struct Values {
     operations: IndexSet<Operation, FxBuildHasher>,
+    /// For each value whether it depends on nothing but parameters.
+    parametric: Vec<bool>,
 }
 
 impl Values {
@@ -73,7 +77,20 @@ impl Values {
     }
 
     pub(super) fn add(&mut self, operation: Operation) -> Value {
-        Value(self.operations.insert_full(operation).0 as u32)
+        let value = Value(self.operations.insert_full(operation).0 as u32);
+        if value.index() == self.parametric.len() {
+            let parametric = match self.operation(value) {
+                Operation::Input(input) => matches!(input, Input::Parameter(_)),
+                _ => self.operands(value).into_iter().all(|operand| self.is_parametric(operand)),
+            };
+            self.parametric.push(parametric);
+        }
+        value
+    }
+
+    /// Whether a value depends on nothing but parameters.
+    pub(super) fn is_parametric(&self, value: Value) -> bool {
+        self.parametric[value.index()]
     }
 
     pub(super) fn find(&self, operation: &Operation) -> Option<Value> {
@@ -85,7 +102,7 @@ impl Values {
         if number.is_sign_negative() { self.negate(size) } else { size }
     }
 
-    fn is_constant(&self, value: Value, number: f64) -> bool {
+    pub(super) fn is_constant(&self, value: Value, number: f64) -> bool {
         *self.operation(value) == Operation::Constant(number.to_bits())
     }
 
@@ -111,6 +128,10 @@ impl Values {
                 _ => (negative, term),
             })
             .collect();
+        if let Some(parametric) = self.separate(&mut terms, |(_, term)| *term) {
+            let together = self.sum(parametric);
+            terms.insert(0, self.signed(together));
+        }
         if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
             terms[..=first].rotate_right(1);
         }
@@ -146,6 +167,10 @@ impl Values {
                 kept.push(size);
             }
         }
+        if let Some(parametric) = self.separate(&mut kept, |factor| *factor) {
+            let together = self.product(parametric);
+            kept.insert(0, together);
+        }
         let product = match kept.as_slice() {
             [] => self.constant(1.0),
             [one] => *one,
@@ -154,13 +179,35 @@ impl Values {
         if negative { self.negate(product) } else { product }
     }
 
+    /// A quotient; by what depends on parameters alone, a product with its reciprocal.
     pub(super) fn quotient(&mut self, above: Value, below: Value) -> Value {
+        if self.is_parametric(below) && !self.is_parametric(above) {
+            let one = self.constant(1.0);
+            let reciprocal = self.quotient(one, below);
+            return self.product(vec![reciprocal, above]);
+        }
         let (above_size, below_size) = (self.size(above), self.size(below));
         let quotient = match self.is_constant(below_size, 1.0) {
             true => above_size,
             false => self.add(Operation::Quotient(above_size, below_size)),
         };
         if (above_size == above) == (below_size == below) { quotient } else { self.negate(quotient) }
+    }
+
+    /// Takes the operands that depend on parameters alone out, if there are several, and others too.
+    fn separate<T: Copy>(&self, operands: &mut Vec<T>, value: impl Fn(&T) -> Value) -> Option<Vec<T>> {
+        let (parametric, others): (Vec<T>, Vec<T>) =
+            operands.iter().partition(|operand| self.is_parametric(value(operand)));
+        let apart = parametric.len() > 1 && !others.is_empty();
+        apart.then(|| {
+            *operands = others;
+            parametric
+        })
+    }
+
+    /// A value as a term: whether it is subtracted, and its size.
+    pub(super) fn signed(&self, value: Value) -> (bool, Value) {
+        (self.opposite(value).is_some(), self.size(value))
     }
 
     /// The absolute value.
@@ -195,6 +242,18 @@ impl Values {
                 self.product(vec![lower, base])
             }
         }
+    }
+
+    /// All that `roots` are made of, themselves included, operands first; what `leaves` are made of is not.
+    pub(super) fn reachable(&self, roots: &[Value], leaves: &Leaves) -> Vec<Value> {
+        let mut seen = vec![false; self.len()];
+        let mut stack = roots.to_vec();
+        while let Some(value) = stack.pop() {
+            if !std::mem::replace(&mut seen[value.index()], true) && !leaves.contains_key(&value) {
+                stack.extend(self.operands(value));
+            }
+        }
+        self.all().filter(|value| seen[value.index()]).collect()
     }
 
     pub(super) fn operands(&self, value: Value) -> Vec<Value> {

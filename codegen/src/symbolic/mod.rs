@@ -10,6 +10,7 @@
 
 mod derivative;
 mod evaluate;
+mod expand;
 mod facts;
 mod function;
 mod graph;

@@ -13,7 +13,9 @@ mod wave;
 
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
-pub use mechanism::{ConstraintLinearization, Dynamics, Initial, Mechanism, pivot_is_refused};
+pub use mechanism::{
+    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
+};
 pub use scalar::{Mask, Scalar};
 
 #[cfg(feature = "macros")]

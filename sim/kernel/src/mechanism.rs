@@ -33,6 +33,14 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type Events: Array<S>;
     /// Numbers of the drawing.
     type Drawing: Array<S>;
+    /// n x parameters.
+    type QP: Array<Self::Parameters>;
+    /// m x parameters.
+    type LP: Array<Self::Parameters>;
+    /// What the equations of motion need of the parameters.
+    type Prepared: Copy + Debug;
+    /// The same mechanism on other numbers.
+    type On<T: Scalar>: Mechanism<T>;
 
     /// Names, units, documentation.
     const DESCRIPTION: Description;
@@ -43,6 +51,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn parameters(&self) -> Self::Parameters;
     /// The mechanism with these parameters.
     fn with_parameters(parameters: Self::Parameters) -> Self;
+    /// The same mechanism on other numbers, each parameter converted.
+    fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Self::On<T>;
     /// The declared start.
     fn initial(&self) -> Initial<Self::Q>;
 
@@ -66,8 +76,39 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ>;
     /// v' M v / 2, in joules.
     fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S;
+    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    fn prepare(&self) -> Self::Prepared;
     /// Accelerations, multipliers and power.
-    fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L>;
+    fn prepared_dynamics(prepared: &Self::Prepared, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L>;
+    /// d(q'', lambda)/d(q, q').
+    fn prepared_dynamics_jacobian(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &Self::Q,
+        qd: &Self::Q,
+    ) -> DynamicsJacobian<S, Self::QQ, Self::LQ>;
+    /// d(q'', lambda)/d(parameters).
+    fn prepared_dynamics_sensitivity(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &Self::Q,
+        qd: &Self::Q,
+    ) -> DynamicsSensitivity<S, Self::QP, Self::LP>;
+    /// [`Mechanism::prepared_dynamics`] for one call.
+    #[inline(always)]
+    fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
+        Self::prepared_dynamics(&self.prepare(), t, q, qd)
+    }
+    /// [`Mechanism::prepared_dynamics_jacobian`] for one call.
+    #[inline(always)]
+    fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
+        Self::prepared_dynamics_jacobian(&self.prepare(), t, q, qd)
+    }
+    /// [`Mechanism::prepared_dynamics_sensitivity`] for one call.
+    #[inline(always)]
+    fn dynamics_sensitivity(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsSensitivity<S, Self::QP, Self::LP> {
+        Self::prepared_dynamics_sensitivity(&self.prepare(), t, q, qd)
+    }
     /// The power of loads and drives, in watts; `dynamics` gives it too.
     fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S;
     /// Outputs in the order of declaration, in SI units.
@@ -101,6 +142,32 @@ pub struct Dynamics<S: Scalar, Q, L> {
     /// The power of loads and drives, in watts.
     pub power: S,
     /// Where this is true the planned elimination met a pivot that it refused, and nothing above holds.
+    pub refused: S::Mask,
+}
+
+/// The derivatives of the solution of the equations of motion with respect to the state.
+#[derive(Clone, Copy, Debug)]
+pub struct DynamicsJacobian<S: Scalar, QQ, LQ> {
+    /// d(q'')/dq, n x n.
+    pub accelerations_by_positions: QQ,
+    /// d(q'')/dq', n x n.
+    pub accelerations_by_speeds: QQ,
+    /// d(lambda)/dq, m x n.
+    pub multipliers_by_positions: LQ,
+    /// d(lambda)/dq', m x n.
+    pub multipliers_by_speeds: LQ,
+    /// Where this is true nothing above holds, as in [`Dynamics`].
+    pub refused: S::Mask,
+}
+
+/// The derivatives of the solution of the equations of motion with respect to the parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct DynamicsSensitivity<S: Scalar, QP, LP> {
+    /// d(q'')/d(parameters), a row for each coordinate.
+    pub accelerations: QP,
+    /// d(lambda)/d(parameters), a row for each constraint.
+    pub multipliers: LP,
+    /// Where this is true nothing above holds, as in [`Dynamics`].
     pub refused: S::Mask,
 }
 

@@ -1,0 +1,153 @@
+//! From what a kernel is to return to the kernel.
+
+use super::eliminate::Labels;
+use super::lower::Lowering;
+use super::names::Names;
+use super::results::Results;
+use super::schedule::{Leaves, Schedule};
+use super::values::{Input, Operation, Value};
+use super::{Arguments, Entries, Kernel, Operations, Receiver, Tree};
+use crate::dynamics::EquationsOfMotion;
+use crate::symbolic::{Expr, Symbol};
+use rustc_hash::FxHashMap;
+
+/// What a kernel is called and said to do.
+pub(super) struct Head {
+    pub(super) name: &'static str,
+    pub(super) docs: String,
+    pub(super) receiver: Receiver,
+    pub(super) arguments: Arguments,
+}
+
+/// Plans the kernels of one mechanism.
+pub(super) struct Planner<'a> {
+    pub(super) equations: &'a EquationsOfMotion,
+    inputs: FxHashMap<Symbol, Input>,
+    alternatives: &'a FxHashMap<Expr, Expr>,
+    /// Names wished for values of the model.
+    labels: Vec<(Expr, String)>,
+}
+
+impl<'a> Planner<'a> {
+    /// `alternatives` are other forms of expressions, to be taken where they cost less.
+    pub(super) fn new(equations: &'a EquationsOfMotion, alternatives: &'a FxHashMap<Expr, Expr>) -> Planner<'a> {
+        let model = &equations.model;
+        let mut inputs = FxHashMap::default();
+        inputs.insert(model.time, Input::Time);
+        inputs.extend(model.parameters.iter().enumerate().map(|(i, p)| (p.symbol, Input::Parameter(i))));
+        for (i, c) in model.coordinates.iter().enumerate() {
+            let levels = [
+                (c.position, Input::Position(i)),
+                (c.speed, Input::Speed(i)),
+                (c.acceleration, Input::Acceleration(i)),
+            ];
+            inputs.extend(levels);
+        }
+        inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
+        Planner { equations, inputs, alternatives, labels: labels(equations) }
+    }
+
+    pub(super) fn lowering(&self) -> Lowering<'_> {
+        Lowering::new(&self.equations.model.graph, &self.inputs, self.alternatives)
+    }
+
+    /// A kernel of its own, of the mechanism.
+    pub(super) fn kernel(
+        &self,
+        name: &'static str,
+        arguments: Arguments,
+        docs: String,
+        wanted: impl FnOnce(&mut Lowering) -> Results<Value>,
+    ) -> Kernel {
+        let mut lowering = self.lowering();
+        let results = wanted(&mut lowering);
+        let head = Head { name, docs, receiver: Receiver::Mechanism, arguments };
+        self.finish(head, &lowering, &results, Labels::new(), Leaves::default())
+    }
+
+    /// The kernel that returns `results`; `leaves` are known beside the inputs.
+    pub(super) fn finish(
+        &self,
+        head: Head,
+        lowering: &Lowering,
+        results: &Results<Value>,
+        labels: Labels,
+        mut leaves: Leaves,
+    ) -> Kernel {
+        let roots: Vec<Value> = results.entries().into_iter().copied().collect();
+        let labels = self.names_wished(lowering, labels);
+        let mut names = Names::new();
+        let entries = self.name_inputs(lowering, &roots, &mut names, &mut leaves);
+        let schedule = Schedule::new(&lowering.values, &roots, &labels, &leaves, names);
+        let results = results.map(&mut |value| schedule.tree(*value));
+        let statements = schedule.statements;
+        let operations = Operations::of(&statements, &results);
+        let Head { name, docs, receiver, arguments } = head;
+        Kernel { name, docs, receiver, arguments, entries, statements, results, operations }
+    }
+
+    /// Names for values: what the user named, then what the method names. The first wish for a value wins.
+    pub(super) fn names_wished(&self, lowering: &Lowering, labels: Labels) -> FxHashMap<Value, String> {
+        let users = self.labels.iter().filter_map(|(expr, name)| Some((lowering.lowered(*expr)?, name.clone())));
+        let mut by_value: FxHashMap<Value, String> = FxHashMap::default();
+        for (value, name) in users.chain(labels) {
+            if let Some(opposite) = lowering.values.opposite(value) {
+                by_value.entry(opposite).or_insert_with(|| format!("minus_{name}"));
+            }
+            by_value.entry(value).or_insert(name);
+        }
+        by_value
+    }
+
+    /// Local names for the inputs that are needed, under the user's names where these are free.
+    fn name_inputs(&self, lowering: &Lowering, roots: &[Value], names: &mut Names, leaves: &mut Leaves) -> Entries {
+        let model = &self.equations.model;
+        let needed: FxHashMap<Input, Value> = lowering
+            .values
+            .reachable(roots, leaves)
+            .into_iter()
+            .filter_map(|value| match lowering.values.operation(value) {
+                Operation::Input(input) => Some((*input, value)),
+                _ => None,
+            })
+            .collect();
+        let mut enter = |input: Input, tree: Tree| needed.get(&input).map(|value| leaves.insert(*value, tree));
+        enter(Input::Time, Tree::Name("t".to_owned()));
+        for (i, parameter) in model.parameters.iter().enumerate() {
+            enter(Input::Parameter(i), Tree::Field(parameter.name.clone()));
+        }
+        let mut name = |input: Input, wished: String| {
+            let name = needed.contains_key(&input).then(|| names.unique(&wished))?;
+            enter(input, Tree::Name(name.clone()));
+            Some(name)
+        };
+        let coordinates = || model.coordinates.iter().enumerate();
+        let constraints = || model.constraints.iter().enumerate();
+        Entries {
+            positions: coordinates().map(|(i, c)| name(Input::Position(i), c.name.clone())).collect(),
+            speeds: coordinates().map(|(i, c)| name(Input::Speed(i), format!("{}_dot", c.name))).collect(),
+            accelerations: coordinates()
+                .map(|(i, c)| name(Input::Acceleration(i), format!("{}_ddot", c.name)))
+                .collect(),
+            multipliers: constraints().map(|(i, c)| name(Input::Multiplier(i), format!("lambda_{}", c.name))).collect(),
+        }
+    }
+}
+
+/// Names for values of the model: those of the user's `let`s, and those of the method.
+fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
+    let model = &equations.model;
+    let mut labels: Vec<(Expr, String)> = model.named.iter().map(|(name, expr)| (*expr, name.clone())).collect();
+    let coordinate = |i: usize| &model.coordinates[i].name;
+    for (i, row) in equations.tmt.mass_matrix.iter().enumerate() {
+        labels.extend(
+            row[..=i].iter().enumerate().map(|(j, expr)| (*expr, format!("mass_{}_{}", coordinate(i), coordinate(j)))),
+        );
+    }
+    for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
+        labels.extend(
+            row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, coordinate(j)))),
+        );
+    }
+    labels
+}

@@ -1,0 +1,120 @@
+//! The kernels that run at each step, and what they need of the parameters, computed once for a set of parameters.
+
+use super::lower::Lowering;
+use super::motion::Motion;
+use super::names::Names;
+use super::planner::{Head, Planner};
+use super::results::{Record, Results};
+use super::schedule::{Leaves, derived_name};
+use super::values::{Input, Operation, Value};
+use super::{Arguments, Kernel, Receiver, Tree};
+
+/// `prepare`, and the kernels of what it returns.
+pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
+    let mut lowering = planner.lowering();
+    let motion = Motion::solve(planner.equations, &mut lowering);
+    let planned = [
+        ("dynamics", dynamics_docs(planner), motion.dynamics()),
+        ("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering)),
+        ("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering)),
+    ];
+    let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
+    let fields = fields(planner, &lowering, &motion, &roots);
+    let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();
+    let head = Head {
+        name: "prepare",
+        docs: "What the equations of motion need of the parameters, computed once for a set of parameters.".into(),
+        receiver: Receiver::Mechanism,
+        arguments: Arguments::Parameters,
+    };
+    let results = fields.into_iter().map(|(name, value)| (name, Results::Scalar(value))).collect();
+    let prepare =
+        planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), vec![], Leaves::default());
+    let kernels = planned.into_iter().map(|(name, docs, results)| {
+        let head = Head { name, docs, receiver: Receiver::Prepared, arguments: Arguments::Speeds };
+        planner.finish(head, &lowering, &results, motion.labels.clone(), leaves.clone())
+    });
+    [prepare].into_iter().chain(kernels).collect()
+}
+
+/// The parameters that are needed as they are, and all that others need of what depends on parameters alone.
+fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Value]) -> Vec<(String, Value)> {
+    let values = &lowering.values;
+    let is_simple = |value: Value| match values.operation(value) {
+        Operation::Constant(_) => true,
+        Operation::Negate(operand) => values.operands(*operand).is_empty(),
+        _ => false,
+    };
+    let needed = values.reachable(roots, &Leaves::default());
+    let variable = needed.iter().filter(|value| !values.is_parametric(**value));
+    let mut fields: Vec<Value> = variable.flat_map(|value| values.operands(*value)).chain(roots.to_vec()).collect();
+    fields.retain(|value| values.is_parametric(*value) && !is_simple(*value));
+    // The opposite of a parameter is written out, and needs the parameter.
+    fields.extend(needed.iter().copied().filter(|value| {
+        matches!(values.operation(*value), Operation::Input(Input::Parameter(_)))
+            && needed.iter().any(|user| is_simple(*user) && values.operands(*user).contains(value))
+    }));
+    fields.sort();
+    fields.dedup();
+    name_fields(planner, lowering, motion, fields)
+}
+
+/// Parameters keep their names; what was computed is named for what it is.
+fn name_fields(planner: &Planner, lowering: &Lowering, motion: &Motion, fields: Vec<Value>) -> Vec<(String, Value)> {
+    let values = &lowering.values;
+    let parameters = &planner.equations.model.parameters;
+    let wished = planner.names_wished(lowering, motion.labels.clone());
+    let mut names = Names::default();
+    parameters.iter().for_each(|parameter| {
+        names.unique(&parameter.name);
+    });
+    let mut named: indexmap::IndexMap<Value, String> = indexmap::IndexMap::new();
+    for value in fields {
+        let name = match values.operation(value) {
+            Operation::Input(Input::Parameter(i)) => parameters[*i].name.clone(),
+            _ => {
+                let known = |value: Value| match values.operation(value) {
+                    Operation::Input(Input::Parameter(i)) => Some(&parameters[*i].name),
+                    _ => named.get(&value).or_else(|| wished.get(&value)),
+                };
+                let wish = wished.get(&value).cloned().or_else(|| derived_name(values, value, known));
+                names.unique(&wish.unwrap_or_else(|| "k".into()))
+            }
+        };
+        named.insert(value, name);
+    }
+    named.into_iter().map(|(value, name)| (name, value)).collect()
+}
+
+fn sizes(planner: &Planner) -> [usize; 3] {
+    let model = &planner.equations.model;
+    [model.coordinates.len(), model.constraints.len(), model.parameters.len()]
+}
+
+const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
+
+fn dynamics_docs(planner: &Planner) -> String {
+    let [n, m, _] = sizes(planner);
+    format!(
+        "Accelerations ({n}), multipliers ({m}) and power, from\n\n```text\n\
+         [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]\n\
+         [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]\n```\n\n\
+         by an elimination planned from the structure of the system. {REFUSED}: solve that state from the other kernels."
+    )
+}
+
+fn jacobian_docs(planner: &Planner) -> String {
+    let [n, m, _] = sizes(planner);
+    format!(
+        "The derivatives of accelerations ({n} rows) and multipliers ({m} rows) with respect to coordinates and speeds \
+         ({n} columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. {REFUSED}."
+    )
+}
+
+fn sensitivity_docs(planner: &Planner) -> String {
+    let [n, m, p] = sizes(planner);
+    format!(
+        "The derivatives of accelerations ({n} rows) and multipliers ({m} rows) with respect to the parameters ({p} \
+         columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. {REFUSED}."
+    )
+}

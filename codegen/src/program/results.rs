@@ -1,0 +1,76 @@
+//! What a kernel returns, over expressions, values or trees alike.
+
+/// What a kernel returns.
+pub enum Results<T> {
+    /// One number.
+    Scalar(T),
+    /// A vector, or a struct with a field for each entry.
+    Vector(Vec<T>),
+    /// A matrix by rows, with its number of columns.
+    Matrix(usize, Vec<Vec<T>>),
+    /// A struct by its fields.
+    Record(Record, Vec<(String, Results<T>)>),
+    /// Whether a pivot is refused, from each pivot with the magnitude of its terms; without any, every state is.
+    Refused(Option<Vec<(T, T)>>),
+}
+
+/// The structs that kernels return.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Record {
+    /// The start.
+    Initial,
+    /// C, C_q and C_t.
+    ConstraintLinearization,
+    /// The solved equations of motion.
+    Dynamics,
+    /// Their derivatives with respect to the state.
+    DynamicsJacobian,
+    /// Their derivatives with respect to the parameters.
+    DynamicsSensitivity,
+    /// The mechanism's own: what `dynamics` needs of the parameters.
+    Prepared,
+}
+
+impl<T> Results<T> {
+    /// A struct of fields in order.
+    pub(super) fn record<const N: usize>(record: Record, fields: [(&str, Results<T>); N]) -> Results<T> {
+        Results::Record(record, fields.into_iter().map(|(name, field)| (name.to_owned(), field)).collect())
+    }
+
+    /// Every entry, in order.
+    pub(super) fn entries(&self) -> Vec<&T> {
+        let mut entries = Vec::new();
+        self.visit(&mut |entry| entries.push(entry));
+        entries
+    }
+
+    fn visit<'a>(&'a self, f: &mut dyn FnMut(&'a T)) {
+        match self {
+            Results::Scalar(entry) => f(entry),
+            Results::Vector(entries) => entries.iter().for_each(f),
+            Results::Matrix(_, rows) => rows.iter().flatten().for_each(f),
+            Results::Record(_, fields) => fields.iter().for_each(|(_, field)| field.visit(f)),
+            Results::Refused(pivots) => pivots.iter().flatten().for_each(|(pivot, terms)| {
+                f(pivot);
+                f(terms);
+            }),
+        }
+    }
+
+    /// The same with every entry replaced.
+    pub(super) fn map<U>(&self, f: &mut dyn FnMut(&T) -> U) -> Results<U> {
+        match self {
+            Results::Scalar(entry) => Results::Scalar(f(entry)),
+            Results::Vector(entries) => Results::Vector(entries.iter().map(f).collect()),
+            Results::Matrix(columns, rows) => {
+                Results::Matrix(*columns, rows.iter().map(|row| row.iter().map(&mut *f).collect()).collect())
+            }
+            Results::Record(record, fields) => {
+                Results::Record(*record, fields.iter().map(|(name, field)| (name.clone(), field.map(f))).collect())
+            }
+            Results::Refused(pivots) => Results::Refused(
+                pivots.as_ref().map(|pivots| pivots.iter().map(|(pivot, terms)| (f(pivot), f(terms))).collect()),
+            ),
+        }
+    }
+}
