@@ -10,10 +10,12 @@ pub mod emit;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;
+pub mod notation;
 pub mod oracle;
 pub mod program;
 pub mod symbolic;
 
+use notation::{Notation, Part};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
@@ -36,6 +38,14 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 /// As [`generate`].
 pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion> {
     Ok(dynamics::derive(model::resolve(&dsl::parse(tokens)?)?))
+}
+
+/// The equations of motion of a declaration's text, to be read.
+///
+/// # Errors
+/// As [`generate`], and if the text is not made of Rust's tokens.
+pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Part>> {
+    Ok(notation::equations(&equations(declaration.parse()?)?, notation))
 }
 
 /// What the procedural macro does: `path; declaration` to items, or to the mistakes and a stand-in.

@@ -2,7 +2,8 @@
 
 use crate::harness::{Outcome, Verdict, check};
 use crate::tree::{NAMES, Point, Tree, Workspace, generic_point, tree};
-use codegen::symbolic::{Constant, Differential, Expr, Function, Graph, Node, Number, infix};
+use codegen::notation::infix;
+use codegen::symbolic::{Constant, Differential, Expr, Function, Graph, Node, Number};
 use num_dual::{Dual2_64, Dual64, DualNum, HyperDual64};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;

@@ -2,7 +2,8 @@
 
 use crate::reader::read;
 use crate::tree::{Point, Workspace};
-use codegen::symbolic::{Differential, Number, infix};
+use codegen::notation::infix;
+use codegen::symbolic::{Differential, Number};
 
 /// What the engine makes of a text, as text.
 fn canonical(text: &str) -> String {
@@ -46,7 +47,7 @@ fn powers_merge_where_no_value_changes() {
         ("(-1)^1 + 1 is zero", "(x^y + 1)/(x^y + 1)", "(x^y + 1)/(x^y + 1)"),
         ("a positive base has positive powers", "(exp(x)^y + 1)/(exp(x)^y + 1)", "1"),
         ("the zeroth power is 1, as in floating point", "(1/x)^0", "1"),
-        ("numbers leave sums", "(3*x + 6)/(2*x + 4)", "(3/2)*(x + 2)/(x + 2)"),
+        ("numbers leave sums", "(3*x + 6)/(2*x + 4)", "3*(x + 2)/(2*(x + 2))"),
     ]);
 }
 
@@ -55,8 +56,8 @@ fn roots_keep_their_domain() {
     expect_forms(&[
         ("a square of a root is undefined below 0", "sqrt(x)^2", "sqrt(x)^2"),
         ("a root of a square is not", "(x^2)^(1/2)", "sqrt(x^2)"),
-        ("fractions are powers of roots", "x^(-3/2)", "1/sqrt(x)^3"),
-        ("of any degree", "x^(2/3)", "(x^(1/3))^2"),
+        ("fractions are powers of roots", "x^(-3/2)", "1/x^(3/2)"),
+        ("of any degree", "x^(2/3)", "x^(2/3)"),
         ("exact where they can be", "8^(-1/3)*(4/9)^(1/2)", "1/3"),
         ("atoms where they cannot", "2^(1/2)*2^(1/2)", "sqrt(2)^2"),
         ("odd roots of negative numbers are not real", "(-8)^(1/3)", "(-8)^(1/3)"),
@@ -83,7 +84,8 @@ fn sums_cancel() {
         ("a sum has one sign", "(x - y)*z + (y - x)*z", "0"),
         ("distribution", "2*(x + y) - 2*x - 2*y", "0"),
         ("no other factor does", "x*(y + z)", "x*(y + z)"),
-        ("decimals are exact", "0.2", "1/5"),
+        ("decimals are exact", "0.2", "0.2"),
+        ("and written as they were, but not halves and quarters", "9.81*x + 0.25*y", "9.81*x + y/4"),
         ("and add up", "0.1 + 0.2 - 0.3", "0"),
     ]);
 }
@@ -94,7 +96,7 @@ fn squares_of_sine_and_cosine_fold() {
         ("alone", "sin(x)^2 + cos(x)^2", "1"),
         ("signs do not matter", "sin(-x)^2 + cos(x)^2", "1"),
         ("one coefficient", "3*sin(x)^2 + 3*cos(x)^2", "3"),
-        ("two coefficients", "2*sin(x)^2 + 5*cos(x)^2", "-3*sin(x)^2 + 5"),
+        ("two coefficients", "2*sin(x)^2 + 5*cos(x)^2", "5 - 3*sin(x)^2"),
         ("a difference", "1 - sin(x)^2 - cos(x)^2", "0"),
         ("a common factor", "y/z*sin(x)^2 + cos(x)^2*y/z", "y/z"),
         ("a common sum", "(x + y)*sin(z)^2 + (x + y)*cos(z)^2", "x + y"),
@@ -121,7 +123,7 @@ fn huge_powers_stay_unevaluated() {
         ("a number", "10^1000000", "10^1000000"),
         ("its inverse", "10^1000000*10^(-1000000)", "1"),
         ("what is left of it", "3*10^1000000/10^999999 - 30", "0"),
-        ("of an inverse", "5*(2*exp(x))^5000*y/(2*exp(x))^4999", "10*exp(x)*y"),
+        ("of an inverse", "5*(2*exp(x))^5000*y/(2*exp(x))^4999", "10*y*exp(x)"),
         ("a sum", "(2*x + 2*y)^1000000", "(2*x + 2*y)^1000000"),
         ("units", "(-1)^1000001*1^10000000000*0^0", "-1"),
         ("zero", "0^10000000000", "0"),
@@ -145,9 +147,9 @@ fn notation_has_the_parentheses_it_needs_and_no_others() {
         ("fractions in powers", "(1/2)^x*(-2)^y", "(1/2)^x*(-2)^y"),
         ("one factor below", "x*y/z^2", "x*y/z^2"),
         ("two factors below", "x/y/z", "x/(y*z)"),
-        ("sums above and below", "(x - y)*z/(z + w)", "(x - y)*z/(z + w)"),
-        ("fractions as factors", "2*x/3", "(2/3)*x"),
-        ("differences of sums", "x - (y*z - w)/2", "x - (1/2)*y*z + (1/2)*w"),
+        ("sums above and below", "(x - y)*z/(z + w)", "z*(x - y)/(z + w)"),
+        ("fractions as factors", "2*x/3", "2*x/3"),
+        ("differences of sums", "x - (y*z - w)/2", "x - y*z/2 + w/2"),
         ("arguments", "atan2(-x, y + 1)", "atan2(-x, y + 1)"),
         ("irrational constants", "pi*e^2", "pi*e^2"),
     ]);
@@ -187,13 +189,13 @@ fn derivatives_in_closed_form() {
         ("x^(-9223372036854775807)/x", "-9223372036854775808/(x^9223372036854775808*x)"),
         ("x^y", "y*x^(y - 1)"),
         ("y^x", "y^x*ln(y)"),
-        ("sqrt(x)", "(1/2)*sqrt(x)/x"),
+        ("sqrt(x)", "sqrt(x)/(2*x)"),
         ("ln(x)", "1/x"),
         ("exp(2*x)", "2*exp(2*x)"),
         ("abs(x)", "sign(x)"),
         ("sign(x)", "0"),
         ("tan(x)", "tan(x)^2 + 1"),
-        ("acos(x)", "-1/sqrt(-x^2 + 1)"),
+        ("acos(x)", "-1/sqrt(1 - x^2)"),
         ("atan2(y, x)", "-y/(x^2 + y^2)"),
         ("sin(y)*exp(z)", "0"),
     ];

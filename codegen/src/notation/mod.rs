@@ -1,0 +1,64 @@
+//! Equations of motion to be read: as infix text, as LaTeX or as MathML.
+//!
+//! Expressions become formulas (`translate`), in the order in which a reader looks for things; what is shared or too wide
+//! has a name (`sharing`), the user's own where there is one. LaTeX and MathML set the same layout.
+
+mod formula;
+mod greek;
+mod infix;
+mod latex;
+mod layout;
+mod lines;
+mod mathml;
+mod names;
+mod parts;
+mod sharing;
+mod translate;
+mod width;
+
+use crate::dynamics::EquationsOfMotion;
+use crate::symbolic::{Expr, Graph};
+use parts::Equation;
+
+/// How equations are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Notation {
+    /// Text, in the notation of the language; names as in the generated code.
+    Infix,
+    /// `align*` environments of LaTeX's package `amsmath`.
+    Latex,
+    /// Presentation MathML: a `math` element, which a web page can hold.
+    MathMl,
+}
+
+/// Equations that belong together, as text in some notation.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Part {
+    /// `system`, `definitions`, or the name of the kernel that computes this: `mass_matrix` and so on.
+    pub name: &'static str,
+    /// The name in words.
+    pub title: &'static str,
+    /// The equations. Ends with a new line.
+    pub text: String,
+}
+
+/// The equations of motion in parts: the system as a whole, mass matrix, convective forces, generalised forces,
+/// constraints, constraint Jacobian, constraint convective terms, and the definitions of the names in them. Parts without
+/// entries are left out.
+pub fn equations(equations: &EquationsOfMotion, notation: Notation) -> Vec<Part> {
+    let write = match notation {
+        Notation::Infix => lines::text,
+        Notation::Latex => |equations: &[Equation]| latex::lines(&lines::set(equations)),
+        Notation::MathMl => |equations: &[Equation]| mathml::lines(&lines::set(equations)),
+    };
+    let parts = parts::parts(equations).into_iter();
+    parts.map(|part| Part { name: part.name, title: part.title, text: write(&part.equations) }).collect()
+}
+
+/// One expression in infix notation, with the fewest parentheses.
+///
+/// Shared parts are written out each time: for reading, not for large systems.
+pub fn infix(graph: &Graph, expr: Expr) -> String {
+    let names = names::Names::default();
+    infix::text(&translate::Translation { graph, names: &names }.formula(expr))
+}
