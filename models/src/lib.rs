@@ -3,17 +3,33 @@
 #![no_std]
 
 mod andrews;
+mod double_pendulum;
+mod four_bar;
+mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
+mod slider_crank;
 
 pub use andrews::*;
+pub use double_pendulum::*;
+pub use four_bar::*;
+pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+pub use slider_crank::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
 #[macro_export]
 macro_rules! all_models {
     ($callback:ident) => {
-        $callback!($crate::QuickReturn, $crate::QuickReturnRatio, $crate::Andrews)
+        $callback!(
+            $crate::QuickReturn,
+            $crate::QuickReturnRatio,
+            $crate::Andrews,
+            $crate::Pendulum,
+            $crate::DoublePendulum,
+            $crate::FourBar,
+            $crate::SliderCrank
+        )
     };
 }

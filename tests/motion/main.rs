@@ -5,6 +5,7 @@
 mod andrews;
 mod assembly;
 mod failure;
+mod linkages;
 mod pendulum;
 mod quick_return;
 mod units;
