@@ -106,7 +106,7 @@ class Drawing {
     each("slider", (shape) => this.slider(row, shape));
     if (this.show.joints) each("line", (shape) => shape.points.forEach((_, i) => this.pin(row, shape.first + 2 * i, series(shape.colour))));
     if (this.show.masses) each("points", (shape) => shape.points.forEach((_, i) => this.mass(row, shape.first + 2 * i)));
-    for (const index of this.vectors) this.vector(run.vectors[index], place);
+    for (const index of this.vectors) this.vector(run.vectors[index], locate(time, arrowTimes));
     if (this.show.names) this.names(row, shapes);
   }
 
@@ -264,7 +264,7 @@ class Drawing {
     const neck = [to[0] - head * dx, to[1] - head * dy];
     this.line([from, neck], 2.6, colour);
     this.polygon([to, [neck[0] - 0.45 * head * dy, neck[1] + 0.45 * head * dx], [neck[0] + 0.45 * head * dy, neck[1] - 0.45 * head * dx]], colour, 1, colour);
-    this.text(`${vector.label} ${number(Math.hypot(u, v), 4)} N`, [to[0] + 9 * dx, to[1] + 9 * dy], dx < -0.3 ? "right" : dx > 0.3 ? "left" : "center", colour);
+    this.text(`${vector.label} ${number(Math.hypot(u, v), 4)} N`.trim(), [to[0] + 9 * dx, to[1] + 9 * dy], dx < -0.3 ? "right" : dx > 0.3 ? "left" : "center", colour);
   }
 
   text(text, [x, y], align, colour, size = 13) {

@@ -11,6 +11,7 @@ function addPlots() {
     const plot = new PlotCard(figure, opened);
     plots.push(plot);
     byId("plots").append(plot.card);
+    if (opened) plot.build();
   };
   for (const figure of run.figures) add(figure, true);
   for (const figure of run.more) add(figure, false);
@@ -18,7 +19,6 @@ function addPlots() {
   byId("plots").append(phase.card);
   return phase;
 }
-const phase = addPlots();
 
 // What follows the time.
 const decimals = end > start ? Math.min(9, Math.max(2, 3 - Math.floor(Math.log10(end - start)))) : 3;
@@ -132,7 +132,11 @@ const system = matchMedia("(prefers-color-scheme: dark)");
 function setTheme(dark) {
   document.documentElement.classList.toggle("dark", dark);
   readPalette();
-  for (const plot of plots) if (plot.chart) plot.recolour();
+  for (const plot of plots) {
+    if (!plot.chart) continue;
+    plot.recolour();
+    plot.chart.redraw(true, true);
+  }
   player.refresh();
 }
 const isDark = () => document.documentElement.classList.contains("dark");
@@ -180,14 +184,14 @@ document.addEventListener("keydown", (event) => {
   act(event);
 });
 
-/** The median time in milliseconds of drawing frames all through the run, pixels included. */
-function frameCost(frames = 101) {
+/** The median time in milliseconds of drawing frames all through the run, with the pixels or without. */
+function frameCost(frames = 101, pixels = true) {
   const costs = [];
   for (let i = 0; i < frames; i++) {
     const before = performance.now();
     player.seek(start + (i / (frames - 1)) * (end - start));
     player.render();
-    if (drawing) drawing.context.getImageData(0, 0, 1, 1);
+    if (pixels && drawing) drawing.context.getImageData(0, 0, 1, 1);
     costs.push(performance.now() - before);
   }
   return costs.sort((a, b) => a - b)[frames >> 1];
@@ -195,7 +199,9 @@ function frameCost(frames = 101) {
 
 // A place in the address: #t=0.5 opens the report there, at rest.
 const asked = new URLSearchParams(location.hash.slice(1));
-if (asked.has("theme") ? asked.get("theme") === "dark" : system.matches) setTheme(true);
+document.documentElement.classList.toggle("dark", asked.has("theme") ? asked.get("theme") === "dark" : system.matches);
+readPalette();
+const phase = addPlots();
 player.ready = true;
 if (drawing) drawing.resize();
 if (asked.has("t")) player.seek(Number(asked.get("t")) || start);

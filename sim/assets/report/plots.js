@@ -8,15 +8,14 @@ let zoom = null;
 class PlotCard {
   constructor(figure, opened) {
     this.columns = figure.columns.map((index) => run.columns[index]);
-    this.hidden = new Set(figure.hidden || []);
+    this.hidden = new Set();
     this.visible = false;
     this.body = element("div");
     this.card = element("article", { class: `plot card${opened ? " open" : ""}` });
     if (opened) {
       this.card.append(element("h3", {}, figure.title), this.body);
-      this.build();
     } else {
-      const details = element("details", {}, element("summary", {}, figure.title, element("span", { class: "hint" }, figure.hint || "")), this.body);
+      const details = element("details", {}, element("summary", {}, figure.title, this.hint()), this.body);
       details.addEventListener("toggle", () => {
         this.card.classList.toggle("open", details.open);
         if (details.open && !this.chart) this.build();
@@ -28,6 +27,12 @@ class PlotCard {
       this.visible = entry.isIntersecting;
       if (this.visible) this.update(player.shown());
     }).observe(this.card);
+  }
+
+  /** What a closed card would show. */
+  hint() {
+    const names = this.columns.map((column) => column.label);
+    return element("span", { class: "hint" }, names.length > 4 ? `${names.slice(0, 3).join(", ")}, …` : names.join(", "));
   }
 
   build() {
@@ -60,7 +65,7 @@ class PlotCard {
     const axis = { stroke: () => palette.muted, font: `12px ${FONT}`, labelFont: `12px ${FONT}`, grid: { stroke: () => palette.grid, width: 1 }, ticks: { stroke: () => palette.line, width: 1, size: 5 } };
     const units = [...new Set(this.columns.map((column) => column.unit))].map((unit) => `[${unit}]`).join(", ");
     const options = {
-      width: this.room.clientWidth || 400,
+      width: this.room.clientWidth || 300,
       height: HEIGHT,
       legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: true, dist: 6 } },
@@ -114,7 +119,6 @@ class PlotCard {
       this.swatches[i].style.borderTopStyle = dash(i).length ? "dashed" : "solid";
       this.dots[i].style.background = series(i);
     });
-    this.chart.redraw(true, true);
   }
 
   /** Cursor and values at a time. */

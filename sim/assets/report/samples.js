@@ -11,14 +11,16 @@ function floats(text, Floats) {
 }
 
 const times = floats(run.times, Float64Array);
+const sampleTimes = times;
 const start = times[0];
 const end = times[times.length - 1];
 for (const column of run.columns) column.values = floats(column.values, Float32Array);
 const drawn = floats(run.drawing.numbers, Float32Array);
+const arrowTimes = floats(run.vector_times, Float64Array);
 for (const vector of run.vectors) vector.numbers = floats(vector.numbers, Float32Array);
 
 /** The last sample not after `time`, and the share of the way to the next. */
-function locate(time) {
+function locate(time, times = sampleTimes) {
   let low = 0;
   let high = times.length - 1;
   while (high - low > 1) {

@@ -35,7 +35,7 @@ fn declared(_: &Description) -> Option<Vec<Vec<String>>> {
 fn declared(description: &Description) -> Option<Vec<Vec<String>>> {
     use codegen::dsl;
     let declaration = dsl::parse(description.declaration.parse().ok()?).ok()?;
-    let names = |points: &[dsl::Expression]| points.iter().map(words::printed).collect();
+    let names = |points: &[dsl::Expression]| points.iter().map(printed).collect();
     let shape = |shape: &dsl::Shape| match shape {
         dsl::Shape::Line(points) | dsl::Shape::Ground(points) | dsl::Shape::Points(points) => names(points),
         dsl::Shape::Slider { at, .. } | dsl::Shape::Circle { at, .. } => names(std::slice::from_ref(at)),
@@ -43,12 +43,15 @@ fn declared(description: &Description) -> Option<Vec<Vec<String>>> {
     Some(declaration.drawing.iter().map(shape).collect())
 }
 
+#[cfg(feature = "analysis")]
+pub(super) use words::printed;
+
 /// Expressions as they were written.
 #[cfg(feature = "analysis")]
 mod words {
     use codegen::dsl::{Expression, Kind, Operator};
 
-    pub(super) fn printed(expression: &Expression) -> String {
+    pub(in crate::show) fn printed(expression: &Expression) -> String {
         let list = |items: &[Expression]| items.iter().map(printed).collect::<Vec<_>>().join(", ");
         match &expression.kind {
             Kind::Number { literal, unit: None } => literal.clone(),

@@ -31,10 +31,11 @@ pub(super) fn data<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     more.push(Group { title: "Energy".into(), columns: vec![columns.len(), columns.len() + 1] });
     more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 2] });
     columns.extend(energy(run));
-    let vectors = crate::show::vectors::vectors(run);
     let width = drawing_width(description);
     let all: Vec<&Column> = columns.iter().map(|labelled| &labelled.column).collect();
-    let rows = chosen(&all, table.times().len(), all.len() + width + 4 * vectors.len());
+    let rows = chosen(&all, table.times().len(), all.len() + width + 4 * description.constraints.len().max(4));
+    let arrow_rows = every_nth(&rows);
+    let vectors = crate::show::vectors::vectors(run, &arrow_rows);
     let pick = |values: &[f64]| floats(rows.iter().map(|row| values[*row]));
     let (open, closed) = if figures.is_empty() { more.split_at(more.len().min(2)) } else { (&figures[..], &more[..]) };
     json!({
@@ -46,13 +47,21 @@ pub(super) fn data<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "more": closed.iter().map(figure).collect::<Vec<_>>(),
         "phase": [0, description.coordinates.len()],
         "drawing": drawing(run, &rows),
-        "vectors": vectors.iter().map(|vector| json!({
-            "label": vector.label, "about": vector.about, "kind": vector.kind,
-            "numbers": floats(rows.iter().flat_map(|row| vector.at(&run.trajectory.samples[*row]))),
+        "vector_times": doubles(arrow_rows.iter().map(|row| table.times()[*row])),
+        "vectors": vectors.into_iter().map(|(vector, numbers)| json!({
+            "label": vector.label, "about": vector.about, "kind": vector.kind, "numbers": floats(numbers),
         })).collect::<Vec<_>>(),
         "events": run.events.iter().take(MOST_MARKS).map(|event| event.state.time).collect::<Vec<_>>(),
         "period": run.period(),
     })
+}
+
+/// Rows at which arrows are evaluated: at most 601, evenly chosen, with the last.
+fn every_nth(rows: &[usize]) -> Vec<usize> {
+    let stride = rows.len().div_ceil(600).max(1);
+    let mut chosen: Vec<usize> = rows.iter().copied().step_by(stride).collect();
+    chosen.extend(rows.last().filter(|last| chosen.last() != Some(last)));
+    chosen
 }
 
 fn printed_unit(unit: &str) -> String {

@@ -21,6 +21,10 @@ const SCRIPT: [&str; 6] = [
     include_str!("../../../assets/report/page.js"),
 ];
 
+/// Bytes of typeset equations beyond which nobody would read them.
+#[cfg(feature = "analysis")]
+const MOST_OF_EQUATIONS: usize = 300_000;
+
 /// The whole page.
 pub(super) fn page<M: Mechanism>(run: &Run<M>, table: &Table, about: &About) -> String {
     let description = const { &M::DESCRIPTION };
@@ -88,8 +92,8 @@ fn facts<M: Mechanism>(run: &Run<M>, about: &About) -> String {
     }
     facts.push(("Coordinates", n.to_string(), false));
     if m > 0 {
-        facts.push(("Constraint rows", m.to_string(), false));
-        facts.push(("open by at most", number(run.position_residual, 2), false));
+        let open = number(run.position_residual, 2);
+        facts.push(("Constraints", format!("{m}, open by at most {open}"), false));
     }
     if let Some(name) = about.summary["method"]["name"].as_str() {
         facts.push(("Method", name.to_owned(), false));
@@ -104,7 +108,24 @@ fn facts<M: Mechanism>(run: &Run<M>, about: &About) -> String {
 }
 
 /// The equations of motion, where the declaration can be derived again.
-fn equations(_description: &Description) -> String {
+#[cfg(feature = "analysis")]
+fn equations(description: &Description) -> String {
+    let Ok(parts) = codegen::equations_as(codegen::notation::Notation::MathMl, description.declaration) else {
+        return String::new();
+    };
+    let length: usize = parts.iter().map(|part| part.text.len()).sum();
+    if length > MOST_OF_EQUATIONS {
+        let note = "The equations are too long to be read here; `codegen` prints the kernels made of them.";
+        return format!("<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>");
+    }
+    let part = |part: &codegen::notation::Part| format!("<h3>{}</h3>\n<div class=\"row\">{}</div>", part.title, part.text);
+    let parts: Vec<String> = parts.iter().map(part).collect();
+    format!("<section class=\"card equations\"><h2>Equations of motion</h2>\n{}</section>", parts.join("\n"))
+}
+
+/// The equations of motion need the derivation at run time.
+#[cfg(not(feature = "analysis"))]
+fn equations(_: &Description) -> String {
     String::new()
 }
 

@@ -52,17 +52,17 @@ fn start<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
     let mut rows = Vec::new();
     for (i, c) in description.coordinates.iter().enumerate() {
         let kind = match c.start {
-            Start::Given => "declared",
-            Start::Guess => "found near a guess",
-            Start::Free => "found",
+            Start::Given => "given",
+            Start::Guess => "guess",
+            Start::Free => "free",
         };
-        rows.push(named(&c.position, first.state.positions[i], "", &format!("<td class=\"about\">{kind}</td>")));
+        rows.push(named(&c.position, first.state.positions[i], "", &format!("<td class=\"about word\">{kind}</td>")));
     }
     for (i, c) in description.coordinates.iter().enumerate() {
-        let kind = if c.speed_given { "declared" } else { "found" };
-        rows.push(named(&c.speed, first.state.speeds[i], "", &format!("<td class=\"about\">{kind}</td>")));
+        let kind = if c.speed_given { "given" } else { "free" };
+        rows.push(named(&c.speed, first.state.speeds[i], "", &format!("<td class=\"about word\">{kind}</td>")));
     }
-    let head = [("", "name"), ("number", "value"), ("", ""), ("", "in the declaration"), ("", "")];
+    let head = [("", "name"), ("number", "value"), ("", ""), ("", "declared as"), ("", "")];
     table("Start", &head, &rows, "")
 }
 
