@@ -1,34 +1,33 @@
 //! A start on the constraints, from given values and guesses.
 
 use crate::failure::{Failure, What, constraint_name, largest};
-use crate::project::{is_met, project_positions};
+use crate::project::{is_met, project_positions, rates};
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// What is known of the start of a motion; all in SI units.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Start<M: Mechanism> {
     /// Values or guesses of the coordinates.
     pub positions: M::Q,
     /// Speeds; those not given are found.
     pub speeds: M::Q,
-    /// Which coordinates are given, as 1 or 0; the others are found.
-    pub position_given: M::Q,
+    /// Which coordinates are given; the others are found.
+    pub position_given: Vec<bool>,
     /// Which speeds are given.
-    pub speed_given: M::Q,
+    pub speed_given: Vec<bool>,
 }
 
 /// The declared start of a mechanism.
 pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
     let initial = mechanism.initial();
     let coordinates = M::DESCRIPTION.coordinates;
-    let flag = |given: bool| f64::from(u8::from(given));
     Start {
         positions: initial.positions,
         speeds: initial.speeds,
-        position_given: M::Q::from_fn(|i| flag(coordinates[i].start == sim_kernel::Start::Given)),
-        speed_given: M::Q::from_fn(|i| flag(coordinates[i].speed_given)),
+        position_given: coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect(),
+        speed_given: coordinates.iter().map(|c| c.speed_given).collect(),
     }
 }
 
@@ -80,7 +79,7 @@ fn assemble_positions<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<M
 /// One projection as in every step, if nothing is given that it could move.
 fn polish<M: Mechanism>(mechanism: &M, start: &Start<M>, q: M::Q) -> Result<M::Q, Failure> {
     let mut polished = q;
-    let nothing_given = start.position_given.iter().all(|given| *given == 0.0);
+    let nothing_given = start.position_given.iter().all(|given| !given);
     match nothing_given && project_positions(mechanism, 0.0, &mut polished).is_ok() {
         true => Ok(polished),
         false => Ok(q),
@@ -108,37 +107,33 @@ fn not_assembled<M: Mechanism>(mechanism: &M, q: &M::Q) -> Failure {
 
 fn assemble_speeds<M: Mechanism>(mechanism: &M, start: &Start<M>, q: &M::Q) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(0.0, q);
-    let mut speeds = M::Q::from_fn(|j| start.speed_given[j] * start.speeds[j]);
-    let rate = |speeds: &M::Q, i: usize| {
-        let moving: f64 = linear.jacobian[i].iter().zip(speeds.iter()).map(|(c, v)| c * v).sum();
-        moving + linear.time_derivative[i]
-    };
-    let residual = DVector::from_fn(M::L::LEN, |i, _| rate(&speeds, i));
+    let mut speeds = M::Q::from_fn(|j| if start.speed_given[j] { start.speeds[j] } else { 0.0 });
+    let residual = DVector::from_iterator(M::L::LEN, rates::<M>(&linear, &speeds).iter().copied());
     let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.speed_given, residual) else {
         let quantity = "a derivative of the constraints".into();
         return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, q));
     };
     speeds = M::Q::from_fn(|j| speeds[j] - step[j]);
-    let rates = M::L::from_fn(|i| rate(&speeds, i));
+    let open_rates = rates::<M>(&linear, &speeds);
     let scale = |i: usize| linear.jacobian[i].iter().zip(speeds.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
     // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-    let open = (0..M::L::LEN).find(|i| !(rates[*i].abs() <= 1e-9 * scale(*i) + 1e-12));
+    let open = (0..M::L::LEN).find(|i| !(open_rates[*i].abs() <= 1e-9 * scale(*i) + 1e-12));
     match open {
         None => Ok(speeds),
         Some(row) => {
-            let what = What::SpeedsContradict { constraint: constraint_name::<M>(row), residual: rates[row] };
+            let what = What::SpeedsContradict { constraint: constraint_name::<M>(row), residual: open_rates[row] };
             Err(Failure::at::<M>(what, 0.0, q))
         }
     }
 }
 
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
-fn least_norm_solution<M: Mechanism>(jacobian: &M::LQ, given: &M::Q, residual: DVector<f64>) -> Option<M::Q> {
+fn least_norm_solution<M: Mechanism>(jacobian: &M::LQ, given: &[bool], residual: DVector<f64>) -> Option<M::Q> {
     let (m, n) = (M::L::LEN, M::Q::LEN);
     if m == 0 {
         return Some(M::Q::filled(0.0));
     }
-    let free = DMatrix::from_fn(m, n, |i, j| if given[j] == 0.0 { jacobian[i][j] } else { 0.0 });
+    let free = DMatrix::from_fn(m, n, |i, j| if given[j] { 0.0 } else { jacobian[i][j] });
     if free.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
         return None;
     }
@@ -146,5 +141,5 @@ fn least_norm_solution<M: Mechanism>(jacobian: &M::LQ, given: &M::Q, residual: D
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
     let solution = svd.solve(&residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
     // Rounding must not move what is given.
-    Some(M::Q::from_fn(|j| if given[j] == 0.0 { solution[j] } else { 0.0 }))
+    Some(M::Q::from_fn(|j| if given[j] { 0.0 } else { solution[j] }))
 }

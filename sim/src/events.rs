@@ -1,85 +1,237 @@
 //! When the declared events happen.
+//!
+//! Each step is searched as finely as the conditions change: where the cubic of a condition's values and rates at two
+//! times does not foretell its value between them, both halves are searched. A condition that only touches zero has
+//! its extremum there.
 
-use crate::failure::Failure;
-use crate::interpolate::interpolate;
-use crate::root::find_root;
+use crate::failure::{Failure, What};
+use crate::integrate::{Advance, Step};
+use crate::interpolate::cubic;
+use crate::root::{find_minimum, find_root};
 use crate::trajectory::{Sample, State};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 
-/// A crossing of an event's condition.
+/// How a condition, left - right, passes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// From below.
+    Rising,
+    /// From above.
+    Falling,
+    /// It touches zero and turns back.
+    Touching,
+}
+
+/// A condition that came to hold.
 #[derive(Clone, Debug)]
 pub struct Occurrence<M: Mechanism> {
     /// The event's name.
     pub name: &'static str,
+    /// How.
+    pub crossing: Crossing,
     /// When and where: time, positions and speeds.
     pub state: State<M>,
 }
 
-/// All crossings along the samples, in the order of time, located to max(1e-12 s, 4 ulp of t) on the projected
-/// interpolant; with the failure that ended the search, if one did.
+/// Halvings of a step, after which what a condition does between is not looked at.
+const MOST_HALVINGS: usize = 8;
+/// Occurrences in one step, after which something chatters.
+const MOST_IN_A_STEP: usize = 1000;
+/// How near zero, relative to the largest value of a condition, it has to turn to touch it.
+const TOUCH: f64 = 1e-9;
+
+/// All that has happened along a motion, in the order of time, located to max(1e-12 s, 4 ulp of t) on the projected
+/// dense output.
 ///
 /// A condition that holds at the very start, to that tolerance, does not count, and neither does a change of sign
-/// by a jump or a pole, or where the condition is not finite. Two crossings within one step are not seen.
-pub fn locate_events<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> (Vec<Occurrence<M>>, Option<Failure>) {
-    let mut found: Vec<Occurrence<M>> = Vec::new();
-    let Some(start) = samples.first().map(|sample| sample.state.time) else { return (found, None) };
-    for pair in samples.windows(2) {
-        let [from, to] = pair else { continue };
-        let (before, after) = (values(mechanism, &from.state), values(mechanism, &to.state));
-        let first = found.len();
-        for (event, name) in M::DESCRIPTION.events.iter().enumerate() {
-            if !crosses(before[event], after[event]) {
-                continue;
-            }
-            match locate(mechanism, from, to, event, before[event], after[event]) {
-                Ok(state) => {
-                    let is_zero = is_root(values(mechanism, &state)[event], before[event], after[event]);
-                    if is_zero && state.time - start > 2.0 * tolerance(state.time) {
-                        found.push(Occurrence { name, state });
-                    }
-                }
-                Err(failure) => return (found, Some(failure)),
-            }
-        }
-        found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));
-    }
-    (found, None)
+/// by a jump or a pole, or where the condition is not finite.
+#[derive(Clone, Debug)]
+pub struct EventSearch<M: Mechanism> {
+    /// What was found.
+    pub found: Vec<Occurrence<M>>,
+    begin: f64,
+    last: Option<Point<M>>,
+    largest: M::Events,
 }
 
-fn values<M: Mechanism>(mechanism: &M, state: &State<M>) -> M::Events {
-    mechanism.events(state.time, &state.positions, &state.speeds)
+/// The conditions at one time.
+#[derive(Clone, Copy, Debug)]
+struct Point<M: Mechanism> {
+    time: f64,
+    values: M::Events,
+    /// Of the values, by time.
+    rates: M::Events,
+}
+
+impl<M: Mechanism> EventSearch<M> {
+    /// A search from a time on.
+    pub fn new(begin: f64) -> EventSearch<M> {
+        EventSearch { found: Vec::with_capacity(1024), begin, last: None, largest: M::Events::filled(0.0) }
+    }
+
+    /// Searches a step.
+    ///
+    /// # Errors
+    /// [`What::InEvent`] with the cause, [`What::Chattering`].
+    pub fn search<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<(), Failure> {
+        if M::Events::LEN == 0 {
+            return Ok(());
+        }
+        let (mechanism, h) = (step.motion.mechanism(), step.length());
+        let from = self.last.unwrap_or_else(|| Point::of(mechanism, step.from, h));
+        let to = Point::of(mechanism, step.to, h);
+        let first = self.found.len();
+        for event in 0..M::Events::LEN {
+            self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
+            let name = M::DESCRIPTION.events[event];
+            self.search_one(step, event, &from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
+            if self.found.len() - first > MOST_IN_A_STEP {
+                let what = What::Chattering { event: name, count: self.found.len() - first };
+                return Err(Failure::at::<M>(what, step.from.state.time, &step.from.state.positions));
+            }
+        }
+        self.found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));
+        self.last = Some(to);
+        Ok(())
+    }
+
+    fn search_one<A: Advance<M>>(
+        &mut self,
+        step: &mut Step<M, A>,
+        event: usize,
+        from: &Point<M>,
+        to: &Point<M>,
+        halvings: usize,
+    ) -> Result<(), Failure> {
+        let h = to.time - from.time;
+        let (values, rates) = ([from.values[event], to.values[event]], [h * from.rates[event], h * to.rates[event]]);
+        if !crosses(values) && cannot_reach_zero(values, rates) {
+            return Ok(());
+        }
+        if halvings > 0 {
+            let middle = step.at(from.time + h / 2.0)?;
+            let value = conditions(step, &middle)[event];
+            let size = values[0].abs().max(values[1].abs()).max(rates[0].abs()).max(rates[1].abs());
+            let foretold = (value - cubic(values, rates, 0.5)).abs() <= 0.02 * size;
+            if !foretold {
+                let middle = Point::of(step.motion.mechanism(), &step.motion.sample(middle)?, h / 2.0);
+                self.search_one(step, event, from, &middle, halvings - 1)?;
+                return self.search_one(step, event, &middle, to, halvings - 1);
+            }
+        }
+        match () {
+            _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
+            _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
+            _ => Ok(()),
+        }
+    }
+
+    /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.
+    fn touch<A: Advance<M>>(
+        &mut self,
+        step: &mut Step<M, A>,
+        event: usize,
+        [from, to]: [f64; 2],
+        values: [f64; 2],
+    ) -> Result<(), Failure> {
+        let sign = values[0].signum();
+        let (fraction, least) = find_minimum(|fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
+        let turn = from + fraction * (to - from);
+        if least < -TOUCH * self.largest[event] {
+            self.locate(step, event, [from, turn], [values[0], sign * least])?;
+            return self.locate(step, event, [turn, to], [sign * least, values[1]]);
+        }
+        if least.abs() <= TOUCH * self.largest[event] {
+            let state = step.at(turn)?;
+            self.push(event, Crossing::Touching, state);
+        }
+        Ok(())
+    }
+
+    fn locate<A: Advance<M>>(
+        &mut self,
+        step: &mut Step<M, A>,
+        event: usize,
+        [from, to]: [f64; 2],
+        values: [f64; 2],
+    ) -> Result<(), Failure> {
+        let h = to - from;
+        let time = match values[1] == 0.0 {
+            true => to,
+            false => {
+                let at = |fraction: f64| value(step, from + fraction * h, event);
+                from + h * find_root(values[0], values[1], tolerance(to) / h, at)?
+            }
+        };
+        let state = step.at(time)?;
+        let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
+        if is_root(conditions(step, &state)[event], values) {
+            self.push(event, crossing, state);
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, event: usize, crossing: Crossing, state: State<M>) {
+        if state.time - self.begin > 2.0 * tolerance(state.time) {
+            self.found.push(Occurrence { name: M::DESCRIPTION.events[event], crossing, state });
+        }
+    }
+}
+
+/// The value of a condition at a time inside a step.
+fn value<M: Mechanism, A: Advance<M>>(step: &mut Step<M, A>, time: f64, event: usize) -> Result<f64, Failure> {
+    let state = step.at(time)?;
+    Ok(conditions(step, &state)[event])
+}
+
+fn conditions<M: Mechanism, A: Advance<M>>(step: &Step<M, A>, state: &State<M>) -> M::Events {
+    step.motion.mechanism().events(state.time, &state.positions, &state.speeds)
+}
+
+impl<M: Mechanism> Point<M> {
+    /// Values, and rates by central differences along the motion, over 1e-4 of the interval to be searched.
+    fn of(mechanism: &M, sample: &Sample<M>, interval: f64) -> Point<M> {
+        let (state, d) = (&sample.state, 1e-4 * interval);
+        let along = |d: f64| {
+            let positions =
+                M::Q::from_fn(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i]));
+            let speeds = M::Q::from_fn(|i| state.speeds[i] + d * sample.accelerations[i]);
+            mechanism.events(state.time + d, &positions, &speeds)
+        };
+        let (ahead, behind) = (along(d), along(-d));
+        Point {
+            time: state.time,
+            values: mechanism.events(state.time, &state.positions, &state.speeds),
+            rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+        }
+    }
 }
 
 /// A change of sign between numbers; reaching zero counts, leaving it does not.
-fn crosses(before: f64, after: f64) -> bool {
+fn crosses([before, after]: [f64; 2]) -> bool {
     let finite = before.is_finite() && after.is_finite();
     finite && before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))
 }
 
+/// Whether both values are far from zero beside what they change by, or one is not finite.
+fn cannot_reach_zero(values: [f64; 2], rates: [f64; 2]) -> bool {
+    let least = values[0].abs().min(values[1].abs());
+    let undefined = !(values[0] + values[1]).is_finite();
+    undefined || values[0] == 0.0 || least > rates[0].abs().max(rates[1].abs())
+}
+
+/// Whether a condition that keeps its sign heads for zero at both ends.
+fn turns_back(values: [f64; 2], rates: [f64; 2]) -> bool {
+    let sign = values[0].signum();
+    values[0] * values[1] > 0.0 && sign * rates[0] < 0.0 && sign * rates[1] > 0.0
+}
+
 /// Whether the value where the sign changes has come near zero; at a jump or a pole it has not.
-fn is_root(value: f64, before: f64, after: f64) -> bool {
+fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
     value.abs() <= 0.5 * before.abs().max(after.abs())
 }
 
 /// To what a time is located, in seconds.
 fn tolerance(time: f64) -> f64 {
     f64::max(1e-12, 4.0 * f64::EPSILON * time.abs())
-}
-
-fn locate<M: Mechanism>(
-    mechanism: &M,
-    from: &Sample<M>,
-    to: &Sample<M>,
-    event: usize,
-    before: f64,
-    after: f64,
-) -> Result<State<M>, Failure> {
-    if after == 0.0 {
-        return Ok(to.state);
-    }
-    let h = to.state.time - from.state.time;
-    let tolerance = tolerance(to.state.time) / h;
-    let at = |fraction: f64| interpolate(mechanism, from, to, fraction);
-    let fraction = find_root(before, after, tolerance, |fraction| Ok(values(mechanism, &at(fraction)?)[event]))?;
-    at(fraction)
 }

@@ -72,11 +72,48 @@ pub enum What {
         unknown: String,
     },
     /// The samples would not fit in memory.
-    #[error("{steps} steps do not fit in memory; take larger steps or a shorter run")]
-    TooManySteps {
-        /// The steps asked for.
-        steps: usize,
+    #[error("{rows} rows do not fit in memory; record fewer")]
+    TooManyRows {
+        /// The rows asked for.
+        rows: usize,
     },
+    /// The method cannot choose its steps.
+    #[error("this method makes no estimate of its error and cannot choose its steps: give their number")]
+    NoErrorEstimate,
+    /// The tolerance cannot be met by any step.
+    #[error(
+        "the tolerance cannot be met: the step has shrunk to {step:.1e} s. Allow a larger tolerance, or use `--method radau5` \
+             if the mechanism is stiff; at a jump of a load no step is small enough"
+    )]
+    StepTooSmall {
+        /// The step that was refused, in seconds.
+        step: f64,
+    },
+    /// The implicit method's equations were not solved.
+    #[error("the equations of an implicit step were not solved: Newton's method does not converge. Take smaller steps")]
+    NoConvergence,
+    /// An event happens without end.
+    #[error(
+        "event `{event}` chatters: it happened {count} times within one step. Its condition changes faster than the motion; \
+             make it smooth"
+    )]
+    Chattering {
+        /// Its name.
+        event: &'static str,
+        /// How often it happened.
+        count: usize,
+    },
+    /// Something failed where an event was looked for.
+    #[error("while event `{event}` was looked for: {what}")]
+    InEvent {
+        /// The event.
+        event: &'static str,
+        /// What failed.
+        what: Box<What>,
+    },
+    /// Somebody asked it to end.
+    #[error("interrupted; what was computed until then is kept")]
+    Interrupted,
     /// A number that is not finite.
     #[error(
         "{quantity} is not finite. A load or an expression leaves its domain (division by zero, root of a negative number), \
@@ -93,6 +130,13 @@ impl Failure {
     pub fn at<M: Mechanism>(what: What, time: f64, q: &M::Q) -> Failure {
         let names = M::DESCRIPTION.coordinates.iter().map(|c| c.position.name);
         Failure { what, time, state: names.zip(q.iter().copied()).collect() }
+    }
+}
+
+impl Failure {
+    /// The same, while an event was looked for.
+    pub(crate) fn in_event(self, event: &'static str) -> Failure {
+        Failure { what: What::InEvent { event, what: Box::new(self.what) }, ..self }
     }
 }
 

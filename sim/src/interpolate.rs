@@ -1,24 +1,13 @@
 //! The motion between two samples.
 
-use crate::failure::Failure;
-use crate::project::{project_positions, project_velocities};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
-/// The state at `fraction` of the way between two samples, on the constraints.
+/// The state at `fraction` of the way between two samples, not projected.
 ///
 /// Positions by the quintic that has the positions, speeds and accelerations of both ends (error of order 6 in
-/// the step), speeds by its derivative; both are then projected like every state. The work follows from the
-/// balance of energy.
-///
-/// # Errors
-/// As the projection.
-pub fn interpolate<M: Mechanism>(
-    mechanism: &M,
-    from: &Sample<M>,
-    to: &Sample<M>,
-    fraction: f64,
-) -> Result<State<M>, Failure> {
+/// the step), speeds by its derivative, work by the cubic of its values and of the power (error of order 4).
+pub fn hermite<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) -> State<M> {
     let (a, b) = (&from.state, &to.state);
     let h = b.time - a.time;
     let ends = |i: usize| Ends {
@@ -26,14 +15,18 @@ pub fn interpolate<M: Mechanism>(
         rate: [h * a.speeds[i], h * b.speeds[i]],
         second: [h * h * from.accelerations[i], h * h * to.accelerations[i]],
     };
-    let time = a.time + fraction * h;
-    let mut positions = M::Q::from_fn(|i| ends(i).at(fraction).0);
-    let mut speeds = M::Q::from_fn(|i| ends(i).at(fraction).1 / h);
-    let linear = project_positions(mechanism, time, &mut positions)?;
-    project_velocities::<M>(&linear, time, &positions, &mut speeds)?;
-    let kinetic = |time: f64, q: &M::Q, qd: &M::Q| mechanism.kinetic_energy(time, q, qd);
-    let work = a.work + kinetic(time, &positions, &speeds) - kinetic(a.time, &a.positions, &a.speeds);
-    Ok(State { time, positions, speeds, work })
+    State {
+        time: a.time + fraction * h,
+        positions: M::Q::from_fn(|i| ends(i).at(fraction).0),
+        speeds: M::Q::from_fn(|i| ends(i).at(fraction).1 / h),
+        work: cubic([a.work, b.work], [h * from.power, h * to.power], fraction),
+    }
+}
+
+/// The cubic with these values and rates at 0 and 1.
+pub(crate) fn cubic(value: [f64; 2], rate: [f64; 2], s: f64) -> f64 {
+    let r = 1.0 - s;
+    value[0] * (1.0 + 2.0 * s) * r * r + value[1] * (3.0 - 2.0 * s) * s * s + s * r * (r * rate[0] - s * rate[1])
 }
 
 /// A quantity at both ends of an interval of length 1.

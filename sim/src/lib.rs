@@ -8,12 +8,16 @@ mod assemble;
 pub mod cli;
 mod events;
 mod failure;
+mod formats;
 mod integrate;
 mod interpolate;
+mod mobility;
 mod motion;
+mod partition;
 mod project;
 mod root;
 mod run;
+mod settings;
 pub mod show;
 mod solve;
 mod table;
@@ -21,14 +25,20 @@ mod trajectory;
 mod write;
 
 pub use assemble::{Start, assemble, declared_start};
-pub use events::{Occurrence, locate_events};
+pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
-pub use integrate::{RK4, Tableau, integrate};
-pub use interpolate::interpolate;
-pub use motion::{accelerate, residuals};
-pub use project::{project_positions, project_velocities};
-pub use run::{DOUBTFUL_BALANCE, Grid, Run, run};
+pub use formats::{Format, write_table};
+pub use integrate::{
+    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Step,
+    Steps, Tableau, Weight, integrate,
+};
+pub use interpolate::hermite;
+pub use mobility::{Mobility, mobility};
+pub use motion::{Motion, accelerate, residuals};
+pub use project::{project, project_positions, project_velocities, rates};
+pub use run::{DOUBTFUL_BALANCE, Run, run};
+pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dynamics, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
-pub use trajectory::{Sample, State, Trajectory};
+pub use trajectory::{Rates, Sample, State, Trajectory};
 pub use write::{WriteError, summary, write_csv, write_json};

@@ -1,9 +1,135 @@
-//! The equations of motion at one state.
+//! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::partition::Partition;
+use crate::project::{by_mass, project, rates};
+use crate::settings::Stabilisation;
 use crate::solve::solve;
-use crate::trajectory::State;
+use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Dynamics, Mechanism};
+use std::cell::{Cell, RefCell};
+
+/// A mechanism in motion: its right-hand side, its stabilisation, and what they have been asked.
+#[derive(Debug)]
+pub struct Motion<'m, M: Mechanism> {
+    mechanism: &'m M,
+    stabilisation: Stabilisation,
+    partition: RefCell<Partition>,
+    evaluations: Cell<u64>,
+}
+
+impl<'m, M: Mechanism> Motion<'m, M> {
+    /// The motion of a mechanism, kept on its constraints in this way.
+    pub fn new(mechanism: &'m M, stabilisation: Stabilisation) -> Motion<'m, M> {
+        let partition = RefCell::new(Partition::default());
+        Motion { mechanism, stabilisation, partition, evaluations: Cell::new(0) }
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &'m M {
+        self.mechanism
+    }
+
+    /// How many right-hand sides have been evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+
+    /// The right-hand side at a state inside a step. Where only independent coordinates are integrated, the others
+    /// are first made to follow.
+    ///
+    /// # Errors
+    /// As [`accelerate`], and as the solution of the constraints.
+    #[inline]
+    pub fn sample(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        if self.stabilisation == Stabilisation::Partitioning {
+            self.partition.borrow().follow(self.mechanism, &mut state)?;
+        }
+        let mut dynamics = accelerate(self.mechanism, state.time, &state.positions, &state.speeds)?;
+        if let Stabilisation::Baumgarte(rate) = self.stabilisation {
+            let push = baumgarte(self.mechanism, &state, rate)?;
+            dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
+        }
+        Ok(Sample::new(state, &dynamics))
+    }
+
+    /// Brings the end of a step, or a point inside it, onto the constraints.
+    ///
+    /// # Errors
+    /// As the projection.
+    #[inline]
+    pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
+        match self.stabilisation {
+            Stabilisation::Projection => project(self.mechanism, state),
+            Stabilisation::MassProjection => by_mass(self.mechanism, state),
+            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, state),
+            Stabilisation::Baumgarte(_) | Stabilisation::None => Ok(()),
+        }
+    }
+
+    /// Makes ready for a step from a state: chooses independent coordinates again if the choice has aged.
+    ///
+    /// # Errors
+    /// If no choice determines the motion.
+    #[inline]
+    pub fn prepare(&self, state: &State<M>) -> Result<(), Failure> {
+        match self.stabilisation {
+            Stabilisation::Partitioning => self.partition.borrow_mut().renew(self.mechanism, state),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What Baumgarte's method takes from the accelerations: x with [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
+#[cold]
+fn baumgarte<M: Mechanism>(mechanism: &M, state: &State<M>, rate: f64) -> Result<M::Q, Failure> {
+    let linear = mechanism.constraint_linearization(state.time, &state.positions);
+    let speeds = rates::<M>(&linear, &state.speeds);
+    let open = M::L::from_fn(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
+    by_inertia(mechanism, state.time, &state.positions, &linear.jacobian, &open)
+}
+
+/// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds that an impulse along the constraints makes to change their
+/// rates by r.
+pub(crate) fn by_inertia<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    jacobian: &M::LQ,
+    residual: &M::L,
+) -> Result<M::Q, Failure> {
+    let matrix = saddle::<M>(&mechanism.mass_matrix(time, q), jacobian);
+    let n = M::Q::LEN;
+    let rhs = M::Z::from_fn(|i| if i < n { 0.0 } else { residual[i - n] });
+    let solution = solve_motion::<M>(matrix, rhs, time, q)?;
+    Ok(M::Q::from_fn(|i| solution[i]))
+}
+
+/// [M C_q'; C_q 0].
+fn saddle<M: Mechanism>(mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ {
+    let n = M::Q::LEN;
+    let entry = |i: usize, j: usize| match (i < n, j < n) {
+        (true, true) => mass[i][j],
+        (true, false) => jacobian[j - n][i],
+        (false, true) => jacobian[i - n][j],
+        (false, false) => 0.0,
+    };
+    M::ZZ::from_fn(|i| M::Z::from_fn(|j| entry(i, j)))
+}
+
+/// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints say
+/// what others say already, are zero.
+fn solve_motion<M: Mechanism>(matrix: M::ZZ, rhs: M::Z, time: f64, q: &M::Q) -> Result<M::Z, Failure> {
+    let fail = |unknown: usize| Failure::at::<M>(What::Singular { unknown: unknown_name::<M>(unknown) }, time, q);
+    let solved = solve(matrix, rhs);
+    let undetermined = || solved.undetermined();
+    match undetermined().find(|unknown| *unknown < M::Q::LEN) {
+        Some(acceleration) => Err(fail(acceleration)),
+        None if !solved.is_consistent => Err(fail(undetermined().next().unwrap_or(0))),
+        None => Ok(solved.solution),
+    }
+}
 
 /// Accelerations, multipliers and power at a state, by the generated elimination; where that refuses a pivot, by
 /// complete pivoting on the mass matrix and the constraint Jacobian.
@@ -42,13 +168,7 @@ fn accelerate_by_pivoting<M: Mechanism>(
     let jacobian = mechanism.constraint_jacobian(time, q);
     let (force, convective) = (mechanism.generalized_forces(time, q, qd), mechanism.convective_forces(time, q, qd));
     let constraint_convective = mechanism.constraint_convective(time, q, qd);
-    let entry = |i: usize, j: usize| match (i < n, j < n) {
-        (true, true) => mass[i][j],
-        (true, false) => jacobian[j - n][i],
-        (false, true) => jacobian[i - n][j],
-        (false, false) => 0.0,
-    };
-    let matrix = M::ZZ::from_fn(|i| M::Z::from_fn(|j| entry(i, j)));
+    let matrix = saddle::<M>(&mass, &jacobian);
     let rhs = M::Z::from_fn(|i| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] });
     // Constraints first: what is wrong with them spoils the equations of the coordinates too.
     let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
@@ -59,8 +179,7 @@ fn accelerate_by_pivoting<M: Mechanism>(
         };
         return Err(fail(What::NotFinite { quantity }));
     }
-    let solution = solve(matrix, rhs)
-        .map_err(|deficient| fail(What::Singular { unknown: unknown_name::<M>(deficient.unknown) }))?;
+    let solution = solve_motion::<M>(matrix, rhs, time, q)?;
     let accelerations = M::Q::from_fn(|i| solution[i]);
     let multipliers = M::L::from_fn(|i| solution[n + i]);
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
@@ -80,11 +199,7 @@ fn unknown_name<M: Mechanism>(unknown: usize) -> String {
 /// The largest magnitudes of C and of C_q q' + C_t at a state.
 pub fn residuals<M: Mechanism>(mechanism: &M, state: &State<M>) -> (f64, f64) {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
-    let rate = |i: usize| {
-        let row: f64 = linear.jacobian[i].iter().zip(state.speeds.iter()).map(|(c, v)| c * v).sum();
-        row + linear.time_derivative[i]
-    };
-    let rates = M::L::from_fn(rate);
+    let rates = rates::<M>(&linear, &state.speeds);
     let size = |values: &M::L| largest(values.iter()).map_or(0.0, |(_, value)| value.abs());
     (size(&linear.values), size(&rates))
 }

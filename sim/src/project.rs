@@ -1,21 +1,45 @@
 //! Projection onto the constraints: positions by Gauss-Newton, velocities by one linear correction.
 //!
-//! Both corrections are the smallest in the unweighted norm of the coordinates:
-//! q -= C_q' (C_q C_q')^-1 C and q' -= C_q' (C_q C_q')^-1 (C_q q' + C_t).
+//! Both corrections are the smallest in the unweighted norm of the coordinates,
+//! q -= C_q' (C_q C_q')^-1 C and q' -= C_q' (C_q C_q')^-1 (C_q q' + C_t), or on request in the metric of the mass matrix.
+//! Rows that depend on others here are left out of a correction, but not of the check that follows it.
 
 use crate::failure::{Failure, What, constraint_name, largest};
-use crate::solve::solve_definite;
+use crate::motion::by_inertia;
+use crate::solve::Definite;
+use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
 /// A residual below this is met, whatever its terms.
 const TOLERANCE: f64 = 1e-12;
-
 /// A residual above this is never put down to rounding: a state known no better is lost.
 const LARGEST_ROUNDING: f64 = 1e-6;
+/// A change of positions, in SI units, and rates of constraints, below which one factorisation serves both projections:
+/// what it leaves of the rates is of the order of their product.
+const SMALL_CHANGE: f64 = 1e-8;
+const SMALL_RATE: f64 = 1e-5;
 
 type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mechanism>::LQ>;
+type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
+
+/// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
+///
+/// # Errors
+/// As those.
+#[inline]
+pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
+    if M::L::LEN == 0 {
+        return Ok(());
+    }
+    let (time, q) = (state.time, &mut state.positions);
+    let found = correct_positions(mechanism, time, q)?;
+    let open = rates::<M>(&found.linear, &state.speeds);
+    let serves = found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
+    let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
+    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)
+}
 
 /// Corrects positions until |C_i| <= max(1e-12, 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|)), once at
 /// least; gives the constraints linearised there.
@@ -24,35 +48,19 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 /// the projection would set in at some step and spoil the order of the method.
 ///
 /// # Errors
-/// [`What::NotProjected`] after ten corrections, [`What::DependentConstraint`] where C_q loses rank,
-/// [`What::NotFinite`] if a constraint leaves its domain.
+/// [`What::NotProjected`] after ten corrections, [`What::NotFinite`] if a constraint leaves its domain.
 #[inline]
 pub fn project_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Linearization<M>, Failure> {
-    let mut linear = mechanism.constraint_linearization(time, q);
     if M::L::LEN == 0 {
-        return Ok(linear);
+        return Ok(mechanism.constraint_linearization(time, q));
     }
-    for _ in 0..MOST_CORRECTIONS {
-        if let Some((row, value)) = largest(linear.values.iter()).filter(|(_, value)| !value.is_finite()) {
-            let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
-            return Err(Failure::at::<M>(What::NotFinite { quantity }, time, q));
-        }
-        let correction = least_change::<M>(&linear, linear.values, time, q)?;
-        subtract(q, &correction);
-        linear = mechanism.constraint_linearization(time, q);
-        if is_met(mechanism, time, q, &linear) {
-            return Ok(linear);
-        }
-    }
-    let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
-    let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: MOST_CORRECTIONS };
-    Err(Failure::at::<M>(what, time, q))
+    Ok(correct_positions(mechanism, time, q)?.linear)
 }
 
 /// Corrects velocities at a position where the constraints are already linearised.
 ///
 /// # Errors
-/// [`What::DependentConstraint`] where C_q loses rank.
+/// [`What::DependentConstraint`] if a constraint that depends on others here contradicts them.
 #[inline]
 pub fn project_velocities<M: Mechanism>(
     linear: &Linearization<M>,
@@ -63,31 +71,136 @@ pub fn project_velocities<M: Mechanism>(
     if M::L::LEN == 0 {
         return Ok(());
     }
-    let rates = M::L::from_fn(|i| inner(&linear.jacobian[i], qd) + linear.time_derivative[i]);
-    let correction = least_change::<M>(linear, rates, time, q)?;
-    subtract(qd, &correction);
+    let factors = factorise::<M>(linear, time, q)?;
+    correct_speeds::<M>(linear, &factors, &rates::<M>(linear, qd), time, q, qd)
+}
+
+/// C_q q' + C_t.
+#[inline]
+pub fn rates<M: Mechanism>(linear: &Linearization<M>, qd: &M::Q) -> M::L {
+    M::L::from_fn(|i| inner(&linear.jacobian[i], qd) + linear.time_derivative[i])
+}
+
+/// The same projections in the metric of the mass matrix M: q -= M^-1 C_q' (C_q M^-1 C_q')^-1 C, and so for q'.
+///
+/// # Errors
+/// As [`project`], and where the mass matrix does not determine the change.
+pub(crate) fn by_mass<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
+    let (time, q) = (state.time, &mut state.positions);
+    let (linear, _) = correct(mechanism, time, q, |linear, q| {
+        by_inertia(mechanism, time, q, &linear.jacobian, &linear.values).map(|change| (change, ()))
+    })?;
+    let change = by_inertia(mechanism, time, q, &linear.jacobian, &rates::<M>(&linear, &state.speeds))?;
+    subtract(&mut state.speeds, &change);
     Ok(())
+}
+
+/// Where positions have been corrected to.
+struct Corrected<M: Mechanism> {
+    /// The constraints there.
+    linear: Linearization<M>,
+    /// The factors that the last correction was made with.
+    factors: Factors<M>,
+    /// The largest change of the last correction.
+    last_change: f64,
+}
+
+#[inline]
+fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Corrected<M>, Failure> {
+    let (linear, (factors, last_change)) = correct(mechanism, time, q, |linear, q| {
+        let factors = factorise::<M>(linear, time, q)?;
+        let change = least_change::<M>(linear, &factors, linear.values);
+        let size = change.iter().fold(0.0f64, |size, change| size.max(change.abs()));
+        Ok((change, (factors, size)))
+    })?;
+    Ok(Corrected { linear, factors, last_change })
+}
+
+/// Subtracts corrections from positions until the constraints are met; gives the constraints there, and what came with
+/// the last correction.
+#[inline]
+fn correct<M: Mechanism, T>(
+    mechanism: &M,
+    time: f64,
+    q: &mut M::Q,
+    change: impl Fn(&Linearization<M>, &M::Q) -> Result<(M::Q, T), Failure>,
+) -> Result<(Linearization<M>, T), Failure> {
+    let mut linear = mechanism.constraint_linearization(time, q);
+    for _ in 0..MOST_CORRECTIONS {
+        if let Some((row, value)) = largest(linear.values.iter()).filter(|(_, value)| !value.is_finite()) {
+            let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
+            return Err(Failure::at::<M>(What::NotFinite { quantity }, time, q));
+        }
+        let (correction, last) = change(&linear, q)?;
+        subtract(q, &correction);
+        linear = mechanism.constraint_linearization(time, q);
+        if is_met(mechanism, time, q, &linear) {
+            return Ok((linear, last));
+        }
+    }
+    let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
+    let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: MOST_CORRECTIONS };
+    Err(Failure::at::<M>(what, time, q))
+}
+
+/// The factors of C_q C_q'.
+#[inline]
+fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    let jacobian = &linear.jacobian;
+    let gram = M::LL::from_fn(|i| M::L::from_fn(|j| if j <= i { inner(&jacobian[i], &jacobian[j]) } else { 0.0 }));
+    Definite::new(gram).map_err(|undefined| {
+        let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
+        Failure::at::<M>(What::NotFinite { quantity }, time, q)
+    })
 }
 
 /// C_q' (C_q C_q')^-1 r.
 #[inline]
-fn least_change<M: Mechanism>(linear: &Linearization<M>, residual: M::L, time: f64, q: &M::Q) -> Result<M::Q, Failure> {
-    let jacobian = &linear.jacobian;
-    let gram = M::LL::from_fn(|i| M::L::from_fn(|j| if j <= i { inner(&jacobian[i], &jacobian[j]) } else { 0.0 }));
-    let weights = solve_definite(gram, residual).map_err(|deficient| {
-        let constraint = constraint_name::<M>(deficient.unknown);
-        let finite = jacobian[deficient.unknown].iter().all(|entry| entry.is_finite());
-        let what = match finite {
-            true => What::DependentConstraint { constraint },
-            false => What::NotFinite { quantity: format!("constraint `{constraint}`") },
-        };
-        Failure::at::<M>(what, time, q)
-    })?;
-    Ok(M::Q::from_fn(|j| (0..M::L::LEN).map(|i| jacobian[i][j] * weights[i]).sum()))
+fn least_change<M: Mechanism>(linear: &Linearization<M>, factors: &Factors<M>, residual: M::L) -> M::Q {
+    let weights = factors.solve(residual);
+    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| linear.jacobian[i][j] * weights[i]).sum())
 }
 
 #[inline]
-fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
+fn correct_speeds<M: Mechanism>(
+    linear: &Linearization<M>,
+    factors: &Factors<M>,
+    open: &M::L,
+    time: f64,
+    q: &M::Q,
+    qd: &mut M::Q,
+) -> Result<(), Failure> {
+    subtract(qd, &least_change::<M>(linear, factors, *open));
+    match factors.is_regular() {
+        true => Ok(()),
+        false => check_dependent_rates::<M>(linear, time, q, qd),
+    }
+}
+
+/// A constraint that depends on others must not ask for another speed than they do.
+#[cold]
+fn check_dependent_rates<M: Mechanism>(
+    linear: &Linearization<M>,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<(), Failure> {
+    let terms = |i: usize| linear.jacobian[i].iter().zip(qd.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
+    let left = rates::<M>(linear, qd);
+    // A position within 1e-6 of a singular one leaves that part of the speeds.
+    let contradicts =
+        |i: &usize| !(left[*i].abs() <= 1e-6 * (terms(*i) + linear.time_derivative[*i].abs()) + TOLERANCE);
+    match (0..M::L::LEN).find(contradicts) {
+        None => Ok(()),
+        Some(row) => {
+            let what = What::DependentConstraint { constraint: constraint_name::<M>(row) };
+            Err(Failure::at::<M>(what, time, q))
+        }
+    }
+}
+
+#[inline]
+pub(crate) fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
 }
 

@@ -2,53 +2,79 @@
 
 use sim_kernel::Array;
 
-/// The system has no unique solution: these unknowns were left without a pivot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Deficient {
-    /// The first such unknown.
-    pub(crate) unknown: usize,
-}
-
 /// A pivot this much smaller than the largest is taken for zero. Rows and columns are first brought to
 /// comparable size, so that units do not decide.
 const SMALLEST_PIVOT: f64 = 1e-13;
 
+/// What is left of the equations without a pivot, relative to the right-hand side, when they agree with the others.
+const CONSISTENT: f64 = 1e-6;
+
+/// A solution of a square system, which may not be the only one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Solved<R> {
+    /// It; unknowns that no equation determines are zero.
+    pub(crate) solution: R,
+    /// The unknowns in the order of their pivots.
+    order: R,
+    /// How many have one.
+    rank: usize,
+    /// Whether the equations without a pivot agree with the others.
+    pub(crate) is_consistent: bool,
+}
+
+impl<R: Array<f64>> Solved<R> {
+    /// The unknowns that no equation determines.
+    pub(crate) fn undetermined(&self) -> impl Iterator<Item = usize> + '_ {
+        (self.rank..R::LEN).map(|k| self.order[k] as usize)
+    }
+}
+
 /// Solves a square system by elimination with complete pivoting, after scaling rows and columns by powers of 2.
-pub(crate) fn solve<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> Result<R, Deficient> {
+pub(crate) fn solve<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> Solved<R> {
     let n = R::LEN;
     let column_scale = equilibrate(&mut matrix, &mut rhs);
-    let mut columns = R::from_fn(|i| i as f64);
+    let size_of_rhs = rhs.iter().fold(0.0f64, |size, value| size.max(value.abs()));
+    let mut order = R::from_fn(|i| i as f64);
     let mut first_pivot = 0.0f64;
-    for k in 0..n {
+    let mut rank = 0;
+    while rank < n {
+        let k = rank;
         let (row, column, size) = largest_entry(&matrix, k);
         first_pivot = first_pivot.max(size);
         if !(size > SMALLEST_PIVOT * first_pivot) {
-            return Err(Deficient { unknown: columns[k] as usize });
+            break;
         }
         matrix.as_mut().swap(k, row);
         rhs.as_mut().swap(k, row);
         for i in 0..n {
             matrix[i].as_mut().swap(k, column);
         }
-        columns.as_mut().swap(k, column);
-        for i in k + 1..n {
-            let factor = matrix[i][k] / matrix[k][k];
-            if factor != 0.0 {
-                for j in k + 1..n {
-                    matrix[i][j] -= factor * matrix[k][j];
-                }
-                rhs[i] -= factor * rhs[k];
-            }
-        }
+        order.as_mut().swap(k, column);
+        eliminate(&mut matrix, &mut rhs, k);
+        rank += 1;
     }
+    let is_consistent = (rank..n).all(|k| rhs[k].abs() <= CONSISTENT * size_of_rhs);
     let mut solution = R::filled(0.0);
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| matrix[k][j] * rhs[j]).sum();
+    for k in (0..rank).rev() {
+        let known: f64 = (k + 1..rank).map(|j| matrix[k][j] * rhs[j]).sum();
         rhs[k] = (rhs[k] - known) / matrix[k][k];
-        let unknown = columns[k] as usize;
+        let unknown = order[k] as usize;
         solution[unknown] = rhs[k] * column_scale[unknown];
     }
-    Ok(solution)
+    Solved { solution, order, rank, is_consistent }
+}
+
+/// Takes multiples of row k from those below it.
+fn eliminate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R, k: usize) {
+    for i in k + 1..R::LEN {
+        let factor = matrix[i][k] / matrix[k][k];
+        if factor != 0.0 {
+            for j in k + 1..R::LEN {
+                matrix[i][j] -= factor * matrix[k][j];
+            }
+            rhs[i] -= factor * rhs[k];
+        }
+    }
 }
 
 /// Scales rows and columns to largest entries near 1; gives the scales of the columns.
@@ -88,35 +114,70 @@ fn largest_entry<A: Array<R>, R: Array<f64>>(matrix: &A, from: usize) -> (usize,
     found
 }
 
-/// Solves a symmetric positive definite system, of which the lower triangle is given, by L D L' factorisation.
-///
-/// The unknown is refused at whose pivot cancellation has taken all but a few digits: it depends on those before.
-#[inline]
-pub(crate) fn solve_definite<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> Result<R, Deficient> {
-    let n = R::LEN;
-    let mut inverse_pivots = R::filled(0.0);
-    for k in 0..n {
-        let mut pivot = matrix[k][k];
-        for j in 0..k {
-            let known: f64 = (0..j).map(|i| matrix[k][i] * matrix[j][i]).sum();
-            matrix[k][j] -= known;
+/// L D L' factors of a symmetric matrix that is positive definite, or semidefinite because rows depend on each other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Definite<A, R> {
+    /// L, below the diagonal.
+    lower: A,
+    /// 1/D; zero for rows that depend on those before.
+    inverse_pivots: R,
+}
+
+/// The matrix is not finite in this row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Undefined {
+    /// The row.
+    pub(crate) row: usize,
+}
+
+impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
+    /// Factorises a matrix of which the lower triangle is given.
+    ///
+    /// A row at whose pivot cancellation has taken all but a few digits depends on those before.
+    #[inline]
+    pub(crate) fn new(mut lower: A) -> Result<Definite<A, R>, Undefined> {
+        let mut inverse_pivots = R::filled(0.0);
+        for k in 0..R::LEN {
+            let mut pivot = lower[k][k];
+            for j in 0..k {
+                let known: f64 = (0..j).map(|i| lower[k][i] * lower[j][i]).sum();
+                lower[k][j] -= known;
+            }
+            for j in 0..k {
+                let scaled = lower[k][j] * inverse_pivots[j];
+                pivot -= lower[k][j] * scaled;
+                lower[k][j] = scaled;
+            }
+            if pivot > SMALLEST_PIVOT * lower[k][k] {
+                inverse_pivots[k] = 1.0 / pivot;
+            } else if !pivot.is_finite() {
+                return Err(Undefined { row: k });
+            }
         }
-        for j in 0..k {
-            let scaled = matrix[k][j] * inverse_pivots[j];
-            pivot -= matrix[k][j] * scaled;
-            rhs[k] -= scaled * rhs[j];
-            matrix[k][j] = scaled;
-        }
-        if !(pivot > SMALLEST_PIVOT * matrix[k][k]) {
-            return Err(Deficient { unknown: k });
-        }
-        inverse_pivots[k] = 1.0 / pivot;
+        Ok(Definite { lower, inverse_pivots })
     }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|i| matrix[i][k] * rhs[i]).sum();
-        rhs[k] = rhs[k] * inverse_pivots[k] - known;
+
+    /// Whether no row depends on others.
+    #[inline]
+    pub(crate) fn is_regular(&self) -> bool {
+        self.inverse_pivots.iter().all(|inverse| *inverse != 0.0)
     }
-    Ok(rhs)
+
+    /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
+    #[inline]
+    pub(crate) fn solve(&self, mut rhs: R) -> R {
+        let (n, lower) = (R::LEN, &self.lower);
+        for k in 0..n {
+            let known: f64 = (0..k).map(|j| lower[k][j] * rhs[j]).sum();
+            rhs[k] -= known;
+        }
+        for k in (0..n).rev() {
+            let known: f64 = (k + 1..n).map(|i| lower[i][k] * rhs[i]).sum();
+            let solves = self.inverse_pivots[k] != 0.0;
+            rhs[k] = if solves { rhs[k] * self.inverse_pivots[k] - known } else { 0.0 };
+        }
+        rhs
+    }
 }
 
 #[cfg(test)]
@@ -131,8 +192,8 @@ mod tests {
     #[test]
     fn both_solvers_invert_a_hilbert_matrix() {
         let first_column = [16.0, -120.0, 240.0, -140.0];
-        for solution in [solve(hilbert(), [1.0, 0.0, 0.0, 0.0]), solve_definite(hilbert(), [1.0, 0.0, 0.0, 0.0])] {
-            let solution = solution.unwrap();
+        let rhs = [1.0, 0.0, 0.0, 0.0];
+        for solution in [solve(hilbert(), rhs).solution, Definite::new(hilbert()).unwrap().solve(rhs)] {
             for (x, expected) in solution.iter().zip(first_column) {
                 // Condition 1.5e4 times a few roundings of 1.1e-16, relative to the largest entry.
                 assert!((x - expected).abs() < 240.0 * 1.5e4 * 1e-15, "{solution:?}");
@@ -142,14 +203,19 @@ mod tests {
 
     #[test]
     fn zero_diagonals_and_wild_scales_are_no_obstacle() {
-        let solution = solve([[0.0, 2.0], [4e-9, 0.0]], [2.0, 8e-9]).unwrap();
-        assert_eq!(solution, [2.0, 1.0]);
+        assert_eq!(solve([[0.0, 2.0], [4e-9, 0.0]], [2.0, 8e-9]).solution, [2.0, 1.0]);
     }
 
     #[test]
-    fn dependent_rows_are_refused() {
-        assert!(solve([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_err());
-        assert_eq!(solve_definite([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0]), Err(Deficient { unknown: 1 }));
-        assert!(solve([[f64::NAN, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_err());
+    fn dependent_rows_leave_an_unknown_undetermined() {
+        let solved = solve([[1.0, 2.0], [2.0, 4.0]], [1.0, 2.0]);
+        assert!(solved.is_consistent && solved.undetermined().eq([1]));
+        assert_eq!(solved.solution, [1.0, 0.0]);
+        assert!(!solve([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_consistent);
+        assert!(!solve([[f64::NAN, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_consistent);
+        let factors = Definite::new([[1.0, 0.0], [2.0, 4.0]]).unwrap();
+        assert!(!factors.is_regular());
+        assert_eq!(factors.solve([1.0, 2.0]), [1.0, 0.0]);
+        assert!(Definite::new([[1.0, 0.0], [f64::NAN, 4.0]]).is_err());
     }
 }

@@ -1,7 +1,7 @@
 //! States, samples and trajectories.
 
 use crate::Failure;
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Dynamics, Mechanism};
 
 /// What is integrated: the state of a mechanism, and the work done on it.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +16,24 @@ pub struct State<M: Mechanism> {
     pub work: f64,
 }
 
+impl<M: Mechanism> State<M> {
+    /// The state at `time` after a change of `factor` times some rates.
+    #[inline]
+    pub fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> State<M> {
+        State {
+            time,
+            positions: M::Q::from_fn(|i| self.positions[i] + factor * rates.positions[i]),
+            speeds: M::Q::from_fn(|i| self.speeds[i] + factor * rates.speeds[i]),
+            work: self.work + factor * rates.work,
+        }
+    }
+
+    /// Whether all of it is finite.
+    pub fn is_finite(&self) -> bool {
+        self.positions.iter().chain(self.speeds.iter()).chain([&self.work]).all(|value| value.is_finite())
+    }
+}
+
 /// A state with what follows from it; all of it belongs to one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<M: Mechanism> {
@@ -25,6 +43,49 @@ pub struct Sample<M: Mechanism> {
     pub accelerations: M::Q,
     /// lambda.
     pub multipliers: M::L,
+    /// The power of loads and drives, in watts.
+    pub power: f64,
+}
+
+impl<M: Mechanism> Sample<M> {
+    /// A state with the solution of the equations of motion there.
+    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>) -> Sample<M> {
+        let Dynamics { accelerations, multipliers, power, .. } = *dynamics;
+        Sample { state, accelerations, multipliers, power }
+    }
+
+    /// How the state changes in time.
+    pub fn rates(&self) -> Rates<M> {
+        Rates { positions: self.state.speeds, speeds: self.accelerations, work: self.power }
+    }
+}
+
+/// The rate of each part of a state, or a change of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Rates<M: Mechanism> {
+    /// Of the positions: q'.
+    pub positions: M::Q,
+    /// Of the speeds: q''.
+    pub speeds: M::Q,
+    /// Of the work: the power, in watts.
+    pub work: f64,
+}
+
+impl<M: Mechanism> Rates<M> {
+    /// No change.
+    pub fn zero() -> Rates<M> {
+        Rates { positions: M::Q::filled(0.0), speeds: M::Q::filled(0.0), work: 0.0 }
+    }
+
+    /// Adds a multiple of others.
+    #[inline]
+    pub fn add(&mut self, weight: f64, other: &Rates<M>) {
+        for i in 0..M::Q::LEN {
+            self.positions[i] += weight * other.positions[i];
+            self.speeds[i] += weight * other.speeds[i];
+        }
+        self.work += weight * other.work;
+    }
 }
 
 /// The samples of a motion, and how it ended.

@@ -1,6 +1,7 @@
 //! A run as files.
 
 use crate::run::Run;
+use crate::settings::Stepping;
 use crate::table::Table;
 use serde_json::{Map, Value, json};
 use sim_kernel::{Array, Mechanism};
@@ -68,14 +69,34 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "model": description.name,
         "parameters": parameters.collect::<Map<String, Value>>(),
         "initial": samples.first().map(|sample| state_object(description, &sample.state.positions, &sample.state.speeds)),
-        "method": { "name": crate::RK4.name, "projection": "positions and velocities", "steps": run.grid.steps, "step": run.grid.end / run.grid.steps.max(1) as f64 },
-        "end": { "asked": run.grid.end, "reached": last, "samples": samples.len() },
+        "method": method_object(run),
+        "end": { "asked": run.settings.end, "reached": last, "samples": samples.len() },
         "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
+        "degrees_of_freedom": run.mobility.degrees_of_freedom,
+        "redundant_constraints": run.mobility.dependent,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
+    })
+}
+
+/// What was asked for, and what it took.
+fn method_object<M: Mechanism>(run: &Run<M>) -> Value {
+    let settings = &run.settings;
+    let steps = match settings.stepping {
+        Stepping::Equal(steps) => json!({ "equal": steps, "step": settings.end / steps.max(1) as f64 }),
+        Stepping::Adaptive(tolerance) => json!({ "rtol": tolerance.relative, "atol": tolerance.absolute }),
+    };
+    json!({
+        "name": settings.method.name(),
+        "order": settings.method.order(),
+        "stepping": steps,
+        "stabilisation": settings.stabilisation.to_string(),
+        "accepted_steps": run.steps.accepted,
+        "rejected_steps": run.steps.rejected,
+        "right_hand_sides": run.evaluations,
     })
 }
 

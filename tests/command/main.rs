@@ -56,13 +56,13 @@ fn list_names_the_mechanisms() {
     );
 }
 
-/// 0.877997139511 s: the exact period, to the digits that the terminal shows.
+/// 0.877997139511 s: the exact period, which the default tolerance of 1e-10 finds to 1e-12 s or so.
 #[test]
 fn run_writes_motion_summary_and_figures() {
     let directory = fresh("run");
     let output = sim(&["run", "quick-return", "--out", directory.to_str().unwrap()]);
     assert!(output.status.success(), "{}", stderr(&output));
-    assert!(stdout(&output).contains("period       0.877997139511"));
+    assert!(stdout(&output).contains("period       0.87799713951"));
     let mut files: Vec<String> =
         fs::read_dir(&directory).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     files.sort();
@@ -97,7 +97,7 @@ fn run_writes_motion_summary_and_figures() {
     );
     assert_eq!(headers[10..12], ["lambda_guide [N]", "lambda_slot [N]"]);
     assert_eq!(headers.len(), 12 + 10);
-    assert_eq!(reader.records().count(), 8193);
+    assert_eq!(reader.records().count(), 1025);
 
     let summary = summary(&directory);
     assert!((summary["period"].as_f64().unwrap() - 0.877_997_139_511_224_4).abs() < 1e-10);
@@ -136,7 +136,7 @@ fn settings_have_units() {
     let summary = summary(&directory);
     assert_eq!(summary["parameters"]["O2A"]["value"], 0.18);
     assert_eq!(summary["parameters"]["F"]["value"], 500.0);
-    assert_eq!(summary["method"]["steps"], 250);
+    assert_eq!(summary["method"]["accepted_steps"], 250);
     let start = |header: &str| column(&directory, header)[0];
     assert!((start("alpha [rad]") - std::f64::consts::FRAC_PI_6).abs() < 1e-15);
     assert!((start("alpha_dot [rad/s]") + 2.0 * std::f64::consts::PI).abs() < 1e-14);
@@ -147,7 +147,7 @@ fn settings_have_units() {
 /// Words that cannot be understood: exit status 2, and the way out.
 #[test]
 fn unknown_words_name_the_nearest_known() {
-    let rows: [(&[&str], &str); 14] = [
+    let rows: [(&[&str], &str); 20] = [
         (&["run", "quick-retrun"], "no model is called `quick-retrun` (did you mean `quick-return`?)"),
         (&["run", "quick-return", "--set", "O2B=1"], "no parameter is called `O2B` (did you mean `O2A`?)"),
         (&["run", "quick-return", "--set", "O2A=1 mtr"], "`mtr` is not a known unit"),
@@ -161,6 +161,12 @@ fn unknown_words_name_the_nearest_known() {
         (&["run", "quick-return", "--set", "alpha=1"], "`--initial alpha=1`"),
         (&["run", "quick-return", "--initial", "O2A=1"], "`--set O2A=1`"),
         (&["run", "quick-return", "--step", "1e-12"], "steps are asked for"),
+        (&["run", "quick-return", "--method", "rk5"], "no method is called `rk5` (did you mean `rk3`?)"),
+        (&["run", "quick-return", "--rtol", "1e-20"], "--rtol from 1e-14 to 0.1"),
+        (&["run", "quick-return", "--rtol", "1e-8", "--steps", "100"], "cannot be used with"),
+        (&["run", "quick-return", "--projection", "baumgart"], "known: projection, mass-projection, partitioning"),
+        (&["run", "quick-return", "--rows", "0"], "a whole number from 1"),
+        (&["run", "quick-return", "--until", "perod"], "no event is called `perod` (did you mean `period`?)"),
         (&["rum", "quick-return"], "unrecognized subcommand"),
     ];
     for (arguments, expected) in rows {
@@ -175,7 +181,8 @@ fn unknown_words_name_the_nearest_known() {
 #[test]
 fn a_run_that_fails_keeps_what_it_computed() {
     let directory = fresh("failing");
-    let output = sim(&["run", "quick-return", "--steps", "12", "--out", directory.to_str().unwrap()]);
+    let output =
+        sim(&["run", "quick-return", "--method", "rk4", "--steps", "12", "--out", directory.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
     let message = stderr(&output);
     assert!(message.contains("at t = ") && message.contains("alpha = ") && message.contains("constraint"), "{message}");
@@ -199,4 +206,26 @@ fn a_place_that_cannot_be_written_is_named() {
         "{}",
         stderr(&output)
     );
+}
+
+/// The period does not depend on the method, and `--until` ends the run there.
+#[test]
+fn methods_and_projections_find_the_same_period() {
+    let directory = fresh("methods");
+    let rows: [&[&str]; 4] = [
+        &[],
+        &["--method", "rk4", "--steps", "8192"],
+        &["--method", "dopri5", "--rtol", "1e-11"],
+        &["--projection", "partitioning"],
+    ];
+    for options in rows {
+        let arguments =
+            ["run", "quick-return", "--no-figures", "--until", "period", "--out", directory.to_str().unwrap()];
+        let output = sim(&[&arguments[..], options].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let period = summary(&directory)["period"].as_f64().unwrap();
+        // The tolerance of a step, 1e-11 rad and more, at 7 rad/s.
+        assert!((period - 0.877_997_139_511_224_4).abs() < 1e-10, "{options:?}: {period}");
+        assert_eq!(column(&directory, "t [s]").last(), Some(&period), "{options:?}");
+    }
 }

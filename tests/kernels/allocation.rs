@@ -4,7 +4,10 @@
 
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
-use sim::{Array, Mechanism, RK4, assemble, declared_start, integrate};
+use sim::{
+    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Mechanism, Motion, RK4, Stabilisation, State,
+    Stepping, Steps, Tolerance, assemble, declared_start, integrate,
+};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -68,13 +71,41 @@ fn kernels_do_not_allocate() {
     assert_eq!(allocations(|| all_kernels(Functions::default())), 0);
 }
 
+/// Ten thousand steps of each kind, with projection, events and dense output.
 #[test]
 fn ten_thousand_steps_do_not_allocate() {
     let mechanism = QuickReturn::default();
     let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
-    let mut samples = Vec::with_capacity(10_001);
+    for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection, Stabilisation::Partitioning] {
+        let equal = Stepping::Equal(10_000);
+        ten_thousand_steps(&mechanism, ExplicitRungeKutta::new(&RK4), stabilisation, equal, 2.0, start);
+        ten_thousand_steps(&mechanism, Dop853::new(), stabilisation, equal, 20.0, start);
+    }
+    let adaptive = Stepping::Adaptive(Tolerance::new(1e-12));
+    ten_thousand_steps(&mechanism, Dop853::new(), Stabilisation::Projection, adaptive, 400.0, start);
+}
+
+fn ten_thousand_steps<A: Advance<QuickReturn>>(
+    mechanism: &QuickReturn,
+    mut method: A,
+    stabilisation: Stabilisation,
+    stepping: Stepping,
+    end: f64,
+    start: State<QuickReturn>,
+) {
+    let motion = Motion::new(mechanism, stabilisation);
+    motion.prepare(&start).unwrap();
+    let first = motion.sample(start).unwrap();
+    let mut events = EventSearch::new(0.0);
+    let mut steps = Steps::default();
+    let course = Course { end, stepping, interrupt: None };
     let counted = allocations(|| {
-        integrate(&mechanism, &RK4, start, 2.0, 10_000, |sample| samples.push(sample)).unwrap();
+        integrate(&motion, &mut method, &course, first, &mut steps, |step| {
+            events.search(step)?;
+            black_box(step.at(step.from.state.time + 0.3 * step.length())?);
+            Ok(std::ops::ControlFlow::Continue(()))
+        })
+        .unwrap();
     });
-    assert_eq!((counted, samples.len()), (0, 10_001));
+    assert!(counted == 0 && steps.accepted >= 10_000 && events.found.len() == 1, "{counted} {steps:?} {stabilisation}");
 }

@@ -79,7 +79,7 @@ fn what_cannot_be_assembled_names_the_constraint_and_the_closest_state() {
 fn contradicting_speeds_name_the_constraint() {
     let linkage = FourBar::default();
     let mut start = declared_start(&linkage);
-    start.speed_given = [1.0; 3];
+    start.speed_given = vec![true; 3];
     start.speeds = [1.0, 0.0, 0.0];
     let failure = assemble(&linkage, &start).unwrap_err();
     assert!(matches!(failure.what, What::SpeedsContradict { constraint: "closure_y", .. }), "{failure}");

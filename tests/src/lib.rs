@@ -1,7 +1,7 @@
 //! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
 
 use serde_json::Value;
-use sim::{Description, Grid, Mechanism, Run, declared_start};
+use sim::{Description, Mechanism, Method, Run, Settings, declared_start};
 use std::time::{Duration, Instant};
 
 /// A file of `tests/reference`.
@@ -21,12 +21,20 @@ pub fn decimal(value: &Value) -> f64 {
     value.as_str().and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
 }
 
-/// A run from the declared start.
+/// A run from the declared start, by the classical method of Runge and Kutta with equal steps.
 ///
 /// # Errors
 /// If it cannot be assembled.
 pub fn run<M: Mechanism>(mechanism: M, end: f64, steps: usize) -> Result<Run<M>, sim::Failure> {
-    sim::run(mechanism, &declared_start(&mechanism), Grid { end, steps })
+    run_with(mechanism, &Settings::equal_steps(Method::Rk4, end, steps))
+}
+
+/// A run from the declared start.
+///
+/// # Errors
+/// If it cannot be assembled.
+pub fn run_with<M: Mechanism>(mechanism: M, settings: &Settings) -> Result<Run<M>, sim::Failure> {
+    sim::run(mechanism, &declared_start(&mechanism), settings)
 }
 
 macro_rules! descriptions {

@@ -59,7 +59,7 @@ fn size(value: usize) -> Literal {
 }
 
 /// `QuickReturn` to `quick-return`.
-fn kebab_case(name: &str) -> String {
+pub fn kebab_case(name: &str) -> String {
     let mut out = String::new();
     let letters: Vec<char> = name.chars().collect();
     for (i, letter) in letters.iter().enumerate() {

@@ -1,101 +1,190 @@
-//! Explicit Runge-Kutta methods with fixed steps, projected onto the constraints after each step.
+//! Integration step by step: each step is attempted by a method, projected, and shown to whoever watches.
 
+mod control;
+mod dop853;
+mod dop853_tableau;
+mod explicit;
+mod method;
+#[cfg(test)]
+mod order_conditions;
 mod tableau;
 
-pub use tableau::{RK4, Tableau};
+pub use dop853::Dop853;
+pub use dop853_tableau::DOP853;
+pub use explicit::ExplicitRungeKutta;
+pub use method::{Advance, Attempt};
+pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
-use crate::motion::accelerate;
-use crate::project::{project_positions, project_velocities};
+use crate::motion::Motion;
+use crate::settings::{Stepping, Tolerance};
 use crate::trajectory::{Sample, State};
-use sim_kernel::{Array, Dynamics, Mechanism};
+use control::{Controller, initial_step};
+use sim_kernel::Mechanism;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Integrates from a start on the constraints to `end` in equal steps. Every sample goes to `sink`, the start and
-/// the end included; it holds the accelerations and multipliers of its own time.
+/// A step that was made.
+pub struct Step<'s, M: Mechanism, A> {
+    /// The motion.
+    pub motion: &'s Motion<'s, M>,
+    /// Its start.
+    pub from: &'s Sample<M>,
+    /// Its end, on the constraints.
+    pub to: &'s Sample<M>,
+    method: &'s mut A,
+}
+
+impl<M: Mechanism, A: Advance<M>> Step<'_, M, A> {
+    /// Its length in seconds.
+    pub fn length(&self) -> f64 {
+        self.to.state.time - self.from.state.time
+    }
+
+    /// The state at a time inside it, on the constraints.
+    ///
+    /// # Errors
+    /// As the projection and the right-hand side.
+    pub fn at(&mut self, time: f64) -> Result<State<M>, Failure> {
+        if time == self.to.state.time {
+            return Ok(self.to.state);
+        }
+        let fraction = (time - self.from.state.time) / self.length();
+        let mut state = self.method.inside(self.motion, self.from, self.to, fraction)?;
+        state.time = time;
+        self.motion.keep(&mut state)?;
+        Ok(state)
+    }
+}
+
+/// How many steps were made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// Accepted.
+    pub accepted: u64,
+    /// Attempted and refused, because their error was too large or they failed.
+    pub rejected: u64,
+}
+
+/// When and how far to integrate.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    /// The end, in seconds.
+    pub end: f64,
+    /// How long the steps are.
+    pub stepping: Stepping,
+    /// Ends the integration once it is true.
+    pub interrupt: Option<&'static AtomicBool>,
+}
+
+/// Integrates from a sample on the constraints. Every step goes to `watch`, which may end the integration.
 ///
 /// # Errors
-/// The first failure of a step. Samples before it have gone to `sink`.
-pub fn integrate<M: Mechanism, const STAGES: usize>(
-    mechanism: &M,
-    tableau: &Tableau<STAGES>,
-    start: State<M>,
-    end: f64,
-    steps: usize,
-    mut sink: impl FnMut(Sample<M>),
+/// The first failure that smaller steps do not avoid, or that `watch` reports.
+pub fn integrate<M: Mechanism, A: Advance<M>>(
+    motion: &Motion<M>,
+    method: &mut A,
+    course: &Course,
+    start: Sample<M>,
+    steps: &mut Steps,
+    watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let span = end - start.time;
-    let mut state = start;
-    let mut first = accelerate(mechanism, state.time, &state.positions, &state.speeds)?;
-    for step in 1..=steps {
-        sink(sample(state, &first));
-        // From the start each time, so that times do not accumulate rounding.
-        let time = start.time + span * (step as f64 / steps as f64);
-        let mut next = advance(mechanism, tableau, &state, &first, time)?;
-        let linear = project_positions(mechanism, time, &mut next.positions)?;
-        project_velocities::<M>(&linear, time, &next.positions, &mut next.speeds)?;
-        first = accelerate(mechanism, time, &next.positions, &next.speeds)?;
-        state = next;
+    match (course.stepping, method.control_order()) {
+        (Stepping::Equal(count), _) => equal_steps(motion, method, course, count, start, steps, watch),
+        (Stepping::Adaptive(tolerance), Some(order)) => {
+            adaptive_steps(motion, method, course, (&tolerance, order), start, steps, watch)
+        }
+        (Stepping::Adaptive(_), None) => {
+            Err(Failure::at::<M>(What::NoErrorEstimate, start.state.time, &start.state.positions))
+        }
     }
-    sink(sample(state, &first));
+}
+
+fn equal_steps<M: Mechanism, A: Advance<M>>(
+    motion: &Motion<M>,
+    method: &mut A,
+    course: &Course,
+    count: usize,
+    start: Sample<M>,
+    steps: &mut Steps,
+    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+) -> Result<(), Failure> {
+    let (begin, mut from) = (start.state.time, start);
+    for step in 1..=count {
+        check_interrupt(course, &from)?;
+        // From the start each time, so that times do not accumulate rounding.
+        let time = begin + (course.end - begin) * (step as f64 / count as f64);
+        let (to, _) = attempt(motion, method, &from, time, None)?;
+        steps.accepted += 1;
+        if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
+            return Ok(());
+        }
+        from = to;
+    }
     Ok(())
 }
 
-fn sample<M: Mechanism>(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>) -> Sample<M> {
-    Sample { state, accelerations: dynamics.accelerations, multipliers: dynamics.multipliers }
+fn adaptive_steps<M: Mechanism, A: Advance<M>>(
+    motion: &Motion<M>,
+    method: &mut A,
+    course: &Course,
+    (tolerance, order): (&Tolerance, f64),
+    start: Sample<M>,
+    steps: &mut Steps,
+    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+) -> Result<(), Failure> {
+    let mut from = start;
+    let mut controller = Controller::new(order);
+    let mut h = initial_step(motion, &from, course.end - from.state.time, order, tolerance)?;
+    while from.state.time < course.end {
+        check_interrupt(course, &from)?;
+        let now = from.state.time;
+        // The last step is not followed by a tiny one.
+        let time = if now + 1.01 * h >= course.end { course.end } else { now + h };
+        let made = attempt(motion, method, &from, time, Some(tolerance));
+        match made {
+            Ok((to, error)) if error <= 1.0 => {
+                steps.accepted += 1;
+                if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
+                    return Ok(());
+                }
+                h = (time - now) * controller.accepted(error);
+                from = to;
+            }
+            refused => {
+                steps.rejected += 1;
+                h = (time - now) * controller.rejected(refused.as_ref().ok().map(|(_, error)| *error));
+                if h < 16.0 * f64::EPSILON * now.abs().max(1e-3 * course.end) {
+                    let what = What::StepTooSmall { step: h };
+                    return Err(refused.err().unwrap_or(Failure::at::<M>(what, now, &from.state.positions)));
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
-/// One step to `time` without projection; `first` is the right-hand side at its start.
+/// One step, with its end on the constraints and the estimate of its error.
 #[inline]
-fn advance<M: Mechanism, const STAGES: usize>(
-    mechanism: &M,
-    tableau: &Tableau<STAGES>,
-    start: &State<M>,
-    first: &Dynamics<f64, M::Q, M::L>,
+fn attempt<M: Mechanism, A: Advance<M>>(
+    motion: &Motion<M>,
+    method: &mut A,
+    from: &Sample<M>,
     time: f64,
-) -> Result<State<M>, Failure> {
-    let h = time - start.time;
-    let mut rates = [Rates::<M>::of(&start.speeds, first); STAGES];
-    for stage in 1..STAGES {
-        let inner = combine(start, h, &tableau.a[stage][..stage], &rates, start.time + tableau.c[stage] * h);
-        let dynamics = accelerate(mechanism, inner.time, &inner.positions, &inner.speeds)?;
-        rates[stage] = Rates::of(&inner.speeds, &dynamics);
+    tolerance: Option<&Tolerance>,
+) -> Result<(Sample<M>, f64), Failure> {
+    motion.prepare(&from.state)?;
+    let Attempt { mut end, error } = method.step(motion, from, time, tolerance)?;
+    if !(error <= 1.0) {
+        return Ok((*from, error));
     }
-    let end = combine(start, h, &tableau.b, &rates, time);
-    let finite = end.positions.iter().chain(end.speeds.iter()).chain([&end.work]).all(|value| value.is_finite());
-    match finite {
-        true => Ok(end),
-        false => Err(Failure::at::<M>(
-            What::NotFinite { quantity: "the state after this step".into() },
-            start.time,
-            &start.positions,
-        )),
-    }
+    motion.keep(&mut end)?;
+    Ok((motion.sample(end)?, error))
 }
 
-/// The rate of a state at one stage.
-#[derive(Clone, Copy)]
-struct Rates<M: Mechanism> {
-    speeds: M::Q,
-    accelerations: M::Q,
-    power: f64,
-}
-
-impl<M: Mechanism> Rates<M> {
-    fn of(speeds: &M::Q, dynamics: &Dynamics<f64, M::Q, M::L>) -> Rates<M> {
-        Rates { speeds: *speeds, accelerations: dynamics.accelerations, power: dynamics.power }
-    }
-}
-
-/// `start + h * sum of weight * rate`.
-#[inline]
-fn combine<M: Mechanism>(start: &State<M>, h: f64, weights: &[f64], rates: &[Rates<M>], time: f64) -> State<M> {
-    let sum = |rate: &dyn Fn(&Rates<M>) -> f64| -> f64 {
-        weights.iter().zip(rates).map(|(weight, rates)| weight * rate(rates)).sum()
-    };
-    State {
-        time,
-        positions: M::Q::from_fn(|i| start.positions[i] + h * sum(&|rates| rates.speeds[i])),
-        speeds: M::Q::from_fn(|i| start.speeds[i] + h * sum(&|rates| rates.accelerations[i])),
-        work: start.work + h * sum(&|rates| rates.power),
+fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {
+    match course.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
+        true => Err(Failure::at::<M>(What::Interrupted, at.state.time, &at.state.positions)),
+        false => Ok(()),
     }
 }

@@ -1,54 +1,87 @@
 //! Butcher tableaus, as data.
 
-/// An explicit Runge-Kutta method: stage i is evaluated at t + c_i h with the state advanced by
-/// h sum of a_ij k_j, and the step advances by h sum of b_i k_i.
+/// A stage and its weight; stages that are not listed have weight 0.
+pub type Weight = (usize, f64);
+
+/// An explicit Runge-Kutta method: stage i is evaluated at t + c_i h with the state advanced by h sum of a_ij k_j, and
+/// the step advances by h sum of b_i k_i.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tableau<const STAGES: usize> {
-    /// Weights of earlier stages, strictly lower triangular.
-    pub a: [[f64; STAGES]; STAGES],
+pub struct Tableau {
+    /// For each stage the weights of earlier ones.
+    pub a: &'static [&'static [Weight]],
     /// Weights of the step.
-    pub b: [f64; STAGES],
+    pub b: &'static [Weight],
     /// Nodes.
-    pub c: [f64; STAGES],
+    pub c: &'static [f64],
     /// Order of convergence.
     pub order: usize,
-    /// Name on the command line and in files.
-    pub name: &'static str,
+    /// What estimates the error.
+    pub error: ErrorEstimate,
 }
 
-/// The classical method of Runge and Kutta (Kutta 1901), of order 4.
-pub const RK4: Tableau<4> = Tableau {
-    a: [[0.0, 0.0, 0.0, 0.0], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
-    b: [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-    c: [0.0, 0.5, 0.5, 1.0],
-    order: 4,
-    name: "rk4",
+/// How the error of a step is estimated, from weights of its stages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ErrorEstimate {
+    /// Not at all.
+    None,
+    /// By the difference from a method of the order below.
+    Embedded(&'static [Weight]),
+    /// By |e5|^2 / sqrt(|e5|^2 + |e3|^2/100), from differences to methods of order 5 and 3.
+    Embedded53(&'static [Weight], &'static [Weight]),
+}
+
+/// Stages of the largest method, those of its dense output included.
+pub(crate) const MOST_STAGES: usize = 16;
+
+/// Euler's explicit method.
+pub const EULER: Tableau = Tableau { a: &[&[]], b: &[(0, 1.0)], c: &[0.0], order: 1, error: ErrorEstimate::None };
+
+/// Heun's method of order 2: the trapezoidal rule with Euler's prediction.
+pub const HEUN: Tableau =
+    Tableau { a: &[&[], &[(0, 1.0)]], b: &[(0, 0.5), (1, 0.5)], c: &[0.0, 1.0], order: 2, error: ErrorEstimate::None };
+
+/// Kutta's method of order 3 (1901).
+pub const RK3: Tableau = Tableau {
+    a: &[&[], &[(0, 0.5)], &[(0, -1.0), (1, 2.0)]],
+    b: &[(0, 1.0 / 6.0), (1, 2.0 / 3.0), (2, 1.0 / 6.0)],
+    c: &[0.0, 0.5, 1.0],
+    order: 3,
+    error: ErrorEstimate::None,
 };
 
-#[cfg(test)]
-mod tests {
-    use super::RK4;
+/// The classical method of Runge and Kutta (Kutta 1901).
+pub const RK4: Tableau = Tableau {
+    a: &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]],
+    b: &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)],
+    c: &[0.0, 0.5, 0.5, 1.0],
+    order: 4,
+    error: ErrorEstimate::None,
+};
 
-    /// The eight order conditions up to order 4 (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
-    /// table II.2.1 there), to rounding.
-    #[test]
-    fn rk4_meets_its_order_conditions() {
-        let (a, b, c) = (RK4.a, RK4.b, RK4.c);
-        let sum = |f: &dyn Fn(usize) -> f64| (0..4).map(f).sum::<f64>();
-        let ac = |i: usize| sum(&|j| a[i][j] * c[j]);
-        let conditions = [
-            (sum(&|i| b[i]), 1.0),
-            (sum(&|i| b[i] * c[i]), 1.0 / 2.0),
-            (sum(&|i| b[i] * c[i] * c[i]), 1.0 / 3.0),
-            (sum(&|i| b[i] * ac(i)), 1.0 / 6.0),
-            (sum(&|i| b[i] * c[i].powi(3)), 1.0 / 4.0),
-            (sum(&|i| b[i] * c[i] * ac(i)), 1.0 / 8.0),
-            (sum(&|i| b[i] * sum(&|j| a[i][j] * c[j] * c[j])), 1.0 / 12.0),
-            (sum(&|i| b[i] * sum(&|j| a[i][j] * ac(j))), 1.0 / 24.0),
-        ];
-        for (at, (value, expected)) in conditions.into_iter().enumerate() {
-            assert!((value - expected).abs() < 4.0 * f64::EPSILON, "condition {at}: {value} instead of {expected}");
-        }
-        assert!((0..4).all(|i| (sum(&|j| a[i][j]) - c[i]).abs() < f64::EPSILON));
-    }
-}
+/// Dormand and Prince 5(4) (Journal of Computational and Applied Mathematics 6, 1980). The last stage is at the end of
+/// the step, before its projection, and serves the estimate alone.
+pub const DOPRI5: Tableau = Tableau {
+    a: &[
+        &[],
+        &[(0, 1.0 / 5.0)],
+        &[(0, 3.0 / 40.0), (1, 9.0 / 40.0)],
+        &[(0, 44.0 / 45.0), (1, -56.0 / 15.0), (2, 32.0 / 9.0)],
+        &[(0, 19372.0 / 6561.0), (1, -25360.0 / 2187.0), (2, 64448.0 / 6561.0), (3, -212.0 / 729.0)],
+        &[(0, 9017.0 / 3168.0), (1, -355.0 / 33.0), (2, 46732.0 / 5247.0), (3, 49.0 / 176.0), (4, -5103.0 / 18656.0)],
+        DOPRI5_B,
+    ],
+    b: DOPRI5_B,
+    c: &[0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0],
+    order: 5,
+    error: ErrorEstimate::Embedded(&[
+        (0, 71.0 / 57600.0),
+        (2, -71.0 / 16695.0),
+        (3, 71.0 / 1920.0),
+        (4, -17253.0 / 339200.0),
+        (5, 22.0 / 525.0),
+        (6, -1.0 / 40.0),
+    ]),
+};
+
+const DOPRI5_B: &[Weight] =
+    &[(0, 35.0 / 384.0), (2, 500.0 / 1113.0), (3, 125.0 / 192.0), (4, -2187.0 / 6784.0), (5, 11.0 / 84.0)];

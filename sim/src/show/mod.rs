@@ -35,6 +35,8 @@ pub use error::ShowError;
 pub use figures::{Figures, figures};
 pub use report::{About, report};
 pub use text::typeset;
+#[cfg(feature = "cli")]
+pub(crate) use names::printed;
 
 /// A curve of a plot.
 #[derive(Clone, Debug)]
@@ -61,6 +63,21 @@ pub struct Plot<'a> {
     pub curves: Vec<Curve<'a>>,
 }
 
+/// The size of a figure, in logical pixels: 96 to the inch. PNG has twice as many.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Its width.
+    pub width: f64,
+    /// Its height, but for a legend that has to stand below the data.
+    pub height: f64,
+}
+
+impl Default for Size {
+    fn default() -> Size {
+        Size { width: 960.0, height: 540.0 }
+    }
+}
+
 /// One position of a mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<'a> {
@@ -76,7 +93,17 @@ pub struct Pose<'a> {
 ///
 /// The plot has nothing to show, a curve has too few or too many values, or a file cannot be written.
 pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> {
-    save(&plot::scene(plot, name)?, directory, name)
+    panels(std::slice::from_ref(plot), Size::default(), directory, name)
+}
+
+/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be. The abscissa is named as the last plot says.
+///
+/// # Errors
+///
+/// As [`plot`], and if there is no room for so many.
+pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&plot::scene(plots, size, name)?, directory, name)
 }
 
 /// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
@@ -86,7 +113,19 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
 pub fn mechanism(title: &str, shapes: &[Shape], poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    save(&mechanism::scene(title, shapes, poses, name)?, directory, name)
+    mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
+}
+
+/// The same on a sheet of about this size.
+fn mechanism_of_size(
+    title: &str,
+    shapes: &[Shape],
+    poses: &[Pose],
+    size: Size,
+    directory: &Path,
+    name: &str,
+) -> Result<(), ShowError> {
+    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name)
 }
 
 /// Writes a scene in both formats.

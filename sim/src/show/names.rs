@@ -44,14 +44,14 @@ fn declared(description: &Description) -> Option<Vec<Vec<String>>> {
 }
 
 #[cfg(feature = "analysis")]
-pub(super) use words::printed;
+pub(crate) use words::printed;
 
 /// Expressions as they were written.
 #[cfg(feature = "analysis")]
 mod words {
     use codegen::dsl::{Expression, Kind, Operator};
 
-    pub(in crate::show) fn printed(expression: &Expression) -> String {
+    pub(crate) fn printed(expression: &Expression) -> String {
         let list = |items: &[Expression]| items.iter().map(printed).collect::<Vec<_>>().join(", ");
         match &expression.kind {
             Kind::Number { literal, unit: None } => literal.clone(),

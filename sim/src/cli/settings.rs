@@ -1,0 +1,158 @@
+//! How to run, from the command line.
+
+use super::quantity::parse_quantity;
+use super::{Stop, unknown};
+use crate::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
+use clap::Args;
+use sim_kernel::Description;
+
+/// Steps and rows beyond which the files of a run would take gigabytes.
+const MOST: usize = 10_000_000;
+/// A relative tolerance that doubles can still meet.
+const LEAST_TOLERANCE: f64 = 1e-14;
+/// Rows of a run whose method chooses its steps.
+const ROWS: usize = 1024;
+/// Steps of a method that does not choose them.
+const STEPS: usize = 8192;
+
+/// How to run.
+#[derive(Args, Clone, Debug)]
+pub(super) struct SettingsArguments {
+    /// End of the run; in seconds unless a unit is given.
+    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
+    pub(super) t_end: String,
+
+    /// Method: euler, heun, rk3, rk4, dopri5, radau5 (for stiff mechanisms), dop853.
+    #[arg(long, value_name = "NAME", default_value = "dop853")]
+    method: String,
+
+    /// Relative tolerance of a method that chooses its steps: dopri5, radau5, dop853.
+    #[arg(long, value_name = "NUMBER", default_value = "1e-10", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
+    rtol: String,
+
+    /// Absolute tolerance, in the declared unit of each coordinate [default: rtol].
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
+    atol: Option<String>,
+
+    /// Takes this many equal steps [default for euler, heun, rk3, rk4: 8192].
+    #[arg(long, value_name = "N", conflicts_with = "step", value_parser = whole_number, allow_hyphen_values = true)]
+    steps: Option<usize>,
+
+    /// Takes equal steps of this size, made a little smaller if it does not divide the run.
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    step: Option<String>,
+
+    /// What keeps the constraints: projection, mass-projection, partitioning; for comparison baumgarte=RATE (in 1/s)
+    /// and none.
+    #[arg(long, value_name = "NAME", default_value = "projection")]
+    projection: String,
+
+    /// Records N + 1 rows at equal intervals, or `steps` for one after each step [default: steps where they are equal,
+    /// else 1024].
+    #[arg(long, value_name = "N|steps", allow_hyphen_values = true)]
+    rows: Option<String>,
+
+    /// Ends the run when an event happens, as in `--until period`, or for the third time: `--until period:3`.
+    #[arg(long, value_name = "EVENT[:N]")]
+    until: Option<String>,
+}
+
+impl SettingsArguments {
+    /// What they say.
+    pub(super) fn settings(&self, description: &Description) -> Result<Settings, Stop> {
+        let end = positive("--t-end", &self.t_end)?;
+        let method = self.method()?;
+        let stepping = self.stepping(method, end)?;
+        let (stabilisation, rows) = (self.stabilisation()?, self.rows(stepping)?);
+        let stop = self.until.as_deref().map(|text| stop_at(text, description)).transpose()?;
+        Ok(Settings { method, stepping, stabilisation, rows, stop, ..Settings::new(end) })
+    }
+
+    fn method(&self) -> Result<Method, Stop> {
+        let names = Method::ALL.iter().map(|method| method.name());
+        Method::ALL
+            .into_iter()
+            .find(|method| method.name() == self.method)
+            .ok_or_else(|| unknown("method", &self.method, names))
+    }
+
+    fn stepping(&self, method: Method, end: f64) -> Result<Stepping, Stop> {
+        let steps = match (&self.step, self.steps) {
+            // A step that divides the run up to rounding is taken as it is.
+            (Some(step), _) => (end / positive("--step", step)? * (1.0 - 1e-12)).ceil().max(1.0),
+            (None, Some(steps)) => steps as f64,
+            (None, None) if method.is_adaptive() => return Ok(Stepping::Adaptive(self.tolerance()?)),
+            (None, None) => STEPS as f64,
+        };
+        match (1.0..=MOST as f64).contains(&steps) {
+            true => Ok(Stepping::Equal(steps as usize)),
+            false => Err(Stop::Usage(format!("{steps:e} steps are asked for; from 1 to {MOST:e} are possible"))),
+        }
+    }
+
+    fn tolerance(&self) -> Result<Tolerance, Stop> {
+        let relative = number("--rtol", &self.rtol)?;
+        let absolute = self.atol.as_deref().map_or(Ok(relative), |text| number("--atol", text))?;
+        let possible = (LEAST_TOLERANCE..=0.1).contains(&relative) && absolute > 0.0;
+        match possible {
+            true => Ok(Tolerance { relative, absolute }),
+            false => Err(Stop::Usage(format!(
+                "--rtol from {LEAST_TOLERANCE:e} to 0.1 and --atol above 0 are possible; numbers here have 16 digits"
+            ))),
+        }
+    }
+
+    fn stabilisation(&self) -> Result<Stabilisation, Stop> {
+        let known = ["projection", "mass-projection", "partitioning", "baumgarte=20", "none"];
+        match self.projection.as_str() {
+            "projection" => Ok(Stabilisation::Projection),
+            "mass-projection" => Ok(Stabilisation::MassProjection),
+            "partitioning" => Ok(Stabilisation::Partitioning),
+            "none" => Ok(Stabilisation::None),
+            text => match text.strip_prefix("baumgarte=") {
+                Some(rate) => Ok(Stabilisation::Baumgarte(number("--projection baumgarte", rate)?)),
+                None => Err(unknown("projection", text, known.into_iter())),
+            },
+        }
+    }
+
+    fn rows(&self, stepping: Stepping) -> Result<Rows, Stop> {
+        match (self.rows.as_deref(), stepping) {
+            (None, Stepping::Adaptive(_)) => Ok(Rows::Even(ROWS)),
+            (None, Stepping::Equal(_)) | (Some("steps"), _) => Ok(Rows::Steps),
+            (Some(text), _) => match text.parse::<usize>() {
+                Ok(rows) if (1..=MOST).contains(&rows) => Ok(Rows::Even(rows)),
+                _ => Err(Stop::Usage(format!("--rows: `steps` or a whole number from 1 to {MOST:e} is needed"))),
+            },
+        }
+    }
+}
+
+fn stop_at(text: &str, description: &Description) -> Result<StopAt, Stop> {
+    let (name, occurrence) = match text.split_once(':') {
+        Some((name, count)) => (name, whole_number(count).map_err(|e| Stop::Usage(format!("--until {text}: {e}")))?),
+        None => (text, 1),
+    };
+    let events = || description.events.iter().copied();
+    let event = events().position(|event| event == name).ok_or_else(|| unknown("event", name, events()))?;
+    Ok(StopAt { event, occurrence })
+}
+
+/// A time above 0, in seconds.
+fn positive(option: &str, text: &str) -> Result<f64, Stop> {
+    let time = parse_quantity(option, text, "s")?;
+    if time > 0.0 { Ok(time) } else { Err(Stop::Usage(format!("{option}: a time above 0 is needed, not `{text}`"))) }
+}
+
+fn number(option: &str, text: &str) -> Result<f64, Stop> {
+    let value = parse_quantity(option, text, "1")?;
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Stop::Usage(format!("{option}: a number above 0 is needed, not `{text}`")))
+    }
+}
+
+fn whole_number(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number above 0 is needed, such as 8192".to_owned())
+}

@@ -1,0 +1,105 @@
+//! DOP853 with its dense output of order 7.
+
+use super::dop853_tableau::{DENSE_A, DENSE_C, DENSE_D, DOP853};
+use super::explicit::ExplicitRungeKutta;
+use super::method::{Advance, Attempt};
+use crate::failure::Failure;
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::trajectory::{Rates, Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// The method, with the interpolant of its last step once it has been asked for.
+///
+/// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.6.30) on. The interpolant has the projected
+/// end and the right-hand side there, where the source has the end before projection: its first derivative is continuous
+/// from step to step. Three more right-hand sides are evaluated for a step that is looked into.
+#[derive(Clone, Debug)]
+pub struct Dop853<M: Mechanism> {
+    method: ExplicitRungeKutta<M>,
+    /// Coefficients of the interpolant in s, 1 - s, s, ..
+    interpolant: Option<[Rates<M>; 7]>,
+}
+
+impl<M: Mechanism> Dop853<M> {
+    /// The method.
+    pub fn new() -> Dop853<M> {
+        Dop853 { method: ExplicitRungeKutta::new(&DOP853), interpolant: None }
+    }
+
+    fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
+        if let Some(interpolant) = self.interpolant {
+            return Ok(interpolant);
+        }
+        let h = to.state.time - from.state.time;
+        self.method.stages[12] = to.rates();
+        for (k, (weights, node)) in DENSE_A.iter().zip(DENSE_C).enumerate() {
+            self.method.evaluate(motion, &from.state, h, 13 + k, (weights, node))?;
+        }
+        let sum = |parts: [(f64, &Rates<M>); 3]| {
+            let mut sum = Rates::zero();
+            parts.into_iter().for_each(|(weight, part)| sum.add(weight, part));
+            sum
+        };
+        let none = Rates::zero();
+        let difference = change(&from.state, &to.state);
+        let second = sum([(h, &from.rates()), (-1.0, &difference), (0.0, &none)]);
+        let third = sum([(1.0, &difference), (-h, &to.rates()), (-1.0, &second)]);
+        let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
+        let [a, b, c, d] = higher;
+        Ok(*self.interpolant.insert([difference, second, third, a, b, c, d]))
+    }
+}
+
+impl<M: Mechanism> Default for Dop853<M> {
+    fn default() -> Dop853<M> {
+        Dop853::new()
+    }
+}
+
+impl<M: Mechanism> Advance<M> for Dop853<M> {
+    fn control_order(&self) -> Option<f64> {
+        self.method.control_order()
+    }
+
+    fn step(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        time: f64,
+        tolerance: Option<&Tolerance>,
+    ) -> Result<Attempt<M>, Failure> {
+        self.interpolant = None;
+        self.method.step(motion, from, time, tolerance)
+    }
+
+    fn inside(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        to: &Sample<M>,
+        fraction: f64,
+    ) -> Result<State<M>, Failure> {
+        let coefficients = self.interpolant(motion, from, to)?;
+        // Nested alternately in s and 1 - s: y + s (c0 + r (c1 + s (c2 + r (c3 + ..)))).
+        let factors = [fraction, 1.0 - fraction];
+        let mut sum = Rates::zero();
+        for (k, coefficient) in coefficients.iter().enumerate().rev() {
+            sum.add(1.0, coefficient);
+            let mut scaled = Rates::zero();
+            scaled.add(factors[k % 2], &sum);
+            sum = scaled;
+        }
+        let time = from.state.time + fraction * (to.state.time - from.state.time);
+        Ok(from.state.changed(time, 1.0, &sum))
+    }
+}
+
+/// The difference of two states.
+fn change<M: Mechanism>(from: &State<M>, to: &State<M>) -> Rates<M> {
+    Rates {
+        positions: M::Q::from_fn(|i| to.positions[i] - from.positions[i]),
+        speeds: M::Q::from_fn(|i| to.speeds[i] - from.speeds[i]),
+        work: to.work - from.work,
+    }
+}

@@ -1,0 +1,99 @@
+//! Explicit Runge-Kutta methods.
+
+use super::method::{Advance, Attempt};
+use super::tableau::{ErrorEstimate, MOST_STAGES, Tableau, Weight};
+use crate::failure::{Failure, What};
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::trajectory::{Rates, Sample, State};
+use sim_kernel::Mechanism;
+
+/// The method of a tableau, with the stages of its last step.
+#[derive(Clone, Debug)]
+pub struct ExplicitRungeKutta<M: Mechanism> {
+    tableau: &'static Tableau,
+    pub(super) stages: [Rates<M>; MOST_STAGES],
+}
+
+impl<M: Mechanism> ExplicitRungeKutta<M> {
+    /// The method of a tableau.
+    pub fn new(tableau: &'static Tableau) -> ExplicitRungeKutta<M> {
+        ExplicitRungeKutta { tableau, stages: [Rates::zero(); MOST_STAGES] }
+    }
+
+    /// Evaluates a stage from those before it.
+    #[inline]
+    pub(super) fn evaluate(
+        &mut self,
+        motion: &Motion<M>,
+        start: &State<M>,
+        h: f64,
+        stage: usize,
+        (weights, node): (&[Weight], f64),
+    ) -> Result<(), Failure> {
+        let inner = start.changed(start.time + node * h, h, &self.combined(weights));
+        self.stages[stage] = motion.sample(inner)?.rates();
+        Ok(())
+    }
+
+    /// The sum of weight times stage.
+    #[inline]
+    pub(super) fn combined(&self, weights: &[Weight]) -> Rates<M> {
+        let mut sum = Rates::zero();
+        weights.iter().for_each(|(stage, weight)| sum.add(*weight, &self.stages[*stage]));
+        sum
+    }
+
+    /// The estimated error of a step in units of the tolerance.
+    fn error(&self, from: &State<M>, to: &State<M>, h: f64, tolerance: &Tolerance) -> f64 {
+        let size = |weights: &[Weight]| {
+            let difference = self.combined(weights);
+            h.abs() * tolerance.norm(from, to, &(difference.positions, difference.speeds))
+        };
+        match self.tableau.error {
+            ErrorEstimate::None => 0.0,
+            ErrorEstimate::Embedded(weights) => size(weights),
+            ErrorEstimate::Embedded53(fifth, third) => {
+                let (e5, e3) = (size(fifth), size(third));
+                // (II.10.17); both are zero in equilibrium.
+                if e5 == 0.0 { 0.0 } else { e5 * e5 / (e5 * e5 + 0.01 * e3 * e3).sqrt() }
+            }
+        }
+    }
+}
+
+impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
+    fn control_order(&self) -> Option<f64> {
+        (self.tableau.error != ErrorEstimate::None).then_some(self.tableau.order as f64)
+    }
+
+    #[inline]
+    fn step(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        time: f64,
+        tolerance: Option<&Tolerance>,
+    ) -> Result<Attempt<M>, Failure> {
+        let (tableau, start) = (self.tableau, &from.state);
+        let h = time - start.time;
+        self.stages[0] = from.rates();
+        // The last stage of an embedded pair serves its estimate alone.
+        let needed = if tolerance.is_none() { stages_of_step(tableau) } else { tableau.c.len() };
+        for stage in 1..needed {
+            self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))?;
+        }
+        let end = start.changed(time, h, &self.combined(tableau.b));
+        if !end.is_finite() {
+            let what = What::NotFinite { quantity: "the state after this step".into() };
+            return Err(Failure::at::<M>(what, start.time, &start.positions));
+        }
+        let error = tolerance.map_or(0.0, |tolerance| self.error(start, &end, h, tolerance));
+        Ok(Attempt { end, error })
+    }
+}
+
+/// How many stages the step itself weighs.
+fn stages_of_step(tableau: &Tableau) -> usize {
+    tableau.b.iter().map(|(stage, _)| stage + 1).max().unwrap_or(0)
+}

@@ -1,0 +1,76 @@
+//! What a method of integration is.
+
+use crate::failure::Failure;
+use crate::interpolate::hermite;
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// A method that advances a motion step by step. `examples/own_integrator.rs` has one of one's own.
+///
+/// A method knows nothing of constraints, events or records: the end that it gives is projected, and what is looked at
+/// inside a step is asked of [`Advance::inside`] and projected too.
+pub trait Advance<M: Mechanism> {
+    /// The order of its error estimate plus 1, by which steps are chosen; none if it makes no estimate.
+    fn control_order(&self) -> Option<f64> {
+        None
+    }
+
+    /// Advances from a sample to `time`.
+    ///
+    /// # Errors
+    /// Whatever the right-hand side fails with, and what the method itself does.
+    fn step(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        time: f64,
+        tolerance: Option<&Tolerance>,
+    ) -> Result<Attempt<M>, Failure>;
+
+    /// The state at a fraction of the last step, from its start to its projected end; not yet projected itself.
+    ///
+    /// By default the quintic that has positions, speeds and accelerations of both ends.
+    ///
+    /// # Errors
+    /// Whatever the right-hand side fails with, if it is needed again.
+    fn inside(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        to: &Sample<M>,
+        fraction: f64,
+    ) -> Result<State<M>, Failure> {
+        let _ = motion;
+        Ok(hermite(from, to, fraction))
+    }
+}
+
+/// Where a step came to.
+#[derive(Clone, Copy, Debug)]
+pub struct Attempt<M: Mechanism> {
+    /// The state at its end.
+    pub end: State<M>,
+    /// The estimate of its error in units of the tolerance; 0 if there is none.
+    pub error: f64,
+}
+
+impl Tolerance {
+    /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.
+    ///
+    /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is in the declared
+    /// unit of each coordinate, so that millimetres and degrees are measured as such.
+    #[inline]
+    pub fn norm<M: Mechanism>(&self, from: &State<M>, to: &State<M>, error: &(M::Q, M::Q)) -> f64 {
+        let coordinates = const { &M::DESCRIPTION }.coordinates;
+        let mut sum = 0.0;
+        for i in 0..M::Q::LEN {
+            let (position, speed) = (&coordinates[i].position, &coordinates[i].speed);
+            let scale = |unit: f64, a: f64, b: f64| self.absolute * unit + self.relative * a.abs().max(b.abs());
+            sum += (error.0[i] / scale(position.factor, from.positions[i], to.positions[i])).powi(2);
+            sum += (error.1[i] / scale(speed.factor, from.speeds[i], to.speeds[i])).powi(2);
+        }
+        (sum / (2 * M::Q::LEN).max(1) as f64).sqrt()
+    }
+}
