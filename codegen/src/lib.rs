@@ -26,7 +26,7 @@ use quote::{ToTokens, quote};
 pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
     let declaration = dsl::parse(tokens.clone())?;
     let model = model::resolve(&declaration)?;
-    let mut equations = dynamics::derive(model);
+    let mut equations = dynamics::derive_cheapest(model);
     let program = program::plan(&mut equations);
     let text = dsl::source_text(tokens);
     Ok(emit::emit(&declaration.head, &text, &equations, &program, path))

@@ -4,6 +4,7 @@
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
 mod assemble;
+mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod events;
@@ -22,9 +23,11 @@ pub mod show;
 mod solve;
 mod table;
 mod trajectory;
+mod vector;
 mod write;
 
 pub use assemble::{Start, assemble, declared_start};
+pub use batch::{accelerate_each, accelerate_each_with};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use formats::{Format, write_table};
@@ -38,7 +41,8 @@ pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
-pub use sim_kernel::{self, Array, Description, Dynamics, Mechanism, Scalar, mechanism};
+pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
 pub use trajectory::{Rates, Sample, State, Trajectory};
+pub use vector::{Vectors, Work};
 pub use write::{WriteError, summary, write_csv, write_json};

@@ -144,15 +144,17 @@ pub fn accelerate<M: Mechanism>(
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
     let solved = mechanism.dynamics(time, q, qd);
-    if !solved.refused && is_finite(&solved.accelerations) && is_finite(&solved.multipliers) && solved.power.is_finite()
-    {
+    if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }
     accelerate_by_pivoting(mechanism, time, q, qd)
 }
 
-fn is_finite<A: Array<f64>>(values: &A) -> bool {
-    values.iter().all(|value| value.is_finite())
+/// Whether all of a solution is.
+#[inline(always)]
+fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool {
+    let values = solved.accelerations.iter().chain(solved.multipliers.iter());
+    values.chain([&solved.power]).all(|value| value.is_finite())
 }
 
 #[cold]

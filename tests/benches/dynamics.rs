@@ -5,6 +5,7 @@
 
 use models::QuickReturn;
 use nalgebra::{SMatrix, SVector};
+use sim::Mechanism;
 use std::hint::black_box;
 use tests::{run, shortest};
 
@@ -12,11 +13,28 @@ const CALLS: usize = 20_000;
 const RUNS: usize = 100;
 
 type Solved = ([f64; 3], [f64; 2]);
-type Route = fn(&QuickReturn, &[f64; 3], &[f64; 3]) -> Solved;
+type Route = fn(&Parameters, &[f64; 3], &[f64; 3]) -> Solved;
+
+/// One set of parameters, and what each route makes of it once.
+struct Parameters {
+    mechanism: QuickReturn,
+    prepared: <QuickReturn as Mechanism>::Prepared,
+    combined: Combined,
+}
+
+impl Parameters {
+    fn new(mechanism: QuickReturn) -> Self {
+        Parameters { mechanism, prepared: mechanism.prepare(), combined: Combined::new(&mechanism) }
+    }
+}
 
 fn main() {
-    let routes: [(&str, Route); 3] =
-        [("generated", generated), ("by hand", by_hand), ("generated matrices, dense LU", dense)];
+    let routes: [(&str, Route); 4] = [
+        ("generated", generated),
+        ("by hand", by_hand),
+        ("by hand, constants combined", by_hand_combined),
+        ("generated matrices, dense LU", dense),
+    ];
     let found = run(QuickReturn::default(), 2.0, 4096).unwrap();
     let states: Vec<([f64; 3], [f64; 3])> =
         found.trajectory.samples.iter().map(|s| (s.state.positions, s.state.speeds)).collect();
@@ -30,7 +48,7 @@ fn main() {
         "standard f64::sin_cos: {sine:.1} ns; minimum of {RUNS} runs; in brackets: in sin_cos, and relative to by hand"
     );
     println!("{:<30} {:>28} {:>28}", "quick-return, one rhs", "independent calls [ns]", "dependent calls [ns]");
-    let parameters = black_box(QuickReturn::default());
+    let parameters = black_box(Parameters::new(QuickReturn::default()));
     let times =
         routes.map(|(_, route)| (independent(route, &parameters, &states), dependent(route, &parameters, &states)));
     for ((name, _), (free, chained)) in routes.iter().zip(times) {
@@ -44,7 +62,7 @@ fn per_call(mut f: impl FnMut(usize)) -> f64 {
 }
 
 #[inline(always)]
-fn independent(route: Route, parameters: &QuickReturn, states: &[([f64; 3], [f64; 3])]) -> f64 {
+fn independent(route: Route, parameters: &Parameters, states: &[([f64; 3], [f64; 3])]) -> f64 {
     per_call(|i| {
         let (q, qd) = &states[i * 7 % states.len()];
         black_box(route(parameters, q, qd));
@@ -53,7 +71,7 @@ fn independent(route: Route, parameters: &QuickReturn, states: &[([f64; 3], [f64
 
 /// Each call gets a state that the one before has changed, by nothing.
 #[inline(always)]
-fn dependent(route: Route, parameters: &QuickReturn, states: &[([f64; 3], [f64; 3])]) -> f64 {
+fn dependent(route: Route, parameters: &Parameters, states: &[([f64; 3], [f64; 3])]) -> f64 {
     let mut last = 0.0;
     per_call(|i| {
         let (mut q, qd) = states[i * 7 % states.len()];
@@ -63,24 +81,55 @@ fn dependent(route: Route, parameters: &QuickReturn, states: &[([f64; 3], [f64; 
 }
 
 fn agree(name: &str, route: Route, states: &[([f64; 3], [f64; 3])]) {
+    let parameters = Parameters::new(QuickReturn::default());
     for (q, qd) in states {
-        let (found, expected) = (route(&QuickReturn::default(), q, qd), dense(&QuickReturn::default(), q, qd));
+        let (found, expected) = (route(&parameters, q, qd), dense(&parameters, q, qd));
         let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9 * (1.0 + b.abs()));
         assert!(close(&found.0, &expected.0) && close(&found.1, &expected.1), "{name}: {found:?} {expected:?}");
     }
 }
 
 #[inline(never)]
-fn generated(mechanism: &QuickReturn, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
-    let solved = mechanism.dynamics(0.0, q, qd);
+fn generated(p: &Parameters, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
+    let solved = QuickReturn::prepared_dynamics(&p.prepared, 0.0, q, qd);
     assert!(!solved.refused);
     (solved.accelerations, solved.multipliers)
 }
 
+/// What an expert would take out of the loop: the terms of the mass matrix that are constant.
+struct Combined {
+    coupling: f64,
+    m_aa: f64,
+    m_bb: f64,
+    m_gg: f64,
+}
+
+impl Combined {
+    #[inline(always)]
+    fn new(p: &QuickReturn) -> Self {
+        Combined {
+            coupling: p.O4B * (p.m5 * p.BG5 + p.m6 * p.BC),
+            m_aa: p.J2 + p.m3 * p.O2A * p.O2A,
+            m_bb: p.J3 + p.J4 + p.m4 * p.O4G4 * p.O4G4 + (p.m5 + p.m6) * p.O4B * p.O4B,
+            m_gg: p.J5 + p.m5 * p.BG5 * p.BG5 + p.m6 * p.BC * p.BC,
+        }
+    }
+}
+
+#[inline(never)]
+fn by_hand(p: &Parameters, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
+    eliminate(&p.mechanism, &Combined::new(&p.mechanism), q, qd)
+}
+
+#[inline(never)]
+fn by_hand_combined(p: &Parameters, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
+    eliminate(&p.mechanism, &p.combined, q, qd)
+}
+
 /// Slot and guide give beta'' = kappa alpha'' + e and gamma'' = mu beta'' + f; the equations of the three coordinates,
 /// weighted by 1, kappa and kappa mu, lose their multipliers.
-#[inline(never)]
-fn by_hand(p: &QuickReturn, [alpha, beta, gamma]: &[f64; 3], [da, db, dg]: &[f64; 3]) -> Solved {
+#[inline(always)]
+fn eliminate(p: &QuickReturn, c: &Combined, [alpha, beta, gamma]: &[f64; 3], [da, db, dg]: &[f64; 3]) -> Solved {
     let ((sa, ca), (sb, cb), (sg, cg)) = (alpha.sin_cos(), beta.sin_cos(), gamma.sin_cos());
     let (xa, ya) = (p.O2A * ca, p.O4O2 + p.O2A * sa);
     let (cos_ab, sin_ab) = (ca * cb + sa * sb, sa * cb - ca * sb);
@@ -92,25 +141,22 @@ fn by_hand(p: &QuickReturn, [alpha, beta, gamma]: &[f64; 3], [da, db, dg]: &[f64
     let (over_rho, over_bar) = (1.0 / rho, 1.0 / (p.BC * cg));
     let (kappa, e) = (p.O2A * cos_ab * over_rho, h_slot * over_rho);
     let (mu, f) = (-p.O4B * cb * over_bar, -h_guide * over_bar);
-    let coupling = p.O4B * (p.m5 * p.BG5 + p.m6 * p.BC);
-    let m_aa = p.J2 + p.m3 * p.O2A * p.O2A;
-    let m_bb = p.J3 + p.J4 + p.m4 * p.O4G4 * p.O4G4 + (p.m5 + p.m6) * p.O4B * p.O4B;
-    let m_bg = coupling * cos_bg;
-    let m_gg = p.J5 + p.m5 * p.BG5 * p.BG5 + p.m6 * p.BC * p.BC;
-    let r_b = -p.F * p.O4B * sb - coupling * sin_bg * dg2;
-    let r_g = -p.F * p.BC * sg + coupling * sin_bg * db2;
-    let g = m_bg + mu * m_gg;
-    let d = m_bb + mu * m_bg + mu * g;
-    let dda = (p.T + kappa * (r_b + mu * r_g - g * f - d * e)) / (m_aa + kappa * kappa * d);
+    let m_bg = c.coupling * cos_bg;
+    let r_b = -p.F * p.O4B * sb - c.coupling * sin_bg * dg2;
+    let r_g = -p.F * p.BC * sg + c.coupling * sin_bg * db2;
+    let g = m_bg + mu * c.m_gg;
+    let d = c.m_bb + mu * m_bg + mu * g;
+    let dda = (p.T + kappa * (r_b + mu * r_g - g * f - d * e)) / (c.m_aa + kappa * kappa * d);
     let ddb = kappa * dda + e;
     let ddg = mu * ddb + f;
-    let guide = (r_g - m_bg * ddb - m_gg * ddg) * over_bar;
-    let slot = (m_bb * ddb + m_bg * ddg + p.O4B * cb * guide - r_b) * over_rho;
+    let guide = (r_g - m_bg * ddb - c.m_gg * ddg) * over_bar;
+    let slot = (c.m_bb * ddb + m_bg * ddg + p.O4B * cb * guide - r_b) * over_rho;
     ([dda, ddb, ddg], [guide, slot])
 }
 
 #[inline(never)]
-fn dense(mechanism: &QuickReturn, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
+fn dense(p: &Parameters, q: &[f64; 3], qd: &[f64; 3]) -> Solved {
+    let mechanism = &p.mechanism;
     let (mass, jacobian) = (mechanism.mass_matrix(0.0, q), mechanism.constraint_jacobian(0.0, q));
     let (force, convective) = (mechanism.generalized_forces(0.0, q, qd), mechanism.convective_forces(0.0, q, qd));
     let constraint = mechanism.constraint_convective(0.0, q, qd);

@@ -3,8 +3,11 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod allocation;
+mod by_hand;
 mod determinism;
+mod dual;
 mod evaluation;
 mod lagrange;
+mod lanes;
 mod mechanisms;
 mod oracle;

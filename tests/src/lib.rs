@@ -1,5 +1,8 @@
 //! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
 
+pub mod by_hand;
+pub mod declarations;
+
 use serde_json::Value;
 use sim::{Description, Mechanism, Method, Run, Settings, declared_start};
 use std::time::{Duration, Instant};

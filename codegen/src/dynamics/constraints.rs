@@ -1,6 +1,6 @@
 //! Constraints with the derivatives that the equations of motion and the projection need.
 
-use super::{Derivatives, inner};
+use super::variables::{Derivatives, Variables};
 use crate::model::Model;
 use crate::symbolic::{Expr, Function, Node, Number};
 
@@ -19,25 +19,22 @@ pub struct Constraints {
 }
 
 impl Constraints {
-    pub(super) fn derive(model: &mut Model, derivatives: &mut Derivatives) -> Constraints {
-        let values: Vec<Expr> = model.constraints.iter().map(|constraint| constraint.value).collect();
-        let speeds = model.speeds();
-        let mut constraints = Constraints {
-            values: values.clone(),
-            magnitudes: vec![],
-            jacobian: vec![],
-            time_derivative: vec![],
-            convective: vec![],
-        };
-        for value in values {
-            let gradient = derivatives.gradient(model, value);
-            let by_time = derivatives.by_time(model, value);
-            let moving = inner(model, &gradient, &speeds);
-            let rate = model.graph.add(moving, by_time);
-            constraints.convective.push(derivatives.convective(model, rate));
-            constraints.magnitudes.push(magnitude(model, value));
-            constraints.jacobian.push(gradient);
-            constraints.time_derivative.push(by_time);
+    /// `values` are the constraints over `variables`, n of them.
+    pub(super) fn derive(
+        model: &mut Model,
+        variables: &Variables,
+        derivatives: &mut Derivatives,
+        values: Vec<Expr>,
+    ) -> Constraints {
+        let declared: Vec<Expr> = model.constraints.iter().map(|constraint| constraint.value).collect();
+        let magnitudes = declared.into_iter().map(|value| magnitude(model, value)).collect();
+        let mut constraints =
+            Constraints { values, magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
+        for value in constraints.values.clone() {
+            let row = derivatives.of_quantity(model, variables, value);
+            constraints.jacobian.push(row.jacobian);
+            constraints.time_derivative.push(row.time_derivative);
+            constraints.convective.push(row.convective);
         }
         constraints
     }

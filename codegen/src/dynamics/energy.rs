@@ -1,6 +1,7 @@
 //! Kinetic energy, and the power that changes it.
 
-use super::{Constraints, Tmt, inner};
+use super::variables::{Variables, inner};
+use super::{Constraints, Row, Tmt};
 use crate::model::Model;
 use crate::symbolic::{Expr, Number};
 
@@ -14,22 +15,31 @@ pub struct Energy {
 }
 
 impl Energy {
-    pub(super) fn derive(model: &mut Model, tmt: &Tmt, constraints: &Constraints) -> Energy {
+    pub(super) fn derive(model: &mut Model, variables: &Variables, tmt: &Tmt, constraints: &Constraints) -> Energy {
         let (mut twice_kinetic, mut power) = (Vec::new(), Vec::new());
-        let accelerations = model.accelerations();
         for row in &tmt.rows {
-            let squared = model.graph.mul(row.velocity, row.velocity);
+            let squared = model.graph.mul(row.motion.velocity, row.motion.velocity);
             twice_kinetic.push(model.graph.mul(row.inertia, squared));
-            power.push(model.graph.mul(row.force, row.velocity));
-            let moving = inner(model, &row.jacobian, &accelerations);
-            let acceleration = model.graph.add(moving, row.convective);
-            let inertia_force = model.graph.mul(row.inertia, acceleration);
-            let drive = model.graph.sub(inertia_force, row.force);
-            power.push(model.graph.mul(row.time_derivative, drive));
+            power.push(model.graph.mul(row.force, row.motion.velocity));
+            power.push(drive_power(model, variables, row));
         }
         let multipliers = model.multipliers();
         power.push(inner(model, &multipliers, &constraints.time_derivative));
         let twice = model.graph.sum(&twice_kinetic);
         Energy { kinetic: model.graph.scale(&Number::HALF, twice), power: model.graph.sum(&power) }
     }
+}
+
+/// T_t (M x'' - F): what a drive does that moves the row in time.
+fn drive_power(model: &mut Model, variables: &Variables, row: &Row) -> Expr {
+    let driven = row.motion.time_derivative;
+    if model.graph.is_zero(driven) {
+        return driven;
+    }
+    let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| model.graph.variable(*a)).collect();
+    let moving = inner(model, &row.motion.jacobian, &accelerations);
+    let acceleration = model.graph.add(moving, row.motion.convective);
+    let inertia_force = model.graph.mul(row.inertia, acceleration);
+    let drive = model.graph.sub(inertia_force, row.force);
+    model.graph.mul(driven, drive)
 }

@@ -16,26 +16,39 @@
 
 mod constraints;
 mod energy;
+mod intermediates;
 mod lagrange;
+pub mod order;
 mod outputs;
+mod rows;
 mod sensitivity;
 mod tmt;
+mod variables;
 
 pub use constraints::Constraints;
 pub use energy::Energy;
+pub use intermediates::Intermediate;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
 pub use sensitivity::Sensitivity;
 pub use tmt::{Row, Tmt};
+pub use variables::{Differentiated, Variables};
 
 use crate::model::Model;
-use crate::symbolic::{Differential, Expr};
+use intermediates::{Formulation, cheapest};
+use variables::Derivatives;
 
-/// The equations of motion of a model, with n coordinates and m constraints. All expressions live in
-/// `model.graph`, in SI units.
+/// The equations of motion of a model, with n variables and m constraints. All expressions live in `model.graph`, in
+/// SI units.
+///
+/// The variables are the coordinates, and in large mechanisms intermediate quantities after them.
 pub struct EquationsOfMotion {
     /// What they were derived from.
     pub model: Model,
+    /// What they are written in.
+    pub variables: Variables,
+    /// What stands for parts of long sums, each defined by coordinates and those before it.
+    pub intermediates: Vec<Intermediate>,
     /// Mass matrix, convective and generalised forces.
     pub tmt: Tmt,
     /// Constraints with their derivatives.
@@ -44,58 +57,34 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
-    /// Derivatives with respect to state and parameters.
-    pub sensitivity: Sensitivity,
+    /// Derivatives with respect to state and parameters; only if there are no intermediates.
+    pub sensitivity: Option<Sensitivity>,
 }
 
-/// Derives the equations of motion.
+/// Derives the equations of motion in the coordinates alone: what a reader wants to see.
 pub fn derive(mut model: Model) -> EquationsOfMotion {
-    let mut derivatives = Derivatives::of(&mut model);
-    let tmt = Tmt::derive(&mut model, &mut derivatives);
-    let constraints = Constraints::derive(&mut model, &mut derivatives);
-    let energy = Energy::derive(&mut model, &tmt, &constraints);
+    let rows = rows::load_rows(&mut model);
+    let formulation = Formulation::without(&model, rows);
+    derive_in(model, formulation)
+}
+
+/// Derives the equations of motion in whichever form costs less to solve.
+pub fn derive_cheapest(mut model: Model) -> EquationsOfMotion {
+    let rows = rows::load_rows(&mut model);
+    let formulation = cheapest(&mut model, rows);
+    derive_in(model, formulation)
+}
+
+fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
+    let variables = formulation.variables(&model);
+    let mut derivatives = Derivatives::of(&mut model, &variables);
+    let intermediates = formulation.intermediates(&mut model, &variables, &mut derivatives);
+    let Formulation { rows, constraints, .. } = formulation;
+    let tmt = Tmt::derive(&mut model, &variables, &mut derivatives, rows);
+    let constraints = Constraints::derive(&mut model, &variables, &mut derivatives, constraints);
+    let energy = Energy::derive(&mut model, &variables, &tmt, &constraints);
     let outputs = Outputs::derive(&mut model);
-    let sensitivity = Sensitivity::derive(&mut model, &mut derivatives, &tmt, &constraints);
-    EquationsOfMotion { model, tmt, constraints, energy, outputs, sensitivity }
-}
-
-/// The derivatives that the equations are made of, each kept for all expressions.
-pub struct Derivatives {
-    /// One for each coordinate.
-    by_coordinate: Vec<Differential>,
-    /// With respect to explicit time.
-    by_time: Differential,
-    /// The total time derivative at constant speeds: q at q', t at 1.
-    convective: Differential,
-}
-
-impl Derivatives {
-    fn of(model: &mut Model) -> Derivatives {
-        let graph = &mut model.graph;
-        let by_coordinate = model.coordinates.iter().map(|c| Differential::partial(graph, c.position)).collect();
-        let by_time = Differential::partial(graph, model.time);
-        let mut rates = vec![(model.time, graph.one())];
-        rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
-        Derivatives { by_coordinate, by_time, convective: Differential::along(rates) }
-    }
-
-    /// The row of partial derivatives with respect to the coordinates.
-    fn gradient(&mut self, model: &mut Model, expr: Expr) -> Vec<Expr> {
-        self.by_coordinate.iter_mut().map(|d| d.of(&mut model.graph, expr)).collect()
-    }
-
-    fn by_time(&mut self, model: &mut Model, expr: Expr) -> Expr {
-        self.by_time.of(&mut model.graph, expr)
-    }
-
-    /// `(x_q q' + x_t)_q q' + (x_q q' + x_t)_t`, mixed derivatives included, given `rate = x_q q' + x_t`.
-    fn convective(&mut self, model: &mut Model, rate: Expr) -> Expr {
-        self.convective.of(&mut model.graph, rate)
-    }
-}
-
-/// `sum of a_i b_i`.
-fn inner(model: &mut Model, a: &[Expr], b: &[Expr]) -> Expr {
-    let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| model.graph.mul(*a, *b)).collect();
-    model.graph.sum(&products)
+    let sensitivity =
+        intermediates.is_empty().then(|| Sensitivity::derive(&mut model, &mut derivatives, &tmt, &constraints));
+    EquationsOfMotion { model, variables, intermediates, tmt, constraints, energy, outputs, sensitivity }
 }

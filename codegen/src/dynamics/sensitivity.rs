@@ -3,7 +3,8 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 
-use super::{Constraints, Derivatives, Tmt, inner};
+use super::variables::{Derivatives, inner};
+use super::{Constraints, Tmt};
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Symbol};
 
@@ -36,7 +37,7 @@ impl Sensitivity {
         let parameters = model.parameters.iter().map(|p| p.symbol).collect();
         let (mut by_speed, mut by_parameter) = (partial(model, speeds), partial(model, parameters));
         Sensitivity {
-            by_positions: columns(model, &mut derivatives.by_coordinate),
+            by_positions: columns(model, &mut derivatives.by_variable),
             by_speeds: columns(model, &mut by_speed),
             by_parameters: columns(model, &mut by_parameter),
         }

@@ -34,14 +34,24 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let entries = entries(kernel);
     let statements = kernel.statements.iter().map(statement);
     let results = results(model, kernel, path);
+    let inline = inline(kernel);
     quote! {
         #(#[doc = #docs])*
-        #[inline]
+        #inline
         pub fn #name(&self #(, #arguments)*) -> #returns {
             #entries
             #(#statements)*
             #results
         }
+    }
+}
+
+/// The kernel of batches is compiled for the vector instructions of the function that it is inlined into.
+fn inline(kernel: &Kernel) -> TokenStream {
+    if kernel.name == "dynamics" {
+        quote! { #[inline(always)] }
+    } else {
+        quote! { #[inline] }
     }
 }
 

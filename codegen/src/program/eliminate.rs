@@ -10,8 +10,8 @@
 //!
 //! Each pivot comes with the terms that it is the sum of, to be checked at run time.
 
-use super::order::{Action, Pattern, order};
 use super::values::{Value, Values};
+use crate::dynamics::order::{Action, Kind, Pattern, order, substitutions};
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
@@ -31,6 +31,17 @@ pub(super) enum Unknown {
     Intermediate(Vec<(usize, Value)>),
     /// A multiplier.
     Multiplier,
+}
+
+impl System {
+    fn pattern(&self) -> Pattern {
+        let kind = |unknown: &Unknown| match unknown {
+            Unknown::Coordinate => Kind::Coordinate,
+            Unknown::Intermediate(definition) => Kind::Intermediate(definition.iter().map(|(j, _)| *j).collect()),
+            Unknown::Multiplier => Kind::Multiplier,
+        };
+        Pattern::new(self.unknowns.iter().map(kind).collect(), self.entries.iter().map(|(i, j, _)| (*i, *j)))
+    }
 }
 
 /// Names for the intermediate results, for whoever reads the kernel.
@@ -60,6 +71,14 @@ struct Matrix {
 }
 
 impl Matrix {
+    fn of(system: &System) -> Matrix {
+        let mut matrix = Matrix { entries: IndexMap::default() };
+        for (i, j, value) in &system.entries {
+            matrix.add(*i, *j, false, *value);
+        }
+        matrix
+    }
+
     fn add(&mut self, i: usize, j: usize, negative: bool, value: Value) {
         self.entries.entry((i.min(j), i.max(j))).or_default().push((negative, value));
     }
@@ -85,11 +104,8 @@ pub(super) fn factorise(
     names: &[String],
     labels: &mut Labels,
 ) -> Option<Factors> {
-    let actions = order(Pattern::of(system))?;
-    let mut matrix = Matrix { entries: IndexMap::default() };
-    for (i, j, value) in &system.entries {
-        matrix.add(*i, *j, false, *value);
-    }
+    let actions = order(system.pattern())?;
+    let mut matrix = Matrix::of(system);
     let mut factors = Factors { steps: vec![], pivots: vec![] };
     for Action { unknown, neighbours } in actions {
         let step = match &system.unknowns[unknown] {
@@ -103,6 +119,36 @@ pub(super) fn factorise(
         factors.steps.push(step);
     }
     Some(factors)
+}
+
+/// The system with its intermediate quantities substituted, and nothing else done.
+pub(super) fn reduce(values: &mut Values, system: &System) -> Reduced {
+    let mut matrix = Matrix::of(system);
+    let mut factors = Factors { steps: vec![], pivots: vec![] };
+    for Action { unknown, neighbours } in substitutions(system.pattern()) {
+        if let Unknown::Intermediate(definition) = &system.unknowns[unknown] {
+            factors.steps.push(substitute(values, &mut matrix, unknown, definition, &neighbours));
+        }
+    }
+    Reduced { matrix, factors }
+}
+
+/// A system in coordinates and multipliers alone.
+pub(super) struct Reduced {
+    matrix: Matrix,
+    factors: Factors,
+}
+
+impl Reduced {
+    /// An entry of the matrix.
+    pub(super) fn entry(&mut self, values: &mut Values, i: usize, j: usize) -> Value {
+        self.matrix.value(values, i, j).unwrap_or_else(|| values.constant(0.0))
+    }
+
+    /// The right-hand side that belongs to one of the whole system.
+    pub(super) fn right_hand_side(&self, values: &mut Values, rhs: Vec<Value>, constants: &[Value]) -> Vec<Value> {
+        self.factors.forward(values, rhs, constants, &mut |_, _| ())
+    }
 }
 
 fn eliminate(
@@ -175,40 +221,15 @@ impl Factors {
         values: &mut Values,
         rhs: Vec<Value>,
         constants: &[Value],
-        mut label: impl FnMut(Value, usize),
+        label: &mut dyn FnMut(Value, usize),
     ) -> Vec<Value> {
-        let mut rhs: Vec<Entry> = rhs.into_iter().map(|value| vec![(false, value)]).collect();
-        let mut unknowns = vec![values.constant(0.0); rhs.len()];
-        for step in &self.steps {
-            let k = step.unknown();
-            let reduced = values.sum(std::mem::take(&mut rhs[k]));
-            match step {
-                Step::Eliminate { column, .. } => {
-                    label(reduced, k);
-                    for (i, factor) in column {
-                        rhs[*i].push((true, values.product(vec![*factor, reduced])));
-                    }
-                    // Kept for the way back.
-                    unknowns[k] = reduced;
-                }
-                Step::Substitute { definition, column, diagonal, .. } => {
-                    let constant = constants[k];
-                    for (i, w) in column {
-                        rhs[*i].push((true, values.product(vec![*w, constant])));
-                    }
-                    let inertial = values.product(vec![*diagonal, constant]);
-                    let passed_on = values.sum(vec![(false, reduced), (true, inertial)]);
-                    for (j, a) in definition {
-                        rhs[*j].push((false, values.product(vec![*a, passed_on])));
-                    }
-                }
-            }
-        }
+        let mut unknowns = self.forward(values, rhs, constants, label);
         for step in self.steps.iter().rev() {
-            let k = step.unknown();
-            let (first, negative, column) = match step {
-                Step::Eliminate { column, inverse, .. } => (values.product(vec![unknowns[k], *inverse]), true, column),
-                Step::Substitute { definition, .. } => (constants[k], false, definition),
+            let (k, first, negative, column) = match step {
+                Step::Eliminate { unknown, column, inverse } => {
+                    (*unknown, values.product(vec![unknowns[*unknown], *inverse]), true, column)
+                }
+                Step::Substitute { unknown, definition, .. } => (*unknown, constants[*unknown], false, definition),
             };
             let mut terms = vec![(false, first)];
             terms.extend(column.iter().map(|(i, factor)| (negative, values.product(vec![*factor, unknowns[*i]]))));
@@ -216,13 +237,40 @@ impl Factors {
         }
         unknowns
     }
-}
 
-impl Step {
-    fn unknown(&self) -> usize {
-        match self {
-            Step::Eliminate { unknown, .. } | Step::Substitute { unknown, .. } => *unknown,
+    /// The right-hand side as the steps leave it.
+    fn forward(
+        &self,
+        values: &mut Values,
+        rhs: Vec<Value>,
+        constants: &[Value],
+        label: &mut dyn FnMut(Value, usize),
+    ) -> Vec<Value> {
+        let mut rhs: Vec<Entry> = rhs.into_iter().map(|value| vec![(false, value)]).collect();
+        for step in &self.steps {
+            match step {
+                Step::Eliminate { unknown, column, .. } => {
+                    let reduced = values.sum(std::mem::take(&mut rhs[*unknown]));
+                    label(reduced, *unknown);
+                    for (i, factor) in column {
+                        rhs[*i].push((true, values.product(vec![*factor, reduced])));
+                    }
+                    rhs[*unknown] = vec![(false, reduced)];
+                }
+                Step::Substitute { unknown, definition, column, diagonal } => {
+                    let constant = constants[*unknown];
+                    for (i, w) in column {
+                        rhs[*i].push((true, values.product(vec![*w, constant])));
+                    }
+                    rhs[*unknown].push((true, values.product(vec![*diagonal, constant])));
+                    let passed_on = values.sum(std::mem::take(&mut rhs[*unknown]));
+                    for (j, a) in definition {
+                        rhs[*j].push((false, values.product(vec![*a, passed_on])));
+                    }
+                }
+            }
         }
+        rhs.into_iter().map(|entry| values.sum(entry)).collect()
     }
 }
 

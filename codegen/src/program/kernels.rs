@@ -1,8 +1,11 @@
 //! The kernels of a mechanism.
 
+use super::lower::Lowering;
+use super::motion::ReducedEquations;
 use super::planner::Planner;
 use super::prepared::prepared_kernels;
 use super::results::{Record, Results};
+use super::values::Value;
 use super::{Arguments, Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Shape, Start};
@@ -48,29 +51,31 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
     let vector = |name, arguments, docs: String, values: &[Expr]| {
         planner.kernel(name, arguments, docs, |lowering| Results::Vector(lowering.lower_all(values)))
     };
-    let matrix = |name, docs: String, rows: &[Vec<Expr>]| {
-        planner.kernel(name, Positions, docs, |lowering| Results::Matrix(n, lowering.lower_rows(rows)))
-    };
+    let reduced =
+        |name, arguments, docs: String, wanted: fn(&mut ReducedEquations, &mut Lowering) -> Results<Value>| {
+            planner.kernel(name, arguments, docs, |lowering| wanted(&mut ReducedEquations::of(e, lowering), lowering))
+        };
     let constraints = &e.constraints;
     let rates: Vec<Expr> = e.outputs.rates.iter().flatten().copied().collect();
     let events: Vec<Expr> = e.model.events.iter().map(|event| event.value).collect();
     vec![
-        matrix(
+        reduced(
             "mass_matrix",
+            Positions,
             format!("Mass matrix `T_q' M T_q`, {n} x {n}, symmetric, in SI units."),
-            &e.tmt.mass_matrix,
+            |reduced, lowering| reduced.mass_matrix(lowering),
         ),
-        vector(
+        reduced(
             "convective_forces",
             Speeds,
             format!("Convective forces `T_q' M g`, {n}, with `g = (T_q q' + T_t)_q q' + (..)_t`."),
-            &e.tmt.convective_forces,
+            |reduced, lowering| reduced.convective_forces(lowering),
         ),
-        vector(
+        reduced(
             "generalized_forces",
             Speeds,
             format!("Generalised forces `T_q' F`, {n}: joules per unit of each coordinate."),
-            &e.tmt.generalized_forces,
+            |reduced, lowering| reduced.generalized_forces(lowering),
         ),
         vector(
             "constraints",
@@ -84,30 +89,36 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
             format!("The sum of the magnitudes of the terms of `C`, {m}: what its rounding is relative to."),
             &constraints.magnitudes,
         ),
-        matrix("constraint_jacobian", format!("Constraint Jacobian `C_q`, {m} x {n}."), &constraints.jacobian),
-        vector(
+        reduced(
+            "constraint_jacobian",
+            Positions,
+            format!("Constraint Jacobian `C_q`, {m} x {n}."),
+            |reduced, lowering| reduced.constraint_jacobian(lowering),
+        ),
+        reduced(
             "constraint_time_derivative",
             Positions,
             format!("`C_t`, {m}: the speeds obey `C_q q' + C_t = 0`."),
-            &constraints.time_derivative,
+            |reduced, lowering| reduced.constraint_time_derivative(lowering),
         ),
-        vector(
+        reduced(
             "constraint_convective",
             Speeds,
             format!("`(C_q q' + C_t)_q q' + (..)_t`, {m}: the part of `C''` without accelerations."),
-            &constraints.convective,
+            |reduced, lowering| reduced.constraint_convective(lowering),
         ),
         planner.kernel(
             "constraint_linearization",
             Positions,
             format!("`C` ({m}), `C_q` ({m} x {n}) and `C_t` ({m}) together, for projection."),
             |lowering| {
+                let mut reduced = ReducedEquations::of(e, lowering);
                 Results::record(
                     Record::ConstraintLinearization,
                     [
                         ("values", Results::Vector(lowering.lower_all(&constraints.values))),
-                        ("jacobian", Results::Matrix(n, lowering.lower_rows(&constraints.jacobian))),
-                        ("time_derivative", Results::Vector(lowering.lower_all(&constraints.time_derivative))),
+                        ("jacobian", reduced.constraint_jacobian(lowering)),
+                        ("time_derivative", reduced.constraint_time_derivative(lowering)),
                     ],
                 )
             },

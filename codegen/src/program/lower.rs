@@ -9,11 +9,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) struct Lowering<'a> {
     graph: &'a Graph,
     inputs: &'a FxHashMap<Symbol, Input>,
+    /// What symbols stand for that are no inputs.
+    definitions: &'a FxHashMap<Symbol, Expr>,
     /// Other forms of expressions.
     alternatives: &'a FxHashMap<Expr, Expr>,
     pub(super) values: Values,
     done: FxHashMap<Expr, Value>,
-    computed: FxHashMap<Input, Value>,
+    computed: FxHashMap<Symbol, Value>,
     /// For each value whether what was asked for needs it.
     wanted: Vec<bool>,
 }
@@ -22,11 +24,13 @@ impl<'a> Lowering<'a> {
     pub(super) fn new(
         graph: &'a Graph,
         inputs: &'a FxHashMap<Symbol, Input>,
+        definitions: &'a FxHashMap<Symbol, Expr>,
         alternatives: &'a FxHashMap<Expr, Expr>,
     ) -> Lowering<'a> {
         Lowering {
             graph,
             inputs,
+            definitions,
             alternatives,
             wanted: vec![],
             values: Values::default(),
@@ -83,13 +87,7 @@ impl<'a> Lowering<'a> {
         let value = match graph.node(expr) {
             Node::Number(number) => self.values.constant(number.to_f64()),
             Node::Constant(constant) => self.values.constant(constant.to_f64()),
-            Node::Symbol(symbol) => {
-                let Some(input) = self.inputs.get(symbol).copied() else {
-                    // The model has no other symbols; were there one, its value would be unknown.
-                    return self.values.constant(f64::NAN);
-                };
-                self.computed.get(&input).copied().unwrap_or_else(|| self.values.add(Operation::Input(input)))
-            }
+            Node::Symbol(symbol) => self.symbol(*symbol),
             Node::Sum { constant, terms } => self.sum(constant, terms),
             Node::Product { coefficient, factors } => self.product(coefficient, factors),
             Node::Power { base, exponent } => self.power(*base, *exponent),
@@ -104,6 +102,18 @@ impl<'a> Lowering<'a> {
         };
         self.done.insert(expr, value);
         value
+    }
+
+    fn symbol(&mut self, symbol: Symbol) -> Value {
+        if let Some(computed) = self.computed.get(&symbol) {
+            return *computed;
+        }
+        match (self.inputs.get(&symbol), self.definitions.get(&symbol)) {
+            (Some(input), _) => self.values.add(Operation::Input(*input)),
+            (_, Some(definition)) => self.lower_form(*definition),
+            // The model has no other symbols; were there one, its value would be unknown.
+            _ => self.values.constant(f64::NAN),
+        }
     }
 
     pub(super) fn lower_all(&mut self, exprs: &[Expr]) -> Vec<Value> {
@@ -169,8 +179,8 @@ impl<'a> Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// From now on these inputs are values that the program has computed.
-    pub(super) fn replace_inputs(&mut self, replacements: FxHashMap<Input, Value>) {
-        self.computed = replacements;
+    /// From now on these symbols are values that the program has computed.
+    pub(super) fn replace(&mut self, computed: FxHashMap<Symbol, Value>) {
+        self.computed = computed;
     }
 }

@@ -8,7 +8,6 @@ mod lower;
 mod motion;
 mod names;
 mod operations;
-mod order;
 mod planner;
 mod prepared;
 mod results;

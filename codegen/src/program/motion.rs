@@ -1,10 +1,11 @@
 //! The equations of motion as a linear system of values, its solution, and the derivatives of that solution.
 
-use super::eliminate::{Factors, Labels, System, Unknown, factorise};
+use super::eliminate::{Factors, Labels, Reduced, System, Unknown, factorise, reduce};
 use super::lower::Lowering;
+use super::planner::variable_names;
 use super::results::{Record, Results};
-use super::values::{Input, Value};
-use crate::dynamics::EquationsOfMotion;
+use super::values::Value;
+use crate::dynamics::{Differentiated, EquationsOfMotion, Sensitivity};
 use crate::symbolic::Expr;
 
 /// The equations of motion solved at one state.
@@ -23,25 +24,27 @@ impl<'a> Motion<'a> {
         let names = unknown_names(equations);
         let mut labels = Labels::new();
         let system = system(equations, lowering);
-        let rhs = right_hand_side(equations, lowering);
+        let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &equations.constraints.convective);
+        let constants = constants(equations, lowering, |definition| definition.convective);
         let factors = factorise(&mut lowering.values, &system, &names, &mut labels);
-        let zero = lowering.values.constant(0.0);
-        let constants = vec![zero; names.len()];
-        let unknowns = match &factors {
-            Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, |value, k| {
+        let solved = match &factors {
+            Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |value, k| {
                 labels.push((value, format!("rhs_{}", names[k])));
             }),
-            None => constants,
+            None => vec![lowering.values.constant(0.0); names.len()],
         };
-        let n = equations.model.coordinates.len();
-        for (i, value) in unknowns.iter().enumerate() {
-            let name = if i < n { format!("{}_ddot", names[i]) } else { names[i].clone() };
+        let variables = equations.variables.len();
+        for (i, value) in solved.iter().enumerate() {
+            let name = if i < variables { format!("{}_ddot", names[i]) } else { names[i].clone() };
             labels.push((*value, name));
         }
-        let inputs = (0..n).map(Input::Acceleration).chain((0..names.len() - n).map(Input::Multiplier));
-        lowering.replace_inputs(inputs.zip(unknowns.iter().copied()).collect());
+        let multipliers = equations.model.constraints.iter().map(|c| c.multiplier);
+        let symbols = equations.variables.accelerations.iter().copied().chain(multipliers);
+        lowering.replace(symbols.zip(solved.iter().copied()).collect());
         let power = lowering.lower(equations.energy.power);
-        Motion { equations, unknowns, power, factors, labels }
+        let intermediates = equations.model.coordinates.len()..variables;
+        let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
+        Motion { equations, unknowns: unknowns.collect(), power, factors, labels }
     }
 
     /// q'', lambda and power.
@@ -59,8 +62,7 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(q, q').
-    pub(super) fn jacobian(&self, lowering: &mut Lowering) -> Results<Value> {
-        let sensitivity = &self.equations.sensitivity;
+    pub(super) fn jacobian(&self, lowering: &mut Lowering, sensitivity: &Sensitivity) -> Results<Value> {
         let [accelerations_by_positions, multipliers_by_positions] =
             self.derivatives(lowering, &sensitivity.by_positions);
         let [accelerations_by_speeds, multipliers_by_speeds] = self.derivatives(lowering, &sensitivity.by_speeds);
@@ -77,8 +79,8 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(parameters).
-    pub(super) fn sensitivity(&self, lowering: &mut Lowering) -> Results<Value> {
-        let [accelerations, multipliers] = self.derivatives(lowering, &self.equations.sensitivity.by_parameters);
+    pub(super) fn sensitivity(&self, lowering: &mut Lowering, sensitivity: &Sensitivity) -> Results<Value> {
+        let [accelerations, multipliers] = self.derivatives(lowering, &sensitivity.by_parameters);
         Results::record(
             Record::DynamicsSensitivity,
             [("accelerations", accelerations), ("multipliers", multipliers), ("refused", self.refused())],
@@ -88,13 +90,13 @@ impl<'a> Motion<'a> {
     /// Solves K dz = d(r - K z) for each column; gives the rows of q'' and those of lambda.
     fn derivatives(&self, lowering: &mut Lowering, columns: &[Vec<Expr>]) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
-        let constants = vec![zero; self.unknowns.len()];
+        let constants = vec![zero; unknown_count(self.equations)];
         let solved: Vec<Vec<Value>> = columns
             .iter()
             .map(|column| {
                 let rhs = lowering.lower_all(column);
                 match &self.factors {
-                    Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, |_, _| ()),
+                    Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |_, _| ()),
                     None => constants.clone(),
                 }
             })
@@ -110,16 +112,92 @@ impl<'a> Motion<'a> {
     }
 }
 
-fn unknown_names(equations: &EquationsOfMotion) -> Vec<String> {
-    let model = &equations.model;
-    let coordinates = model.coordinates.iter().map(|c| c.name.clone());
-    coordinates.chain(model.constraints.iter().map(|c| format!("lambda_{}", c.name))).collect()
+/// The equations of motion in coordinates and multipliers, not solved.
+pub(super) struct ReducedEquations<'a> {
+    equations: &'a EquationsOfMotion,
+    reduced: Reduced,
 }
 
-/// Mass matrix and constraint Jacobian.
+impl<'a> ReducedEquations<'a> {
+    pub(super) fn of(equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> ReducedEquations<'a> {
+        let system = system(equations, lowering);
+        ReducedEquations { equations, reduced: reduce(&mut lowering.values, &system) }
+    }
+
+    /// T_q' M T_q.
+    pub(super) fn mass_matrix(&mut self, lowering: &mut Lowering) -> Results<Value> {
+        let n = self.equations.model.coordinates.len();
+        let mut row = |i: usize| (0..n).map(|j| self.reduced.entry(&mut lowering.values, i, j)).collect();
+        Results::Matrix(n, (0..n).map(&mut row).collect())
+    }
+
+    /// C_q.
+    pub(super) fn constraint_jacobian(&mut self, lowering: &mut Lowering) -> Results<Value> {
+        let n = self.equations.model.coordinates.len();
+        let rows =
+            self.equations.variables.len()..self.equations.variables.len() + self.equations.constraints.values.len();
+        let mut row = |i: usize| (0..n).map(|j| self.reduced.entry(&mut lowering.values, i, j)).collect();
+        Results::Matrix(n, rows.map(&mut row).collect())
+    }
+
+    /// T_q' F.
+    pub(super) fn generalized_forces(&self, lowering: &mut Lowering) -> Results<Value> {
+        let zero = lowering.values.constant(0.0);
+        let constants = vec![zero; unknown_count(self.equations)];
+        let forces = lowering.lower_all(&self.equations.tmt.generalized_forces);
+        Results::Vector(self.coordinate_rows(lowering, forces, &constants))
+    }
+
+    /// T_q' M g.
+    pub(super) fn convective_forces(&self, lowering: &mut Lowering) -> Results<Value> {
+        let constants = constants(self.equations, lowering, |definition| definition.convective);
+        let forces = negated(lowering, &self.equations.tmt.convective_forces);
+        let rows = self.coordinate_rows(lowering, forces, &constants);
+        Results::Vector(rows.into_iter().map(|row| lowering.values.negate(row)).collect())
+    }
+
+    /// C_t.
+    pub(super) fn constraint_time_derivative(&self, lowering: &mut Lowering) -> Results<Value> {
+        let constants = constants(self.equations, lowering, |definition| definition.time_derivative);
+        self.constraint_rows(lowering, &self.equations.constraints.time_derivative, &constants)
+    }
+
+    /// (C_q q' + C_t)_q q' + (..)_t.
+    pub(super) fn constraint_convective(&self, lowering: &mut Lowering) -> Results<Value> {
+        let constants = constants(self.equations, lowering, |definition| definition.convective);
+        self.constraint_rows(lowering, &self.equations.constraints.convective, &constants)
+    }
+
+    fn coordinate_rows(&self, lowering: &mut Lowering, forces: Vec<Value>, constants: &[Value]) -> Vec<Value> {
+        let mut rhs = forces;
+        rhs.resize(constants.len(), lowering.values.constant(0.0));
+        let mut reduced = self.reduced.right_hand_side(&mut lowering.values, rhs, constants);
+        reduced.truncate(self.equations.model.coordinates.len());
+        reduced
+    }
+
+    fn constraint_rows(&self, lowering: &mut Lowering, rows: &[Expr], constants: &[Value]) -> Results<Value> {
+        let mut rhs = vec![lowering.values.constant(0.0); self.equations.variables.len()];
+        rhs.extend(negated(lowering, rows));
+        let mut reduced = self.reduced.right_hand_side(&mut lowering.values, rhs, constants);
+        let rows = reduced.split_off(self.equations.variables.len());
+        Results::Vector(rows.into_iter().map(|row| lowering.values.negate(row)).collect())
+    }
+}
+
+fn unknown_names(equations: &EquationsOfMotion) -> Vec<String> {
+    let mut names = variable_names(equations);
+    names.extend(equations.model.constraints.iter().map(|c| format!("lambda_{}", c.name)));
+    names
+}
+
+fn unknown_count(equations: &EquationsOfMotion) -> usize {
+    equations.variables.len() + equations.model.constraints.len()
+}
+
+/// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers.
 fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
-    let EquationsOfMotion { model, tmt, constraints, .. } = equations;
-    let n = model.coordinates.len();
+    let EquationsOfMotion { model, variables, intermediates, tmt, constraints, .. } = equations;
     let mut entries = Vec::new();
     let mut enter = |i: usize, j: usize, expr: Expr| {
         if !model.graph.is_zero(expr) {
@@ -130,18 +208,38 @@ fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
         row[..=i].iter().enumerate().for_each(|(j, expr)| enter(i, j, *expr));
     }
     for (i, row) in constraints.jacobian.iter().enumerate() {
-        row.iter().enumerate().for_each(|(j, expr)| enter(n + i, j, *expr));
+        row.iter().enumerate().for_each(|(j, expr)| enter(variables.len() + i, j, *expr));
     }
-    let coordinates = (0..n).map(|_| Unknown::Coordinate);
-    System { unknowns: coordinates.chain(model.constraints.iter().map(|_| Unknown::Multiplier)).collect(), entries }
+    let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
+    for y in intermediates {
+        let definition = y.definition.jacobian.iter().copied().enumerate();
+        let definition = definition.filter(|(_, expr)| !model.graph.is_zero(*expr));
+        unknowns.push(Unknown::Intermediate(definition.map(|(j, expr)| (j, lowering.lower(expr))).collect()));
+    }
+    unknowns.extend(model.constraints.iter().map(|_| Unknown::Multiplier));
+    System { unknowns, entries }
 }
 
-/// T_q' (F - M g), then -((C_q q' + C_t)_q q' + (..)_t).
-fn right_hand_side(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
-    let mut rhs = lowering.lower_all(&equations.tmt.right_hand_side);
-    for expr in &equations.constraints.convective {
-        let value = lowering.lower(*expr);
-        rhs.push(lowering.values.negate(value));
-    }
+/// Forces, then the opposites of constraint terms.
+fn right_hand_side(lowering: &mut Lowering, forces: &[Expr], constraint_terms: &[Expr]) -> Vec<Value> {
+    let mut rhs = lowering.lower_all(forces);
+    rhs.extend(negated(lowering, constraint_terms));
     rhs
+}
+
+fn negated(lowering: &mut Lowering, exprs: &[Expr]) -> Vec<Value> {
+    lowering.lower_all(exprs).into_iter().map(|value| lowering.values.negate(value)).collect()
+}
+
+/// What the definitions of the intermediates add that no acceleration is in, at their places; 0 elsewhere.
+fn constants(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    term: impl Fn(&Differentiated) -> Expr,
+) -> Vec<Value> {
+    let mut constants = vec![lowering.values.constant(0.0); unknown_count(equations)];
+    for (i, y) in equations.intermediates.iter().enumerate() {
+        constants[equations.model.coordinates.len() + i] = lowering.lower(term(&y.definition));
+    }
+    constants
 }

@@ -23,6 +23,7 @@ pub(super) struct Head {
 pub(super) struct Planner<'a> {
     pub(super) equations: &'a EquationsOfMotion,
     inputs: FxHashMap<Symbol, Input>,
+    definitions: FxHashMap<Symbol, Expr>,
     alternatives: &'a FxHashMap<Expr, Expr>,
     /// Names wished for values of the model.
     labels: Vec<(Expr, String)>,
@@ -44,11 +45,15 @@ impl<'a> Planner<'a> {
             inputs.extend(levels);
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
-        Planner { equations, inputs, alternatives, labels: labels(equations) }
+        let definitions = equations
+            .intermediates
+            .iter()
+            .flat_map(|y| y.symbols.into_iter().zip([y.definition.position, y.definition.velocity, y.acceleration]));
+        Planner { equations, inputs, definitions: definitions.collect(), alternatives, labels: labels(equations) }
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
-        Lowering::new(&self.equations.model.graph, &self.inputs, self.alternatives)
+        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives)
     }
 
     /// A kernel of its own, of the mechanism.
@@ -138,16 +143,23 @@ impl<'a> Planner<'a> {
 fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     let model = &equations.model;
     let mut labels: Vec<(Expr, String)> = model.named.iter().map(|(name, expr)| (*expr, name.clone())).collect();
-    let coordinate = |i: usize| &model.coordinates[i].name;
+    for y in &equations.intermediates {
+        let rates = [y.definition.position, y.definition.velocity, y.definition.convective];
+        let suffixes = ["", "_dot", "_convective"];
+        labels.extend(rates.into_iter().zip(suffixes).map(|(expr, suffix)| (expr, format!("{}{suffix}", y.name))));
+    }
+    let names = variable_names(equations);
     for (i, row) in equations.tmt.mass_matrix.iter().enumerate() {
-        labels.extend(
-            row[..=i].iter().enumerate().map(|(j, expr)| (*expr, format!("mass_{}_{}", coordinate(i), coordinate(j)))),
-        );
+        labels.extend(row[..=i].iter().enumerate().map(|(j, expr)| (*expr, format!("mass_{}_{}", names[i], names[j]))));
     }
     for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
-        labels.extend(
-            row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, coordinate(j)))),
-        );
+        labels.extend(row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, names[j]))));
     }
     labels
+}
+
+/// The names of coordinates and intermediates.
+pub(super) fn variable_names(equations: &EquationsOfMotion) -> Vec<String> {
+    let coordinates = equations.model.coordinates.iter().map(|c| c.name.clone());
+    coordinates.chain(equations.intermediates.iter().map(|y| y.name.clone())).collect()
 }

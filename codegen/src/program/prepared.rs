@@ -13,11 +13,15 @@ use super::{Arguments, Kernel, Receiver, Tree};
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let mut lowering = planner.lowering();
     let motion = Motion::solve(planner.equations, &mut lowering);
-    let planned = [
-        ("dynamics", dynamics_docs(planner), motion.dynamics()),
-        ("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering)),
-        ("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering)),
-    ];
+    let mut planned = vec![("dynamics", dynamics_docs(planner), motion.dynamics())];
+    if let Some(sensitivity) = &planner.equations.sensitivity {
+        planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, sensitivity)));
+        planned.push((
+            "dynamics_sensitivity",
+            sensitivity_docs(planner),
+            motion.sensitivity(&mut lowering, sensitivity),
+        ));
+    }
     let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
     let fields = fields(planner, &lowering, &motion, &roots);
     let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();

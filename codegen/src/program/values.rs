@@ -171,6 +171,8 @@ impl Values {
             let together = self.product(parametric);
             kept.insert(0, together);
         }
+        // In one order, so that equal products are one value.
+        kept.sort();
         let product = match kept.as_slice() {
             [] => self.constant(1.0),
             [one] => *one,

@@ -26,4 +26,4 @@ pub use evaluate::{apply_function, evaluate};
 pub use function::Function;
 pub use graph::{Constant, Expr, Graph, Node, Symbol};
 pub use number::Number;
-pub use substitute::substitute;
+pub use substitute::{substitute, with_operands};

@@ -8,25 +8,32 @@ pub fn substitute(graph: &mut Graph, roots: &[Expr], replacements: &[(Symbol, Ex
     let replacements: FxHashMap<_, _> = replacements.iter().copied().collect();
     let mut done: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expr in graph.reachable(roots) {
-        let new = match graph.node(expr).clone() {
-            Node::Number(_) | Node::Constant(_) => expr,
-            Node::Symbol(symbol) => replacements.get(&symbol).copied().unwrap_or(expr),
-            Node::Sum { constant, terms } => {
-                let mut weighted: Vec<_> = terms.iter().map(|(term, c)| (done[term], c.clone())).collect();
-                let one = graph.one();
-                weighted.push((one, constant));
-                graph.linear_combination(&weighted)
-            }
-            Node::Product { coefficient, factors } => {
-                let powers: Vec<_> = factors.iter().map(|(base, e)| (done[base], *e)).collect();
-                let product = graph.product_of_powers(&powers);
-                graph.scale(&coefficient, product)
-            }
-            Node::Power { base, exponent } => graph.power(done[&base], done[&exponent]),
-            Node::Call(function, argument) => graph.call(function, done[&argument]),
-            Node::Atan2(y, x) => graph.atan2(done[&y], done[&x]),
+        let new = match graph.node(expr) {
+            Node::Symbol(symbol) => replacements.get(symbol).copied().unwrap_or(expr),
+            _ => with_operands(graph, expr, |operand| done[&operand]),
         };
         done.insert(expr, new);
     }
     roots.iter().map(|root| done[root]).collect()
+}
+
+/// An expression with each of its operands replaced.
+pub fn with_operands(graph: &mut Graph, expr: Expr, new: impl Fn(Expr) -> Expr) -> Expr {
+    match graph.node(expr).clone() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr,
+        Node::Sum { constant, terms } => {
+            let mut weighted: Vec<_> = terms.iter().map(|(term, c)| (new(*term), c.clone())).collect();
+            let one = graph.one();
+            weighted.push((one, constant));
+            graph.linear_combination(&weighted)
+        }
+        Node::Product { coefficient, factors } => {
+            let powers: Vec<_> = factors.iter().map(|(base, e)| (new(*base), *e)).collect();
+            let product = graph.product_of_powers(&powers);
+            graph.scale(&coefficient, product)
+        }
+        Node::Power { base, exponent } => graph.power(new(base), new(exponent)),
+        Node::Call(function, argument) => graph.call(function, new(argument)),
+        Node::Atan2(y, x) => graph.atan2(new(y), new(x)),
+    }
 }

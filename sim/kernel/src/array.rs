@@ -14,6 +14,7 @@ pub trait Array<T: Copy + Debug>:
     fn from_fn(f: impl FnMut(usize) -> T) -> Self;
 
     /// The array of equal elements.
+    #[inline(always)]
     fn filled(value: T) -> Self {
         Self::from_fn(|_| value)
     }
@@ -27,6 +28,7 @@ pub trait Array<T: Copy + Debug>:
 impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
 
+    #[inline(always)]
     fn from_fn(f: impl FnMut(usize) -> T) -> Self {
         core::array::from_fn(f)
     }

@@ -7,12 +7,16 @@ extern crate self as sim_kernel;
 
 mod array;
 mod description;
+mod dual;
+mod lanes;
 mod mechanism;
 mod scalar;
 mod wave;
 
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
+pub use dual::Dual;
+pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
     ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
 };

@@ -35,12 +35,16 @@ pub trait Scalar:
     fn greater(self, other: Self) -> Self::Mask;
     /// Truth values swapped.
     fn not(mask: Self::Mask) -> Self::Mask;
+    /// `yes` where the mask is true and `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// Sines and cosines of several angles side by side: the same bits as one by one.
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+    #[inline(always)]
     fn sin(self) -> Self {
         Self::sin_cos_each([self]).0[0]
     }
+    #[inline(always)]
     fn cos(self) -> Self {
         Self::sin_cos_each([self]).1[0]
     }
@@ -81,6 +85,10 @@ macro_rules! real {
                 !mask
             }
             #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
             fn sign(self) -> Self {
                 match self {
                     _ if self > 0.0 => 1.0,
@@ -89,7 +97,7 @@ macro_rules! real {
                     _ => self * 0.0,
                 }
             }
-            #[inline]
+            #[inline(always)]
             fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (sines, cosines) = sin_cos_each(angles.map(f64::from));
                 (sines.map(|sine| sine as $type), cosines.map(|cosine| cosine as $type))

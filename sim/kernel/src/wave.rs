@@ -37,7 +37,7 @@ const COS: [f64; 6] = [
 ];
 
 /// Sine and cosine of each angle: the same bits as one by one.
-#[inline]
+#[inline(always)]
 pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     let mut all_plain = true;

@@ -1,0 +1,98 @@
+//! What the rows of T are differentiated by: the coordinates, and the intermediate quantities that stand for parts of
+//! long sums.
+
+use crate::model::Model;
+use crate::symbolic::{Differential, Expr, Symbol};
+
+/// The coordinates, then the intermediate quantities, each with its rates.
+pub struct Variables {
+    /// q, then y.
+    pub positions: Vec<Symbol>,
+    /// q', then y'.
+    pub speeds: Vec<Symbol>,
+    /// q'', then y''.
+    pub accelerations: Vec<Symbol>,
+}
+
+impl Variables {
+    /// The coordinates alone.
+    pub(super) fn coordinates(model: &Model) -> Variables {
+        Variables {
+            positions: model.coordinates.iter().map(|c| c.position).collect(),
+            speeds: model.coordinates.iter().map(|c| c.speed).collect(),
+            accelerations: model.coordinates.iter().map(|c| c.acceleration).collect(),
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+}
+
+/// A quantity as the derivation needs it: its derivatives up to what accelerations do not determine.
+pub struct Differentiated {
+    /// x(q, t).
+    pub position: Expr,
+    /// x_q, an entry for each variable.
+    pub jacobian: Vec<Expr>,
+    /// x_t.
+    pub time_derivative: Expr,
+    /// x' = x_q q' + x_t.
+    pub velocity: Expr,
+    /// (x_q q' + x_t)_q q' + (..)_t: the part of x'' without accelerations.
+    pub convective: Expr,
+}
+
+/// The derivatives that the equations are made of, each kept for all expressions.
+pub(super) struct Derivatives {
+    /// One for each variable.
+    pub(super) by_variable: Vec<Differential>,
+    /// With respect to explicit time.
+    by_time: Differential,
+    /// The total time derivative at constant speeds: q at q', t at 1.
+    convective: Differential,
+    speeds: Vec<Expr>,
+}
+
+impl Derivatives {
+    pub(super) fn of(model: &mut Model, variables: &Variables) -> Derivatives {
+        let graph = &mut model.graph;
+        let by_variable = variables.positions.iter().map(|x| Differential::partial(graph, *x)).collect();
+        let by_time = Differential::partial(graph, model.time);
+        let speeds: Vec<Expr> = variables.speeds.iter().map(|speed| graph.variable(*speed)).collect();
+        let mut rates = vec![(model.time, graph.one())];
+        rates.extend(variables.positions.iter().copied().zip(speeds.iter().copied()));
+        Derivatives { by_variable, by_time, convective: Differential::along(rates), speeds }
+    }
+
+    pub(super) fn of_quantity(&mut self, model: &mut Model, variables: &Variables, position: Expr) -> Differentiated {
+        let graph = &mut model.graph;
+        let occurring = graph.symbols_of(&[position]);
+        let zero = graph.zero();
+        let mut jacobian = vec![zero; variables.len()];
+        for (i, symbol) in variables.positions.iter().enumerate() {
+            if occurring.binary_search(symbol).is_ok() {
+                jacobian[i] = self.by_variable[i].of(graph, position);
+            }
+        }
+        let time_derivative = self.by_time.of(graph, position);
+        let moving = inner(model, &jacobian, &self.speeds);
+        let velocity = model.graph.add(moving, time_derivative);
+        let convective = self.convective.of(&mut model.graph, velocity);
+        Differentiated { position, jacobian, time_derivative, velocity, convective }
+    }
+}
+
+/// `sum of a_i b_i`.
+pub(super) fn inner(model: &mut Model, a: &[Expr], b: &[Expr]) -> Expr {
+    let pairs = a.iter().zip(b).filter(|(a, _)| !model.graph.is_zero(**a));
+    let pairs: Vec<(Expr, Expr)> = pairs.map(|(a, b)| (*a, *b)).collect();
+    let products: Vec<Expr> = pairs.into_iter().map(|(a, b)| model.graph.mul(a, b)).collect();
+    model.graph.sum(&products)
+}

@@ -1,0 +1,166 @@
+//! Several numbers side by side, one for each of several trajectories.
+
+use crate::wave::sin_cos_each;
+use crate::{Mask, Scalar};
+use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
+
+/// `N` numbers side by side, on which every operation is that of `f64` lane by lane, with the same bits.
+///
+/// Plain arrays and loops of known length: the compiler makes vector instructions of them, as wide as the function
+/// allows into which a kernel is inlined, and nothing depends on its doing so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes<const N: usize>([f64; N]);
+
+/// One truth value for each lane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(64))]
+pub struct LaneMask<const N: usize>([u64; N]);
+
+impl<const N: usize> Lanes<N> {
+    /// The lanes `f(0), f(1), ..`
+    #[inline(always)]
+    pub fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
+        Lanes(core::array::from_fn(f))
+    }
+
+    /// All lanes.
+    #[inline(always)]
+    pub fn to_array(self) -> [f64; N] {
+        self.0
+    }
+
+    /// One lane.
+    #[inline(always)]
+    pub fn lane(self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        Lanes::from_fn(|lane| f(self.0[lane]))
+    }
+
+    #[inline(always)]
+    fn both(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Lanes::from_fn(|lane| f(self.0[lane], other.0[lane]))
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Lanes<N> {
+    #[inline(always)]
+    fn from(lanes: [f64; N]) -> Self {
+        Lanes(lanes)
+    }
+}
+
+impl<const N: usize> LaneMask<N> {
+    /// Whether it is true in this lane.
+    #[inline(always)]
+    pub fn lane(self, lane: usize) -> bool {
+        self.0[lane] != 0
+    }
+
+    /// All bits of a lane stand for its truth, as vector instructions have it.
+    #[inline(always)]
+    fn from_fn(f: impl Fn(usize) -> bool) -> Self {
+        LaneMask(core::array::from_fn(|lane| if f(lane) { u64::MAX } else { 0 }))
+    }
+}
+
+impl<const N: usize> Mask for LaneMask<N> {
+    const NONE: Self = LaneMask([0; N]);
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0 != [0; N]
+    }
+}
+
+impl<const N: usize> BitOr for LaneMask<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        LaneMask(core::array::from_fn(|lane| self.0[lane] | other.0[lane]))
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $function:ident $operator:tt),*) => {
+        $(impl<const N: usize> $trait for Lanes<N> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                self.both(other, |a, b| a $operator b)
+            }
+        })*
+    };
+}
+
+operators!(Add add +, Sub sub -, Mul mul *, Div div /);
+
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(|x| -x)
+    }
+}
+
+macro_rules! lane_by_lane {
+    ($($function:ident),*) => {
+        $(#[inline(always)]
+        fn $function(self) -> Self {
+            self.each(Scalar::$function)
+        })*
+    };
+}
+
+impl<const N: usize> Scalar for Lanes<N> {
+    type Mask = LaneMask<N>;
+    const HALF_DIGITS: f64 = <f64 as Scalar>::HALF_DIGITS;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Lanes([value; N])
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> LaneMask<N> {
+        LaneMask::from_fn(|lane| self.0[lane] > other.0[lane])
+    }
+
+    #[inline(always)]
+    fn not(mask: LaneMask<N>) -> LaneMask<N> {
+        LaneMask::from_fn(|lane| !mask.lane(lane))
+    }
+
+    #[inline(always)]
+    fn select(mask: LaneMask<N>, yes: Self, no: Self) -> Self {
+        Lanes::from_fn(|lane| if mask.lane(lane) { yes.0[lane] } else { no.0[lane] })
+    }
+
+    #[inline(always)]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        let (mut sines, mut cosines) = (angles, angles);
+        for i in 0..K {
+            (sines[i].0, cosines[i].0) = sin_cos_each(angles[i].0);
+        }
+        (sines, cosines)
+    }
+
+    lane_by_lane!(tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, sqrt, abs, sign);
+
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        self.both(x, Scalar::atan2)
+    }
+
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        self.both(exponent, Scalar::powf)
+    }
+}

@@ -1,0 +1,83 @@
+//! Vector instructions: code compiled for each width that a processor may have, chosen at run time.
+
+/// Work that is compiled for every width of vector instructions. What it calls takes part where it is inlined.
+pub trait Work {
+    /// What it gives.
+    type Output;
+    /// Does it. Implementations are `#[inline(always)]`.
+    fn run(self) -> Self::Output;
+}
+
+/// Vector instructions that this processor has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Vectors(Width);
+
+/// Only [`Vectors`] that the processor has are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Width {
+    Baseline,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+impl Vectors {
+    /// Those that every processor of this build's target has.
+    pub const BASELINE: Vectors = Vectors(Width::Baseline);
+
+    /// The widest.
+    #[inline]
+    pub fn widest() -> Vectors {
+        Vectors::avx512().or_else(Vectors::avx2).unwrap_or(Vectors::BASELINE)
+    }
+
+    /// AVX2: 4 numbers of double precision at once.
+    #[inline]
+    pub fn avx2() -> Option<Vectors> {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            return Some(Vectors(Width::Avx2));
+        }
+        None
+    }
+
+    /// AVX-512: 8 numbers of double precision at once.
+    #[inline]
+    pub fn avx512() -> Option<Vectors> {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx512dq") {
+            return Some(Vectors(Width::Avx512));
+        }
+        None
+    }
+
+    /// Runs the work with these instructions.
+    ///
+    /// The same bits with all of them: operations are never fused, however many are done at once.
+    #[inline]
+    pub fn run<W: Work>(self, work: W) -> W::Output {
+        match self.0 {
+            Width::Baseline => work.run(),
+            // Safety: these widths are made only where the processor was found to have the instructions.
+            #[cfg(target_arch = "x86_64")]
+            #[allow(unsafe_code)]
+            Width::Avx2 => unsafe { with_avx2(work) },
+            #[cfg(target_arch = "x86_64")]
+            #[allow(unsafe_code)]
+            Width::Avx512 => unsafe { with_avx512(work) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn with_avx2<W: Work>(work: W) -> W::Output {
+    work.run()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq")]
+fn with_avx512<W: Work>(work: W) -> W::Output {
+    work.run()
+}
