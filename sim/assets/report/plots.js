@@ -67,12 +67,13 @@ class PlotCard {
     const options = {
       width: this.room.clientWidth || 300,
       height: HEIGHT,
+      padding: [8, 12, 0, 0],
       legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: true, dist: 6 } },
       scales: { x: { time: false }, y: { range: (_, low, high) => padded(low, high) } },
       axes: [
-        { ...axis, values: (_, splits) => ticks(splits), size: 44, label: "time [s]", labelSize: 18, labelGap: 0 },
-        { ...axis, values: (_, splits) => ticks(splits), size: 62, label: units, labelSize: 20, labelGap: 2 },
+        { ...axis, values: (_, splits) => ticks(splits), size: 26, label: "time [s]", labelSize: 16, labelGap: 0 },
+        { ...axis, values: (_, splits) => ticks(splits), space: 26, size: 62, label: units, labelSize: 20, labelGap: 2 },
       ],
       series: [{}, ...this.columns.map((column, i) => ({
         label: column.label,

@@ -30,7 +30,7 @@ pub(super) fn page<M: Mechanism>(run: &Run<M>, table: &Table, about: &About) -> 
     let description = const { &M::DESCRIPTION };
     fill(TEMPLATE, |slot| match slot {
         "title" => escaped(&spaced(description.type_name)),
-        "docs" => escaped(&description.docs.replace('\n', " ")),
+        "docs" => with_code(&escaped(&description.docs.replace('\n', " "))),
         "style" => STYLE.concat(),
         "failure" => failure(run),
         "facts" => facts(run, about),
@@ -57,6 +57,12 @@ fn fill(template: &str, content: impl Fn(&str) -> String) -> String {
         page += rest;
     }
     page
+}
+
+/// Words between backticks as code.
+fn with_code(html: &str) -> String {
+    let pieces = html.split('`').enumerate();
+    pieces.map(|(i, piece)| if i % 2 == 1 { format!("<code>{piece}</code>") } else { piece.to_owned() }).collect()
 }
 
 /// `QuickReturn` as `Quick return`.
