@@ -120,7 +120,7 @@ impl Browser {
         (self.complaints, self.requests) = (Vec::new(), Vec::new());
         self.call("Page.navigate", json!({ "url": format!("file://{}{place}", report.display()) }));
         let patience = Instant::now();
-        while self.evaluate("document.documentElement.dataset.ready || null").is_null() {
+        while self.evaluate("(document.documentElement && document.documentElement.dataset.ready) || null").is_null() {
             assert!(patience.elapsed() < Duration::from_secs(60), "not ready: {:?}", self.complaints);
             std::thread::sleep(Duration::from_millis(20));
         }

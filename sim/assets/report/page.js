@@ -176,8 +176,10 @@ const keys = {
   Escape: () => menus.forEach((menu) => (menu.open = false)),
 };
 document.addEventListener("keydown", (event) => {
-  const within = event.target.closest("select, button, summary, dialog, input[type=checkbox], input[type=range]:not(#scrubber)");
-  if (event.ctrlKey || event.metaKey || event.altKey || (within && event.key !== "Escape" && event.key.length !== 1) || (within && event.key === " ") || event.target.closest("dialog")) return;
+  // Controls keep the keys that they have a use for.
+  const on = (selector) => event.target.closest(selector) !== null;
+  const kept = on("dialog, select, input:not(#scrubber)") ? event.key !== "Escape" : on("button, summary") && [" ", "Enter"].includes(event.key);
+  if (event.ctrlKey || event.metaKey || event.altKey || kept) return;
   const act = keys[event.key] || keys[event.key.toLowerCase()];
   if (!act) return;
   event.preventDefault();
