@@ -23,6 +23,8 @@ pub mod show;
 mod solve;
 mod table;
 mod trajectory;
+#[cfg(feature = "analysis")]
+pub mod verify;
 mod vector;
 mod write;
 
@@ -32,8 +34,8 @@ pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use formats::{Format, write_table};
 pub use integrate::{
-    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Step,
-    Steps, Tableau, Weight, integrate,
+    Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
+    Step, Steps, Tableau, Weight, integrate,
 };
 pub use interpolate::hermite;
 pub use mobility::{Mobility, mobility};

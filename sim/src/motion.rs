@@ -13,6 +13,7 @@ use std::cell::{Cell, RefCell};
 #[derive(Debug)]
 pub struct Motion<'m, M: Mechanism> {
     mechanism: &'m M,
+    prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition>,
     evaluations: Cell<u64>,
@@ -22,7 +23,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// The motion of a mechanism, kept on its constraints in this way.
     pub fn new(mechanism: &'m M, stabilisation: Stabilisation) -> Motion<'m, M> {
         let partition = RefCell::new(Partition::default());
-        Motion { mechanism, stabilisation, partition, evaluations: Cell::new(0) }
+        Motion { mechanism, prepared: mechanism.prepare(), stabilisation, partition, evaluations: Cell::new(0) }
     }
 
     /// The mechanism.
@@ -46,12 +47,47 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow().follow(self.mechanism, &mut state)?;
         }
-        let mut dynamics = accelerate(self.mechanism, state.time, &state.positions, &state.speeds)?;
+        let mut dynamics =
+            solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?;
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
             let push = baumgarte(self.mechanism, &state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics))
+    }
+
+    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
+    /// not what is integrated.
+    ///
+    /// # Errors
+    /// As the right-hand side.
+    pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let state = &at.state;
+        let generated = M::prepared_dynamics_jacobian(&self.prepared, state.time, &state.positions, &state.speeds);
+        let is_wanted = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
+        if is_wanted && !generated.refused {
+            return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
+        }
+        self.difference_quotients(at)
+    }
+
+    #[cold]
+    fn difference_quotients(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let zero = M::QQ::filled(M::Q::filled(0.0));
+        let (mut by_positions, mut by_speeds) = (zero, zero);
+        for j in 0..M::Q::LEN {
+            let (mut moved, mut hastened) = (at.state, at.state);
+            let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(1.0);
+            let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
+            moved.positions[j] += steps[0];
+            hastened.speeds[j] += steps[1];
+            let [moved, hastened] = [self.sample(moved)?.accelerations, self.sample(hastened)?.accelerations];
+            for i in 0..M::Q::LEN {
+                by_positions[i][j] = (moved[i] - at.accelerations[i]) / steps[0];
+                by_speeds[i][j] = (hastened[i] - at.accelerations[i]) / steps[1];
+            }
+        }
+        Ok((by_positions, by_speeds))
     }
 
     /// Brings the end of a step, or a point inside it, onto the constraints.
@@ -143,7 +179,18 @@ pub fn accelerate<M: Mechanism>(
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    let solved = mechanism.dynamics(time, q, qd);
+    solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
+}
+
+#[inline]
+fn solve_equations<M: Mechanism>(
+    mechanism: &M,
+    prepared: &M::Prepared,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let solved = M::prepared_dynamics(prepared, time, q, qd);
     if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }

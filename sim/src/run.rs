@@ -4,7 +4,7 @@ use crate::assemble::{Start, assemble};
 use crate::events::{EventSearch, Occurrence};
 use crate::failure::{Failure, What};
 use crate::integrate::{
-    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Step, Steps, integrate,
+    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Step, Steps, integrate,
 };
 use crate::mobility::{Mobility, mobility};
 use crate::motion::{Motion, residuals};
@@ -104,7 +104,7 @@ fn integrate_by<M: Mechanism>(
         Method::Rk4 => integrate_with(explicit(&RK4), motion, settings, start, steps, recorder),
         Method::Dopri5 => integrate_with(explicit(&DOPRI5), motion, settings, start, steps, recorder),
         Method::Dop853 => integrate_with(Dop853::new(), motion, settings, start, steps, recorder),
-        Method::Radau5 => integrate_with(Dop853::new(), motion, settings, start, steps, recorder),
+        Method::Radau5 => integrate_with(Radau5::new(), motion, settings, start, steps, recorder),
     }
 }
 

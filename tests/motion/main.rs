@@ -4,8 +4,14 @@
 
 mod andrews;
 mod assembly;
+mod constraints;
+mod events;
 mod failure;
+mod faulty;
 mod linkages;
+mod order;
 mod pendulum;
 mod quick_return;
+mod stiff;
 mod units;
+mod verification;

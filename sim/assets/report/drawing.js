@@ -3,6 +3,9 @@
 /** Sizes of symbols in CSS pixels, on a canvas about 600 pixels wide. */
 const SIZE = { link: 5, pin: 5.5, mass: 7, slider: [20, 11], guide: 56, ground: [13, 18], reach: 52, arrow: 11 };
 
+/** The height of the strip below the mechanism. */
+const FOOT = 30;
+
 /** The points of the drawing, each once: name, and where its x is in a row. */
 function pointsOf(shapes) {
   const points = [];
@@ -68,12 +71,14 @@ class Drawing {
     this.canvas.height = Math.round(h * ratio);
     this.ratio = ratio;
     this.unit = Math.min(1.15, Math.max(0.62, Math.min(w / 600, h / 460)));
+    // The scale and the clock have the lowest strip.
+    const free = h - FOOT;
     const [left, bottom, right, top] = this.extent;
     const reach = SIZE.reach * this.unit;
     const fill = (space, range) => (range > 0 ? Math.max(20, space - 2 * reach) / range : Infinity);
-    const scale = Math.min(fill(w, right - left), fill(h, top - bottom));
+    const scale = Math.min(fill(w, right - left), fill(free, top - bottom));
     this.scale = Number.isFinite(scale) && scale < 1e12 ? scale : 100;
-    this.origin = [w / 2 - (this.scale * (left + right)) / 2, h / 2 + (this.scale * (bottom + top)) / 2];
+    this.origin = [w / 2 - (this.scale * (left + right)) / 2, free / 2 + (this.scale * (bottom + top)) / 2];
     this.sheet = [w, h];
     this.paths = new Map();
   }

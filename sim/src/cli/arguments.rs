@@ -43,6 +43,8 @@ pub(super) enum Command {
     Info(InfoArguments),
     /// Runs a mechanism and writes its motion, a summary and figures.
     Run(RunArguments),
+    /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
+    Verify(VerifyArguments),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.
@@ -228,4 +230,25 @@ fn format(name: &str) -> Result<Format, String> {
         "parquet" => "this program was built without the feature `parquet`".to_owned(),
         _ => format!("known are {}", names().collect::<Vec<_>>().join(", ")),
     })
+}
+
+/// What to verify.
+#[derive(Args)]
+#[command(after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
+    the verdict. Exit status 1 if a check fails.")]
+pub(super) struct VerifyArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
+
+    /// Verifies the motion until then, or for as long as 150 steps of DOP853 take.
+    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
+    pub(super) t_end: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(super) initial: Vec<String>,
 }

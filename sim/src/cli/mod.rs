@@ -29,8 +29,9 @@ mod run;
 mod run_file;
 mod settings;
 mod stored;
+mod verify;
 
-use arguments::{Arguments, Command, RunArguments, Voice};
+use arguments::{Arguments, Command, RunArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use sim_kernel::{Description, Mechanism};
@@ -44,11 +45,17 @@ pub struct Entry {
     description: &'static Description,
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
+    verify: fn(&VerifyArguments) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
 pub fn entry<M: Mechanism>() -> Entry {
-    Entry { description: const { &M::DESCRIPTION }, run: run::run_command::<M>, facts: info::facts::<M> }
+    Entry {
+        description: const { &M::DESCRIPTION },
+        run: run::run_command::<M>,
+        facts: info::facts::<M>,
+        verify: verify::verify_command::<M>,
+    }
 }
 
 /// Why a command did not do what it was asked.
@@ -104,6 +111,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
+        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),

@@ -56,7 +56,7 @@ fn say<M: Mechanism>(
     }
 }
 
-fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
+pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
@@ -70,7 +70,7 @@ fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) 
     Ok(M::with_parameters(parameters))
 }
 
-fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
+pub(super) fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;

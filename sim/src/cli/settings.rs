@@ -139,7 +139,7 @@ fn stop_at(text: &str, description: &Description) -> Result<StopAt, Stop> {
 }
 
 /// A time above 0, in seconds.
-fn positive(option: &str, text: &str) -> Result<f64, Stop> {
+pub(super) fn positive(option: &str, text: &str) -> Result<f64, Stop> {
     let time = parse_quantity(option, text, "s")?;
     if time > 0.0 { Ok(time) } else { Err(Stop::Usage(format!("{option}: a time above 0 is needed, not `{text}`"))) }
 }

@@ -4,15 +4,18 @@ mod control;
 mod dop853;
 mod dop853_tableau;
 mod explicit;
+mod lu;
 mod method;
 #[cfg(test)]
 mod order_conditions;
+mod radau;
 mod tableau;
 
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
 pub use method::{Advance, Attempt};
+pub use radau::Radau5;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};

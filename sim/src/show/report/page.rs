@@ -124,7 +124,10 @@ fn equations(description: &Description) -> String {
         let note = "The equations are too long to be read here; `codegen` prints the kernels made of them.";
         return format!("<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>");
     }
-    let part = |part: &codegen::notation::Part| format!("<h3>{}</h3>\n<div class=\"row\">{}</div>", part.title, part.text);
+    let part = |part: &codegen::notation::Part| {
+        let heading = if part.name == "system" { String::new() } else { format!("<h3>{}</h3>\n", part.title) };
+        format!("{heading}<div class=\"row\">{}</div>", part.text)
+    };
     let parts: Vec<String> = parts.iter().map(part).collect();
     format!("<section class=\"card equations\"><h2>Equations of motion</h2>\n{}</section>", parts.join("\n"))
 }

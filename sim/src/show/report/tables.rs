@@ -56,14 +56,25 @@ fn start<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
             Start::Guess => "guess",
             Start::Free => "free",
         };
-        rows.push(named(&c.position, first.state.positions[i], "", &format!("<td class=\"about word\">{kind}</td>")));
+        rows.push(started(&c.position, first.state.positions[i], kind));
     }
     for (i, c) in description.coordinates.iter().enumerate() {
         let kind = if c.speed_given { "given" } else { "free" };
-        rows.push(named(&c.speed, first.state.speeds[i], "", &format!("<td class=\"about word\">{kind}</td>")));
+        rows.push(started(&c.speed, first.state.speeds[i], kind));
     }
-    let head = [("", "name"), ("number", "value"), ("", ""), ("", "declared as"), ("", "")];
+    let head = [("", "name"), ("number", "value"), ("", ""), ("", "in the declaration")];
     table("Start", &head, &rows, "")
+}
+
+fn started(q: &Quantity, value: f64, kind: &str) -> String {
+    let docs = escaped(&q.docs.replace('\n', " "));
+    let about = if docs.is_empty() { kind.to_owned() } else { format!("{kind}: {docs}") };
+    format!(
+        "<tr><th>{}</th><td class=\"number\">{}</td><td class=\"unit\">{}</td><td class=\"about\">{about}</td></tr>",
+        escaped(q.name),
+        number(value / q.factor, 10),
+        unit(q.unit)
+    )
 }
 
 /// Whatever the summary says of the method.
@@ -86,6 +97,9 @@ fn told(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Number(n) => n.as_f64().filter(|_| !n.is_u64()).map_or(n.to_string(), |value| number(value, 12)),
+        Value::Object(entries) => {
+            entries.iter().map(|(name, value)| format!("{name} {}", told(value))).collect::<Vec<_>>().join(", ")
+        }
         other => other.to_string(),
     }
 }

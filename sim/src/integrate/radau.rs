@@ -1,0 +1,291 @@
+//! Radau IIA of order 5, for stiff mechanisms.
+//!
+//! Hairer, Wanner, Solving Ordinary Differential Equations II, IV.8, and their program `radau5.f`. Where we differ: each of
+//! the linear systems has n unknowns instead of 2 n, because q' is the rate of q, so that
+//! (c I - [0 I; A B]) (x, y) = (r, s) is (c^2 I - c B - A) x = s + (c I - B) r, y = c x - r; and the Jacobian is generated,
+//! and new in each step.
+
+use super::lu::Lu;
+use super::method::{Advance, Attempt};
+use crate::failure::{Failure, What};
+use crate::interpolate::cubic;
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::trajectory::{Rates, Sample, State};
+use nalgebra::Complex;
+use sim_kernel::{Array, Mechanism};
+
+const ROOT6: f64 = 2.449_489_742_783_178;
+/// Nodes.
+const C: [f64; 3] = [(4.0 - ROOT6) / 10.0, (4.0 + ROOT6) / 10.0, 1.0];
+/// Weights of the step: the last row of the tableau.
+const B: [f64; 3] = [(16.0 - ROOT6) / 36.0, (16.0 + ROOT6) / 36.0, 1.0 / 9.0];
+/// The eigenvalues of the inverse of the tableau: one real, and a pair.
+const REAL: f64 = 3.637_834_252_744_496;
+const PAIR: Complex<f64> = Complex::new(2.681_082_873_627_752, 3.050_430_199_247_411);
+/// T^-1 A^-1 T is block diagonal with them.
+const T: [[f64; 3]; 3] = [
+    [9.123_239_487_089_295e-2, -0.141_255_295_020_954_2, -3.002_919_410_514_742_4e-2],
+    [0.241_717_932_707_107, 0.204_129_352_293_799_93, 0.382_942_112_757_261_94],
+    [0.966_048_182_615_093, 1.0, 0.0],
+];
+const T_INVERSE: [[f64; 3]; 3] = [
+    [4.325_579_890_063_155, 0.339_199_251_815_809_87, 0.541_770_539_935_874_9],
+    [-4.178_718_591_551_905, -0.327_682_820_761_062_4, 0.476_623_554_500_550_45],
+    [-0.502_872_634_945_786_9, 2.571_926_949_855_605_4, -0.596_039_204_828_225],
+];
+/// Weights of the stages in the estimate of the error.
+const ESTIMATE: [f64; 3] = [-(13.0 + 7.0 * ROOT6) / 3.0, (-13.0 + 7.0 * ROOT6) / 3.0, -1.0 / 3.0];
+
+const MOST_ITERATIONS: usize = 10;
+/// What equal steps solve their equations to.
+const TIGHT: Tolerance = Tolerance::new(1e-12);
+
+/// The method, with the stages of its last step.
+#[derive(Clone, Debug)]
+pub struct Radau5<M: Mechanism> {
+    /// Changes of the state from the start of the step to each stage.
+    stages: [Rates<M>; 3],
+    /// The length of the last step, whose polynomial foretells the next; 0 if there is none.
+    last: f64,
+    jacobian: Blocks<M>,
+    real: Lu<f64>,
+    complex: Lu<Complex<f64>>,
+}
+
+/// d(q'')/dq and d(q'')/dq'.
+#[derive(Clone, Copy, Debug)]
+struct Blocks<M: Mechanism> {
+    by_positions: M::QQ,
+    by_speeds: M::QQ,
+}
+
+impl<M: Mechanism> Radau5<M> {
+    /// The method.
+    pub fn new() -> Radau5<M> {
+        let (n, zero) = (M::Q::LEN, M::QQ::filled(M::Q::filled(0.0)));
+        let jacobian = Blocks { by_positions: zero, by_speeds: zero };
+        Radau5 { stages: [Rates::zero(); 3], last: 0.0, jacobian, real: Lu::new(n), complex: Lu::new(n) }
+    }
+
+    /// Factorises both systems for a step of length h.
+    fn factorise(&mut self, h: f64) -> bool {
+        let Blocks { by_positions: a, by_speeds: b } = &self.jacobian;
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let (real, pair) = (REAL / h, PAIR / h);
+        let is_regular = self.real.factorise(|i, j| real * real * unit(i, j) - real * b[i][j] - a[i][j]);
+        is_regular && self.complex.factorise(|i, j| pair * pair * unit(i, j) - pair * b[i][j] - a[i][j])
+    }
+
+    /// x with (c I - J) x = r, for the real eigenvalue c.
+    fn solve_real(&mut self, c: f64, r: &Rates<M>) -> Rates<M> {
+        let b = &self.jacobian.by_speeds;
+        let solution = self.real.solve(|i| {
+            r.speeds[i] + c * r.positions[i] - b[i].iter().zip(r.positions.iter()).map(|(b, r)| b * r).sum::<f64>()
+        });
+        let positions = M::Q::from_fn(|i| solution[i]);
+        Rates { positions, speeds: M::Q::from_fn(|i| c * positions[i] - r.positions[i]), work: 0.0 }
+    }
+
+    /// The same for the complex eigenvalue; real and imaginary part of the right-hand side and of the solution.
+    fn solve_complex(&mut self, c: Complex<f64>, r: [&Rates<M>; 2]) -> [Rates<M>; 2] {
+        let b = &self.jacobian.by_speeds;
+        let position = |i: usize| Complex::new(r[0].positions[i], r[1].positions[i]);
+        let speed = |i: usize| Complex::new(r[0].speeds[i], r[1].speeds[i]);
+        let solution = self.complex.solve(|i| {
+            let damped: Complex<f64> = (0..M::Q::LEN).map(|j| position(j) * b[i][j]).sum();
+            speed(i) + c * position(i) - damped
+        });
+        let part = |of: fn(Complex<f64>) -> f64| Rates {
+            positions: M::Q::from_fn(|i| of(solution[i])),
+            speeds: M::Q::from_fn(|i| of(c * solution[i] - position(i))),
+            work: 0.0,
+        };
+        [part(|z| z.re), part(|z| z.im)]
+    }
+
+    /// Where the polynomial of the last step foretells the stages of the next.
+    fn foretell(&mut self, h: f64) {
+        let (last, stages) = (self.last, self.stages);
+        if last == 0.0 {
+            self.stages = [Rates::zero(); 3];
+            return;
+        }
+        let end = stages[2];
+        self.stages = C.map(|node| {
+            let mut ahead = polynomial(&stages, 1.0 + node * h / last);
+            ahead.add(-1.0, &end);
+            ahead
+        });
+    }
+
+    /// Newton's method for the stages; the right-hand sides there, or nothing where it does not converge.
+    fn solve_stages(
+        &mut self,
+        motion: &Motion<M>,
+        from: &State<M>,
+        h: f64,
+        tolerance: &Tolerance,
+    ) -> Result<Option<[Rates<M>; 3]>, Failure> {
+        let enough = (10.0 * f64::EPSILON / tolerance.relative).max(tolerance.relative.sqrt().min(0.03));
+        let mut last_change = f64::NAN;
+        for iteration in 0..MOST_ITERATIONS {
+            let mut rates = [Rates::zero(); 3];
+            for i in 0..3 {
+                let stage = from.changed(from.time + C[i] * h, 1.0, &self.stages[i]);
+                if !stage.is_finite() {
+                    return Ok(None);
+                }
+                rates[i] = motion.sample(stage)?.rates();
+            }
+            let (f, w) = (combined(&T_INVERSE, &rates), combined(&T_INVERSE, &self.stages));
+            let (real, pair) = (REAL / h, PAIR / h);
+            let residual = |i: usize, weights: [(f64, usize); 2]| {
+                let mut residual = f[i];
+                weights.into_iter().for_each(|(weight, j)| residual.add(-weight, &w[j]));
+                residual
+            };
+            let first = self.solve_real(real, &residual(0, [(real, 0), (0.0, 0)]));
+            let second = residual(1, [(pair.re, 1), (-pair.im, 2)]);
+            let third = residual(2, [(pair.re, 2), (pair.im, 1)]);
+            let [second, third] = self.solve_complex(pair, [&second, &third]);
+            let changes = combined(&T, &[first, second, third]);
+            let size = |change: &Rates<M>| tolerance.norm(from, from, &(change.positions, change.speeds)).powi(2);
+            let change = (changes.iter().map(size).sum::<f64>() / 3.0).sqrt();
+            self.stages.iter_mut().zip(&changes).for_each(|(stage, change)| stage.add(1.0, change));
+            let ratio = change / last_change;
+            let left = if iteration == 0 { f64::INFINITY } else { change * ratio / (1.0 - ratio) };
+            let is_done = change <= 1e-3 * enough || (ratio < 1.0 && left <= enough);
+            if is_done {
+                return Ok(Some(rates));
+            }
+            if iteration > 0 && !(ratio < 0.99) {
+                return Ok(None);
+            }
+            last_change = change;
+        }
+        Ok(None)
+    }
+
+    /// (IV.8.20); once more through the right-hand side where the error is too large, (IV.8.21).
+    fn error(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        end: &State<M>,
+        h: f64,
+        tolerance: &Tolerance,
+    ) -> Result<f64, Failure> {
+        let mut stages = Rates::zero();
+        self.stages.iter().zip(ESTIMATE).for_each(|(stage, weight)| stages.add(weight / h, stage));
+        let mut rates = from.rates();
+        rates.add(1.0, &stages);
+        let norm = |error: &Rates<M>| tolerance.norm(&from.state, end, &(error.positions, error.speeds));
+        let error = self.solve_real(REAL / h, &rates);
+        if norm(&error) < 1.0 {
+            return Ok(norm(&error));
+        }
+        let mut rates = motion.sample(from.state.changed(from.state.time, 1.0, &error))?.rates();
+        rates.add(1.0, &stages);
+        let error = self.solve_real(REAL / h, &rates);
+        Ok(norm(&error))
+    }
+}
+
+impl<M: Mechanism> Default for Radau5<M> {
+    fn default() -> Radau5<M> {
+        Radau5::new()
+    }
+}
+
+impl<M: Mechanism> Advance<M> for Radau5<M> {
+    fn control_order(&self) -> Option<f64> {
+        Some(4.0)
+    }
+
+    fn step(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        time: f64,
+        tolerance: Option<&Tolerance>,
+    ) -> Result<Attempt<M>, Failure> {
+        let h = time - from.state.time;
+        let fail = || Failure::at::<M>(What::NoConvergence, from.state.time, &from.state.positions);
+        let (by_positions, by_speeds) = motion.jacobian(from)?;
+        self.jacobian = Blocks { by_positions, by_speeds };
+        self.foretell(h);
+        // Unless the step succeeds, the next one starts from nothing.
+        self.last = 0.0;
+        if !self.factorise(h) {
+            return Err(fail());
+        }
+        let rates = self.solve_stages(motion, &from.state, h, tolerance.unwrap_or(&TIGHT))?.ok_or_else(fail)?;
+        let mut change = self.stages[2];
+        change.work = h * rates.iter().zip(B).map(|(rates, weight)| weight * rates.work).sum::<f64>();
+        let end = from.state.changed(time, 1.0, &change);
+        let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, from, &end, h, tolerance))?;
+        self.last = h;
+        Ok(Attempt { end, error })
+    }
+
+    /// The collocation polynomial, of order 3, with the projected end.
+    fn inside(&mut self, _: &Motion<M>, from: &Sample<M>, to: &Sample<M>, fraction: f64) -> Result<State<M>, Failure> {
+        let (a, b) = (&from.state, &to.state);
+        let difference = Rates {
+            positions: M::Q::from_fn(|i| b.positions[i] - a.positions[i]),
+            speeds: M::Q::from_fn(|i| b.speeds[i] - a.speeds[i]),
+            work: 0.0,
+        };
+        let h = b.time - a.time;
+        let change = polynomial(&[self.stages[0], self.stages[1], difference], fraction);
+        let mut state = a.changed(a.time + fraction * h, 1.0, &change);
+        state.work = cubic([a.work, b.work], [h * from.power, h * to.power], fraction);
+        Ok(state)
+    }
+}
+
+/// Rows of a matrix times stages.
+fn combined<M: Mechanism>(matrix: &[[f64; 3]; 3], stages: &[Rates<M>; 3]) -> [Rates<M>; 3] {
+    matrix.map(|row| {
+        let mut sum = Rates::zero();
+        row.iter().zip(stages).for_each(|(weight, stage)| sum.add(*weight, stage));
+        sum
+    })
+}
+
+/// The cubic through 0 at 0 and the stages at their nodes, at s.
+fn polynomial<M: Mechanism>(stages: &[Rates<M>; 3], s: f64) -> Rates<M> {
+    let mut sum = Rates::zero();
+    for i in 0..3 {
+        let others = (0..3).filter(|j| *j != i);
+        let weight: f64 = others.map(|j| (s - C[j]) / (C[i] - C[j])).product();
+        sum.add(weight * s / C[i], &stages[i]);
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn product(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+        a.map(|row| std::array::from_fn(|j| (0..3).map(|k| row[k] * b[k][j]).sum()))
+    }
+
+    /// A (T L T^-1) = I, where A is the tableau of collocation at the nodes: sum a_ij c_j^k = c_i^(k+1)/(k+1).
+    #[test]
+    fn the_transformation_is_that_of_the_tableau() {
+        let blocks = [[REAL, 0.0, 0.0], [0.0, PAIR.re, -PAIR.im], [0.0, PAIR.im, PAIR.re]];
+        let inverse = product(&product(&T, &blocks), &T_INVERSE);
+        for k in 0..3 {
+            for i in 0..3 {
+                // A applied to powers of the nodes gives their integrals, and its inverse takes them back.
+                let found: f64 = (0..3).map(|j| inverse[i][j] * C[j].powi(k + 1) / f64::from(k + 1)).sum();
+                assert!((found - C[i].powi(k)).abs() < 1e-13, "{k} {i}: {found}");
+            }
+            let weight: f64 = (0..3).map(|j| B[j] * C[j].powi(k)).sum();
+            assert!((weight - 1.0 / f64::from(k + 1)).abs() < 1e-15);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Generated derivatives against dual numbers, which differentiate the kernels themselves.
+
+use super::Check;
+use crate::trajectory::Sample;
+use sim_kernel::{Array, Dual, Mechanism};
+
+/// How much more than its own rounding a derivative may differ; it is relative to the largest entry of its row.
+const BOUND: f64 = 1e-8;
+
+/// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
+pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
+    let mut worst = (0.0, "");
+    let mut compare = |what: &'static str, generated: f64, dual: f64, size: f64| {
+        let apart = (generated - dual).abs() / size.max(f64::MIN_POSITIVE);
+        if !(apart <= worst.0) && size > 0.0 {
+            worst = (apart, what);
+        }
+    };
+    for sample in samples {
+        let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+        let jacobian = mechanism.constraint_jacobian(t, q);
+        let generated = mechanism.dynamics_jacobian(t, q, qd);
+        let (n, m) = (M::Q::LEN, M::L::LEN);
+        let columns: Vec<[Column; 2]> = (0..n).map(|j| [false, true].map(|by_speed| column(mechanism, sample, j, by_speed))).collect();
+        for i in 0..m {
+            let size = row_size(&|j| columns[j][0].constraints[i], n);
+            (0..n).for_each(|j| compare("C_q", jacobian[i][j], columns[j][0].constraints[i], size));
+        }
+        if generated.refused {
+            continue;
+        }
+        for i in 0..n {
+            let entry = |by: usize| move |columns: &[[Column; 2]], j: usize| columns[j][by].accelerations[i];
+            let (by_q, by_qd) = (entry(0), entry(1));
+            let sizes = [row_size(&|j| by_q(&columns, j), n), row_size(&|j| by_qd(&columns, j), n)];
+            for j in 0..n {
+                compare("d(q'')/dq", generated.accelerations_by_positions[i][j], by_q(&columns, j), sizes[0]);
+                compare("d(q'')/dq'", generated.accelerations_by_speeds[i][j], by_qd(&columns, j), sizes[1]);
+            }
+        }
+        for i in 0..m {
+            let sizes = [0, 1].map(|by| row_size(&|j| columns[j][by].multipliers[i], n));
+            for j in 0..n {
+                let [by_q, by_qd] = &columns[j];
+                compare("d(lambda)/dq", generated.multipliers_by_positions[i][j], by_q.multipliers[i], sizes[0]);
+                compare("d(lambda)/dq'", generated.multipliers_by_speeds[i][j], by_qd.multipliers[i], sizes[1]);
+            }
+        }
+    }
+    let meaning = match worst.1 {
+        "" => "largest difference relative to its row".into(),
+        what => format!("largest difference relative to its row: {what}"),
+    };
+    Check { name: "Jacobians against dual numbers", figure: worst.0, bound: BOUND, meaning }
+}
+
+fn row_size(entry: &dyn Fn(usize) -> f64, n: usize) -> f64 {
+    (0..n).fold(0.0, |size, j| entry(j).abs().max(size))
+}
+
+/// The derivatives of everything by one coordinate or speed.
+struct Column {
+    constraints: Vec<f64>,
+    accelerations: Vec<f64>,
+    multipliers: Vec<f64>,
+}
+
+fn column<M: Mechanism>(mechanism: &M, sample: &Sample<M>, j: usize, by_speed: bool) -> Column {
+    type Numbers<M> = <M as Mechanism>::On<Dual>;
+    let constant = |x: f64| Dual::constant(x);
+    let seeded = |x: f64, is_seed: bool| if is_seed { Dual::variable(x) } else { constant(x) };
+    let dual = mechanism.on(constant);
+    let state = &sample.state;
+    let q = <Numbers<M> as Mechanism<Dual>>::Q::from_fn(|i| seeded(state.positions[i], !by_speed && i == j));
+    let qd = <Numbers<M> as Mechanism<Dual>>::Q::from_fn(|i| seeded(state.speeds[i], by_speed && i == j));
+    let time = constant(state.time);
+    let solved = dual.dynamics(time, &q, &qd);
+    let derivatives = |values: &[Dual]| values.iter().map(|value| value.derivative).collect();
+    Column {
+        constraints: derivatives(dual.constraints(time, &q).as_ref()),
+        accelerations: derivatives(solved.accelerations.as_ref()),
+        multipliers: derivatives(solved.multipliers.as_ref()),
+    }
+}

@@ -1,0 +1,240 @@
+//! Kernels against other formulations of the same declaration: Lagrange's equations, the oracle, and the balance of
+//! the bodies.
+
+use super::{Check, VerifyError};
+use crate::motion::accelerate;
+use crate::trajectory::Sample;
+use codegen::dsl::{self, Declaration};
+use codegen::dynamics::{Lagrange, lagrange};
+use codegen::model::{self, Model, Unit};
+use codegen::oracle::{Measured, Oracle, Solution, State, Terms};
+use codegen::symbolic::{Expr, evaluate};
+use nalgebra::{DMatrix, DVector};
+use sim_kernel::{Array, Mechanism};
+
+/// A declaration, read again, with Lagrange's equations of it.
+pub struct Declared {
+    declaration: Declaration,
+    model: Model,
+    lagrange: Lagrange,
+}
+
+impl Declared {
+    /// That of a mechanism.
+    ///
+    /// # Errors
+    /// If it cannot be read, which would be a mistake of the mechanism's description.
+    pub fn of<M: Mechanism>() -> Result<Declared, VerifyError> {
+        let fail = |e: &dyn std::fmt::Display| VerifyError::Declaration(e.to_string());
+        let tokens = M::DESCRIPTION.declaration.parse().map_err(|_| fail(&"its text is no list of tokens"))?;
+        let declaration = dsl::parse(tokens).map_err(|e| fail(&e))?;
+        let mut model = model::resolve(&declaration).map_err(|e| fail(&e))?;
+        let lagrange = lagrange(&mut model);
+        Ok(Declared { declaration, model, lagrange })
+    }
+}
+
+fn si_factor(unit: &dsl::Unit) -> f64 {
+    Unit::resolve(unit).map_or(f64::NAN, |unit| unit.factor())
+}
+
+/// Rounding amplified by the equations themselves; see `tests/kernels/lagrange.rs`.
+const CONDITIONED: f64 = 1000.0;
+
+/// q'' of the generated kernels, by TMT, against q'' of Lagrange's equations, in units of eps cond(K) |q''|.
+pub fn lagrange_against_kernels<M: Mechanism>(mechanism: &M, declared: &Declared, samples: &[Sample<M>]) -> Check {
+    let mut worst = (0.0, 0.0);
+    for sample in samples {
+        let Ok(solved) = accelerate(mechanism, sample.state.time, &sample.state.positions, &sample.state.speeds) else {
+            continue;
+        };
+        let apart = lagrange_difference(mechanism, declared, sample, &solved.accelerations);
+        if !(apart <= worst.0) {
+            worst = (apart, sample.state.time);
+        }
+    }
+    let meaning = format!("largest difference of q'' in eps cond |q''|, at t = {:.4} s", worst.1);
+    Check { name: "TMT against Lagrange", figure: worst.0, bound: CONDITIONED, meaning }
+}
+
+fn lagrange_difference<M: Mechanism>(
+    mechanism: &M,
+    declared: &Declared,
+    sample: &Sample<M>,
+    accelerations: &M::Q,
+) -> f64 {
+    let (n, m, state) = (M::Q::LEN, M::L::LEN, &sample.state);
+    let parameters = mechanism.parameters();
+    let model = &declared.model;
+    let values = |exprs: &[Expr]| {
+        evaluate(&model.graph, exprs, |symbol| {
+            let of_coordinate = model.coordinates.iter().enumerate().find_map(|(i, c)| match symbol {
+                _ if symbol == c.position => Some(state.positions[i]),
+                _ if symbol == c.speed => Some(state.speeds[i]),
+                _ => None,
+            });
+            let of_parameter = || model.parameters.iter().position(|p| p.symbol == symbol).map(|i| parameters[i]);
+            let of_time = || (symbol == model.time).then_some(state.time);
+            of_coordinate.or_else(of_parameter).or_else(of_time).unwrap_or(f64::NAN)
+        })
+    };
+    let (mass, force) = (values(&declared.lagrange.mass_matrix.concat()), values(&declared.lagrange.right_hand_side));
+    let jacobian = mechanism.constraint_jacobian(state.time, &state.positions);
+    let convective = mechanism.constraint_convective(state.time, &state.positions, &state.speeds);
+    let mut matrix = DMatrix::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {
+        (true, true) => mass[i * n + j],
+        (true, false) => jacobian[j - n][i],
+        (false, true) => jacobian[i - n][j],
+        (false, false) => 0.0,
+    });
+    let mut rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { -convective[i - n] });
+    if matrix.iter().chain(rhs.iter()).any(|entry| !entry.is_finite()) {
+        return f64::NAN;
+    }
+    // Units apart, the condition says what the equations themselves amplify.
+    let scale: Vec<f64> = matrix.row_iter().map(|row| row.amax().max(f64::MIN_POSITIVE).sqrt().recip()).collect();
+    for i in 0..n + m {
+        matrix.row_mut(i).scale_mut(scale[i]);
+        matrix.column_mut(i).scale_mut(scale[i]);
+        rhs[i] *= scale[i];
+    }
+    let svd = matrix.svd(true, true);
+    // Of the reactions of redundant constraints the smallest are taken; accelerations are the same for all.
+    let least = 1e-12 * svd.singular_values.max();
+    let regular = svd.singular_values.iter().copied().filter(|value| *value > least).fold(f64::INFINITY, f64::min);
+    let Ok(solution) = svd.solve(&rhs, least) else { return f64::NAN };
+    let apart = (0..n).map(|i| (solution[i] - accelerations[i] / scale[i]).powi(2)).sum::<f64>().sqrt();
+    let size = solution.norm().max(f64::MIN_POSITIVE);
+    apart / (f64::EPSILON * svd.singular_values.max() / regular * size)
+}
+
+/// What a term may differ by, relative to the magnitudes of what goes into it.
+const TERM: f64 = 1e-12;
+
+/// Mass matrix, forces, constraints with their derivatives, kinetic energy, events, power and outputs, against
+/// the oracle.
+///
+/// # Errors
+/// If the oracle cannot interpret the declaration.
+pub fn kernels_against_oracle<M: Mechanism>(
+    mechanism: &M,
+    declared: &Declared,
+    samples: &[Sample<M>],
+) -> Result<Check, VerifyError> {
+    let mut found = Found { worst: 0.0, term: "" };
+    for sample in samples {
+        compare_terms(mechanism, declared, sample, &mut found)?;
+    }
+    let meaning = match found.term {
+        "" => "largest difference relative to the magnitudes of terms".into(),
+        term => format!("largest difference relative to the magnitudes of terms: {term}"),
+    };
+    Ok(Check { name: "kernels against the oracle", figure: found.worst, bound: TERM, meaning })
+}
+
+struct Found {
+    worst: f64,
+    term: &'static str,
+}
+
+impl Found {
+    fn compare(&mut self, term: &'static str, values: &[f64], expected: &[Measured]) {
+        for (value, expected) in values.iter().zip(expected) {
+            if !value.is_finite() && !expected.value.is_finite() {
+                continue;
+            }
+            let apart = (value - expected.value).abs() / expected.magnitude.max(f64::MIN_POSITIVE);
+            if !(apart <= self.worst) {
+                (self.worst, self.term) = (apart, term);
+            }
+        }
+    }
+}
+
+fn compare_terms<M: Mechanism>(
+    mechanism: &M,
+    declared: &Declared,
+    sample: &Sample<M>,
+    found: &mut Found,
+) -> Result<(), VerifyError> {
+    let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+    let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
+    let (oracle, parameters) = (Oracle::new(&declared.declaration, &si_factor), mechanism.parameters());
+    let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
+    let terms = oracle.terms(&at).map_err(uninterpreted)?;
+    let flat = |rows: &mut dyn Iterator<Item = &M::Q>| rows.flat_map(|row| row.iter().copied()).collect::<Vec<f64>>();
+    found.compare("mass matrix", &flat(&mut mechanism.mass_matrix(t, q).iter()), &terms.mass_matrix.concat());
+    found.compare("convective forces", mechanism.convective_forces(t, q, qd).as_ref(), &terms.convective);
+    found.compare("generalised forces", mechanism.generalized_forces(t, q, qd).as_ref(), &terms.applied_forces);
+    found.compare("constraints", mechanism.constraints(t, q).as_ref(), &terms.constraints);
+    let jacobian = mechanism.constraint_jacobian(t, q);
+    found.compare("constraint Jacobian", &flat(&mut jacobian.iter()), &terms.constraint_jacobian.concat());
+    found.compare("C_t", mechanism.constraint_time_derivative(t, q).as_ref(), &terms.constraint_time_derivative);
+    found.compare("convective terms of constraints", mechanism.constraint_convective(t, q, qd).as_ref(), &terms.constraint_convective);
+    found.compare("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
+    let events = oracle.events(&at).map_err(uninterpreted)?;
+    found.compare("events", mechanism.events(t, q, qd).as_ref(), &events);
+    let solution = solution_of(sample);
+    let outputs = oracle.outputs(&at, &solution).map_err(uninterpreted)?;
+    found.compare("outputs", mechanism.outputs(t, q, qd, qdd, lambda).as_ref(), &outputs);
+    let power = oracle.power(&at, &solution).map_err(uninterpreted)?;
+    found.compare("power", &[mechanism.power(t, q, qd, qdd, lambda)], &[power]);
+    Ok(())
+}
+
+fn uninterpreted(error: codegen::oracle::OracleError) -> VerifyError {
+    VerifyError::Declaration(error.to_string())
+}
+
+/// A sample's accelerations and multipliers for the oracle.
+fn solution_of<M: Mechanism>(sample: &Sample<M>) -> Solution {
+    let given = |values: &[f64]| values.iter().map(|value| Measured::given(*value)).collect();
+    Solution { accelerations: given(sample.accelerations.as_ref()), multipliers: given(sample.multipliers.as_ref()) }
+}
+
+/// What the balance of a body may miss, relative to the magnitudes of what acts on it: the elimination works
+/// in a planned order, which amplifies rounding where masses are small beside reactions.
+const BALANCE: f64 = 1e-9;
+
+/// Newton and Euler: the masses of all bodies times their accelerations, the loads and the reactions lambda of the run, along
+/// each coordinate, from the oracle's positions of bodies, loads and constraints.
+///
+/// # Errors
+/// If the oracle cannot interpret the declaration.
+pub fn reactions_against_balance<M: Mechanism>(
+    mechanism: &M,
+    declared: &Declared,
+    samples: &[Sample<M>],
+) -> Result<Check, VerifyError> {
+    let parameters = mechanism.parameters();
+    let oracle = Oracle::new(&declared.declaration, &si_factor);
+    let mut worst = (0.0, "");
+    for sample in samples {
+        let (q, qd) = (&sample.state.positions, &sample.state.speeds);
+        let at = State {
+            time: sample.state.time,
+            parameters: parameters.as_ref(),
+            coordinates: q.as_ref(),
+            speeds: qd.as_ref(),
+        };
+        let solved = accelerate(mechanism, sample.state.time, q, qd)?;
+        let terms = oracle.terms(&at).map_err(uninterpreted)?;
+        for j in 0..M::Q::LEN {
+            let (missing, size) = balance(&terms, solved.accelerations.as_ref(), solved.multipliers.as_ref(), j);
+            let apart = missing.abs() / size.max(f64::MIN_POSITIVE);
+            if !(apart <= worst.0) {
+                worst = (apart, M::DESCRIPTION.coordinates[j].position.name);
+            }
+        }
+    }
+    let meaning = format!("what bodies, loads and reactions miss, relative to them, along `{}`", worst.1);
+    Ok(Check { name: "reactions against Newton-Euler", figure: worst.0, bound: BALANCE, meaning })
+}
+
+/// M q'' + g - Q + C_q' lambda along coordinate j, and the magnitudes in it.
+fn balance(terms: &Terms, accelerations: &[f64], multipliers: &[f64], j: usize) -> (f64, f64) {
+    let inertia = terms.mass_matrix[j].iter().zip(accelerations).map(|(entry, a)| (entry.value * a, entry.magnitude * a.abs()));
+    let reactions = terms.constraint_jacobian.iter().zip(multipliers).map(|(row, l)| (row[j].value * l, row[j].magnitude * l.abs()));
+    let force = &terms.generalized_forces[j];
+    inertia.chain(reactions).chain([(-force.value, force.magnitude)]).fold((0.0, 0.0), |(sum, size), (value, magnitude)| (sum + value, size + magnitude))
+}

@@ -1,0 +1,113 @@
+//! Whether a mechanism's kernels, equations and runs are right: independent ways to the same numbers, compared.
+//!
+//! Each check is a function of its own that says how far two ways are apart, and how far they may be.
+
+mod derivatives;
+mod formulations;
+mod order;
+mod runs;
+
+pub use derivatives::jacobians_against_duals;
+pub use formulations::{Declared, kernels_against_oracle, lagrange_against_kernels, reactions_against_balance};
+pub use order::{observed_order, order_of_convergence};
+pub use runs::{constraint_residuals, difference, energy_balance, runs_agree};
+
+use crate::assemble::{Start, assemble};
+use crate::failure::Failure;
+use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
+use crate::motion::Motion;
+use crate::run::run;
+use crate::settings::{Method, Settings, Stabilisation, Tolerance, Stepping};
+use crate::trajectory::Sample;
+use sim_kernel::{Array, Mechanism};
+use std::ops::ControlFlow;
+
+/// What a check found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// What was compared with what.
+    pub name: &'static str,
+    /// How far apart they are.
+    pub figure: f64,
+    /// How far apart they may be.
+    pub bound: f64,
+    /// What the figure is, and where it was found.
+    pub meaning: String,
+}
+
+impl Check {
+    /// Whether it is within its bound; NaN is not.
+    pub fn passes(&self) -> bool {
+        self.figure <= self.bound
+    }
+}
+
+/// Why a mechanism could not be verified.
+#[derive(Debug, thiserror::Error)]
+pub enum VerifyError {
+    /// Its motion fails.
+    #[error("the run to be verified failed {0}")]
+    Run(#[from] Failure),
+    /// Its declaration cannot be read again, or interpreted.
+    #[error("the declaration cannot be interpreted: {0}")]
+    Declaration(String),
+}
+
+/// Relative tolerance of the runs that are compared.
+const TOLERANCE: f64 = 1e-11;
+/// Steps of DOP853 that are verified.
+const STEPS: u64 = 150;
+/// States at which kernels are compared.
+const STATES: usize = 64;
+
+/// Every check of a mechanism along its motion from a start: to `end`, or for as long as 150 steps of DOP853 take.
+///
+/// # Errors
+/// If no start can be assembled, the motion fails, or the declaration cannot be read.
+pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<Vec<Check>, VerifyError> {
+    let end = span(&mechanism, start, end)?;
+    let declared = Declared::of::<M>()?;
+    let with = |method, stabilisation| {
+        let settings = Settings { stabilisation, ..Settings::adaptive(method, end, TOLERANCE) };
+        let found = run(mechanism, start, &settings)?;
+        match found.trajectory.failure {
+            Some(failure) => Err(VerifyError::Run(failure)),
+            None => Ok(found),
+        }
+    };
+    let projected = with(Method::Dop853, Stabilisation::Projection)?;
+    let samples = spread(&projected.trajectory.samples);
+    let mut checks = vec![
+        lagrange_against_kernels(&mechanism, &declared, &samples),
+        kernels_against_oracle(&mechanism, &declared, &samples)?,
+        jacobians_against_duals(&mechanism, &samples),
+        reactions_against_balance(&mechanism, &declared, &samples)?,
+        energy_balance(&projected),
+        runs_agree("DOP853 against DOPRI5", &projected, &with(Method::Dopri5, Stabilisation::Projection)?),
+        order_of_convergence(&mechanism, samples[0].state, end, || ExplicitRungeKutta::new(&RK4), 4.0)?,
+    ];
+    if M::L::LEN > 0 {
+        let partitioned = with(Method::Dop853, Stabilisation::Partitioning)?;
+        checks.insert(4, constraint_residuals(&projected));
+        checks.push(runs_agree("projection against partitioning", &projected, &partitioned));
+    }
+    Ok(checks)
+}
+
+/// `end`, or the time that so many steps take.
+fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, Failure> {
+    let first = assemble(mechanism, start)?;
+    let motion = Motion::new(mechanism, Stabilisation::Projection);
+    let course = Course { end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)), interrupt: None };
+    let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
+    integrate(&motion, &mut Dop853::new(), &course, motion.sample(first)?, &mut steps, |step| {
+        (count, reached) = (count + 1, step.to.state.time);
+        Ok(if count < STEPS { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
+    })?;
+    Ok(reached)
+}
+
+/// Some samples, evenly spread.
+fn spread<M: Mechanism>(samples: &[Sample<M>]) -> Vec<Sample<M>> {
+    samples.iter().step_by((samples.len() / STATES).max(1)).copied().collect()
+}

@@ -1,0 +1,100 @@
+//! Events: several in one step, touching ones, fast ones, and the period to a picosecond.
+
+use models::QuickReturn;
+use sim::{Crossing, Method, Run, Settings, StopAt, mechanism};
+use std::f64::consts::PI;
+use tests::{decimal, reference, run_with};
+
+mechanism! {
+    /// A wheel that turns at 1 rad/s, so that angles are times.
+    Clock;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; }
+    bodies { wheel: inertia J, angle phi; }
+    initial { dot(phi) = 1; }
+    events {
+        fast: sin(50*phi) = 0;
+        first: phi = 1/3;
+        second: phi = 1/3 + 1e-6;
+        touch: (phi - 0.7)^2 = 0;
+        pair: (phi - 0.5)^2 = 1e-6;
+        near: (phi - 0.9)^2 + 1e-6 = 0;
+    }
+}
+
+fn times(run: &Run<Clock>, name: &str) -> Vec<f64> {
+    run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
+}
+
+fn near(found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= tolerance), "{found:?} {expected:?}");
+}
+
+/// A uniform motion is exact in any step, so the times of events are too; one step has all of them.
+#[test]
+fn one_step_holds_many_events_in_order() {
+    for steps in [1, 3, 100] {
+        let run = run_with(Clock::default(), &Settings::equal_steps(Method::Dop853, 1.0, steps)).unwrap();
+        let zeros: Vec<f64> = (1..16).map(|k| f64::from(k) * PI / 50.0).collect();
+        near(&times(&run, "fast"), &zeros, 2e-12);
+        near(&times(&run, "first"), &[1.0 / 3.0], 2e-12);
+        near(&times(&run, "second"), &[1.0 / 3.0 + 1e-6], 2e-12);
+        near(&times(&run, "pair"), &[0.499, 0.501], 2e-12);
+        near(&times(&run, "near"), &[], 0.0);
+        // A double root is known to the root of the rounding of its condition.
+        near(&times(&run, "touch"), &[0.7], 1e-7);
+        let crossings: Vec<Crossing> = run
+            .events
+            .iter()
+            .filter(|event| ["pair", "touch"].contains(&event.name))
+            .map(|event| event.crossing)
+            .collect();
+        assert_eq!(crossings, [Crossing::Falling, Crossing::Rising, Crossing::Touching]);
+        assert!(run.events.windows(2).all(|pair| pair[0].state.time <= pair[1].state.time));
+    }
+}
+
+#[test]
+fn the_period_is_found_to_a_picosecond() {
+    let exact = decimal(&reference("quick_return.json")["period"]);
+    for settings in [Settings::equal_steps(Method::Rk4, 2.0, 8192), Settings::adaptive(Method::Dop853, 2.0, 1e-12)] {
+        let run = run_with(QuickReturn::default(), &settings).unwrap();
+        let error = (run.period().unwrap() - exact).abs();
+        println!("{:<8} {error:.1e} s", settings.method.name());
+        assert!(error <= 1e-12, "{error:e}");
+    }
+}
+
+/// What the project asks of DOP853: 2e-12, relative.
+#[test]
+fn dop853_at_1e_12_has_twelve_digits_after_two_seconds() {
+    let exact = reference("quick_return.json");
+    let expected = decimal(&exact["samples"].as_array().unwrap().last().unwrap()["alpha"]);
+    let run = run_with(QuickReturn::default(), &Settings::adaptive(Method::Dop853, 2.0, 1e-12)).unwrap();
+    let alpha = run.trajectory.samples.last().unwrap().state.positions[0];
+    println!("{:.1e}, {} right-hand sides", (alpha - expected) / expected, run.evaluations);
+    assert!((alpha - expected).abs() < 2e-12 * expected);
+}
+
+/// What is recorded does not change the steps: the end is the same to the last bit.
+#[test]
+fn records_do_not_change_the_steps() {
+    let end = |rows| {
+        let settings = Settings { rows, ..Settings::adaptive(Method::Dop853, 2.0, 1e-9) };
+        let run = run_with(QuickReturn::default(), &settings).unwrap();
+        (run.steps, run.trajectory.samples.last().unwrap().state.positions)
+    };
+    assert_eq!(end(sim::Rows::Even(1)), end(sim::Rows::Even(777)));
+    assert_eq!(end(sim::Rows::Even(1)), end(sim::Rows::Steps));
+}
+
+#[test]
+fn an_event_ends_the_run_at_its_time() {
+    let stop = Some(StopAt { event: 0, occurrence: 3 });
+    let run = run_with(Clock::default(), &Settings { stop, ..Settings::new(1.0) }).unwrap();
+    let last = run.trajectory.samples.last().unwrap().state;
+    assert!((last.time - 3.0 * PI / 50.0).abs() < 2e-12 && (last.positions[0] - last.time).abs() < 1e-14);
+    assert_eq!(times(&run, "fast").len(), 3);
+    assert_eq!(run.trajectory.failure, None);
+}

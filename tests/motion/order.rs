@@ -1,0 +1,112 @@
+//! Every method and its dense output show their order of convergence, projection included.
+
+use models::{DoublePendulum, FourBar, QuickReturn};
+use sim::{
+    Advance, Course, Dop853, ExplicitRungeKutta, Mechanism, Method, Motion, RK4, Rows, Settings, Stabilisation,
+    Stepping, Steps, Table, assemble, declared_start, integrate,
+};
+use std::ops::ControlFlow;
+use tests::run_with;
+
+/// Positions and speeds at 17 times, by equal steps.
+fn states<M: Mechanism>(mechanism: M, method: Method, end: f64, steps: usize) -> Vec<Vec<f64>> {
+    let settings = Settings { rows: Rows::Even(16), ..Settings::equal_steps(method, end, steps) };
+    let run = run_with(mechanism, &settings).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let table = Table::of(&run.mechanism, &run.trajectory);
+    table.columns[1..=2 * M::DESCRIPTION.coordinates.len()].iter().map(|column| column.values.clone()).collect()
+}
+
+/// The largest error of any column at any of the times, relative to the column's largest.
+fn error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
+    let largest = |values: &[f64]| values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
+    let of_column = |(found, exact): (&Vec<f64>, &Vec<f64>)| {
+        let differences: Vec<f64> = found.iter().zip(exact).map(|(a, b)| a - b).collect();
+        largest(&differences) / largest(exact)
+    };
+    found.iter().zip(exact).map(of_column).fold(0.0, f64::max)
+}
+
+/// Errors below this are rounding, collected over the steps.
+const FLOOR: f64 = 2e-12;
+
+/// The order between the finest pair of step counts, each twice the one before, whose errors are above rounding.
+fn observed_order<M: Mechanism>(mechanism: M, method: Method, end: f64, coarsest: usize, exact: &[Vec<f64>]) -> f64 {
+    let mut steps = coarsest;
+    let mut last = error(&states(mechanism, method, end, steps), exact);
+    let mut order = f64::NAN;
+    loop {
+        steps *= 2;
+        let next = error(&states(mechanism, method, end, steps), exact);
+        if next < FLOOR || steps > 1 << 17 {
+            println!("{:<16} {:<8} {steps:>7} steps, order {order:.3}", M::DESCRIPTION.name, method.name());
+            return order;
+        }
+        (order, last) = ((last / next).log2(), next);
+    }
+}
+
+fn check<M: Mechanism>(mechanism: M, end: f64) {
+    // Twice as fine as DOP853 needs for its rounding floor.
+    let exact = states(mechanism, Method::Dop853, end, 4096);
+    for method in Method::ALL {
+        let coarsest = if method.order() < 5 { 256 } else { 16 };
+        let order = observed_order(mechanism, method, end, coarsest, &exact);
+        let expected = method.order() as f64;
+        // High orders meet rounding before they are quite alone.
+        let tolerance = if method.order() < 5 { 0.05 } else { 0.5 };
+        assert!((order - expected).abs() < tolerance, "{} {}: {order}", M::DESCRIPTION.name, method.name());
+    }
+}
+
+#[test]
+fn the_quick_return_mechanism_shows_every_order() {
+    check(QuickReturn::default(), 1.0);
+}
+
+#[test]
+fn a_four_bar_shows_every_order() {
+    check(FourBar::default(), 0.5);
+}
+
+#[test]
+fn a_double_pendulum_shows_every_order() {
+    check(DoublePendulum::default(), 0.5);
+}
+
+/// The largest error of positions at 0.3 of each step, which is at a new place every time.
+fn dense_error<A: Advance<QuickReturn>>(mut method: A, steps: usize) -> f64 {
+    let mechanism = QuickReturn::default();
+    let motion = Motion::new(&mechanism, Stabilisation::Projection);
+    let first = motion.sample(assemble(&mechanism, &declared_start(&mechanism)).unwrap()).unwrap();
+    let course = Course { end: 1.0, stepping: Stepping::Equal(steps), interrupt: None };
+    let mut inside = Vec::new();
+    integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
+        inside.push(step.at(step.from.state.time + 0.3 * step.length())?);
+        Ok(ControlFlow::Continue(()))
+    })
+    .unwrap();
+    let mut worst = 0.0f64;
+    // The same times as ends of short steps from the start.
+    for state in inside.iter().step_by(steps / 8) {
+        let settings = Settings { rows: Rows::Even(1), ..Settings::equal_steps(Method::Dop853, state.time, 2048) };
+        let exact = run_with(mechanism, &settings).unwrap();
+        let exact = exact.trajectory.samples.last().unwrap().state.positions;
+        worst = exact.iter().zip(state.positions).fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
+    }
+    worst
+}
+
+/// The interpolant of DOP853 is of order 7, the quintic of the others of order 5: errors of one step more inside.
+#[test]
+fn dense_output_shows_its_order() {
+    let pairs: [(&str, [f64; 2], f64); 2] = [
+        ("dop853", [32, 64].map(|steps| dense_error(Dop853::new(), steps)), 7.0),
+        ("rk4", [128, 256].map(|steps| dense_error(ExplicitRungeKutta::new(&RK4), steps)), 4.0),
+    ];
+    for (name, [coarse, fine], order) in pairs {
+        let observed = (coarse / fine).log2();
+        println!("{name}: {coarse:.1e}, {fine:.1e}, order {observed:.2}");
+        assert!(observed > order - 0.3, "{name}: {observed}");
+    }
+}
