@@ -18,7 +18,7 @@ impl Controller {
         let error = self.wanted - speed;
         self.sum += error * h;
         // A motor has its limits.
-        (12.0 * error + 60.0 * self.sum).clamp(-40.0, 40.0)
+        (30.0 * error + 300.0 * self.sum).clamp(-40.0, 40.0)
     }
 }
 

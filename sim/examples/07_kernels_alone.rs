@@ -8,10 +8,8 @@
 /// Computed torque: the torque that gives the crank a wanted acceleration in the present state.
 mod controller {
     use models::FourBar;
-    use sim_kernel::Mechanism;
-
     /// The torque on the crank, in N*m; nothing where the equations have no unique solution.
-    pub fn torque(four_bar: &FourBar, q: &[f64; 3], qd: &[f64; 3], wanted: f64) -> Option<f64> {
+    pub(crate) fn torque(four_bar: &FourBar, q: &[f64; 3], qd: &[f64; 3], wanted: f64) -> Option<f64> {
         // The acceleration is linear in the torque: two evaluations tell the line.
         let with = |torque: f64| {
             let solved = FourBar { T: torque, ..*four_bar }.dynamics(0.0, q, qd);

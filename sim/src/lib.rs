@@ -28,6 +28,15 @@ pub mod verify;
 mod vector;
 mod write;
 
+/// The programs in the documents, compiled and run.
+#[cfg(all(doctest, feature = "models", feature = "cli"))]
+mod documents {
+    #[doc = include_str!("../../TUTORIAL.md")]
+    struct Tutorial;
+    #[doc = include_str!("../../COMING-FROM.md")]
+    struct ComingFrom;
+}
+
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
 pub use events::{Crossing, EventSearch, Occurrence};
