@@ -41,3 +41,32 @@ pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), Write
     };
     write().map_err(|why| WriteError::new(path, why))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Column;
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+
+    #[test]
+    fn columns_read_back_to_the_bit() {
+        let path = std::env::temp_dir().join(format!("linkwright-{}.parquet", std::process::id()));
+        let column = |name: &str, unit, values: &[f64]| Column { name: name.into(), unit, values: values.to_vec() };
+        let table = Table::from_columns(vec![
+            column("t", "s", &[0.0, 0.1, 0.2]),
+            column("x", "mm", &[1e-300, -0.0, std::f64::consts::PI]),
+        ]);
+        write(&table, &path).unwrap();
+        let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        let units = reader.metadata().file_metadata().key_value_metadata().unwrap();
+        assert!(units.iter().any(|unit| unit.key == "unit:x" && unit.value.as_deref() == Some("mm")));
+        for (i, row) in reader.get_row_iter(None).unwrap().enumerate() {
+            use parquet::record::RowAccessor;
+            let row = row.unwrap();
+            for (j, column) in table.columns.iter().enumerate() {
+                assert_eq!(row.get_double(j).unwrap().to_bits(), column.values[i].to_bits());
+            }
+        }
+    }
+}

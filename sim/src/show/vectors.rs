@@ -38,8 +38,10 @@ mod declared {
     enum Source {
         /// Force and point, as outputs from this index: x, y, u, v.
         Load(usize),
-        /// Point, and per row of the constraint the differences along x and y: x, y, then pairs.
-        Reaction { first: usize, rows: std::ops::Range<usize> },
+        /// A scalar constraint at a point: x, y, and the differences of C along both.
+        Reaction { first: usize, row: usize },
+        /// A constraint between vectors, where its left side is: x, y.
+        Joint { first: usize, row: usize },
     }
 
     /// The forces of a run, each with its point and components, x y u v, at each of some samples. None where the
@@ -83,15 +85,12 @@ mod declared {
         let at = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
         match source {
             Source::Load(first) => [at(*first), at(first + 1), at(first + 2), at(first + 3)],
-            Source::Reaction { first, rows } => {
-                let along = |axis: usize| {
-                    let pairs = rows.clone().enumerate();
-                    let term = |(i, row): (usize, usize)| {
-                        -sample.multipliers[row] * at(first + 2 + 2 * i + axis) / (2.0 * REACH)
-                    };
-                    pairs.map(term).sum()
-                };
-                [at(*first), at(first + 1), along(0), along(1)]
+            Source::Reaction { first, row } => {
+                let force = -sample.multipliers[*row] / (2.0 * REACH);
+                [at(*first), at(first + 1), force * at(first + 2), force * at(first + 3)]
+            }
+            Source::Joint { first, row } => {
+                [at(*first), at(first + 1), -sample.multipliers[*row], -sample.multipliers[row + 1]]
             }
         }
     }
@@ -99,7 +98,8 @@ mod declared {
     /// Adds what an arrow needs to the outputs.
     type Make<'d> = Box<dyn FnOnce(&mut Vec<Output>) -> Source + 'd>;
 
-    /// Every load with a point, and every constraint at every point named in it.
+    /// Every force that is a load; every constraint between vectors where its left side is; every other at the points
+    /// named in it that are drawn, where its virtual work is that of a force.
     fn arrows(declaration: &Declaration, rows: usize) -> Vec<(Vector, Make<'static>)> {
         let mut arrows: Vec<(Vector, Make<'static>)> = Vec::new();
         for load in &declaration.loads {
@@ -116,30 +116,32 @@ mod declared {
             }
         }
         let mut row = 0;
-        let points: Vec<String> = vectors_named(declaration);
+        let (vectors, drawn) = (vectors_named(declaration), drawn(declaration));
         for constraint in &declaration.constraints {
+            let (name_of, own) = (constraint.name.to_string(), row);
             let difference = binary(Operator::Subtract, copy(&constraint.left), copy(&constraint.right));
-            let is_vector = is_vector(&difference, &points);
-            let own = row..row + if is_vector { 2 } else { 1 };
-            row = own.end;
-            for point in named(&difference).into_iter().filter(|name| points.contains(name)) {
-                let about = format!("reaction of {} at {point}", constraint.name);
-                let (difference, own) = (copy(&difference), own.clone());
-                let label = constraint.name.to_string();
+            if is_vector(&difference, &vectors) {
+                row += 2;
+                let left = copy(&constraint.left);
                 let make = move |outputs: &mut Vec<Output>| {
                     let first = outputs.len();
-                    outputs.extend(components(&name(&point)).map(output));
-                    let (x, y) = (change(&difference, &point, [REACH, 0.0]), change(&difference, &point, [0.0, REACH]));
-                    let pairs = if is_vector {
-                        let ([xx, xy], [yx, yy]) = (components(&x), components(&y));
-                        vec![xx, yx, xy, yy]
-                    } else {
-                        vec![x, y]
-                    };
-                    outputs.extend(pairs.into_iter().map(output));
-                    Source::Reaction { first, rows: own }
+                    outputs.extend(components(&left).map(output));
+                    Source::Joint { first, row: own }
                 };
-                arrows.push((Vector { label, about, kind: "reaction" }, Box::new(make)));
+                let about = format!("reaction of {name_of}, on {}", crate::show::names::printed(&constraint.left));
+                arrows.push((Vector { label: name_of, about, kind: "reaction" }, Box::new(make)));
+                continue;
+            }
+            row += 1;
+            for point in named(&difference).into_iter().filter(|name| vectors.contains(name) && drawn.contains(name)) {
+                let (about, difference) = (format!("reaction of {name_of} at {point}"), copy(&difference));
+                let make = move |outputs: &mut Vec<Output>| {
+                    let first = outputs.len();
+                    let changes = [[REACH, 0.0], [0.0, REACH]].map(|step| change(&difference, &point, step));
+                    outputs.extend(components(&name(&point)).into_iter().chain(changes).map(output));
+                    Source::Reaction { first, row: own }
+                };
+                arrows.push((Vector { label: name_of.clone(), about, kind: "reaction" }, Box::new(make)));
             }
         }
         // What cannot be counted here is better not drawn.
@@ -152,7 +154,16 @@ mod declared {
         binary(Operator::Subtract, moved(Operator::Add), moved(Operator::Subtract))
     }
 
-    /// The `let`s that name points.
+    /// The names of what is drawn.
+    fn drawn(declaration: &Declaration) -> Vec<String> {
+        let points = declaration.drawing.iter().flat_map(|shape| match shape {
+            dsl::Shape::Line(points) | dsl::Shape::Ground(points) | dsl::Shape::Points(points) => points.as_slice(),
+            dsl::Shape::Slider { at, .. } | dsl::Shape::Circle { at, .. } => std::slice::from_ref(at),
+        });
+        points.map(crate::show::names::printed).collect()
+    }
+
+    /// The `let`s that name vectors.
     fn vectors_named(declaration: &Declaration) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for named in &declaration.lets {
