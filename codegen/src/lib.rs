@@ -32,6 +32,33 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
     Ok(emit::emit(&declaration.head, &text, &equations, &program, path))
 }
 
+/// The formatted items of every mechanism that a text declares: a Rust file with `mechanism! { .. }` in it, or a bare
+/// declaration. For build scripts; the file that they write is `include!`d.
+///
+/// ```
+/// // In build.rs, where `text` is read from a file and the result written into OUT_DIR:
+/// let text = "pub Pendulum; coordinates { phi [rad]; } parameters { l [m] = 1; }
+///     bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81]; }";
+/// match codegen::generate_text(text, "sim_kernel") {
+///     Ok(items) => assert!(items.contains("pub struct Pendulum")),
+///     Err(mistakes) => {
+///         let lines = codegen::mistakes::located("pendulum.txt", mistakes);
+///         lines.lines().for_each(|line| println!("cargo::error={line}"));
+///     }
+/// }
+/// ```
+///
+/// # Errors
+/// As [`generate`], for the first declaration with mistakes; and if there is none.
+pub fn generate_text(text: &str, path: &str) -> syn::Result<String> {
+    let path: TokenStream = path.parse()?;
+    let mut items = String::new();
+    for declaration in dsl::declarations(text)? {
+        items += &emit::format(generate(declaration, &path)?)?;
+    }
+    Ok(items)
+}
+
 /// The equations of motion of a declaration, as far as the symbols go.
 ///
 /// # Errors

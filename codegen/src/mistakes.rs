@@ -1,4 +1,14 @@
-//! Mistakes of a stage, collected so that all of them show at once.
+//! Mistakes of a stage, collected so that all of them show at once, and shown outside of rustc.
+
+/// Every mistake as `file:line:column: message`, a line each; later lines of a message are indented.
+pub fn located(file: &str, mistakes: syn::Error) -> String {
+    let line = |mistake: syn::Error| {
+        let start = mistake.span().start();
+        let message = mistake.to_string().replace('\n', "\n    ");
+        format!("{file}:{}:{}: {message}", start.line, start.column + 1)
+    };
+    mistakes.into_iter().map(line).collect::<Vec<_>>().join("\n")
+}
 
 /// Errors met so far, in order.
 #[derive(Default)]

@@ -178,7 +178,7 @@ fn constraints_and_events() {
         "initial {",
         "constraint { stop: P.y = 1; } initial {",
         &[
-            "7:1 `constraint` is not a block (did you mean `constraints`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`",
+            "7:1 `constraint` is not a block (did you mean `constraints`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`",
         ],
     );
     check(
@@ -404,7 +404,7 @@ fn what_new_users_write() {
         "bodies { bob",
         "body { bob",
         &[
-            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`",
+            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`",
         ],
     );
     check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);

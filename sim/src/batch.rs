@@ -119,15 +119,16 @@ fn column<T>([a, b, c, d, e, f, g, h]: &[T; LANES], entry: impl Fn(&T) -> f64) -
 /// Where anything of a solution is infinite or NaN.
 #[inline(always)]
 fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
-    // x - x is 0 unless x is infinite or NaN, and so is the sum of such.
-    let mut zero = solved.power - solved.power;
+    // 0 x is 0 unless x is infinite or NaN, and so is the sum of such.
+    let zero = Lanes::from_f64(0.0);
+    let mut sum = zero * solved.power;
     for i in 0..M::Q::LEN {
-        zero = zero + (solved.accelerations[i] - solved.accelerations[i]);
+        sum = sum + zero * solved.accelerations[i];
     }
     for i in 0..M::L::LEN {
-        zero = zero + (solved.multipliers[i] - solved.multipliers[i]);
+        sum = sum + zero * solved.multipliers[i];
     }
-    Lanes::not(Lanes::from_f64(1.0).greater(zero))
+    Lanes::not(Lanes::from_f64(1.0).greater(sum))
 }
 
 #[inline(always)]

@@ -4,7 +4,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{Andrews, QuickReturn, QuickReturnRatio};
-use sim::{Dynamics, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
+use sim::{Array, Dynamics, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
 use std::hint::black_box;
 use tests::{run, shortest};
 
@@ -22,15 +22,15 @@ fn main() {
     println!(
         "\nright-hand side, ns per state; minimum of {RUNS} runs over {STATES} states; in brackets: of one by one"
     );
-    let names: Vec<String> = widths().iter().map(|(name, _)| format!("{name:>18}")).collect();
-    println!("{:<20} {:>12} {}", "model", "one by one", names.join(" "));
+    let names: Vec<String> = widths().iter().map(|(name, _)| format!("{name:>15}")).collect();
+    println!("{:<36} {:>10} {}", "model", "one by one", names.join(" "));
     dynamics("quick-return", QuickReturn::default(), 2.0);
     dynamics("quick-return-ratio", QuickReturnRatio::default(), 2.0);
     dynamics("andrews", Andrews::default(), 0.03);
 }
 
 fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
-    let found = run(mechanism, end, STATES - 1).unwrap();
+    let found = run(mechanism, end, 4095).unwrap();
     let samples = &found.trajectory.samples;
     let states: Vec<State<M>> = (0..STATES).map(|i| samples[i * 7 % samples.len()].state).collect();
     let mechanism = black_box(mechanism);
@@ -40,16 +40,61 @@ fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
             black_box(one::<M>(&prepared, state));
         }
     });
+    let print = |title: &str, times: Vec<f64>| {
+        let cells = times.iter().map(|time| format!("{:>15}", format!("{time:.1} ({:.2})", time / scalar)));
+        println!("{:<36} {scalar:>10.1} {}", format!("{name}, {title}"), cells.collect::<Vec<_>>().join(" "));
+    };
+    let states_in_lanes = in_lanes(&states);
+    let prepared_in_lanes = black_box(mechanism.on(Lanes::from_f64).prepare());
+    let mut found = vec![None; states_in_lanes.len()];
+    let times = widths().into_iter().map(|(_, vectors)| {
+        per_element(|| {
+            let states = black_box(&states_in_lanes[..]);
+            vectors.run(Resident::<M> { prepared: &prepared_in_lanes, states, found: &mut found });
+            black_box(&found);
+        })
+    });
+    print("states in lanes", times.collect());
     let mut solved = Vec::new();
-    let cells = widths().into_iter().map(|(_, vectors)| {
-        let time = per_element(|| {
+    let times = widths().into_iter().map(|(_, vectors)| {
+        per_element(|| {
             let failures = accelerate_each_with(vectors, &mechanism, black_box(&states), &mut solved);
             assert!(failures.is_empty());
             black_box(&solved);
-        });
-        format!("{:>18}", format!("{time:.1} ({:.2})", time / scalar))
+        })
     });
-    println!("{name:<20} {scalar:>12.1} {}", cells.collect::<Vec<_>>().join(" "));
+    print("accelerate_each", times.collect());
+}
+
+type InLanes<M> = <M as Mechanism>::On<Lanes<8>>;
+type Q<M> = <InLanes<M> as Mechanism<Lanes<8>>>::Q;
+/// What the kernel finds for eight trajectories.
+type Solved<M> = Dynamics<Lanes<8>, Q<M>, <InLanes<M> as Mechanism<Lanes<8>>>::L>;
+
+fn in_lanes<M: Mechanism>(states: &[State<M>]) -> Vec<[Q<M>; 2]> {
+    let chunk = |states: &[State<M>]| {
+        let q = Q::<M>::from_fn(|i| Lanes::from_fn(|lane| states[lane].positions[i]));
+        [q, Q::<M>::from_fn(|i| Lanes::from_fn(|lane| states[lane].speeds[i]))]
+    };
+    states.chunks_exact(8).map(chunk).collect()
+}
+
+/// The kernel where the states of the trajectories stay in lanes, as in an integration of eight of them.
+struct Resident<'a, M: Mechanism> {
+    prepared: &'a <InLanes<M> as Mechanism<Lanes<8>>>::Prepared,
+    states: &'a [[Q<M>; 2]],
+    found: &'a mut [Option<Solved<M>>],
+}
+
+impl<M: Mechanism> Work for Resident<'_, M> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (found, [q, qd]) in self.found.iter_mut().zip(self.states) {
+            *found = Some(InLanes::<M>::prepared_dynamics(self.prepared, Lanes::from_f64(0.0), q, qd));
+        }
+    }
 }
 
 #[inline(never)]

@@ -4,6 +4,7 @@
 
 mod allocation;
 mod by_hand;
+mod derivatives;
 mod determinism;
 mod dual;
 mod evaluation;

@@ -14,6 +14,7 @@ mechanism! {
     loads { gravity [0, -g]; force -c*dot(P) at P; torque 0.1*sin(t) on rod; }
     initial { r = 0.5; phi = 0.1; dot(phi) = 3; }
     outputs { speed [m/s] = norm(dot(P)); radial [m/s^2] = ddot(r) - r*dot(phi)^2; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -31,6 +32,7 @@ mechanism! {
     events { low: B.y = -1; }
     outputs { tip [m] = B.x; tip_speed [m/s] = dot(B.x); tip_acceleration [m/s^2] = ddot(B.x); leash_force [N] = reaction(leash); }
     drawing { line O, A, B; ground [0, 0]; slider O along 0; circle B radius 0.05; point A; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -46,6 +48,7 @@ mechanism! {
     initial { x = 0.5; y = 0.7; }
     events { even: u = v; }
     outputs { u = u; v = v; w = w; rate = dot(u*v); second = ddot(w); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
@@ -59,6 +62,82 @@ mechanism! {
     constraints { pin: G - l/2*[cos(phi), sin(phi)] = [0, 0]; }
     initial { phi = 30; guess x = 300; guess q = 100; dot(phi) = 60 [rpm]; }
     outputs { pin_x [kN] = reaction(pin).x; pin_y [N] = reaction(pin).y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
+    /// A chain of eight rods in absolute angles from a support that shakes, its end on a moving line: long sums.
+    pub(crate) Chain;
+    coordinates { a1 [rad]; a2 [rad]; a3 [rad]; a4 [rad]; a5 [rad]; a6 [rad]; a7 [rad]; a8 [rad]; }
+    parameters { m [kg] = 0.3; l [m] = 0.4; J [kg*m^2] = 0.01; k [N*s/m] = 0.2; w [1/s] = 3; }
+    let P0 = 0.1*[sin(w*t), cos(2*w*t)];
+    let G1 = P0 + 0.5*l*[sin(a1), -cos(a1)];
+    let P1 = P0 + l*[sin(a1), -cos(a1)];
+    let G2 = P1 + 0.5*l*[sin(a2), -cos(a2)];
+    let P2 = P1 + l*[sin(a2), -cos(a2)];
+    let G3 = P2 + 0.45*l*[sin(a3), -cos(a3)];
+    let P3 = P2 + l*[sin(a3), -cos(a3)];
+    let G4 = P3 + 0.5*l*[sin(a4), -cos(a4)];
+    let P4 = P3 + l*[sin(a4), -cos(a4)];
+    let G5 = P4 + 0.5*l*[sin(a5), -cos(a5)];
+    let P5 = P4 + l*[sin(a5), -cos(a5)];
+    let G6 = P5 + 0.5*l*[sin(a6), -cos(a6)];
+    let P6 = P5 + l*[sin(a6), -cos(a6)];
+    let G7 = P6 + 0.5*l*[sin(a7), -cos(a7)];
+    let P7 = P6 + l*[sin(a7), -cos(a7)];
+    let G8 = P7 + 0.5*l*[sin(a8), -cos(a8)];
+    let P8 = P7 + l*[sin(a8), -cos(a8)];
+    bodies {
+        rod1: mass m at G1, inertia J, angle a1;
+        rod2: mass m at G2, inertia J, angle a2;
+        rod3: mass m at G3, inertia J, angle a3;
+        rod4: mass 2*m at G4, inertia J, angle a4;
+        rod5: mass m at G5, inertia J, angle a5;
+        rod6: mass m at G6, inertia J, angle a6;
+        rod7: mass m at G7, inertia J, angle a7;
+        rod8: mass m at G8, inertia J, angle a8;
+    }
+    loads { gravity [0, -9.81]; force -k*dot(P5) at P5; force [sin(t), 2] at P8; torque 0.1*a2 on rod3; }
+    constraints { line: P8.x + 0.2*P8.y = 0.3*sin(t); }
+    initial { guess a1 = -0.15; guess a2 = 0.0; guess a3 = 0.15; guess a4 = 0.3; guess a5 = 0.45; guess a6 = 0.6; guess a7 = 0.75; guess a8 = 0.9; }
+    outputs { height [m] = P8.y; climb [m/s] = dot(P8.y); pull [N] = reaction(line); lift [m/s^2] = ddot(P6.x); }
+    drawing { line P0, P1, P2, P3, P4, P5, P6, P7, P8; }
+}
+
+mechanism! {
+    /// Seven links in relative angles on a slide, with a spring to a point and the last link held by a guide: angles that are sums.
+    pub(crate) Arm;
+    coordinates { x [m]; q1 [rad]; q2 [rad]; q3 [rad]; q4 [rad]; q5 [rad]; q6 [rad]; q7 [rad]; }
+    parameters { m [kg] = 0.5; l [m] = 0.3; J [kg*m^2] = 0.02; c [N*m*s] = 0.05; s [N/m] = 20; }
+    let P0 = [x, 0.05*t^2];
+    let b1 = q1;
+    let P1 = P0 + l*[cos(b1), sin(b1)];
+    let b2 = b1 + q2;
+    let P2 = P1 + l*[cos(b2), sin(b2)];
+    let b3 = b2 + q3;
+    let P3 = P2 + l*[cos(b3), sin(b3)];
+    let b4 = b3 + q4;
+    let P4 = P3 + l*[cos(b4), sin(b4)];
+    let b5 = b4 + q5;
+    let P5 = P4 + l*[cos(b5), sin(b5)];
+    let b6 = b5 + q6;
+    let P6 = P5 + l*[cos(b6), sin(b6)];
+    let b7 = b6 + q7;
+    let P7 = P6 + l*[cos(b7), sin(b7)];
+    bodies {
+        slide: mass 3*m at P0;
+        link1: mass m at P0 + l/3*[cos(b1), sin(b1)], inertia J, angle b1;
+        link2: mass m at P1 + l/3*[cos(b2), sin(b2)], inertia J, angle b2;
+        link3: mass m at P2 + l/3*[cos(b3), sin(b3)], inertia J, angle b3;
+        link4: mass m at P3 + l/3*[cos(b4), sin(b4)], inertia J, angle b4;
+        link5: mass m at P4 + l/3*[cos(b5), sin(b5)], inertia J, angle b5;
+        link6: mass m at P5 + l/3*[cos(b6), sin(b6)], inertia J, angle b6;
+        link7: mass m at P6 + l/3*[cos(b7), sin(b7)], inertia J, angle b7;
+    }
+    loads { gravity [0, -9.81]; torque -c*dot(q3) on link3; torque c*dot(q3) on link2; force -s*(P4 - [0.5, 0.2]) at P4; }
+    constraints { level: b7 = 0.2*sin(t); rest: P7 = [0.9 + 0.1*sin(t), 0.3]; }
+    initial { guess x = 0.1; guess q1 = 1.2; guess q2 = -0.7; guess q3 = -0.6; guess q4 = 0.3; guess q5 = -0.9; guess q6 = 0.4; guess q7 = 0.3; }
+    outputs { angle [rad] = b6; push_x [N] = reaction(rest).x; turn [rad/s] = dot(b5); }
 }
 
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
@@ -75,7 +154,9 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
-            crate::mechanisms::Rod
+            crate::mechanisms::Rod,
+            crate::mechanisms::Chain,
+            crate::mechanisms::Arm
         )
     };
 }
@@ -86,5 +167,5 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod).to_vec()].concat()
+    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm).to_vec()].concat()
 }

@@ -2,6 +2,8 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod build_script;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -2,9 +2,9 @@
 //! too.
 
 /// Rods of the chains that are measured.
-pub const CHAIN_SIZES: &[usize] = &[2, 5, 10];
+pub const CHAIN_SIZES: &[usize] = &[2, 5, 10, 20, 40, 60];
 /// Loops of the N-four-bar mechanisms that are measured.
-pub const FOUR_BAR_SIZES: &[usize] = &[1, 2, 5];
+pub const FOUR_BAR_SIZES: &[usize] = &[1, 2, 5, 10, 20, 40];
 
 /// How the angles of a chain are measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

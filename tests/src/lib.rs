@@ -74,3 +74,17 @@ pub fn shortest(runs: usize, mut f: impl FnMut()) -> Duration {
     });
     times.min().unwrap_or_default()
 }
+
+/// The shortest of several runs of each of these, run in turn so that what disturbs one disturbs all.
+pub fn interleaved(runs: usize, work: &mut [&mut dyn FnMut()]) -> Vec<Duration> {
+    work.iter_mut().for_each(|f| f());
+    let mut best = vec![Duration::MAX; work.len()];
+    for _ in 0..runs {
+        for (f, best) in work.iter_mut().zip(&mut best) {
+            let clock = Instant::now();
+            f();
+            *best = (*best).min(clock.elapsed());
+        }
+    }
+    best
+}

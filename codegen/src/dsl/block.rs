@@ -241,3 +241,8 @@ pub(super) fn shape(input: ParseStream) -> Result<Shape> {
         }
     }
 }
+
+pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
+    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity"])?;
+    Ok(if name == "dynamics_jacobian" { OptionalKernel::DynamicsJacobian } else { OptionalKernel::DynamicsSensitivity })
+}

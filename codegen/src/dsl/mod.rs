@@ -1,6 +1,7 @@
 //! Stage 1: text to parsed declaration, with the place of every word kept.
 
 mod block;
+mod declarations;
 mod expression;
 mod limits;
 mod parse;
@@ -9,6 +10,7 @@ mod source;
 mod tree;
 mod unit;
 
+pub use declarations::declarations;
 pub use parse::{Head, parse, parse_head};
 pub use region::Region;
 pub use source::source_text;

@@ -9,8 +9,18 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 9] =
-    ["coordinates", "parameters", "bodies", "loads", "constraints", "initial", "events", "outputs", "drawing"];
+const BLOCKS: [&str; 10] = [
+    "coordinates",
+    "parameters",
+    "bodies",
+    "loads",
+    "constraints",
+    "initial",
+    "events",
+    "outputs",
+    "drawing",
+    "kernels",
+];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
 #[derive(Clone)]
@@ -78,6 +88,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         events: vec![],
         outputs: vec![],
         drawing: vec![],
+        kernels: None,
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -124,6 +135,10 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
         "events" => d.events.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "kernels" => {
+            let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
+            d.kernels.get_or_insert_default().extend(kernels);
+        }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
     Ok(())

@@ -27,6 +27,17 @@ pub struct Declaration {
     pub outputs: Vec<OutputGroup>,
     /// `drawing { .. }`
     pub drawing: Vec<Shape>,
+    /// `kernels { .. }`: which of those that not everyone needs are made; `None` leaves that to the program.
+    pub kernels: Option<Vec<OptionalKernel>>,
+}
+
+/// A kernel that not everyone needs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OptionalKernel {
+    /// `dynamics_jacobian;`
+    DynamicsJacobian,
+    /// `dynamics_sensitivity;`
+    DynamicsSensitivity,
 }
 
 /// `alpha [rad];`

@@ -1,5 +1,6 @@
 //! Kinetic energy, and the power that changes it.
 
+use super::intermediates::total_time_derivative;
 use super::variables::{Variables, inner};
 use super::{Constraints, Row, Tmt};
 use crate::model::Model;
@@ -15,24 +16,34 @@ pub struct Energy {
 }
 
 impl Energy {
-    pub(super) fn derive(model: &mut Model, variables: &Variables, tmt: &Tmt, constraints: &Constraints) -> Energy {
+    /// `drifts` are the partial time derivatives of the variables.
+    pub(super) fn derive(
+        model: &mut Model,
+        variables: &Variables,
+        drifts: &[Expr],
+        tmt: &Tmt,
+        constraints: &Constraints,
+    ) -> Energy {
         let (mut twice_kinetic, mut power) = (Vec::new(), Vec::new());
         for row in &tmt.rows {
             let squared = model.graph.mul(row.motion.velocity, row.motion.velocity);
             twice_kinetic.push(model.graph.mul(row.inertia, squared));
             power.push(model.graph.mul(row.force, row.motion.velocity));
-            power.push(drive_power(model, variables, row));
+            power.push(drive_power(model, variables, drifts, row));
         }
-        let multipliers = model.multipliers();
-        power.push(inner(model, &multipliers, &constraints.time_derivative));
+        for (i, multiplier) in model.multipliers().into_iter().enumerate() {
+            let carried = inner(model, drifts, &constraints.jacobian[i]);
+            let driven = model.graph.add(carried, constraints.time_derivative[i]);
+            power.push(model.graph.mul(multiplier, driven));
+        }
         let twice = model.graph.sum(&twice_kinetic);
         Energy { kinetic: model.graph.scale(&Number::HALF, twice), power: model.graph.sum(&power) }
     }
 }
 
 /// T_t (M x'' - F): what a drive does that moves the row in time.
-fn drive_power(model: &mut Model, variables: &Variables, row: &Row) -> Expr {
-    let driven = row.motion.time_derivative;
+fn drive_power(model: &mut Model, variables: &Variables, drifts: &[Expr], row: &Row) -> Expr {
+    let driven = total_time_derivative(model, &row.motion, drifts);
     if model.graph.is_zero(driven) {
         return driven;
     }

@@ -17,12 +17,27 @@ use std::collections::BTreeSet;
 pub struct Intermediate {
     /// The user's name for it, or one of ours.
     pub name: String,
-    /// y, y' and y''.
-    pub symbols: [Symbol; 3],
+    /// y, y', y'' and y_t.
+    pub symbols: [Symbol; 4],
     /// phi with its derivatives.
     pub definition: Differentiated,
     /// y'' = phi_y y'' + phi_q q'' + ..
     pub acceleration: Expr,
+    /// The partial derivative with respect to explicit time, at fixed coordinates: phi_y y_t + phi_t.
+    pub time_derivative: Expr,
+}
+
+impl Intermediate {
+    /// y_t as it occurs in what depends on y: 0 or its symbol.
+    pub(super) fn drift(&self, graph: &mut Graph) -> Expr {
+        if graph.is_zero(self.time_derivative) { self.time_derivative } else { graph.variable(self.symbols[3]) }
+    }
+}
+
+/// x_t at fixed coordinates, of a quantity over variables that may have a `drifts` y_t of their own.
+pub(super) fn total_time_derivative(model: &mut Model, quantity: &Differentiated, drifts: &[Expr]) -> Expr {
+    let carried = inner(model, drifts, &quantity.jacobian);
+    model.graph.add(carried, quantity.time_derivative)
 }
 
 /// Rows and constraints with intermediates in them.
@@ -31,7 +46,7 @@ pub(super) struct Formulation {
     pub(super) constraints: Vec<Expr>,
     /// The definitions, each of coordinates and those before it.
     definitions: Vec<Expr>,
-    symbols: Vec<[Symbol; 3]>,
+    symbols: Vec<[Symbol; 4]>,
     names: Vec<String>,
 }
 
@@ -69,7 +84,7 @@ impl Formulation {
     /// The coordinates and the intermediates.
     pub(super) fn variables(&self, model: &Model) -> Variables {
         let mut variables = Variables::coordinates(model);
-        for [position, speed, acceleration] in &self.symbols {
+        for [position, speed, acceleration, _] in &self.symbols {
             variables.positions.push(*position);
             variables.speeds.push(*speed);
             variables.accelerations.push(*acceleration);
@@ -85,13 +100,19 @@ impl Formulation {
         derivatives: &mut Derivatives,
     ) -> Vec<Intermediate> {
         let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| model.graph.variable(*a)).collect();
-        let intermediate = |(i, definition): (usize, &Expr)| {
+        let mut drifts = vec![model.graph.zero(); variables.len()];
+        let mut intermediates = Vec::new();
+        for (i, definition) in self.definitions.iter().enumerate() {
             let definition = derivatives.of_quantity(model, variables, *definition);
             let moving = inner(model, &definition.jacobian, &accelerations);
             let acceleration = model.graph.add(moving, definition.convective);
-            Intermediate { name: self.names[i].clone(), symbols: self.symbols[i], definition, acceleration }
-        };
-        self.definitions.iter().enumerate().map(intermediate).collect()
+            let time_derivative = total_time_derivative(model, &definition, &drifts);
+            let (name, symbols) = (self.names[i].clone(), self.symbols[i]);
+            let intermediate = Intermediate { name, symbols, definition, acceleration, time_derivative };
+            drifts[model.coordinates.len() + i] = intermediate.drift(&mut model.graph);
+            intermediates.push(intermediate);
+        }
+        intermediates
     }
 
     /// About how many multiplications it takes to form and to solve the equations.
@@ -128,7 +149,7 @@ struct Candidates {
 
 struct Candidate {
     sum: Expr,
-    symbols: [Symbol; 3],
+    symbols: [Symbol; 4],
     /// Of how many coordinates it is made.
     depth: usize,
 }
@@ -154,7 +175,7 @@ impl Candidates {
         }
         candidates.sort_by_key(|(sum, _)| (length(&model.graph, *sum), *sum));
         let sums = candidates.into_iter().enumerate().map(|(i, (sum, depth))| {
-            let symbols = ["", "_dot", "_ddot"].map(|rate| model.graph.symbol(&format!("y{i}{rate}")));
+            let symbols = ["", "_dot", "_ddot", "_t"].map(|rate| model.graph.symbol(&format!("y{i}{rate}")));
             Candidate { sum, symbols, depth }
         });
         Candidates { sums: sums.collect() }
@@ -174,7 +195,7 @@ impl Candidates {
         let parts: Vec<Expr> = chosen.iter().map(|candidate| candidate.sum).collect();
         let mut writer = Writer::new(model, &chosen, parts);
         let definitions: Vec<Expr> = chosen.iter().map(|candidate| writer.define(model, candidate.sum)).collect();
-        let symbols: Vec<[Symbol; 3]> = chosen.iter().map(|candidate| candidate.symbols).collect();
+        let symbols: Vec<[Symbol; 4]> = chosen.iter().map(|candidate| candidate.symbols).collect();
         let order = definition_order(&model.graph, &definitions, &symbols)?;
         Some(Formulation {
             rows: plain.rows.iter().map(|row| writer.row(model, row)).collect(),
@@ -202,7 +223,7 @@ fn name(model: &Model, sum: Expr, number: usize) -> String {
 }
 
 /// The definitions in an order in which each needs only those before it; none if they go round in a circle.
-fn definition_order(graph: &Graph, definitions: &[Expr], symbols: &[[Symbol; 3]]) -> Option<Vec<usize>> {
+fn definition_order(graph: &Graph, definitions: &[Expr], symbols: &[[Symbol; 4]]) -> Option<Vec<usize>> {
     let place: FxHashMap<Symbol, usize> =
         symbols.iter().enumerate().map(|(i, [position, ..])| (*position, i)).collect();
     let needs = |i: usize| graph.symbols_of(&[definitions[i]]).into_iter().filter_map(|s| place.get(&s).copied());
@@ -233,7 +254,7 @@ impl Writer {
         let mut variables = FxHashMap::default();
         let mut rate = model.time_derivative();
         for candidate in chosen {
-            let [position, speed, _] = candidate.symbols.map(|symbol| model.graph.variable(symbol));
+            let [position, speed, ..] = candidate.symbols.map(|symbol| model.graph.variable(symbol));
             variables.insert(candidate.sum, position);
             // Loads depend on speeds too.
             variables.insert(rate.of(&mut model.graph, candidate.sum), speed);

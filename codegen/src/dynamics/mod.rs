@@ -30,7 +30,7 @@ pub use energy::Energy;
 pub use intermediates::Intermediate;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
-pub use sensitivity::Sensitivity;
+pub use sensitivity::Columns;
 pub use tmt::{Row, Tmt};
 pub use variables::{Differentiated, Variables};
 
@@ -57,8 +57,10 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
-    /// Derivatives with respect to state and parameters; only if there are no intermediates.
-    pub sensitivity: Option<Sensitivity>,
+    /// How the residual changes with coordinates and with speeds, if that is wanted and there are no intermediates.
+    pub by_state: Option<[Columns; 2]>,
+    /// How it changes with the parameters, likewise.
+    pub by_parameters: Option<Columns>,
 }
 
 /// Derives the equations of motion in the coordinates alone: what a reader wants to see.
@@ -82,9 +84,23 @@ fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
     let Formulation { rows, constraints, .. } = formulation;
     let tmt = Tmt::derive(&mut model, &variables, &mut derivatives, rows);
     let constraints = Constraints::derive(&mut model, &variables, &mut derivatives, constraints);
-    let energy = Energy::derive(&mut model, &variables, &tmt, &constraints);
+    let mut drifts = vec![model.graph.zero(); model.coordinates.len()];
+    drifts.extend(intermediates.iter().map(|y| y.drift(&mut model.graph)));
+    let energy = Energy::derive(&mut model, &variables, &drifts, &tmt, &constraints);
     let outputs = Outputs::derive(&mut model);
-    let sensitivity =
-        intermediates.is_empty().then(|| Sensitivity::derive(&mut model, &mut derivatives, &tmt, &constraints));
-    EquationsOfMotion { model, variables, intermediates, tmt, constraints, energy, outputs, sensitivity }
+    let mut equations = EquationsOfMotion {
+        model,
+        variables,
+        intermediates,
+        tmt,
+        constraints,
+        energy,
+        outputs,
+        by_state: None,
+        by_parameters: None,
+    };
+    if equations.intermediates.is_empty() {
+        sensitivity::derive(&mut equations, &mut derivatives);
+    }
+    equations
 }

@@ -3,49 +3,46 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 
+use super::EquationsOfMotion;
 use super::variables::{Derivatives, inner};
-use super::{Constraints, Tmt};
-use crate::model::Model;
-use crate::symbolic::{Differential, Expr, Symbol};
+use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
 /// The derivatives of r - K z at fixed accelerations and multipliers: a column of n + m for each variable.
-pub struct Sensitivity {
-    /// With respect to the coordinates, n columns.
-    pub by_positions: Vec<Vec<Expr>>,
-    /// With respect to the speeds, n columns.
-    pub by_speeds: Vec<Vec<Expr>>,
-    /// With respect to the parameters.
-    pub by_parameters: Vec<Vec<Expr>>,
-}
+pub type Columns = Vec<Vec<Expr>>;
 
-impl Sensitivity {
-    pub(super) fn derive(
-        model: &mut Model,
-        derivatives: &mut Derivatives,
-        tmt: &Tmt,
-        constraints: &Constraints,
-    ) -> Sensitivity {
-        let residual = residual(model, tmt, constraints);
-        let columns = |model: &mut Model, differentials: &mut [Differential]| -> Vec<Vec<Expr>> {
-            let column = |d: &mut Differential| residual.iter().map(|row| d.of(&mut model.graph, *row)).collect();
-            differentials.iter_mut().map(column).collect()
-        };
-        let partial = |model: &mut Model, symbols: Vec<Symbol>| -> Vec<Differential> {
-            symbols.into_iter().map(|symbol| Differential::partial(&mut model.graph, symbol)).collect()
-        };
-        let speeds = model.coordinates.iter().map(|c| c.speed).collect();
-        let parameters = model.parameters.iter().map(|p| p.symbol).collect();
-        let (mut by_speed, mut by_parameter) = (partial(model, speeds), partial(model, parameters));
-        Sensitivity {
-            by_positions: columns(model, &mut derivatives.by_variable),
-            by_speeds: columns(model, &mut by_speed),
-            by_parameters: columns(model, &mut by_parameter),
-        }
+/// Enters the derivatives that the model asks for.
+pub(super) fn derive(equations: &mut EquationsOfMotion, derivatives: &mut Derivatives) {
+    let model = &equations.model;
+    let (by_state, by_parameters) = (model.wants_jacobian, model.wants_sensitivity);
+    if !by_state && !by_parameters {
+        return;
+    }
+    let residual = residual(equations);
+    let model = &mut equations.model;
+    if by_state {
+        let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
+        let by_positions = columns(&mut model.graph, &residual, &mut derivatives.by_variable);
+        let mut by_speed = partials(&mut model.graph, &speeds);
+        equations.by_state = Some([by_positions, columns(&mut model.graph, &residual, &mut by_speed)]);
+    }
+    if by_parameters {
+        let parameters: Vec<Symbol> = model.parameters.iter().map(|p| p.symbol).collect();
+        let mut by_parameter = partials(&mut model.graph, &parameters);
+        equations.by_parameters = Some(columns(&mut model.graph, &residual, &mut by_parameter));
     }
 }
 
+fn partials(graph: &mut Graph, symbols: &[Symbol]) -> Vec<Differential> {
+    symbols.iter().map(|symbol| Differential::partial(graph, *symbol)).collect()
+}
+
+fn columns(graph: &mut Graph, residual: &[Expr], differentials: &mut [Differential]) -> Columns {
+    differentials.iter_mut().map(|d| residual.iter().map(|row| d.of(graph, *row)).collect()).collect()
+}
+
 /// T_q' (F - M (T_q q'' + g)) - C_q' lambda, then -(C_q q'' + (C_q q' + C_t)_q q' + (..)_t).
-fn residual(model: &mut Model, tmt: &Tmt, constraints: &Constraints) -> Vec<Expr> {
+fn residual(equations: &mut EquationsOfMotion) -> Vec<Expr> {
+    let EquationsOfMotion { model, tmt, constraints, .. } = equations;
     let (accelerations, multipliers) = (model.accelerations(), model.multipliers());
     let mut rows = Vec::new();
     for (j, rhs) in tmt.right_hand_side.iter().enumerate() {

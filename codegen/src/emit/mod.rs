@@ -2,6 +2,7 @@
 //! the same programs.
 
 mod description;
+mod equations;
 mod format;
 mod kernel;
 mod record;

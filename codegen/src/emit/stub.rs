@@ -33,15 +33,6 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         kernel("events", &["q", "qd"], vector.clone()),
         kernel("drawing", &["q"], vector),
     ];
-    let prepared = [
-        ("prepared_dynamics", quote! { Dynamics<S, [S; 0], [S; 0]> }),
-        ("prepared_dynamics_jacobian", quote! { DynamicsJacobian<S, [[S; 0]; 0], [[S; 0]; 0]> }),
-        ("prepared_dynamics_sensitivity", quote! { DynamicsSensitivity<S, [[S; 0]; 0], [[S; 0]; 0]> }),
-    ];
-    let prepared = prepared.into_iter().map(|(name, returns)| {
-        let name = super::ident(name);
-        quote! { fn #name(prepared: &(), t: S, q: &[S; 0], qd: &[S; 0]) -> #path::#returns { loop {} } }
-    });
     quote! {
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<S = ::core::primitive::f64>(::core::marker::PhantomData<S>);
@@ -92,7 +83,14 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
                 loop {}
             }
             fn prepare(&self) {}
-            #(#prepared)*
+            fn prepared_dynamics(
+                prepared: &(),
+                t: S,
+                q: &[S; 0],
+                qd: &[S; 0],
+            ) -> #path::Dynamics<S, [S; 0], [S; 0]> {
+                loop {}
+            }
             #(#kernels)*
         }
     }

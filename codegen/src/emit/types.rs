@@ -1,6 +1,7 @@
 //! The mechanism's type, its named vectors, and the impl of the runtime's trait.
 
 use super::description::description;
+use super::equations::equations as documented_equations;
 use super::kernel::{argument_names, arguments, record_of, returned_array};
 use super::record::record;
 use super::{ident, size};
@@ -28,7 +29,7 @@ pub(super) fn prepared_name(model: &Model) -> Ident {
 pub(super) fn types(head: &Head, equations: &EquationsOfMotion, program: &Program, path: &TokenStream) -> TokenStream {
     let model = &equations.model;
     let visibility = &head.visibility;
-    let mechanism = mechanism(head, model, path);
+    let mechanism = mechanism(head, equations, path);
     let name = &model.name;
     let coordinates: Vec<_> =
         model.coordinates.iter().map(|c| (c.name.clone(), documented(&c.docs, &c.unit))).collect();
@@ -74,9 +75,11 @@ fn documented(docs: &str, unit: &Unit) -> Vec<String> {
     text.lines().map(|line| format!(" {line}")).collect()
 }
 
-fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
+fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+    let model = &equations.model;
     let (visibility, name) = (&head.visibility, ident(&model.name));
     let docs = model.docs.lines().map(|line| format!(" {line}"));
+    let written = documented_equations(equations);
     let fields = model.parameters.iter().map(|p| {
         let (name, docs) = (ident(&p.name), documented(&p.docs, &p.unit));
         quote! { #(#[doc = #docs])* pub #name: S, }
@@ -86,6 +89,7 @@ fn mechanism(head: &Head, model: &Model, path: &TokenStream) -> TokenStream {
         #(#[doc = #docs])*
         ///
         /// The fields are its parameters, in SI units; the methods are its kernels.
+        #(#[doc = #written])*
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #marker }
@@ -212,14 +216,17 @@ fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
                 self.#function(#(#names),*) #to_array
             }
         },
-        Receiver::Prepared => {
-            let of_prepared = format_ident!("prepared_{}", kernel.name);
-            quote! {
-                #[inline(always)]
-                fn #of_prepared(prepared: &Self::Prepared #(, #list)*) -> #returns {
-                    prepared.#function(#(#names),*)
-                }
+        Receiver::Prepared if kernel.name == "dynamics" => quote! {
+            #[inline(always)]
+            fn prepared_dynamics(prepared: &Self::Prepared #(, #list)*) -> #returns {
+                prepared.#function(#(#names),*)
             }
-        }
+        },
+        Receiver::Prepared => quote! {
+            #[inline(always)]
+            fn #function(&self #(, #list)*) -> #returns {
+                self.prepare().#function(#(#names),*)
+            }
+        },
     }
 }

@@ -60,6 +60,10 @@ pub struct Model {
     pub groups: Vec<OutputGroup>,
     /// What to draw.
     pub drawing: Vec<Shape>,
+    /// Whether the derivatives of the motion with respect to the state are wanted as a kernel.
+    pub wants_jacobian: bool,
+    /// Whether those with respect to the parameters are.
+    pub wants_sensitivity: bool,
 }
 
 /// A scalar for each axis of the plane.

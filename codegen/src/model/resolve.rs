@@ -10,6 +10,7 @@ use super::quantities::{check_coordinates_used, resolve_coordinates, resolve_let
 use super::scope::{Names, plain};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
+use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
 use crate::symbolic::{Differential, Graph};
@@ -74,5 +75,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         outputs,
         groups,
         drawing,
+        wants_jacobian: declaration.kernels.as_ref().is_none_or(|kernels| kernels.contains(&DynamicsJacobian)),
+        wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
 }

@@ -68,7 +68,7 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
         reduced(
             "convective_forces",
             Speeds,
-            format!("Convective forces `T_q' M g`, {n}, with `g = (T_q q' + T_t)_q q' + (..)_t`."),
+            format!("Convective forces `T_q' M g`, {n}, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate."),
             |reduced, lowering| reduced.convective_forces(lowering),
         ),
         reduced(
@@ -80,37 +80,37 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
         vector(
             "constraints",
             Positions,
-            format!("Constraints `C`, {m}; zero throughout the motion."),
+            format!("Constraints `C`, {m}, in SI units; zero throughout the motion."),
             &constraints.values,
         ),
         vector(
             "constraint_magnitudes",
             Positions,
-            format!("The sum of the magnitudes of the terms of `C`, {m}: what its rounding is relative to."),
+            format!("The sum of the magnitudes of the terms of `C`, {m}, in SI units: what its rounding is relative to."),
             &constraints.magnitudes,
         ),
         reduced(
             "constraint_jacobian",
             Positions,
-            format!("Constraint Jacobian `C_q`, {m} x {n}."),
+            format!("Constraint Jacobian `C_q`, {m} x {n}: units of each constraint per unit of each coordinate."),
             |reduced, lowering| reduced.constraint_jacobian(lowering),
         ),
         reduced(
             "constraint_time_derivative",
             Positions,
-            format!("`C_t`, {m}: the speeds obey `C_q q' + C_t = 0`."),
+            format!("`C_t`, {m}, units of `C` per second: the speeds obey `C_q q' + C_t = 0`."),
             |reduced, lowering| reduced.constraint_time_derivative(lowering),
         ),
         reduced(
             "constraint_convective",
             Speeds,
-            format!("`(C_q q' + C_t)_q q' + (..)_t`, {m}: the part of `C''` without accelerations."),
+            format!("`(C_q q' + C_t)_q q' + (..)_t`, {m}, units of `C` per second squared: the part of `C''` without accelerations."),
             |reduced, lowering| reduced.constraint_convective(lowering),
         ),
         planner.kernel(
             "constraint_linearization",
             Positions,
-            format!("`C` ({m}), `C_q` ({m} x {n}) and `C_t` ({m}) together, for projection."),
+            format!("`C` ({m}), `C_q` ({m} x {n}) and `C_t` ({m}) together, in SI units, for projection."),
             |lowering| {
                 let mut reduced = ReducedEquations::of(e, lowering);
                 Results::record(
@@ -130,14 +130,22 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
             "Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.",
             e.energy.power,
         ),
-        vector("outputs", Multipliers, "Outputs, in SI units.".into(), &e.outputs.values),
+        vector("outputs", Multipliers, format!("Outputs, {}, in SI units.", e.outputs.values.len()), &e.outputs.values),
         vector(
             "output_rates",
             Accelerations,
-            "Rates of the outputs that depend on neither accelerations nor multipliers, in SI units.".into(),
+            format!(
+                "Rates of the outputs that depend on neither accelerations nor multipliers, {}, in SI units per second.",
+                rates.len()
+            ),
             &rates,
         ),
-        vector("events", Speeds, "`left - right` of each event, zero when it happens.".into(), &events),
+        vector(
+            "events",
+            Speeds,
+            format!("`left - right` of each event, {}, in SI units: zero when it happens.", events.len()),
+            &events,
+        ),
         vector(
             "drawing",
             Positions,
@@ -147,7 +155,7 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
         planner.kernel(
             "initial",
             Parameters,
-            "Declared start: values or guesses of the coordinates, and speeds; 0 where nothing is declared.".into(),
+            format!("Declared start: values or guesses of the coordinates ({n}), and speeds ({n}), in SI units; 0 where nothing is declared."),
             |lowering| {
                 let (positions, speeds) = start(&e.model, zero);
                 Results::record(

@@ -120,10 +120,6 @@ impl<'a> Lowering<'a> {
         exprs.iter().map(|expr| self.lower(*expr)).collect()
     }
 
-    pub(super) fn lower_rows(&mut self, rows: &[Vec<Expr>]) -> Vec<Vec<Value>> {
-        rows.iter().map(|row| self.lower_all(row)).collect()
-    }
-
     fn sum(&mut self, constant: &Number, terms: &[(Expr, Number)]) -> Value {
         let mut summands: Vec<Term> = terms.iter().map(|(term, coefficient)| self.term(*term, coefficient)).collect();
         let size = self.values.constant(constant.abs().to_f64());

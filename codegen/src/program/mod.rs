@@ -2,6 +2,7 @@
 //! solved, in which order things are computed and under which names.
 
 mod collect;
+mod diagram;
 mod eliminate;
 mod kernels;
 mod lower;
@@ -14,6 +15,7 @@ mod results;
 mod schedule;
 mod values;
 
+pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
 pub use results::{Record, Results};

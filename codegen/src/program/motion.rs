@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::planner::variable_names;
 use super::results::{Record, Results};
 use super::values::Value;
-use crate::dynamics::{Differentiated, EquationsOfMotion, Sensitivity};
+use crate::dynamics::{Columns, Differentiated, EquationsOfMotion};
 use crate::symbolic::Expr;
 
 /// The equations of motion solved at one state.
@@ -62,10 +62,9 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(q, q').
-    pub(super) fn jacobian(&self, lowering: &mut Lowering, sensitivity: &Sensitivity) -> Results<Value> {
-        let [accelerations_by_positions, multipliers_by_positions] =
-            self.derivatives(lowering, &sensitivity.by_positions);
-        let [accelerations_by_speeds, multipliers_by_speeds] = self.derivatives(lowering, &sensitivity.by_speeds);
+    pub(super) fn jacobian(&self, lowering: &mut Lowering, [by_positions, by_speeds]: &[Columns; 2]) -> Results<Value> {
+        let [accelerations_by_positions, multipliers_by_positions] = self.derivatives(lowering, by_positions);
+        let [accelerations_by_speeds, multipliers_by_speeds] = self.derivatives(lowering, by_speeds);
         Results::record(
             Record::DynamicsJacobian,
             [
@@ -79,8 +78,8 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(parameters).
-    pub(super) fn sensitivity(&self, lowering: &mut Lowering, sensitivity: &Sensitivity) -> Results<Value> {
-        let [accelerations, multipliers] = self.derivatives(lowering, &sensitivity.by_parameters);
+    pub(super) fn sensitivity(&self, lowering: &mut Lowering, by_parameters: &Columns) -> Results<Value> {
+        let [accelerations, multipliers] = self.derivatives(lowering, by_parameters);
         Results::record(
             Record::DynamicsSensitivity,
             [("accelerations", accelerations), ("multipliers", multipliers), ("refused", self.refused())],
@@ -88,7 +87,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Solves K dz = d(r - K z) for each column; gives the rows of q'' and those of lambda.
-    fn derivatives(&self, lowering: &mut Lowering, columns: &[Vec<Expr>]) -> [Results<Value>; 2] {
+    fn derivatives(&self, lowering: &mut Lowering, columns: &Columns) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
         let constants = vec![zero; unknown_count(self.equations)];
         let solved: Vec<Vec<Value>> = columns

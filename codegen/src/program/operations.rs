@@ -81,14 +81,15 @@ impl Operations {
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
-            (self.additions, "additions"),
-            (self.multiplications, "multiplications"),
-            (self.divisions, "divisions"),
-            (self.sine_cosines, "sine-cosine pairs"),
-            (self.square_roots, "square roots"),
-            (self.other_functions, "other functions"),
+            (self.additions, "addition"),
+            (self.multiplications, "multiplication"),
+            (self.divisions, "division"),
+            (self.sine_cosines, "sine-cosine pair"),
+            (self.square_roots, "square root"),
+            (self.other_functions, "other function"),
         ];
-        let parts: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}")).collect();
+        let counted = |(n, what): &(usize, &str)| format!("{n} {what}{}", if *n == 1 { "" } else { "s" });
+        let parts: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(counted).collect();
         if parts.is_empty() { write!(f, "none") } else { write!(f, "{}", parts.join(", ")) }
     }
 }

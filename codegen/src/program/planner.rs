@@ -45,10 +45,9 @@ impl<'a> Planner<'a> {
             inputs.extend(levels);
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
-        let definitions = equations
-            .intermediates
-            .iter()
-            .flat_map(|y| y.symbols.into_iter().zip([y.definition.position, y.definition.velocity, y.acceleration]));
+        let definitions = equations.intermediates.iter().flat_map(|y| {
+            y.symbols.into_iter().zip([y.definition.position, y.definition.velocity, y.acceleration, y.time_derivative])
+        });
         Planner { equations, inputs, definitions: definitions.collect(), alternatives, labels: labels(equations) }
     }
 

@@ -14,13 +14,11 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let mut lowering = planner.lowering();
     let motion = Motion::solve(planner.equations, &mut lowering);
     let mut planned = vec![("dynamics", dynamics_docs(planner), motion.dynamics())];
-    if let Some(sensitivity) = &planner.equations.sensitivity {
-        planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, sensitivity)));
-        planned.push((
-            "dynamics_sensitivity",
-            sensitivity_docs(planner),
-            motion.sensitivity(&mut lowering, sensitivity),
-        ));
+    if let Some(columns) = &planner.equations.by_state {
+        planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, columns)));
+    }
+    if let Some(columns) = &planner.equations.by_parameters {
+        planned.push(("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering, columns)));
     }
     let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
     let fields = fields(planner, &lowering, &motion, &roots);

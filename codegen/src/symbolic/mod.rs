@@ -7,6 +7,46 @@
 //!
 //! A rewriting that could change a value, at any real point, infinities and NaN included, is not done.
 //! The one exception is the customary one: `0*x` is 0 and `x - x` is 0 whatever x is.
+//!
+//! # The rules
+//!
+//! What is written becomes what stands right of it as soon as it is made, for expressions in place of the letters as well.
+//! A condition must hold for every real value of the symbols; where that is not known, it does not hold.
+//!
+//! | rule | written | becomes | condition |
+//! |---|---|---|---|
+//! | sums are flat | `x + (y + z)` | `x + y + z` | always |
+//! | like terms merge | `2*x + y + 3*x/2` | `7*x/2 + y` | always |
+//! | terms cancel | `x*y + z - y*x` | `z` | always |
+//! | a number distributes over a sum | `2*(x + 3*y)` | `2*x + 6*y` | only a number |
+//! | squares of sine and cosine fold | `2*y*sin(x)^2 + 5*y*cos(x)^2` | `5*y - 3*y*sin(x)^2` | equal other factors, numbers before them |
+//! | products are flat | `x*(y*z)` | `x*y*z` | always |
+//! | zero absorbs | `0*x` | `0` | always |
+//! | powers of one sign merge | `x^2*x/(y*y^2)` | `x^3/y^3` | exponents of one sign |
+//! | powers of opposite sign merge | `exp(x)^3/exp(x)` | `exp(x)^2` | the base is never zero and always finite |
+//! | a sum gives its content away | `y/(2*x + 4*z)` | `y/(2*(x + 2*z))` | always |
+//! | equal up to content, sums merge | `(2*x + 4)*(x + 2)` | `2*(x + 2)^2` | always |
+//! | a positive power of a product distributes | `(x*y^2)^3` | `x^3*y^6` | always |
+//! | a negative power of a product distributes | `1/(x*y)^2` | `1/(x^2*y^2)` | no factor is below, unless it is never zero |
+//! | the power 0 is 1 | `x^0` | `1` | always |
+//! | the power 1 is its base | `x^1` | `x` | always |
+//! | fractional powers are powers of roots | `x^(3/2)*x^(1/2)` | `sqrt(x)^4` | always |
+//! | exact roots are numbers | `(9/4)^(3/2)*x` | `27*x/8` | a root that is rational |
+//! | powers of e are exp | `e^(x*y)` | `exp(x*y)` | always |
+//! | odd functions give their sign away | `sin(-x) + tan(-y/9) + sinh(-z)` | `-sin(x) - tan(y/9) - sinh(z)` | sin, tan, asin, atan, sinh, tanh, sign |
+//! | even functions drop their sign | `cos(y - x) + cosh(-x) + abs(-z)` | `cos(x - y) + cosh(x) + abs(z)` | cos, cosh, abs |
+//! | sin 0 | `sin(0)*x + y` | `y` | always |
+//! | cos 0, cosh 0, exp 0 | `cos(0)*x + cosh(0)*y + exp(0)*z` | `x + y + z` | always |
+//! | tan 0, asin 0, atan 0, sinh 0, tanh 0 | `tan(0) + asin(0) + atan(0) + sinh(0) + tanh(0) + x` | `x` | always |
+//! | ln 1 | `ln(1)*x + y` | `y` | always |
+//! | abs of a number | `abs(-3/2)*x` | `3*x/2` | a number |
+//! | sign of a number | `sign(-3)*x + sign(2)*y` | `y - x` | a number |
+//! | numbers are exact | `(1/3 + 1/6)*x + 0.1*y + 0.2*y` | `x/2 + 3*y/10` | always |
+//! | powers of numbers are numbers | `(2/3)^(-2)*x` | `9*x/4` | of no more than 4,000 bits |
+//! | what is zero everywhere is 0 | `x*(y - y) + sin(z - z)` | `0` | always |
+//!
+//! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. Not among them is [`Graph::expand`], which
+//! its user has to ask for.
 
 mod derivative;
 mod evaluate;

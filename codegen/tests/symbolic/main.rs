@@ -8,5 +8,6 @@ mod directed;
 mod harness;
 mod numbers;
 mod reader;
+mod rules;
 mod tracked;
 mod tree;

@@ -7,6 +7,7 @@ extern crate self as sim_kernel;
 
 mod array;
 mod description;
+mod differentiate;
 mod dual;
 mod lanes;
 mod mechanism;

@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 
+use crate::differentiate::{jacobian, sensitivity};
 use crate::{Array, Description, Scalar};
 
 /// A mechanism with the values of its parameters, as `mechanism!` generates it.
@@ -80,34 +81,18 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn prepare(&self) -> Self::Prepared;
     /// Accelerations, multipliers and power.
     fn prepared_dynamics(prepared: &Self::Prepared, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L>;
-    /// d(q'', lambda)/d(q, q').
-    fn prepared_dynamics_jacobian(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &Self::Q,
-        qd: &Self::Q,
-    ) -> DynamicsJacobian<S, Self::QQ, Self::LQ>;
-    /// d(q'', lambda)/d(parameters).
-    fn prepared_dynamics_sensitivity(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &Self::Q,
-        qd: &Self::Q,
-    ) -> DynamicsSensitivity<S, Self::QP, Self::LP>;
     /// [`Mechanism::prepared_dynamics`] for one call.
     #[inline(always)]
     fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
         Self::prepared_dynamics(&self.prepare(), t, q, qd)
     }
-    /// [`Mechanism::prepared_dynamics_jacobian`] for one call.
-    #[inline(always)]
+    /// d(q'', lambda)/d(q, q'): a kernel if the declaration has one made, and otherwise from dual numbers.
     fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
-        Self::prepared_dynamics_jacobian(&self.prepare(), t, q, qd)
+        jacobian(self, t, q, qd)
     }
-    /// [`Mechanism::prepared_dynamics_sensitivity`] for one call.
-    #[inline(always)]
+    /// d(q'', lambda)/d(parameters), likewise.
     fn dynamics_sensitivity(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsSensitivity<S, Self::QP, Self::LP> {
-        Self::prepared_dynamics_sensitivity(&self.prepare(), t, q, qd)
+        sensitivity(self, t, q, qd)
     }
     /// The power of loads and drives, in watts; `dynamics` gives it too.
     fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S;

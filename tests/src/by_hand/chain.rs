@@ -4,7 +4,7 @@
 /// Parameters of a chain of equal rods that hangs from the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain {
-    /// Mass of a rod, in kg.
+    /// Mass of a rod, in kg; the motion does not depend on it.
     pub m: f64,
     /// Length of a rod, in m.
     pub l: f64,
@@ -15,7 +15,6 @@ pub struct Chain {
 /// What the way inwards leaves for the way outwards: alpha = -(s a + e), a the acceleration of the inner pin.
 #[derive(Clone, Copy, Default)]
 struct Link {
-    u: [f64; 2],
     s: [f64; 2],
     e: f64,
 }
@@ -24,37 +23,41 @@ struct Link {
 ///
 /// The rods outside a pin resist its acceleration with the force A a + b. A rod adds itself to that of its outer pin
 /// and loses its own angle, from the outermost rod inwards; then the accelerations follow outwards. All accelerations
-/// are less free fall, so that weight enters once, as that of the ground.
+/// are less free fall, so that weight enters once, as that of the ground. Everything is divided by m and l: equal rods have
+/// mass and length 1, and inertia 1/3 about a pin.
 pub fn chain_absolute<const N: usize>(p: &Chain, angles: &[f64; N], rates: &[f64; N]) -> [f64; N] {
-    let (half, inertia) = (0.5 * p.m * p.l, p.m * p.l * p.l / 3.0);
+    // Sines first: the recursion waits for nothing but itself.
+    let mut directions = [(0.0, 0.0); N];
+    for i in 0..N {
+        directions[i] = angles[i].sin_cos();
+    }
     let mut links = [Link::default(); N];
     // A symmetric, b.
     let ([mut xx, mut xy, mut yy], mut b) = ([0.0; 3], [0.0; 2]);
     for i in (0..N).rev() {
-        let (sin, cos) = angles[i].sin_cos();
+        let (sin, cos) = directions[i];
         let square = rates[i] * rates[i];
         // A n with n = (-sin, cos), and A u with u = (cos, sin).
         let (nx, ny) = (xy * cos - xx * sin, yy * cos - xy * sin);
         let (ux, uy) = (xx * cos + xy * sin, xy * cos + yy * sin);
-        let pull = p.l * square;
-        let (hx, hy) = (b[0] - pull * ux, b[1] - pull * uy);
-        let (sx, sy) = (p.l * nx - half * sin, p.l * ny + half * cos);
-        let over = 1.0 / (inertia + p.l * p.l * (ny * cos - nx * sin));
+        let over = 1.0 / (1.0 / 3.0 + (ny * cos - nx * sin));
+        let (hx, hy) = (b[0] - square * ux, b[1] - square * uy);
+        let (sx, sy) = (nx - 0.5 * sin, ny + 0.5 * cos);
         let (tx, ty) = (sx * over, sy * over);
-        let e = p.l * (hy * cos - hx * sin);
-        let centrifugal = half * square;
+        let e = hy * cos - hx * sin;
+        let centrifugal = 0.5 * square;
         b = [hx - centrifugal * cos - tx * e, hy - centrifugal * sin - ty * e];
-        (xx, xy, yy) = (xx + p.m - sx * tx, xy - sx * ty, yy + p.m - sy * ty);
-        links[i] = Link { u: [cos, sin], s: [tx, ty], e: e * over };
+        (xx, xy, yy) = (xx + 1.0 - sx * tx, xy - sx * ty, yy + 1.0 - sy * ty);
+        links[i] = Link { s: [tx, ty], e: e * over };
     }
     let mut accelerations = [0.0; N];
-    let (mut x, mut y) = (0.0, p.g);
+    let (mut x, mut y) = (0.0, p.g / p.l);
     for i in 0..N {
-        let Link { u: [cos, sin], s, e } = links[i];
+        let (Link { s, e }, (sin, cos)) = (links[i], directions[i]);
         let alpha = -(s[0] * x + s[1] * y + e);
-        let (tangential, normal) = (p.l * alpha, p.l * rates[i] * rates[i]);
-        x -= tangential * sin + normal * cos;
-        y += tangential * cos - normal * sin;
+        let square = rates[i] * rates[i];
+        x -= alpha * sin + square * cos;
+        y += alpha * cos - square * sin;
         accelerations[i] = alpha;
     }
     accelerations

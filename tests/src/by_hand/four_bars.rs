@@ -62,13 +62,21 @@ pub fn four_bars<const N: usize, const K: usize>(
     const WITH_TIP: f64 = 4.0 / 3.0;
     const ROD: f64 = 1.0 / 3.0;
     let weight = p.g / p.l;
+    // Sines first: the sweep waits for nothing but itself.
+    let (mut of_cranks, mut of_couplers) = ([(0.0, 0.0); K], [(0.0, 0.0); N]);
+    for i in 0..K {
+        of_cranks[i] = cranks[i].sin_cos();
+    }
+    for i in 0..N {
+        of_couplers[i] = couplers[i].sin_cos();
+    }
     let mut loops = [Loop::default(); N];
-    let (sin, cos) = cranks[0].sin_cos();
+    let (sin, cos) = of_cranks[0];
     let (mut u_before, mut before) = ([cos, sin], Affine { free: 1.0, forced: 0.0 });
     let mut before_square = crank_rates[0] * crank_rates[0];
     let (mut inertia, mut force) = (0.0, 0.0);
     for k in 0..N {
-        let ((s, c), (sp, cp)) = (cranks[k + 1].sin_cos(), couplers[k].sin_cos());
+        let ((s, c), (sp, cp)) = (of_cranks[k + 1], of_couplers[k]);
         let [cb, sb] = u_before;
         let (square, coupler_square) = (crank_rates[k + 1] * crank_rates[k + 1], coupler_rates[k] * coupler_rates[k]);
         // Angles between the crank, the coupler and the crank before.

@@ -1,0 +1,92 @@
+//! The command: reads declarations, prints one view of them, or compares it with a file.
+
+mod difference;
+mod document;
+mod graph;
+mod source;
+mod statistics;
+
+use anyhow::{Context, Result};
+use clap::{Parser, ValueEnum};
+use proc_macro2::TokenStream;
+use source::Source;
+use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
+
+/// Derives the equations of motion of the mechanisms that a text declares, and prints the kernels made of them.
+///
+/// Exit status: 0, 1 if `--check` finds a difference, 2 if something is wrong.
+#[derive(Parser)]
+#[command(name = "codegen", version)]
+pub(crate) struct Arguments {
+    /// A Rust file with `mechanism! { .. }` in it, or a bare declaration; `-` or nothing for standard input
+    file: Option<PathBuf>,
+    /// Print the equations of motion, as text, as a LaTeX document or as a page with MathML
+    #[arg(long, value_name = "NOTATION", group = "view")]
+    equations: Option<Notation>,
+    /// Print the operations of each kernel, what sharing saves, and the times of the stages
+    #[arg(long, group = "view", conflicts_with = "check")]
+    statistics: bool,
+    /// Print the graph of a kernel's operations for Graphviz, as in `codegen FILE --graph dynamics | dot -Tsvg`
+    #[arg(long, value_name = "KERNEL", group = "view")]
+    graph: Option<String>,
+    /// Compare with this file instead of printing
+    #[arg(long, value_name = "FILE")]
+    check: Option<PathBuf>,
+    /// Where the generated code finds the trait `Mechanism`
+    #[arg(long, value_name = "PATH", default_value = "sim_kernel")]
+    path: String,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Notation {
+    Infix,
+    Latex,
+    Mathml,
+}
+
+/// What came of a command that could be carried out.
+pub(crate) enum Outcome {
+    Done,
+    /// `--check` has found a difference.
+    Differs,
+}
+
+/// Carries a command out.
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome> {
+    let source = Source::read(arguments.file.as_deref())?;
+    let text = view(arguments, &source)?;
+    match &arguments.check {
+        None => print(&text).map(|()| Outcome::Done),
+        Some(file) => {
+            let expected = std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+            match difference::difference(&file.display().to_string(), &expected, &text) {
+                None => Ok(Outcome::Done),
+                Some(difference) => print(&difference).map(|()| Outcome::Differs),
+            }
+        }
+    }
+}
+
+/// What is asked for, as text.
+fn view(arguments: &Arguments, source: &Source) -> Result<String> {
+    let of_each = |view: &dyn Fn(TokenStream) -> syn::Result<String>| source.located(source.each(view));
+    if let Some(notation) = arguments.equations {
+        return source.located(document::document(source, notation));
+    }
+    if arguments.statistics {
+        return of_each(&|declaration| statistics::statistics(declaration));
+    }
+    if let Some(kernel) = &arguments.graph {
+        return graph::graph(source, kernel);
+    }
+    source.located(codegen::generate_text(&source.text, &arguments.path))
+}
+
+/// A reader that closes early, as `head` does, has what it wants.
+fn print(text: &str) -> Result<()> {
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result.context("cannot write to standard output"),
+    }
+}

@@ -1,0 +1,52 @@
+//! The text that declares mechanisms, and where it comes from.
+
+use anyhow::{Context, Result, anyhow};
+use codegen::dynamics::EquationsOfMotion;
+use codegen::mistakes::located;
+use proc_macro2::TokenStream;
+use std::io::Read;
+use std::path::Path;
+
+pub(super) struct Source {
+    /// For messages.
+    name: String,
+    pub(super) text: String,
+}
+
+impl Source {
+    /// A file, or standard input.
+    pub(super) fn read(file: Option<&Path>) -> Result<Source> {
+        match file.filter(|file| *file != Path::new("-")) {
+            Some(file) => {
+                let name = file.display().to_string();
+                let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
+                Ok(Source { name, text })
+            }
+            None => {
+                let mut text = String::new();
+                std::io::stdin().read_to_string(&mut text).context("cannot read standard input")?;
+                Ok(Source { name: "<stdin>".into(), text })
+            }
+        }
+    }
+
+    pub(super) fn declarations(&self) -> syn::Result<Vec<TokenStream>> {
+        codegen::dsl::declarations(&self.text)
+    }
+
+    /// The equations of motion of all mechanisms.
+    pub(super) fn equations(&self) -> syn::Result<Vec<EquationsOfMotion>> {
+        self.declarations()?.into_iter().map(codegen::equations).collect()
+    }
+
+    /// One view of each mechanism, with an empty line between two.
+    pub(super) fn each(&self, view: &dyn Fn(TokenStream) -> syn::Result<String>) -> syn::Result<String> {
+        let views: syn::Result<Vec<String>> = self.declarations()?.into_iter().map(view).collect();
+        Ok(views?.join("\n"))
+    }
+
+    /// The result, or its mistakes by line and column.
+    pub(super) fn located<T>(&self, result: syn::Result<T>) -> Result<T> {
+        result.map_err(|mistakes| anyhow!(located(&self.name, mistakes)))
+    }
+}

@@ -1,0 +1,38 @@
+//! Declarations in a text: a Rust file, or one declaration by itself.
+
+use super::parse_head;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use syn::{Error, Result};
+
+/// The tokens of each `mechanism! { .. }` in a Rust file, in order; or the whole text, if it is a bare declaration.
+///
+/// # Errors
+/// If the text is not made of Rust's tokens, and if it declares nothing.
+pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
+    let tokens: TokenStream = text.parse()?;
+    let mut found = Vec::new();
+    collect(tokens.clone(), &mut found);
+    if found.is_empty() {
+        if parse_head(tokens.clone()).is_err() {
+            let message = "no mechanism is declared here: there is no `mechanism! { .. }`, and the text is not a \
+                           declaration, which starts with the mechanism's name: `pub QuickReturn;`";
+            return Err(Error::new(tokens.into_iter().next().map_or_else(Span::call_site, |t| t.span()), message));
+        }
+        found.push(tokens);
+    }
+    Ok(found)
+}
+
+/// Modules and functions are looked into as well.
+fn collect(tokens: TokenStream, found: &mut Vec<TokenStream>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for (at, token) in tokens.iter().enumerate() {
+        let TokenTree::Group(group) = token else { continue };
+        match at.checked_sub(2).map(|start| &tokens[start..at]) {
+            Some([TokenTree::Ident(name), TokenTree::Punct(mark)]) if name == "mechanism" && mark.as_char() == '!' => {
+                found.push(group.stream());
+            }
+            _ => collect(group.stream(), found),
+        }
+    }
+}

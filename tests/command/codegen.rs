@@ -1,0 +1,142 @@
+//! The command `codegen` as a user meets it: views, files and standard input, mistakes, exit statuses.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const PENDULUM: &str = "/// 100 % a pendulum & nothing else.
+pub Pendulum;
+coordinates { phi [rad]; }
+parameters { l [m] = 1; }
+bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; }
+loads { gravity [0, -9.81]; }
+";
+
+struct Outcome {
+    status: i32,
+    stdout: String,
+    stderr: String,
+}
+
+fn codegen(arguments: &[&str], input: &str) -> Outcome {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_codegen"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // One that is wrong about its arguments reads nothing.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    let output = child.wait_with_output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Outcome { status: output.status.code().unwrap(), stdout: text(output.stdout), stderr: text(output.stderr) }
+}
+
+fn file(name: &str, text: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn kernels_of_a_file_and_of_standard_input_are_the_same() {
+    let path = file("pendulum.txt", PENDULUM);
+    let of_file = codegen(&[path.to_str().unwrap()], "");
+    assert_eq!(of_file.status, 0, "{}", of_file.stderr);
+    assert!(of_file.stdout.contains("pub struct Pendulum"));
+    for arguments in [vec![], vec!["-"]] {
+        assert_eq!(codegen(&arguments, PENDULUM).stdout, of_file.stdout);
+    }
+    let elsewhere = codegen(&["--path", "other::place"], PENDULUM);
+    assert!(elsewhere.stdout.contains("other::place::Scalar") && !elsewhere.stdout.contains("sim_kernel"));
+}
+
+#[test]
+fn a_file_may_declare_several_mechanisms() {
+    let second = PENDULUM.replace("Pendulum", "Second");
+    let text = format!(
+        "use sim::mechanism;\nsim::mechanism! {{\n{PENDULUM}}}\nmod inner {{ use sim::mechanism;\nmechanism! {{ {second} }} }}\nfn main() {{}}\n"
+    );
+    let kernels = codegen(&[], &text);
+    assert!(kernels.stdout.contains("pub struct Pendulum") && kernels.stdout.contains("pub struct Second"));
+    let equations = codegen(&["--equations", "infix"], &text).stdout;
+    assert!(equations.starts_with("Pendulum\n========\n") && equations.contains("\nSecond\n======\n"), "{equations}");
+}
+
+#[test]
+fn documents_stand_by_themselves() {
+    let latex = codegen(&["--equations", "latex"], PENDULUM).stdout;
+    assert!(latex.starts_with("\\documentclass") && latex.ends_with("\\end{document}\n"));
+    assert!(latex.contains("100 \\% a pendulum \\& nothing else."));
+    assert!(latex.contains("\\left(\\begin{array}{c} l^{2} \\end{array}\\right)"), "{latex}");
+    let page = codegen(&["--equations", "mathml"], PENDULUM).stdout;
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("a pendulum &amp; nothing else."));
+    assert!(page.contains("<msup><mi>l</mi><mn>2</mn></msup>"), "{page}");
+}
+
+#[test]
+fn statistics_count_what_sharing_saves() {
+    let text = codegen(&["--statistics"], PENDULUM).stdout;
+    let row = text.lines().find(|line| line.starts_with("mass_matrix")).unwrap();
+    let counts: Vec<&str> = row.split_whitespace().skip(1).collect();
+    // l*l, once: no other operation, and no name.
+    assert_eq!(counts, ["0", "1", "0", "0", "0", "0", "1", "1", "0"], "{text}");
+    for stage in ["parse", "resolve", "derive", "plan", "emit", "format", "all"] {
+        assert!(text.lines().any(|line| line.starts_with(stage) && line.ends_with(" ms")), "{text}");
+    }
+}
+
+#[test]
+fn a_graph_is_of_one_kernel() {
+    let graph = codegen(&["--graph", "mass_matrix"], PENDULUM).stdout;
+    assert!(graph.starts_with("digraph \"Pendulum.mass_matrix\" {\n"), "{graph}");
+    assert_eq!(graph.matches(" -> v").count(), 2, "both factors of l*l: {graph}");
+    let unknown = codegen(&["--graph", "mass_matrx"], PENDULUM);
+    assert_eq!(unknown.status, 2);
+    assert!(unknown.stderr.contains("did you mean `mass_matrix`?"), "{}", unknown.stderr);
+}
+
+#[test]
+fn a_check_says_where_it_differs() {
+    let text = codegen(&[], PENDULUM).stdout;
+    let path = file("checked.rs", &text);
+    let arguments = ["--check", path.to_str().unwrap()];
+    let same = codegen(&arguments, PENDULUM);
+    assert_eq!((same.status, same.stdout.as_str()), (0, ""));
+    let different = codegen(&arguments, &PENDULUM.replace("-9.81", "-9.8"));
+    assert_eq!(different.status, 1);
+    let line = 1 + text.lines().position(|line| line.contains("9.81")).unwrap();
+    let place = format!("checked.rs:{line}: differs");
+    assert!(different.stdout.lines().next().unwrap().contains(&place), "{place}: {}", different.stdout);
+    assert!(different.stdout.lines().count() < 60, "{}", different.stdout);
+    let missing = codegen(&["--check", "/nowhere/at/all.rs"], PENDULUM);
+    assert_eq!(missing.status, 2);
+    assert!(missing.stderr.contains("cannot read /nowhere/at/all.rs"), "{}", missing.stderr);
+}
+
+#[test]
+fn mistakes_have_a_file_a_line_and_a_column() {
+    let path = file("mistaken.txt", &PENDULUM.replace("l*[", "k*["));
+    let mistaken = codegen(&[path.to_str().unwrap()], "");
+    assert_eq!((mistaken.status, mistaken.stdout.as_str()), (2, ""));
+    let expected = format!("{}:5:25: no value is called `k`", path.display());
+    assert!(mistaken.stderr.starts_with(&expected), "{}", mistaken.stderr);
+    let rows = [
+        ("pub M; coordinates { x [m]; ", "<stdin>:1:"),
+        ("fn main() {}", "<stdin>:1:1: no mechanism is declared here"),
+        ("", "<stdin>:1:1: no mechanism is declared here"),
+        ("mechanism! { pub M; }", "<stdin>:1:18: "),
+    ];
+    for (text, expected) in rows {
+        let outcome = codegen(&[], text);
+        assert_eq!(outcome.status, 2, "{text}");
+        assert!(outcome.stderr.starts_with(expected), "{text}: {}", outcome.stderr);
+    }
+    assert_eq!(codegen(&["/nowhere.rs"], "").status, 2);
+    assert_eq!(codegen(&["--equations", "roman"], PENDULUM).status, 2);
+    assert_eq!(codegen(&["--statistics", "--equations", "infix"], PENDULUM).status, 2);
+}

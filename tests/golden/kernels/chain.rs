@@ -1,0 +1,1119 @@
+/// Five uniform rods, each hanging on the one before, by their angles from the vertical.
+///
+/// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// Its equations of motion are printed by `codegen FILE --equations infix`.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Chain<S = ::core::primitive::f64> {
+    /// Mass of a rod, in `kg`.
+    pub m: S,
+    /// Length of a rod, in `m`.
+    pub l: S,
+    /// Acceleration of free fall, in `m/s^2`.
+    pub g: S,
+}
+impl<S: sim_kernel::Scalar> ::core::default::Default for Chain<S> {
+    /// The declared values.
+    fn default() -> Self {
+        <Self as sim_kernel::Mechanism<S>>::defaults()
+    }
+}
+/// Coordinates of [`Chain`] by name, in SI units; also for their speeds and accelerations.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ChainCoordinates<S = ::core::primitive::f64> {
+    /// In `rad`.
+    pub phi_1: S,
+    /// In `rad`.
+    pub phi_2: S,
+    /// In `rad`.
+    pub phi_3: S,
+    /// In `rad`.
+    pub phi_4: S,
+    /// In `rad`.
+    pub phi_5: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 5]> for ChainCoordinates<S> {
+    fn from(values: [S; 5]) -> Self {
+        Self {
+            phi_1: values[0],
+            phi_2: values[1],
+            phi_3: values[2],
+            phi_4: values[3],
+            phi_5: values[4],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<ChainCoordinates<S>> for [S; 5] {
+    fn from(record: ChainCoordinates<S>) -> Self {
+        [record.phi_1, record.phi_2, record.phi_3, record.phi_4, record.phi_5]
+    }
+}
+/// Outputs of [`Chain`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ChainOutputs<S = ::core::primitive::f64> {
+    /// End of the chain, in `m`.
+    pub tip_x: S,
+    /// In `m`.
+    pub tip_y: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 2]> for ChainOutputs<S> {
+    fn from(values: [S; 2]) -> Self {
+        Self {
+            tip_x: values[0],
+            tip_y: values[1],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<ChainOutputs<S>> for [S; 2] {
+    fn from(record: ChainOutputs<S>) -> Self {
+        [record.tip_x, record.tip_y]
+    }
+}
+/// Rates of the outputs of [`Chain`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ChainOutputRates<S = ::core::primitive::f64> {
+    /// Rate of `tip_x`.
+    pub tip_x: S,
+    /// Rate of `tip_y`.
+    pub tip_y: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 2]> for ChainOutputRates<S> {
+    fn from(values: [S; 2]) -> Self {
+        Self {
+            tip_x: values[0],
+            tip_y: values[1],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<ChainOutputRates<S>> for [S; 2] {
+    fn from(record: ChainOutputRates<S>) -> Self {
+        [record.tip_x, record.tip_y]
+    }
+}
+/// What the equations of motion need of the parameters of [`Chain`], from [`Chain::prepare`]; its methods are the kernels of each step.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ChainPrepared<S = ::core::primitive::f64> {
+    m: S,
+    l: S,
+    mass_phi_1_phi_1: S,
+    k: S,
+    mass_phi_2_phi_2: S,
+    k_2: S,
+    k_3: S,
+    k_4: S,
+    k_5: S,
+    k_6: S,
+    abs_mass_phi_2_phi_2: S,
+    inverse_phi_5: S,
+    abs_mass_phi_1_phi_1: S,
+    k_7: S,
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> Chain<S> {
+    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    ///
+    /// Operations: 2 additions, 19 multiplications, 1 division.
+    #[inline]
+    pub fn prepare(&self) -> ChainPrepared<S> {
+        let l_squared = self.l * self.l;
+        let mass_phi_1_phi_1 = S::from_f64(1.3333333333333333) * self.m * l_squared;
+        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        ChainPrepared {
+            m: self.m,
+            l: self.l,
+            mass_phi_1_phi_1: mass_phi_1_phi_1,
+            k: self.m * l_squared * S::from_f64(0.5),
+            mass_phi_2_phi_2: mass_phi_2_phi_2,
+            k_2: self.m * self.l * S::from_f64(0.5),
+            k_3: self.l * S::from_f64(2.0),
+            k_4: self.m * self.l * S::from_f64(1.5) * self.g,
+            k_5: self.m * self.l * S::from_f64(0.5) * self.g,
+            k_6: self.m * self.g,
+            abs_mass_phi_2_phi_2: mass_phi_2_phi_2.abs(),
+            inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
+            abs_mass_phi_1_phi_1: mass_phi_1_phi_1.abs(),
+            k_7: self.m * S::from_f64(0.5) * self.g,
+        }
+    }
+    /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
+    ///
+    /// Operations: 26 additions, 62 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let l_squared = self.l * self.l;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        let w = self.m * self.l * S::from_f64(0.5);
+        let mass_P4_x_phi_5 = w * cos_phi_5;
+        let mass_P4_y_phi_5 = w * sin_phi_5;
+        let w_2 = self.l * cos_phi_1;
+        let w_3 = self.l * cos_phi_2;
+        let u1_x = self.l * sin_phi_1;
+        let u2_x = self.l * sin_phi_2;
+        let w_4 = self.l * cos_phi_3;
+        let u3_x = self.l * sin_phi_3;
+        let w_5 = self.l * cos_phi_4;
+        let u4_x = self.l * sin_phi_4;
+        let w_6 = self.m * u4_x;
+        let w_7 = self.m * w_5;
+        let w_8 = w * sin_phi_4 + w_6;
+        let w_9 = self.m + self.m;
+        let w_10 = u3_x * w_9;
+        let w_11 = w * cos_phi_4 + w_7;
+        let w_12 = w_4 * w_9;
+        let w_13 = w * sin_phi_3 + w_10;
+        let w_14 = self.m + w_9;
+        let w_15 = u2_x * w_14;
+        let w_16 = cos_phi_3 * w + w_12;
+        let w_17 = w_3 * w_14;
+        let w_18 = self.m * l_squared * S::from_f64(0.5)
+            * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) + u1_x * w_15 + w_2 * w_17;
+        let w_19 = u1_x * w_13 + w_2 * w_16;
+        let w_20 = u1_x * w_8 + w_2 * w_11;
+        let w_21 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_2;
+        let w_22 = u2_x * w_13 + w_3 * w_16;
+        let w_23 = u2_x * w_8 + w_3 * w_11;
+        let w_24 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_3;
+        let w_25 = u3_x * w_8 + w_4 * w_11;
+        let w_26 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_4;
+        let w_27 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_5;
+        [
+            [
+                S::from_f64(1.3333333333333333) * self.m * l_squared + u1_x * u1_x * w_14
+                    + w_2 * w_2 * w_14,
+                w_18,
+                w_19,
+                w_20,
+                w_21,
+            ],
+            [w_18, mass_phi_2_phi_2 + u2_x * w_15 + w_3 * w_17, w_22, w_23, w_24],
+            [w_19, w_22, mass_phi_2_phi_2 + u3_x * w_10 + w_4 * w_12, w_25, w_26],
+            [w_20, w_23, w_25, mass_phi_2_phi_2 + u4_x * w_6 + w_5 * w_7, w_27],
+            [w_21, w_24, w_26, w_27, mass_phi_2_phi_2],
+        ]
+    }
+    /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
+    ///
+    /// Operations: 42 additions, 86 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        let w = self.m * self.l * self.l * S::from_f64(0.5);
+        let w_2 = self.m * self.l * S::from_f64(0.5);
+        let mass_P4_x_phi_5 = w_2 * cos_phi_5;
+        let mass_P4_y_phi_5 = w_2 * sin_phi_5;
+        let w_3 = self.l * cos_phi_3;
+        let u3_x = self.l * sin_phi_3;
+        let w_4 = self.l * cos_phi_4;
+        let u4_x = self.l * sin_phi_4;
+        let w_5 = w_2 * sin_phi_4 + self.m * u4_x;
+        let w_6 = self.m + self.m;
+        let w_7 = w_2 * cos_phi_4 + self.m * w_4;
+        let w_8 = self.m + w_6;
+        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
+        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        let minus_P2_x_convective = self.l
+            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
+        let P2_y_convective = self.l
+            * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
+        let phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
+        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
+        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
+        let w_9 = cos_phi_1 * sin_phi_2;
+        let w_10 = cos_phi_2 * sin_phi_1;
+        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        let w_11 = w_2 * cos_phi_5 * phi_5_dot_squared + self.m * P4_y_convective;
+        let w_12 = w_2 * sin_phi_5 * phi_5_dot_squared + self.m * minus_P4_x_convective;
+        let w_13 = w_2 * cos_phi_4 * phi_4_dot_squared + w_11 + w_6 * P3_y_convective;
+        let w_14 = w_2 * sin_phi_4 * phi_4_dot_squared + w_12
+            + w_6 * minus_P3_x_convective;
+        let w_15 = cos_phi_3 * w_2 * phi_3_dot_squared + w_13 + w_8 * P2_y_convective;
+        let w_16 = w_2 * sin_phi_3 * phi_3_dot_squared + w_14
+            + w_8 * minus_P2_x_convective;
+        [
+            -(self.l * cos_phi_1 * w_16 - w * phi_2_dot_squared * (w_10 - w_9)
+                - self.l * sin_phi_1 * w_15),
+            -(self.l * cos_phi_2 * w_16 - w * phi_1_dot_squared * (w_9 - w_10)
+                - self.l * sin_phi_2 * w_15),
+            -(w_3 * w_14 - u3_x * w_13 - (w_2 * sin_phi_3 + u3_x * w_6) * P2_y_convective
+                + (cos_phi_3 * w_2 + w_3 * w_6) * minus_P2_x_convective),
+            -(w_4 * w_12 - u4_x * w_11 - w_5 * P3_y_convective
+                + w_7 * minus_P3_x_convective - w_5 * P2_y_convective
+                + w_7 * minus_P2_x_convective),
+            -(mass_P4_x_phi_5 * minus_P4_x_convective - mass_P4_y_phi_5 * P4_y_convective
+                - mass_P4_y_phi_5 * P3_y_convective
+                + mass_P4_x_phi_5 * minus_P3_x_convective
+                - mass_P4_y_phi_5 * P2_y_convective
+                + mass_P4_x_phi_5 * minus_P2_x_convective),
+        ]
+    }
+    /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
+    ///
+    /// Operations: 11 additions, 20 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let ([sin_phi_1, sin_phi_2, sin_phi_3, sin_phi_4, sin_phi_5], [_, _, _, _, _]) = S::sin_cos_each([
+            phi_1,
+            phi_2,
+            phi_3,
+            phi_4,
+            phi_5,
+        ]);
+        let w = self.m * self.l * S::from_f64(0.5) * self.g;
+        let w_2 = self.m * self.g;
+        let w_3 = w_2 + w_2;
+        let w_4 = w_2 + w_3;
+        [
+            -(sin_phi_1 * self.m * self.l * S::from_f64(1.5) * self.g
+                + self.l * sin_phi_1 * w_4),
+            -(sin_phi_2 * w + self.l * sin_phi_2 * w_4),
+            -(sin_phi_3 * w + self.l * sin_phi_3 * w_3),
+            -(sin_phi_4 * w + self.l * sin_phi_4 * w_2),
+            -(sin_phi_5 * w),
+        ]
+    }
+    /// Constraints `C`, 0, in SI units; zero throughout the motion.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraints(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// The sum of the magnitudes of the terms of `C`, 0, in SI units: what its rounding is relative to.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_magnitudes(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// Constraint Jacobian `C_q`, 0 x 5: units of each constraint per unit of each coordinate.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 0] {
+        []
+    }
+    /// `C_t`, 0, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_time_derivative(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 0, units of `C` per second squared: the part of `C''` without accelerations.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// `C` (0), `C_q` (0 x 5) and `C_t` (0) together, in SI units, for projection.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 5],
+    ) -> sim_kernel::ConstraintLinearization<[S; 0], [[S; 5]; 0]> {
+        sim_kernel::ConstraintLinearization {
+            values: [],
+            jacobian: [],
+            time_derivative: [],
+        }
+    }
+    /// Kinetic energy `v' M v / 2`, in joules.
+    ///
+    /// Operations: 26 additions, 55 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let l_squared = self.l * self.l;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        let w = self.l * S::from_f64(2.0);
+        let w_2 = phi_1_dot * cos_phi_1 * w + self.l * phi_2_dot * cos_phi_2;
+        let w_3 = phi_1_dot * w * sin_phi_1 + self.l * phi_2_dot * sin_phi_2;
+        let P2_x_dot = self.l * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2);
+        let w_4 = self.l * phi_3_dot * cos_phi_3;
+        let w_5 = S::from_f64(2.0) * P2_x_dot + w_4;
+        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
+        let w_6 = self.l * phi_3_dot * sin_phi_3;
+        let w_7 = S::from_f64(2.0) * P2_y_dot + w_6;
+        let P3_x_dot = P2_x_dot + w_4;
+        let w_8 = self.l * phi_4_dot * cos_phi_4;
+        let w_9 = S::from_f64(2.0) * P3_x_dot + w_8;
+        let P3_y_dot = P2_y_dot + w_6;
+        let w_10 = self.l * phi_4_dot * sin_phi_4;
+        let w_11 = S::from_f64(2.0) * P3_y_dot + w_10;
+        let w_12 = S::from_f64(2.0) * (P3_x_dot + w_8) + self.l * phi_5_dot * cos_phi_5;
+        let w_13 = S::from_f64(2.0) * (P3_y_dot + w_10) + self.l * phi_5_dot * sin_phi_5;
+        let w_14 = w_2 * w_2 + w_3 * w_3 + w_5 * w_5 + w_7 * w_7 + w_9 * w_9
+            + w_11 * w_11 + w_12 * w_12 + w_13 * w_13;
+        let w_15 = self.m * l_squared * S::from_f64(0.041666666666666664)
+            * (phi_2_dot * phi_2_dot + phi_3_dot * phi_3_dot + phi_4_dot * phi_4_dot
+                + phi_5_dot * phi_5_dot);
+        self.m * S::from_f64(0.125) * w_14 + w_15
+            + phi_1_dot * phi_1_dot * S::from_f64(0.16666666666666666) * self.m
+                * l_squared
+    }
+    /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
+    ///
+    /// Operations: 12 additions, 25 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn power(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 0],
+    ) -> S {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let ([sin_phi_1, sin_phi_2, sin_phi_3, sin_phi_4, sin_phi_5], [_, _, _, _, _]) = S::sin_cos_each([
+            phi_1,
+            phi_2,
+            phi_3,
+            phi_4,
+            phi_5,
+        ]);
+        let w = phi_1_dot * sin_phi_1 * self.l * S::from_f64(2.0)
+            + self.l * phi_2_dot * sin_phi_2;
+        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
+        let w_2 = self.l * phi_3_dot * sin_phi_3;
+        let P3_y_dot = P2_y_dot + w_2;
+        let w_3 = self.l * phi_4_dot * sin_phi_4;
+        let w_4 = S::from_f64(0.5) * self.m * self.g
+            * (w + (S::from_f64(2.0) * P2_y_dot + w_2)
+                + (S::from_f64(2.0) * P3_y_dot + w_3)
+                + (S::from_f64(2.0) * (P3_y_dot + w_3)
+                    + self.l * phi_5_dot * sin_phi_5));
+        -(w_4 + phi_1_dot * sin_phi_1 * S::from_f64(0.5) * self.m * self.l * self.g)
+    }
+    /// Outputs, 2, in SI units.
+    ///
+    /// Operations: 9 additions, 2 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn outputs(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 0],
+    ) -> ChainOutputs<S> {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        [
+            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3 + sin_phi_4 + sin_phi_5),
+            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4 + cos_phi_5)),
+        ]
+            .into()
+    }
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 2, in SI units per second.
+    ///
+    /// Operations: 8 additions, 12 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn output_rates(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+    ) -> ChainOutputRates<S> {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        [
+            self.l
+                * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2 + phi_3_dot * cos_phi_3
+                    + phi_4_dot * cos_phi_4 + phi_5_dot * cos_phi_5),
+            self.l
+                * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2 + phi_3_dot * sin_phi_3
+                    + phi_4_dot * sin_phi_4 + phi_5_dot * sin_phi_5),
+        ]
+            .into()
+    }
+    /// `left - right` of each event, 0, in SI units: zero when it happens.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn events(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// The numbers of each shape of the drawing, in metres and radians.
+    ///
+    /// Operations: 25 additions, 10 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn drawing(&self, t: S, q: &[S; 5]) -> [S; 14] {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        [
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            self.l * sin_phi_1,
+            -(self.l * cos_phi_1),
+            self.l * (sin_phi_1 + sin_phi_2),
+            -(self.l * (cos_phi_1 + cos_phi_2)),
+            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3),
+            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3)),
+            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3 + sin_phi_4),
+            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4)),
+            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3 + sin_phi_4 + sin_phi_5),
+            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4 + cos_phi_5)),
+        ]
+    }
+    /// Declared start: values or guesses of the coordinates (5), and speeds (5), in SI units; 0 where nothing is declared.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn initial(&self) -> sim_kernel::Initial<[S; 5]> {
+        sim_kernel::Initial {
+            positions: [
+                S::from_f64(1.0),
+                S::from_f64(1.0),
+                S::from_f64(1.0),
+                S::from_f64(1.0),
+                S::from_f64(1.0),
+            ],
+            speeds: [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+        }
+    }
+    /// [`ChainPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 0]> {
+        self.prepare().dynamics(t, q, qd)
+    }
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> ChainPrepared<S> {
+    /// Accelerations (5), multipliers (0) and power, from
+    ///
+    /// ```text
+    /// [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]
+    /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
+    /// ```
+    ///
+    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    ///
+    /// Operations: 147 additions, 179 multiplications, 4 divisions, 5 sine-cosine pairs.
+    #[inline(always)]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 0]> {
+        let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
+        let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let (
+            [sin_phi_1,
+            sin_phi_2,
+            sin_phi_3,
+            sin_phi_4,
+            sin_phi_5,
+            ],
+            [cos_phi_1,
+            cos_phi_2,
+            cos_phi_3,
+            cos_phi_4,
+            cos_phi_5,
+            ],
+        ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
+        let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
+        let w = self.l * cos_phi_1;
+        let w_2 = self.l * cos_phi_2;
+        let u1_x = self.l * sin_phi_1;
+        let u2_x = self.l * sin_phi_2;
+        let w_3 = self.l * cos_phi_3;
+        let u3_x = self.l * sin_phi_3;
+        let w_4 = self.l * cos_phi_4;
+        let u4_x = self.l * sin_phi_4;
+        let phi_1_dot_squared = phi_1_dot * phi_1_dot;
+        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
+        let phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        let minus_P2_x_convective = self.l
+            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
+        let P2_y_convective = self.l
+            * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
+        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
+        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
+        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
+        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
+        let l_P4_x_phi_5 = mass_P4_x_phi_5 * self.inverse_phi_5;
+        let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
+        let w_5 = mass_P4_x_phi_5 * l_P4_y_phi_5;
+        let w_6 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
+        let w_7 = u4_x * w_5;
+        let w_8 = u4_x * w_6;
+        let w_9 = u4_x * w_8;
+        let w_10 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
+        let w_11 = w_4 * w_7;
+        let w_12 = w_4 * w_10;
+        let w_13 = w_4 * w_12;
+        let abs_w_11 = w_11.abs();
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_9 - w_11 - w_11 + w_13;
+        let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
+        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_7 + w_12;
+        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_8 - w_4 * w_5;
+        let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
+        let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
+        let w_14 = w_5 + k_P3_x_phi_4 * l_P3_y_phi_4;
+        let w_15 = self.m + w_6 - k_P3_y_phi_4 * l_P3_y_phi_4;
+        let w_16 = u3_x * w_14;
+        let w_17 = u3_x * w_15;
+        let w_18 = u3_x * w_17;
+        let w_19 = self.m + w_10 - k_P3_x_phi_4 * l_P3_x_phi_4;
+        let w_20 = w_3 * w_16;
+        let w_21 = w_3 * w_19;
+        let w_22 = w_3 * w_21;
+        let abs_w_20 = w_20.abs();
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_18 - w_20 - w_20 + w_22;
+        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
+        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_16 + w_21;
+        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_17 - w_3 * w_14;
+        let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
+        let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
+        let w_23 = w_14 + k_P2_x_phi_3 * l_P2_y_phi_3;
+        let w_24 = self.m + w_15 - k_P2_y_phi_3 * l_P2_y_phi_3;
+        let w_25 = u1_x * w_23;
+        let w_26 = u2_x * w_23;
+        let w_27 = u1_x * u1_x * w_24;
+        let w_28 = u2_x * w_24;
+        let w_29 = u2_x * w_28;
+        let w_30 = self.m + w_19 - k_P2_x_phi_3 * l_P2_x_phi_3;
+        let w_31 = w * w_25;
+        let w_32 = w_2 * w_26;
+        let w_33 = w * w * w_30;
+        let w_34 = w_2 * w_30;
+        let w_35 = w_2 * w_34;
+        let abs_w_31 = w_31.abs();
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_27 - w_31 - w_31 + w_33;
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
+        let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
+            + u1_x * w_28 - w_2 * w_25 - w * w_26 + w * w_34;
+        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
+        let w_36 = k_phi_2_phi_1 * l_phi_2_phi_1;
+        let abs_w_32 = w_32.abs();
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_29 - w_32 - w_32 + w_35 - w_36;
+        let w_37 = minus_rhs_phi_5 * l_P4_y_phi_5
+            - (self.k_6 + self.k_2 * cos_phi_5 * phi_5_dot_squared)
+            - P4_y_convective * w_6;
+        let w_38 = self.k_2 * sin_phi_5 * phi_5_dot_squared
+            + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_5
+            + minus_P4_x_convective * w_10;
+        let rhs_phi_4 = u4_x * w_37 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_7
+            + w_4 * w_38;
+        let w_39 = w_37 - (self.k_6 + self.k_2 * cos_phi_4 * phi_4_dot_squared)
+            - minus_P4_x_convective * w_5 - l_P3_y_phi_4 * rhs_phi_4
+            - P3_y_convective * w_15;
+        let w_40 = self.k_2 * sin_phi_4 * phi_4_dot_squared + w_38
+            - l_P3_x_phi_4 * rhs_phi_4 + P3_y_convective * w_14
+            + minus_P3_x_convective * w_19;
+        let rhs_phi_3 = u3_x * w_39 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_16
+            + w_3 * w_40;
+        let w_41 = w_39 - (self.k_6 + cos_phi_3 * self.k_2 * phi_3_dot_squared)
+            - minus_P3_x_convective * w_14 - l_P2_y_phi_3 * rhs_phi_3
+            - P2_y_convective * w_24;
+        let w_42 = self.k_2 * sin_phi_3 * phi_3_dot_squared + w_40
+            - l_P2_x_phi_3 * rhs_phi_3 + P2_y_convective * w_23
+            + minus_P2_x_convective * w_30;
+        let rhs_phi_1 = cos_phi_1 * sin_phi_2 * self.k * phi_2_dot_squared
+            - sin_phi_1 * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared)
+            + u1_x * w_41 - minus_P2_x_convective * w_25 + w * w_42;
+        let rhs_phi_2 = cos_phi_2 * sin_phi_1 * self.k * phi_1_dot_squared
+            - sin_phi_2 * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared)
+            + u2_x * w_41 - minus_P2_x_convective * w_26 + w_2 * w_42
+            - l_phi_2_phi_1 * rhs_phi_1;
+        let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
+        let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
+        let P2_x_ddot = w * phi_1_ddot - minus_P2_x_convective + w_2 * phi_2_ddot;
+        let P2_y_ddot = P2_y_convective + u1_x * phi_1_ddot + u2_x * phi_2_ddot;
+        let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P2_x_phi_3 * P2_x_ddot
+            - l_P2_y_phi_3 * P2_y_ddot;
+        let P3_x_ddot = w_3 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
+        let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
+        let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
+            - l_P3_y_phi_4 * P3_y_ddot;
+        let P2_y_dot = self.l * (sin_phi_1 * phi_1_dot + sin_phi_2 * phi_2_dot);
+        let w_43 = self.l * sin_phi_3 * phi_3_dot;
+        let P3_y_dot = P2_y_dot + w_43;
+        let w_44 = self.l * sin_phi_4 * phi_4_dot;
+        let w_45 = sin_phi_1 * phi_1_dot * self.k_3 + self.l * sin_phi_2 * phi_2_dot
+            + (S::from_f64(2.0) * P2_y_dot + w_43) + (S::from_f64(2.0) * P3_y_dot + w_44)
+            + (S::from_f64(2.0) * (P3_y_dot + w_44) + self.l * sin_phi_5 * phi_5_dot);
+        sim_kernel::Dynamics {
+            accelerations: [
+                phi_1_ddot,
+                phi_2_ddot,
+                phi_3_ddot,
+                phi_4_ddot,
+                -(minus_rhs_phi_5 * self.inverse_phi_5
+                    + l_P4_x_phi_5
+                        * (w_4 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
+                    + l_P4_y_phi_5 * (P4_y_convective + u4_x * phi_4_ddot + P3_y_ddot)),
+            ],
+            multipliers: [],
+            power: -(self.k_7 * w_45 + sin_phi_1 * phi_1_dot * self.k_5),
+            refused: sim_kernel::pivot_is_refused(
+                self.mass_phi_2_phi_2,
+                self.abs_mass_phi_2_phi_2,
+            )
+                | sim_kernel::pivot_is_refused(
+                    pivot_phi_4,
+                    self.abs_mass_phi_2_phi_2 + w_9.abs() + abs_w_11 + abs_w_11
+                        + w_13.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_phi_3,
+                    self.abs_mass_phi_2_phi_2 + w_18.abs() + abs_w_20 + abs_w_20
+                        + w_22.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_phi_1,
+                    self.abs_mass_phi_1_phi_1 + w_27.abs() + abs_w_31 + abs_w_31
+                        + w_33.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_phi_2,
+                    self.abs_mass_phi_2_phi_2 + w_29.abs() + abs_w_32 + abs_w_32
+                        + w_35.abs() + w_36.abs(),
+                ),
+        }
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
+    type Q = [S; 5];
+    type L = [S; 0];
+    type Z = [S; 5];
+    type QQ = [[S; 5]; 5];
+    type LQ = [[S; 5]; 0];
+    type LL = [[S; 0]; 0];
+    type ZZ = [[S; 5]; 5];
+    type Parameters = [S; 3];
+    type Outputs = [S; 2];
+    type OutputRates = [S; 2];
+    type Events = [S; 0];
+    type Drawing = [S; 14];
+    type QP = [[S; 3]; 5];
+    type LP = [[S; 3]; 0];
+    type Prepared = ChainPrepared<S>;
+    type On<T: sim_kernel::Scalar> = Chain<T>;
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "chain",
+        type_name: "Chain",
+        docs: "Five uniform rods, each hanging on the one before, by their angles from the vertical.",
+        declaration: "/// Five uniform rods, each hanging on the one before, by their angles from the vertical.\npub Chain;\n\ncoordinates { phi_1 [rad]; phi_2 [rad]; phi_3 [rad]; phi_4 [rad]; phi_5 [rad]; }\n\nparameters {\n    /// Mass of a rod.\n    m [kg] = 1;\n    /// Length of a rod.\n    l [m] = 0.5;\n    /// Acceleration of free fall.\n    g [m/s^2] = 9.81;\n}\n\nlet J = m*l^2/12;\nlet u1 = l*[sin(phi_1), -cos(phi_1)];\nlet u2 = l*[sin(phi_2), -cos(phi_2)];\nlet u3 = l*[sin(phi_3), -cos(phi_3)];\nlet u4 = l*[sin(phi_4), -cos(phi_4)];\nlet u5 = l*[sin(phi_5), -cos(phi_5)];\nlet P1 = u1;\nlet P2 = P1 + u2;\nlet P3 = P2 + u3;\nlet P4 = P3 + u4;\nlet P5 = P4 + u5;\n\nbodies {\n    rod1: mass m at u1/2, inertia J, angle phi_1;\n    rod2: mass m at P1 + u2/2, inertia J, angle phi_2;\n    rod3: mass m at P2 + u3/2, inertia J, angle phi_3;\n    rod4: mass m at P3 + u4/2, inertia J, angle phi_4;\n    rod5: mass m at P4 + u5/2, inertia J, angle phi_5;\n}\n\nloads { gravity [0, -g]; }\ninitial { phi_1 = 1; phi_2 = 1; phi_3 = 1; phi_4 = 1; phi_5 = 1; }\noutputs {\n    /// End of the chain.\n    tip_x [m] = P5.x;\n    tip_y [m] = P5.y;\n}\ndrawing { ground [0, 0]; line [0, 0], P1, P2, P3, P4, P5; }\n",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi_1",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_1_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_1_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi_2",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_2_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_2_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi_3",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_3_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_3_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi_4",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_4_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_4_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi_5",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_5_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_5_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+        ],
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of a rod.",
+            },
+            sim_kernel::Quantity {
+                name: "l",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of a rod.",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                docs: "Acceleration of free fall.",
+            },
+        ],
+        constraints: &[],
+        events: &[],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "tip_x",
+                unit: "m",
+                factor: 1f64,
+                docs: "End of the chain.",
+            },
+            sim_kernel::Quantity {
+                name: "tip_y",
+                unit: "m",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        rated_outputs: &[0, 1],
+        figures: &[
+            sim_kernel::Figure {
+                name: "tip_x",
+                title: "End of the chain",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "tip_y",
+                title: "tip y",
+                len: 1,
+            },
+        ],
+        drawing: &[sim_kernel::Shape::Ground(1), sim_kernel::Shape::Line(6)],
+    };
+    fn defaults() -> Self {
+        Self {
+            m: S::from_f64(1f64),
+            l: S::from_f64(0.5f64),
+            g: S::from_f64(9.81f64),
+        }
+    }
+    fn parameters(&self) -> [S; 3] {
+        [self.m, self.l, self.g]
+    }
+    fn with_parameters(parameters: [S; 3]) -> Self {
+        Self {
+            m: parameters[0],
+            l: parameters[1],
+            g: parameters[2],
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> Chain<T> {
+        Chain {
+            m: convert(self.m),
+            l: convert(self.l),
+            g: convert(self.g),
+        }
+    }
+    #[inline(always)]
+    fn prepare(&self) -> ChainPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 0]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 0] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 5],
+    ) -> sim_kernel::ConstraintLinearization<[S; 0], [[S; 5]; 0]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 5], qd: &[S; 5], qdd: &[S; 5], lambda: &[S; 0]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 0],
+    ) -> [S; 2] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 5], qd: &[S; 5], qdd: &[S; 5]) -> [S; 2] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
+        self.events(t, q, qd)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 5]) -> [S; 14] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 5]> {
+        self.initial()
+    }
+}

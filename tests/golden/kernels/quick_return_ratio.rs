@@ -1,0 +1,2096 @@
+/// Quick-return mechanism whose slot closes by a ratio of lengths, so that its multiplier is an energy.
+/// Crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.
+///
+/// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// [
+///     mass_matrix, transpose(constraint_jacobian);
+///     constraint_jacobian, 0
+/// ] * [accelerations; multipliers] = [
+///     generalized_forces - convective_forces;
+///     -constraint_convective
+/// ]
+/// coordinates = [alpha; beta; gamma]
+/// multipliers = [lambda_guide; lambda_slot]
+/// constraints = 0
+/// [
+///     J2 + O2A^2*m3, 0, 0, 0, constraint_jacobian[2, 1];
+///     0, mass_matrix[2, 2], mass_matrix[2, 3], B_x, constraint_jacobian[2, 2];
+///     0, mass_matrix[2, 3], mass_matrix[3, 3], BC*cos(gamma), 0;
+///     0, B_x, BC*cos(gamma), 0, 0;
+///     constraint_jacobian[2, 1], constraint_jacobian[2, 2], 0, 0, 0
+/// ] * [
+///     alpha_ddot;
+///     beta_ddot;
+///     gamma_ddot;
+///     lambda_guide;
+///     lambda_slot
+/// ] = [
+///     T;
+///     -O4B*F*sin(beta) - convective_forces[2];
+///     -BC*F*sin(gamma) - convective_forces[3];
+///     -constraint_convective[1];
+///     s_5*beta_dot - s_6*alpha_dot
+/// ]
+///
+/// mass_matrix = [
+///     J2 + O2A^2*m3, 0, 0;
+///     0, mass_matrix[2, 2], mass_matrix[2, 3];
+///     0, mass_matrix[2, 3], mass_matrix[3, 3]
+/// ]
+/// mass_matrix[2, 2] = J3 + J4 + O4G4^2*m4 + O4B^2*m5 + O4B^2*m6
+/// mass_matrix[2, 3] = O4B*BG5*m5*sin(beta)*sin(gamma) + O4B*BG5*m5*cos(beta)*cos(gamma)
+///     + O4B*BC*m6*sin(beta)*sin(gamma) + O4B*BC*m6*cos(beta)*cos(gamma)
+/// mass_matrix[3, 3] = J5 + BG5^2*m5 + BC^2*m6
+///
+/// convective_forces = [0; convective_forces[2]; convective_forces[3]]
+/// convective_forces[2] = O4B*m5*s_1*sin(beta) + O4B*m6*s_3*sin(beta) - O4B*m5*s_2*cos(beta)
+///     - O4B*m6*s_4*cos(beta)
+/// convective_forces[3] = BG5*m5*s_1*sin(gamma) + BC*m6*s_3*sin(gamma) - BG5*m5*s_2*cos(gamma)
+///     - BC*m6*s_4*cos(gamma)
+///
+/// generalized_forces = [T; -O4B*F*sin(beta); -BC*F*sin(gamma)]
+///
+/// constraints = [
+///     B_y - yc + BC*sin(gamma);
+///     O2A*cos(alpha)/A_y - O4G4*cos(beta)/(O4G4*sin(beta))
+/// ]
+///
+/// constraint_jacobian = [
+///     0, B_x, BC*cos(gamma);
+///     constraint_jacobian[2, 1], constraint_jacobian[2, 2], 0
+/// ]
+/// constraint_jacobian[2, 1] = -O2A^2*cos(alpha)^2/A_y^2 - O2A*sin(alpha)/A_y
+/// constraint_jacobian[2, 2] = O4G4*cos(beta)^2/(O4G4*sin(beta)^2) + O4G4*sin(beta)/(O4G4*sin(beta))
+///
+/// constraint_convective = [
+///     constraint_convective[1];
+///     s_6*alpha_dot - s_5*beta_dot
+/// ]
+/// constraint_convective[1] = -O4B*beta_dot^2*sin(beta) - BC*gamma_dot^2*sin(gamma)
+///
+/// A_y = O4O2 + O2A*sin(alpha)
+/// B_x = O4B*cos(beta)
+/// B_y = O4B*sin(beta)
+/// s_1 = O4B*beta_dot^2*cos(beta) + BG5*gamma_dot^2*cos(gamma)
+/// s_2 = O4B*beta_dot^2*sin(beta) + BG5*gamma_dot^2*sin(gamma)
+/// s_3 = O4B*beta_dot^2*cos(beta) + BC*gamma_dot^2*cos(gamma)
+/// s_4 = O4B*beta_dot^2*sin(beta) + BC*gamma_dot^2*sin(gamma)
+/// s_5 = 2*O4G4*beta_dot*cos(beta)^3/(O4G4*sin(beta)^3)
+///     + 3*O4G4*beta_dot*cos(beta)*sin(beta)/(O4G4*sin(beta)^2)
+///     - O4G4*beta_dot*cos(beta)/(O4G4*sin(beta))
+/// s_6 = 2*O2A^3*alpha_dot*cos(alpha)^3/A_y^3 + 3*O2A^2*alpha_dot*cos(alpha)*sin(alpha)/A_y^2
+///     - O2A*alpha_dot*cos(alpha)/A_y
+/// ```
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnRatio<S = ::core::primitive::f64> {
+    /// Length of crank 2, in `m`.
+    pub O2A: S,
+    /// Length of rocker 4, in `m`.
+    pub O4B: S,
+    /// Length of bar 5, in `m`.
+    pub BC: S,
+    /// Distance of the fixed pivots, in `m`.
+    pub O4O2: S,
+    /// Centre of mass of rocker 4, in `m`.
+    pub O4G4: S,
+    /// Centre of mass of bar 5, in `m`.
+    pub BG5: S,
+    /// Height of the guide, in `m`.
+    pub yc: S,
+    /// Mass of slider 3, in `kg`.
+    pub m3: S,
+    /// Mass of rocker 4, in `kg`.
+    pub m4: S,
+    /// Mass of bar 5, in `kg`.
+    pub m5: S,
+    /// Mass of slider 6, in `kg`.
+    pub m6: S,
+    /// Inertia of crank 2 with its flywheel, about O2, in `kg*m^2`.
+    pub J2: S,
+    /// Inertia of slider 3, in `kg*m^2`.
+    pub J3: S,
+    /// Inertia of rocker 4, in `kg*m^2`.
+    pub J4: S,
+    /// Inertia of bar 5, in `kg*m^2`.
+    pub J5: S,
+    /// Force on slider 6, along +x, in `N`.
+    pub F: S,
+    /// Torque on crank 2, in `N*m`.
+    pub T: S,
+}
+impl<S: sim_kernel::Scalar> ::core::default::Default for QuickReturnRatio<S> {
+    /// The declared values.
+    fn default() -> Self {
+        <Self as sim_kernel::Mechanism<S>>::defaults()
+    }
+}
+/// Coordinates of [`QuickReturnRatio`] by name, in SI units; also for their speeds and accelerations.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnRatioCoordinates<S = ::core::primitive::f64> {
+    /// Angle of crank 2, in `rad`.
+    pub alpha: S,
+    /// Angle of rocker 4, and of slider 3 on it, in `rad`.
+    pub beta: S,
+    /// Angle of bar 5, in `rad`.
+    pub gamma: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 3]>
+for QuickReturnRatioCoordinates<S> {
+    fn from(values: [S; 3]) -> Self {
+        Self {
+            alpha: values[0],
+            beta: values[1],
+            gamma: values[2],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnRatioCoordinates<S>>
+for [S; 3] {
+    fn from(record: QuickReturnRatioCoordinates<S>) -> Self {
+        [record.alpha, record.beta, record.gamma]
+    }
+}
+/// Outputs of [`QuickReturnRatio`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnRatioOutputs<S = ::core::primitive::f64> {
+    /// crank 2, in `rad/s`.
+    pub crank_speed: S,
+    /// rocker 4, in `rad/s`.
+    pub rocker_speed: S,
+    /// bar 5, in `rad/s`.
+    pub bar_speed: S,
+    /// sliding speed, d|O4 A|/dt, in `m/s`.
+    pub sliding_speed: S,
+    /// the report's |v_A| - |v_G4|, in `m/s`.
+    pub speed_difference: S,
+    /// position, in `m`.
+    pub x6: S,
+    /// velocity, in `m/s`.
+    pub x6_velocity: S,
+    /// acceleration, in `m/s^2`.
+    pub x6_acceleration: S,
+    /// slider 3 on rocker 4, in `N`.
+    pub normal_force_slider3: S,
+    /// slider 6 on the ground, in `N`.
+    pub normal_force_slider6: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 10]>
+for QuickReturnRatioOutputs<S> {
+    fn from(values: [S; 10]) -> Self {
+        Self {
+            crank_speed: values[0],
+            rocker_speed: values[1],
+            bar_speed: values[2],
+            sliding_speed: values[3],
+            speed_difference: values[4],
+            x6: values[5],
+            x6_velocity: values[6],
+            x6_acceleration: values[7],
+            normal_force_slider3: values[8],
+            normal_force_slider6: values[9],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnRatioOutputs<S>>
+for [S; 10] {
+    fn from(record: QuickReturnRatioOutputs<S>) -> Self {
+        [
+            record.crank_speed,
+            record.rocker_speed,
+            record.bar_speed,
+            record.sliding_speed,
+            record.speed_difference,
+            record.x6,
+            record.x6_velocity,
+            record.x6_acceleration,
+            record.normal_force_slider3,
+            record.normal_force_slider6,
+        ]
+    }
+}
+/// Rates of the outputs of [`QuickReturnRatio`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnRatioOutputRates<S = ::core::primitive::f64> {
+    /// Rate of `crank_speed`.
+    pub crank_speed: S,
+    /// Rate of `rocker_speed`.
+    pub rocker_speed: S,
+    /// Rate of `bar_speed`.
+    pub bar_speed: S,
+    /// Rate of `sliding_speed`.
+    pub sliding_speed: S,
+    /// Rate of `speed_difference`.
+    pub speed_difference: S,
+    /// Rate of `x6`.
+    pub x6: S,
+    /// Rate of `x6_velocity`.
+    pub x6_velocity: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 7]>
+for QuickReturnRatioOutputRates<S> {
+    fn from(values: [S; 7]) -> Self {
+        Self {
+            crank_speed: values[0],
+            rocker_speed: values[1],
+            bar_speed: values[2],
+            sliding_speed: values[3],
+            speed_difference: values[4],
+            x6: values[5],
+            x6_velocity: values[6],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnRatioOutputRates<S>>
+for [S; 7] {
+    fn from(record: QuickReturnRatioOutputRates<S>) -> Self {
+        [
+            record.crank_speed,
+            record.rocker_speed,
+            record.bar_speed,
+            record.sliding_speed,
+            record.speed_difference,
+            record.x6,
+            record.x6_velocity,
+        ]
+    }
+}
+/// What the equations of motion need of the parameters of [`QuickReturnRatio`], from [`QuickReturnRatio::prepare`]; its methods are the kernels of each step.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
+    O2A: S,
+    O2A_squared: S,
+    mass_alpha_alpha: S,
+    O4G4: S,
+    O4G4_squared: S,
+    O4B: S,
+    O4B_squared: S,
+    m5: S,
+    m6: S,
+    mass_beta_beta: S,
+    BG5: S,
+    BC: S,
+    k: S,
+    BG5_squared: S,
+    BC_squared: S,
+    mass_gamma_gamma: S,
+    O4O2: S,
+    inverse_O4G4: S,
+    T: S,
+    F: S,
+    k_2: S,
+    k_3: S,
+    k_4: S,
+    k_5: S,
+    k_6: S,
+    k_7: S,
+    k_8: S,
+    k_9: S,
+    k_10: S,
+    k_11: S,
+    abs_mass_alpha_alpha: S,
+    inverse_alpha: S,
+    abs_mass_gamma_gamma: S,
+    inverse_gamma: S,
+    abs_mass_beta_beta: S,
+    k_12: S,
+    k_13: S,
+    k_14: S,
+    k_15: S,
+    k_16: S,
+    k_17: S,
+    k_18: S,
+    k_19: S,
+    k_20: S,
+    k_21: S,
+    k_22: S,
+    k_23: S,
+    k_24: S,
+    k_25: S,
+    k_26: S,
+    k_27: S,
+    k_28: S,
+    k_29: S,
+    k_30: S,
+    k_31: S,
+    k_32: S,
+    k_33: S,
+    k_34: S,
+    k_35: S,
+    k_36: S,
+    k_37: S,
+    k_38: S,
+    k_39: S,
+    k_40: S,
+    k_41: S,
+    k_42: S,
+    k_43: S,
+    k_44: S,
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
+    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    ///
+    /// Operations: 20 additions, 62 multiplications, 8 divisions.
+    #[inline]
+    pub fn prepare(&self) -> QuickReturnRatioPrepared<S> {
+        let O2A_squared = self.O2A * self.O2A;
+        let mass_alpha_alpha = self.J2 + O2A_squared * self.m3;
+        let O4G4_squared = self.O4G4 * self.O4G4;
+        let O4B_squared = self.O4B * self.O4B;
+        let w = O4B_squared * self.m5;
+        let w_2 = O4B_squared * self.m6;
+        let mass_beta_beta = self.J3 + self.J4 + O4G4_squared * self.m4 + w + w_2;
+        let BG5_squared = self.BG5 * self.BG5;
+        let BC_squared = self.BC * self.BC;
+        let w_3 = self.m5 * BG5_squared;
+        let w_4 = self.m6 * BC_squared;
+        let mass_gamma_gamma = self.J5 + w_3 + w_4;
+        let inverse_O4G4 = S::from_f64(1.0) / self.O4G4;
+        let w_5 = self.O4B * self.m5;
+        let w_6 = self.O4B * self.m6;
+        let w_7 = self.m5 * self.BG5;
+        let w_8 = self.m6 * self.BC;
+        let w_9 = self.O4G4 * S::from_f64(2.0);
+        let w_10 = self.O4G4 * S::from_f64(3.0);
+        let w_11 = self.O2A * O2A_squared;
+        let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
+        let w_12 = self.O4G4 / O4G4_squared;
+        QuickReturnRatioPrepared {
+            O2A: self.O2A,
+            O2A_squared: O2A_squared,
+            mass_alpha_alpha: mass_alpha_alpha,
+            O4G4: self.O4G4,
+            O4G4_squared: O4G4_squared,
+            O4B: self.O4B,
+            O4B_squared: O4B_squared,
+            m5: self.m5,
+            m6: self.m6,
+            mass_beta_beta: mass_beta_beta,
+            BG5: self.BG5,
+            BC: self.BC,
+            k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
+            BG5_squared: BG5_squared,
+            BC_squared: BC_squared,
+            mass_gamma_gamma: mass_gamma_gamma,
+            O4O2: self.O4O2,
+            inverse_O4G4: inverse_O4G4,
+            T: self.T,
+            F: self.F,
+            k_2: w_5,
+            k_3: w_6,
+            k_4: self.O4B * self.F,
+            k_5: w_7,
+            k_6: w_8,
+            k_7: self.BC * self.F,
+            k_8: w_9,
+            k_9: w_10,
+            k_10: S::from_f64(2.0) * w_11,
+            k_11: O2A_squared * S::from_f64(3.0),
+            abs_mass_alpha_alpha: mass_alpha_alpha.abs(),
+            inverse_alpha: inverse_mass_alpha_alpha,
+            abs_mass_gamma_gamma: mass_gamma_gamma.abs(),
+            inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
+            abs_mass_beta_beta: mass_beta_beta.abs(),
+            k_12: self.T * inverse_mass_alpha_alpha,
+            k_13: S::from_f64(6.0) * O2A_squared * O2A_squared,
+            k_14: w_11 * S::from_f64(12.0),
+            k_15: O2A_squared * S::from_f64(7.0),
+            k_16: O2A_squared * S::from_f64(4.0),
+            k_17: w + w_2,
+            k_18: self.O4G4 * S::from_f64(6.0),
+            k_19: self.O4G4 * S::from_f64(12.0),
+            k_20: self.O4G4 * S::from_f64(7.0),
+            k_21: self.O4G4 * S::from_f64(4.0),
+            k_22: w_3 + w_4,
+            k_23: self.O4B * self.m5 * self.BG5 * S::from_f64(2.0)
+                + self.O4B * self.m6 * self.BC * S::from_f64(2.0),
+            k_24: self.O4B * S::from_f64(2.0),
+            k_25: self.BC * S::from_f64(2.0),
+            k_26: O2A_squared * S::from_f64(2.0),
+            k_27: self.O2A * S::from_f64(3.0),
+            k_28: self.O2A * S::from_f64(2.0),
+            k_29: self.O2A * self.m3 * S::from_f64(2.0),
+            k_30: w_11 * S::from_f64(6.0),
+            k_31: self.O2A * S::from_f64(7.0),
+            k_32: O2A_squared * S::from_f64(12.0),
+            k_33: O2A_squared * S::from_f64(6.0),
+            k_34: w_7 + w_8,
+            k_35: S::from_f64(2.0) * (w_5 + w_6),
+            k_36: self.m6 * self.BC * S::from_f64(2.0),
+            k_37: inverse_O4G4 - w_12,
+            k_38: self.O4G4 * self.m4 * S::from_f64(2.0),
+            k_39: S::from_f64(3.0) / self.O4G4 - w_10 / O4G4_squared,
+            k_40: w_12 - inverse_O4G4,
+            k_41: S::from_f64(2.0) / self.O4G4 - w_9 / O4G4_squared,
+            k_42: self.m5 * self.BG5 * S::from_f64(2.0),
+            k_43: self.O4B * self.BG5,
+            k_44: self.O4B * self.BC,
+        }
+    }
+    /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
+    ///
+    /// Operations: 9 additions, 18 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        let [_, beta, gamma] = *q;
+        let O4B_squared = self.O4B * self.O4B;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let mass_gamma_beta = (self.O4B * self.m5 * self.BG5
+            + self.O4B * self.m6 * self.BC)
+            * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        [
+            [
+                self.J2 + self.O2A * self.O2A * self.m3,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4
+                    + O4B_squared * self.m5 + O4B_squared * self.m6,
+                mass_gamma_beta,
+            ],
+            [
+                S::from_f64(0.0),
+                mass_gamma_beta,
+                self.J5 + self.m5 * self.BG5 * self.BG5 + self.m6 * self.BC * self.BC,
+            ],
+        ]
+    }
+    /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
+    ///
+    /// Operations: 3 additions, 12 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        let [_, beta, gamma] = *q;
+        let [_, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
+        let w_2 = sin_beta * cos_gamma;
+        let w_3 = sin_gamma * cos_beta;
+        [
+            S::from_f64(0.0),
+            w * gamma_dot * gamma_dot * (w_2 - w_3),
+            w * beta_dot * beta_dot * (w_3 - w_2),
+        ]
+    }
+    /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
+    ///
+    /// Operations: 2 additions, 4 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        let [_, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
+        [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.BC * self.F)]
+    }
+    /// Constraints `C`, 2, in SI units; zero throughout the motion.
+    ///
+    /// Operations: 4 additions, 6 multiplications, 2 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        [
+            self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
+            self.O2A * cos_alpha / (self.O4O2 + self.O2A * sin_alpha)
+                - self.O4G4 * cos_beta / (sin_beta * self.O4G4),
+        ]
+    }
+    /// The sum of the magnitudes of the terms of `C`, 2, in SI units: what its rounding is relative to.
+    ///
+    /// Operations: 9 additions, 6 multiplications, 2 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        [
+            self.yc.abs() + (self.O4B * sin_beta).abs() + (self.BC * sin_gamma).abs(),
+            (self.O2A * cos_alpha / (self.O4O2 + self.O2A * sin_alpha)).abs()
+                + (self.O4G4 * cos_beta / (sin_beta * self.O4G4)).abs(),
+        ]
+    }
+    /// Constraint Jacobian `C_q`, 2 x 3: units of each constraint per unit of each coordinate.
+    ///
+    /// Operations: 4 additions, 11 multiplications, 5 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, _, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w;
+        [
+            [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
+            [
+                -(self.O2A * self.O2A * cos_alpha * cos_alpha / (A_y * A_y) + w / A_y),
+                self.O4G4
+                    * (cos_beta * cos_beta / (sin_beta * sin_beta) + sin_beta / sin_beta)
+                    * (S::from_f64(1.0) / self.O4G4),
+                S::from_f64(0.0),
+            ],
+        ]
+    }
+    /// `C_t`, 2, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        [S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
+    ///
+    /// Operations: 8 additions, 32 multiplications, 7 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let O2A_squared = self.O2A * self.O2A;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let A_y_squared = A_y * A_y;
+        let sin_beta_squared = sin_beta * sin_beta;
+        let w = S::from_f64(1.0) / self.O4G4
+            * (cos_beta
+                * (sin_beta * self.O4G4 * S::from_f64(3.0) / sin_beta_squared
+                    - self.O4G4 / sin_beta)
+                + cos_beta * cos_beta * cos_beta * self.O4G4 * S::from_f64(2.0)
+                    / (sin_beta * sin_beta_squared));
+        let w_2 = alpha_dot
+            * (cos_alpha
+                * (sin_alpha * O2A_squared * S::from_f64(3.0) / A_y_squared
+                    - self.O2A / A_y)
+                + cos_alpha * cos_alpha * cos_alpha * S::from_f64(2.0) * self.O2A
+                    * O2A_squared / (A_y * A_y_squared));
+        [
+            -(self.O4B * sin_beta * beta_dot * beta_dot
+                + sin_gamma * self.BC * gamma_dot * gamma_dot),
+            alpha_dot * w_2 - beta_dot * beta_dot * w,
+        ]
+    }
+    /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
+    ///
+    /// Operations: 7 additions, 16 multiplications, 7 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w;
+        sim_kernel::ConstraintLinearization {
+            values: [
+                self.O4B * sin_beta - self.yc + sin_gamma * self.BC,
+                self.O2A * cos_alpha / A_y
+                    - self.O4G4 * cos_beta / (self.O4G4 * sin_beta),
+            ],
+            jacobian: [
+                [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
+                [
+                    -(self.O2A * self.O2A * cos_alpha * cos_alpha / (A_y * A_y)
+                        + w / A_y),
+                    self.O4G4
+                        * (cos_beta * cos_beta / (sin_beta * sin_beta)
+                            + sin_beta / sin_beta) * (S::from_f64(1.0) / self.O4G4),
+                    S::from_f64(0.0),
+                ],
+            ],
+            time_derivative: [S::from_f64(0.0), S::from_f64(0.0)],
+        }
+    }
+    /// Kinetic energy `v' M v / 2`, in joules.
+    ///
+    /// Operations: 13 additions, 36 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        let [_, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma], [cos_beta, cos_gamma]) = S::sin_cos_each([
+            beta,
+            gamma,
+        ]);
+        let w = beta_dot * self.O4B * sin_beta;
+        let w_2 = w + gamma_dot * self.BG5 * sin_gamma;
+        let w_3 = beta_dot * self.O4B * cos_beta;
+        let w_4 = w_3 + gamma_dot * self.BG5 * cos_gamma;
+        let w_5 = w + gamma_dot * sin_gamma * self.BC;
+        let w_6 = w_3 + gamma_dot * cos_gamma * self.BC;
+        let w_7 = alpha_dot * alpha_dot
+            * (S::from_f64(0.5) * self.J2
+                + S::from_f64(0.5) * self.O2A * self.O2A * self.m3);
+        let w_8 = beta_dot * beta_dot
+            * (S::from_f64(0.5) * self.J3 + S::from_f64(0.5) * self.J4
+                + S::from_f64(0.5) * self.O4G4 * self.O4G4 * self.m4);
+        S::from_f64(0.5) * self.m5 * (w_2 * w_2 + w_4 * w_4)
+            + S::from_f64(0.5) * self.m6 * (w_5 * w_5 + w_6 * w_6) + w_7 + w_8
+            + gamma_dot * gamma_dot * S::from_f64(0.5) * self.J5
+    }
+    /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
+    ///
+    /// Operations: 2 additions, 6 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn power(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> S {
+        let [_, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
+        alpha_dot * self.T
+            - self.F * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma)
+    }
+    /// Outputs, 10, in SI units.
+    ///
+    /// Operations: 13 additions, 29 multiplications, 2 divisions, 3 sine-cosine pairs, 3 square roots.
+    #[inline]
+    pub fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> QuickReturnRatioOutputs<S> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let [_, beta_ddot, gamma_ddot] = *qdd;
+        let [lambda_guide, lambda_slot] = *lambda;
+        let O2A_squared = self.O2A * self.O2A;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let A_y_squared = A_y * A_y;
+        let w = O2A_squared * cos_alpha * cos_alpha + A_y_squared;
+        let sqrt_w = w.sqrt();
+        let beta_dot_squared = beta_dot * beta_dot;
+        [
+            alpha_dot,
+            beta_dot,
+            gamma_dot,
+            -(sqrt_w * alpha_dot * cos_alpha * (O2A_squared * sin_alpha - self.O2A * A_y)
+                / w),
+            (O2A_squared * alpha_dot * alpha_dot).sqrt()
+                - (beta_dot_squared * self.O4G4 * self.O4G4).sqrt(),
+            self.O4B * cos_beta + self.BC * cos_gamma,
+            -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
+            -(self.O4B * (sin_beta * beta_ddot + beta_dot_squared * cos_beta)
+                + self.BC
+                    * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot * gamma_dot)),
+            -(sqrt_w * lambda_slot / A_y_squared),
+            lambda_guide,
+        ]
+            .into()
+    }
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
+    ///
+    /// Operations: 14 additions, 43 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    #[inline]
+    pub fn output_rates(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+    ) -> QuickReturnRatioOutputRates<S> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let [alpha_ddot, beta_ddot, gamma_ddot] = *qdd;
+        let O2A_squared = self.O2A * self.O2A;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let w_2 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
+        let alpha_dot_squared = alpha_dot * alpha_dot;
+        let w_3 = (O2A_squared
+            * (alpha_dot_squared * sin_alpha * sin_alpha
+                - alpha_ddot * cos_alpha * sin_alpha)
+            + self.O2A * A_y * (alpha_ddot * cos_alpha - sin_alpha * alpha_dot_squared))
+            / w;
+        let w_4 = O2A_squared * alpha_dot_squared;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let O4G4_squared = self.O4G4 * self.O4G4;
+        let w_5 = beta_dot_squared * O4G4_squared;
+        [
+            alpha_ddot,
+            beta_ddot,
+            gamma_ddot,
+            w.sqrt() * (w_3 - w_2 * w_2 / (w * w)),
+            alpha_ddot * O2A_squared * alpha_dot * w_4.sqrt() / w_4
+                - beta_ddot * beta_dot * O4G4_squared * w_5.sqrt() / w_5,
+            -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
+            -(self.O4B * (beta_ddot * sin_beta + beta_dot_squared * cos_beta)
+                + self.BC * (gamma_ddot * sin_gamma + gamma_dot * gamma_dot * cos_gamma)),
+        ]
+            .into()
+    }
+    /// `left - right` of each event, 1, in SI units: zero when it happens.
+    ///
+    /// Operations: 1 addition, 1 multiplication.
+    #[inline]
+    pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+        let [alpha, _, _] = *q;
+        [alpha - S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)]
+    }
+    /// The numbers of each shape of the drawing, in metres and radians.
+    ///
+    /// Operations: 5 additions, 10 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
+        let [alpha, beta, gamma] = *q;
+        let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
+            alpha,
+            beta,
+            gamma,
+        ]);
+        let A_x = self.O2A * cos_alpha;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let B_x = self.O4B * cos_beta;
+        let B_y = self.O4B * sin_beta;
+        let C_x = B_x + self.BC * cos_gamma;
+        let C_y = B_y + self.BC * sin_gamma;
+        [
+            S::from_f64(0.0),
+            self.O4O2,
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            self.O4O2,
+            A_x,
+            A_y,
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            B_x,
+            B_y,
+            C_x,
+            C_y,
+            A_x,
+            A_y,
+            beta,
+            C_x,
+            C_y,
+            S::from_f64(0.0),
+            cos_beta * self.O4G4,
+            sin_beta * self.O4G4,
+            B_x + cos_gamma * self.BG5,
+            B_y + sin_gamma * self.BG5,
+        ]
+    }
+    /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
+    ///
+    /// Operations: 1 multiplication.
+    #[inline]
+    pub fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        sim_kernel::Initial {
+            positions: [S::from_f64(0.0), S::from_f64(1.0), S::from_f64(2.6)],
+            speeds: [
+                S::from_f64(2.5) * S::from_f64(::core::f64::consts::PI),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+        }
+    }
+    /// [`QuickReturnRatioPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        self.prepare().dynamics(t, q, qd)
+    }
+    /// [`QuickReturnRatioPrepared::dynamics_jacobian`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    /// [`QuickReturnRatioPrepared::dynamics_sensitivity`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics_sensitivity(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
+        self.prepare().dynamics_sensitivity(t, q, qd)
+    }
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
+    /// Accelerations (3), multipliers (2) and power, from
+    ///
+    /// ```text
+    /// [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]
+    /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
+    /// ```
+    ///
+    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    ///
+    /// Operations: 45 additions, 82 multiplications, 13 divisions, 3 sine-cosine pairs.
+    #[inline(always)]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let guide_by_gamma = cos_gamma * self.BC;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w / A_y;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let sin_beta_squared = sin_beta * sin_beta;
+        let slot_by_beta = self.O4G4
+            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
+            * self.inverse_O4G4;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
+        let w_2 = beta_dot * beta_dot * self.inverse_O4G4
+            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
+                + cos_beta * cos_beta_squared * self.k_8
+                    / (sin_beta * sin_beta_squared));
+        let w_3 = alpha_dot * alpha_dot
+            * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
+                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_2;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_4 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let w_5 = mass_gamma_beta * l_beta_gamma;
+        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let w_6 = guide_by_gamma * l_lambda_guide_gamma;
+        let pivot_beta = self.mass_beta_beta - w_5;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_7 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
+        let w_8 = slot_by_beta * l_lambda_slot_beta;
+        let minus_pivot_lambda_guide = w_6 + w_7;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
+        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
+            * minus_inverse_lambda_guide;
+        let w_9 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
+        let pivot_lambda_slot = w_9 - w_4 - w_8;
+        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
+            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
+            - rhs_gamma * l_beta_gamma;
+        let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
+            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
+            * (self.T * minus_l_lambda_slot_alpha - w_3 - l_lambda_slot_beta * rhs_beta
+                - l_lambda_slot_lambda_guide * rhs_lambda_guide);
+        let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
+            + l_lambda_slot_lambda_guide * lambda_slot;
+        let beta_ddot = inverse_beta * rhs_beta
+            + l_lambda_guide_beta * minus_lambda_guide
+            - l_lambda_slot_beta * lambda_slot;
+        sim_kernel::Dynamics {
+            accelerations: [
+                self.k_12 + minus_l_lambda_slot_alpha * lambda_slot,
+                beta_ddot,
+                rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
+                    + l_lambda_guide_gamma * minus_lambda_guide,
+            ],
+            multipliers: [-minus_lambda_guide, lambda_slot],
+            power: self.T * alpha_dot
+                - self.F
+                    * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
+            refused: sim_kernel::pivot_is_refused(
+                self.mass_alpha_alpha,
+                self.abs_mass_alpha_alpha,
+            )
+                | sim_kernel::pivot_is_refused(
+                    self.mass_gamma_gamma,
+                    self.abs_mass_gamma_gamma,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_beta,
+                    self.abs_mass_beta_beta + w_5.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_guide,
+                    w_6.abs() + w_7.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_lambda_slot,
+                    w_4.abs() + w_8.abs() + w_9.abs(),
+                ),
+        }
+    }
+    /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
+    ///
+    /// Operations: 133 additions, 223 multiplications, 19 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
+        let mass_gamma_beta = self.k * w;
+        let guide_by_gamma = cos_gamma * self.BC;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_2 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_2;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_2 / A_y;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let sin_beta_squared = sin_beta * sin_beta;
+        let slot_by_beta = self.O4G4
+            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
+            * self.inverse_O4G4;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_3 = self.O4B * cos_beta * beta_dot_squared;
+        let w_4 = w_3 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_5 = w_3 + cos_gamma * self.BC * gamma_dot_squared;
+        let w_6 = self.O4B * sin_beta * beta_dot_squared;
+        let w_7 = w_6 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_8 = w_6 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
+        let w_9 = sin_beta * sin_beta_squared;
+        let w_10 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_11 = self.O4G4 / sin_beta;
+        let w_12 = cos_beta * cos_beta_squared * self.k_8 / w_9;
+        let w_13 = self.inverse_O4G4 * (cos_beta * (w_10 - w_11) + w_12);
+        let w_14 = A_y * A_y_squared;
+        let w_15 = sin_alpha * self.k_11 / A_y_squared;
+        let w_16 = self.O2A / A_y;
+        let w_17 = cos_alpha * cos_alpha_squared * self.k_10 / w_14;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_18 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let w_19 = mass_gamma_beta * l_beta_gamma;
+        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let w_20 = guide_by_gamma * l_lambda_guide_gamma;
+        let pivot_beta = self.mass_beta_beta - w_19;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_21 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
+        let w_22 = slot_by_beta * l_lambda_slot_beta;
+        let minus_pivot_lambda_guide = w_20 + w_21;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
+        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
+            * minus_inverse_lambda_guide;
+        let w_23 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
+        let pivot_lambda_slot = w_23 - w_18 - w_22;
+        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
+        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
+            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
+            - rhs_gamma * l_beta_gamma;
+        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let lambda_slot = inverse_lambda_slot
+            * (self.T * minus_l_lambda_slot_alpha
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_15 - w_16) + w_17)
+                    - beta_dot * beta_dot * w_13) - l_lambda_slot_beta * rhs_beta
+                - l_lambda_slot_lambda_guide * rhs_lambda_guide);
+        let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
+            + l_lambda_slot_lambda_guide * lambda_slot;
+        let beta_ddot = inverse_beta * rhs_beta
+            + l_lambda_guide_beta * minus_lambda_guide
+            - l_lambda_slot_beta * lambda_slot;
+        let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
+            + l_lambda_guide_gamma * minus_lambda_guide;
+        let w_24 = cos_alpha * (w_16 - w_15);
+        let w_25 = w_24 - w_17;
+        let w_26 = lambda_slot * w_25;
+        let w_27 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_14 - w_16)
+                + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
+                + cos_alpha_squared * cos_alpha_squared * self.k_13
+                    / (A_y_squared * A_y_squared));
+        let w_28 = inverse_lambda_slot
+            * (alpha_dot * w_27
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_25
+                + minus_l_lambda_slot_alpha * w_26);
+        let w_29 = l_lambda_slot_lambda_guide * w_28;
+        let w_30 = l_lambda_guide_beta * w_29 - l_lambda_slot_beta * w_28;
+        let w_31 = sin_gamma * cos_beta;
+        let w_32 = sin_beta * cos_gamma;
+        let w_33 = w_31 - w_32;
+        let w_34 = self.k * w_33;
+        let w_35 = self.inverse_O4G4 * (cos_beta * (w_11 - w_10) - w_12);
+        let w_36 = gamma_ddot * w_34;
+        let w_37 = beta_dot_squared * self.k_17
+            - cos_beta * (w_4 * self.k_2 + w_5 * self.k_3 + self.k_4)
+            - sin_beta
+                * (w_7 * self.k_2 + w_8 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_36 - lambda_slot * w_35;
+        let w_38 = beta_ddot * w_34;
+        let w_39 = self.k * w * beta_dot_squared - w_38;
+        let w_40 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_9 - w_11)
+                + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
+                + cos_beta_squared * cos_beta_squared * self.k_18
+                    / (sin_beta_squared * sin_beta_squared));
+        let w_41 = w_37 - l_beta_gamma * w_39;
+        let w_42 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_39 - l_lambda_guide_beta * w_41;
+        let w_43 = inverse_lambda_slot
+            * (beta_dot * w_40 + beta_ddot * w_35 + l_lambda_slot_beta * w_41
+                + l_lambda_slot_lambda_guide * w_42);
+        let w_44 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
+        let w_45 = inverse_beta * w_41 - l_lambda_guide_beta * w_44
+            + l_lambda_slot_beta * w_43;
+        let w_46 = w_38 - cos_gamma * (w_4 * self.k_5 + w_5 * self.k_6 + self.k_7)
+            - sin_gamma
+                * (w_7 * self.k_5 + w_8 * self.k_6 + self.BC * minus_lambda_guide)
+            + gamma_dot_squared * self.k_22;
+        let w_47 = self.k * w * gamma_dot_squared + w_36 - l_beta_gamma * w_46;
+        let w_48 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_46 - l_lambda_guide_beta * w_47;
+        let w_49 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_47 + l_lambda_slot_lambda_guide * w_48);
+        let w_50 = l_lambda_slot_lambda_guide * w_49 - minus_inverse_lambda_guide * w_48;
+        let w_51 = inverse_beta * w_47 - l_lambda_guide_beta * w_50
+            + l_lambda_slot_beta * w_49;
+        let w_52 = inverse_lambda_slot * alpha_dot * (w_24 - w_17 + w_25);
+        let w_53 = l_lambda_slot_lambda_guide * w_52;
+        let w_54 = l_lambda_guide_beta * w_53 - l_lambda_slot_beta * w_52;
+        let w_55 = self.k_23 * beta_dot * (w_32 - w_31);
+        let w_56 = l_beta_gamma * w_55;
+        let w_57 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_55
+            + l_lambda_guide_beta * w_56;
+        let w_58 = inverse_lambda_slot
+            * (beta_dot * (w_13 - w_35) + l_lambda_slot_beta * w_56
+                - l_lambda_slot_lambda_guide * w_57);
+        let w_59 = minus_inverse_lambda_guide * w_57 + l_lambda_slot_lambda_guide * w_58;
+        let w_60 = l_lambda_guide_beta * w_59 - inverse_beta * w_56
+            - l_lambda_slot_beta * w_58;
+        let w_61 = self.k_23 * gamma_dot * w_33;
+        let w_62 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_61;
+        let w_63 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_61 + l_lambda_slot_lambda_guide * w_62);
+        let w_64 = l_lambda_slot_lambda_guide * w_63 - minus_inverse_lambda_guide * w_62;
+        let w_65 = inverse_beta * w_61 - l_lambda_guide_beta * w_64
+            + l_lambda_slot_beta * w_63;
+        sim_kernel::DynamicsJacobian {
+            accelerations_by_positions: [
+                [
+                    self.inverse_alpha * w_26 + minus_l_lambda_slot_alpha * w_28,
+                    -(minus_l_lambda_slot_alpha * w_43),
+                    -(minus_l_lambda_slot_alpha * w_49),
+                ],
+                [w_30, w_45, w_51],
+                [
+                    l_lambda_guide_gamma * w_29 - l_beta_gamma * w_30,
+                    self.inverse_gamma * w_39 - l_beta_gamma * w_45
+                        - l_lambda_guide_gamma * w_44,
+                    self.inverse_gamma * w_46 - l_beta_gamma * w_51
+                        - l_lambda_guide_gamma * w_50,
+                ],
+            ],
+            accelerations_by_speeds: [
+                [
+                    minus_l_lambda_slot_alpha * w_52,
+                    minus_l_lambda_slot_alpha * w_58,
+                    -(minus_l_lambda_slot_alpha * w_63),
+                ],
+                [w_54, w_60, w_65],
+                [
+                    l_lambda_guide_gamma * w_53 - l_beta_gamma * w_54,
+                    self.inverse_gamma * w_55 - l_beta_gamma * w_60
+                        + l_lambda_guide_gamma * w_59,
+                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
+                ],
+            ],
+            multipliers_by_positions: [[-w_29, w_44, w_50], [w_28, -w_43, -w_49]],
+            multipliers_by_speeds: [[-w_53, -w_59, w_64], [w_52, w_58, -w_63]],
+            refused: sim_kernel::pivot_is_refused(
+                self.mass_alpha_alpha,
+                self.abs_mass_alpha_alpha,
+            )
+                | sim_kernel::pivot_is_refused(
+                    self.mass_gamma_gamma,
+                    self.abs_mass_gamma_gamma,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_beta,
+                    self.abs_mass_beta_beta + w_19.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_guide,
+                    w_20.abs() + w_21.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_lambda_slot,
+                    w_18.abs() + w_22.abs() + w_23.abs(),
+                ),
+        }
+    }
+    /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to the parameters (17 columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
+    ///
+    /// Operations: 207 additions, 358 multiplications, 28 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn dynamics_sensitivity(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
+        let [alpha, beta, gamma] = *q;
+        let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
+            beta,
+            gamma,
+            alpha,
+        ]);
+        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
+        let mass_gamma_beta = self.k * w;
+        let guide_by_gamma = cos_gamma * self.BC;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_2 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_2;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_2 / A_y;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let sin_beta_squared = sin_beta * sin_beta;
+        let slot_by_beta = self.O4G4
+            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
+            * self.inverse_O4G4;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_3 = self.O4B * cos_beta * beta_dot_squared;
+        let w_4 = w_3 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_5 = w_3 + cos_gamma * self.BC * gamma_dot_squared;
+        let w_6 = self.O4B * sin_beta * beta_dot_squared;
+        let w_7 = w_6 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_8 = w_6 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
+            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
+        let w_9 = cos_beta * cos_beta_squared;
+        let w_10 = sin_beta * sin_beta_squared;
+        let w_11 = cos_alpha * cos_alpha_squared;
+        let w_12 = A_y * A_y_squared;
+        let w_13 = beta_dot * beta_dot * self.inverse_O4G4
+            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
+                + w_9 * self.k_8 / w_10);
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_14 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let w_15 = mass_gamma_beta * l_beta_gamma;
+        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let w_16 = guide_by_gamma * l_lambda_guide_gamma;
+        let pivot_beta = self.mass_beta_beta - w_15;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_17 = k_lambda_guide_beta * l_lambda_guide_beta;
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
+        let w_18 = slot_by_beta * l_lambda_slot_beta;
+        let minus_pivot_lambda_guide = w_16 + w_17;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
+        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
+            * minus_inverse_lambda_guide;
+        let w_19 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
+        let pivot_lambda_slot = w_19 - w_14 - w_18;
+        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
+        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
+            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
+            - rhs_gamma * l_beta_gamma;
+        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let rhs_lambda_slot = self.T * minus_l_lambda_slot_alpha
+            - (alpha_dot * alpha_dot
+                * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
+                    + w_11 * self.k_10 / w_12) - w_13) - l_lambda_slot_beta * rhs_beta
+            - l_lambda_slot_lambda_guide * rhs_lambda_guide;
+        let lambda_slot = inverse_lambda_slot * rhs_lambda_slot;
+        let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
+            + l_lambda_slot_lambda_guide * lambda_slot;
+        let beta_ddot = inverse_beta * rhs_beta
+            + l_lambda_guide_beta * minus_lambda_guide
+            - l_lambda_slot_beta * lambda_slot;
+        let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
+            + l_lambda_guide_gamma * minus_lambda_guide;
+        let alpha_ddot = self.k_12 + minus_l_lambda_slot_alpha * lambda_slot;
+        let A_y_squared_squared = A_y_squared * A_y_squared;
+        let sin_alpha_squared = sin_alpha * sin_alpha;
+        let w_20 = sin_gamma * cos_beta;
+        let w_21 = sin_beta * cos_gamma;
+        let w_22 = cos_alpha_squared * self.k_26 / w_12;
+        let inverse_A_y = S::from_f64(1.0) / A_y;
+        let w_23 = sin_alpha * (w_22 - inverse_A_y)
+            + (sin_alpha_squared * self.k_27 - self.k_28) / A_y_squared;
+        let w_24 = alpha_ddot * self.k_29 + lambda_slot * w_23;
+        let w_25 = alpha_dot * alpha_dot
+            * (cos_alpha
+                * ((sin_alpha_squared * self.k_32 - self.k_33) / w_12
+                    - sin_alpha * self.k_31 / A_y_squared + inverse_A_y)
+                + sin_alpha * w_11 * self.k_30 / A_y_squared_squared);
+        let w_26 = inverse_lambda_slot
+            * (w_25 - alpha_ddot * w_23 - minus_l_lambda_slot_alpha * w_24);
+        let w_27 = l_lambda_slot_lambda_guide * w_26;
+        let w_28 = l_lambda_guide_beta * w_27 - l_lambda_slot_beta * w_26;
+        let w_29 = w * self.k_34;
+        let w_30 = cos_beta * (self.m5 * w_7 + self.m6 * w_8 + minus_lambda_guide)
+            - sin_beta * (self.m5 * w_4 + self.m6 * w_5 + self.F) - beta_ddot * self.k_35
+            - gamma_ddot * w_29;
+        let w_31 = self.k_34 * beta_dot_squared * (w_21 - w_20) - beta_ddot * w_29;
+        let w_32 = w_30 - l_beta_gamma * w_31;
+        let w_33 = sin_beta * beta_dot_squared - cos_beta * beta_ddot
+            - l_lambda_guide_gamma * w_31 - l_lambda_guide_beta * w_32;
+        let w_34 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_32 + l_lambda_slot_lambda_guide * w_33);
+        let w_35 = l_lambda_slot_lambda_guide * w_34 - minus_inverse_lambda_guide * w_33;
+        let w_36 = inverse_beta * w_32 - l_lambda_guide_beta * w_35
+            + l_lambda_slot_beta * w_34;
+        let w_37 = w * self.k_3;
+        let w_38 = gamma_dot_squared * (w_20 - w_21);
+        let w_39 = cos_gamma * w_8 - sin_gamma * w_5;
+        let w_40 = self.m6 * w_39 - sin_gamma * self.F - beta_ddot * w_37
+            - gamma_ddot * self.k_36 + cos_gamma * minus_lambda_guide;
+        let w_41 = self.k_3 * w_38 - gamma_ddot * w_37 - l_beta_gamma * w_40;
+        let w_42 = sin_gamma * gamma_dot_squared - cos_gamma * gamma_ddot
+            - l_lambda_guide_gamma * w_40 - l_lambda_guide_beta * w_41;
+        let w_43 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_41 + l_lambda_slot_lambda_guide * w_42);
+        let w_44 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
+        let w_45 = inverse_beta * w_41 - l_lambda_guide_beta * w_44
+            + l_lambda_slot_beta * w_43;
+        let w_46 = w_22 + w_2 / A_y_squared;
+        let w_47 = lambda_slot * w_46;
+        let w_48 = inverse_lambda_slot
+            * (alpha_dot * alpha_dot
+                * (cos_alpha * (sin_alpha * self.k_33 / w_12 - self.O2A / A_y_squared)
+                    + w_11 * self.k_30 / A_y_squared_squared) - alpha_ddot * w_46
+                - minus_l_lambda_slot_alpha * w_47);
+        let w_49 = l_lambda_slot_lambda_guide * w_48;
+        let w_50 = l_lambda_guide_beta * w_49 - l_lambda_slot_beta * w_48;
+        let w_51 = cos_beta_squared * (self.k_37 / sin_beta_squared)
+            + sin_beta * (self.k_37 / sin_beta);
+        let w_52 = beta_ddot * self.k_38 + lambda_slot * w_51;
+        let w_53 = l_lambda_guide_beta * w_52;
+        let w_54 = beta_dot * beta_dot
+            * (cos_beta
+                * (sin_beta * (self.k_39 / sin_beta_squared) + self.k_40 / sin_beta)
+                + w_9 * (self.k_41 / w_10)) - beta_ddot * w_51
+            + l_lambda_slot_beta * w_52 - l_lambda_slot_lambda_guide * w_53;
+        let w_55 = inverse_lambda_slot * w_54;
+        let w_56 = minus_inverse_lambda_guide * w_53 + l_lambda_slot_lambda_guide * w_55;
+        let w_57 = l_lambda_guide_beta * w_56 - inverse_beta * w_52
+            - l_lambda_slot_beta * w_55;
+        let w_58 = w * self.k_2;
+        let w_59 = cos_gamma * w_7 - sin_gamma * w_4;
+        let w_60 = self.m5 * w_59 - beta_ddot * w_58 - gamma_ddot * self.k_42;
+        let w_61 = self.k_2 * w_38 - gamma_ddot * w_58 - l_beta_gamma * w_60;
+        let w_62 = l_lambda_guide_gamma * w_60 + l_lambda_guide_beta * w_61;
+        let w_63 = inverse_lambda_slot
+            * (l_lambda_slot_lambda_guide * w_62 - l_lambda_slot_beta * w_61);
+        let w_64 = minus_inverse_lambda_guide * w_62 - l_lambda_slot_lambda_guide * w_63;
+        let w_65 = inverse_beta * w_61 - l_lambda_guide_beta * w_64
+            - l_lambda_slot_beta * w_63;
+        let w_66 = self.O2A_squared * alpha_ddot;
+        let w_67 = inverse_lambda_slot * minus_l_lambda_slot_alpha * w_66;
+        let w_68 = l_lambda_slot_lambda_guide * w_67;
+        let w_69 = l_lambda_slot_beta * w_67 - l_lambda_guide_beta * w_68;
+        let w_70 = self.O4G4_squared * beta_ddot;
+        let w_71 = l_lambda_guide_beta * w_70;
+        let w_72 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_70 - l_lambda_slot_lambda_guide * w_71);
+        let w_73 = minus_inverse_lambda_guide * w_71 + l_lambda_slot_lambda_guide * w_72;
+        let w_74 = l_lambda_guide_beta * w_73 - inverse_beta * w_70
+            - l_lambda_slot_beta * w_72;
+        let w_75 = w * self.k_43;
+        let w_76 = self.O4B_squared * beta_ddot;
+        let w_77 = self.BG5 * w_59 - beta_ddot * w_75 - self.BG5_squared * gamma_ddot;
+        let w_78 = self.O4B * (cos_beta * w_7 - sin_beta * w_4) - w_76
+            - gamma_ddot * w_75 - l_beta_gamma * w_77;
+        let w_79 = l_lambda_guide_gamma * w_77 + l_lambda_guide_beta * w_78;
+        let w_80 = inverse_lambda_slot
+            * (l_lambda_slot_lambda_guide * w_79 - l_lambda_slot_beta * w_78);
+        let w_81 = minus_inverse_lambda_guide * w_79 - l_lambda_slot_lambda_guide * w_80;
+        let w_82 = inverse_beta * w_78 - l_lambda_guide_beta * w_81
+            - l_lambda_slot_beta * w_80;
+        let w_83 = w * self.k_44;
+        let w_84 = self.BC * w_39 - beta_ddot * w_83 - self.BC_squared * gamma_ddot;
+        let w_85 = self.O4B * (cos_beta * w_8 - sin_beta * w_5) - w_76
+            - gamma_ddot * w_83 - l_beta_gamma * w_84;
+        let w_86 = l_lambda_guide_gamma * w_84 + l_lambda_guide_beta * w_85;
+        let w_87 = inverse_lambda_slot
+            * (l_lambda_slot_lambda_guide * w_86 - l_lambda_slot_beta * w_85);
+        let w_88 = minus_inverse_lambda_guide * w_86 - l_lambda_slot_lambda_guide * w_87;
+        let w_89 = inverse_beta * w_85 - l_lambda_guide_beta * w_88
+            - l_lambda_slot_beta * w_87;
+        let w_90 = inverse_lambda_slot * minus_l_lambda_slot_alpha * alpha_ddot;
+        let w_91 = l_lambda_slot_lambda_guide * w_90;
+        let w_92 = l_lambda_slot_beta * w_90 - l_lambda_guide_beta * w_91;
+        let w_93 = l_lambda_guide_beta * beta_ddot;
+        let w_94 = inverse_lambda_slot
+            * (l_lambda_slot_beta * beta_ddot - l_lambda_slot_lambda_guide * w_93);
+        let w_95 = minus_inverse_lambda_guide * w_93 + l_lambda_slot_lambda_guide * w_94;
+        let w_96 = -w_95;
+        let w_97 = l_lambda_guide_beta * w_95 - inverse_beta * beta_ddot
+            - l_lambda_slot_beta * w_94;
+        let w_98 = l_lambda_guide_gamma * w_95 - l_beta_gamma * w_97;
+        let w_99 = minus_l_lambda_slot_alpha * w_94;
+        let w_100 = l_beta_gamma * gamma_ddot;
+        let w_101 = l_lambda_guide_gamma * gamma_ddot - l_lambda_guide_beta * w_100;
+        let w_102 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_100 + l_lambda_slot_lambda_guide * w_101);
+        let w_103 = l_lambda_slot_lambda_guide * w_102
+            - minus_inverse_lambda_guide * w_101;
+        let w_104 = inverse_beta * w_100 - l_lambda_guide_beta * w_103
+            + l_lambda_slot_beta * w_102;
+        let w_105 = sin_gamma * self.BC;
+        let w_106 = l_beta_gamma * w_105 - self.O4B * sin_beta;
+        let w_107 = l_lambda_guide_gamma * w_105 - l_lambda_guide_beta * w_106;
+        let w_108 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_106 + l_lambda_slot_lambda_guide * w_107);
+        let w_109 = l_lambda_slot_lambda_guide * w_108
+            - minus_inverse_lambda_guide * w_107;
+        let w_110 = inverse_beta * w_106 - l_lambda_guide_beta * w_109
+            + l_lambda_slot_beta * w_108;
+        let w_111 = minus_l_lambda_slot_alpha * inverse_lambda_slot;
+        let w_112 = l_lambda_slot_lambda_guide * w_111;
+        let w_113 = l_lambda_guide_beta * w_112 - l_lambda_slot_beta * w_111;
+        sim_kernel::DynamicsSensitivity {
+            accelerations: [
+                [
+                    minus_l_lambda_slot_alpha * w_26 - self.inverse_alpha * w_24,
+                    -(minus_l_lambda_slot_alpha * w_34),
+                    -(minus_l_lambda_slot_alpha * w_43),
+                    minus_l_lambda_slot_alpha * w_48 - self.inverse_alpha * w_47,
+                    minus_l_lambda_slot_alpha * w_55,
+                    minus_l_lambda_slot_alpha * w_63,
+                    S::from_f64(0.0),
+                    -(self.inverse_alpha * w_66 + minus_l_lambda_slot_alpha * w_67),
+                    minus_l_lambda_slot_alpha * w_72,
+                    minus_l_lambda_slot_alpha * w_80,
+                    minus_l_lambda_slot_alpha * w_87,
+                    -(self.inverse_alpha * alpha_ddot
+                        + minus_l_lambda_slot_alpha * w_90),
+                    w_99,
+                    w_99,
+                    -(minus_l_lambda_slot_alpha * w_102),
+                    -(minus_l_lambda_slot_alpha * w_108),
+                    self.inverse_alpha + minus_l_lambda_slot_alpha * w_111,
+                ],
+                [
+                    w_28,
+                    w_36,
+                    w_45,
+                    w_50,
+                    w_57,
+                    w_65,
+                    S::from_f64(0.0),
+                    w_69,
+                    w_74,
+                    w_82,
+                    w_89,
+                    w_92,
+                    w_97,
+                    w_97,
+                    w_104,
+                    w_110,
+                    w_113,
+                ],
+                [
+                    l_lambda_guide_gamma * w_27 - l_beta_gamma * w_28,
+                    self.inverse_gamma * w_31 - l_beta_gamma * w_36
+                        - l_lambda_guide_gamma * w_35,
+                    self.inverse_gamma * w_40 - l_beta_gamma * w_45
+                        - l_lambda_guide_gamma * w_44,
+                    l_lambda_guide_gamma * w_49 - l_beta_gamma * w_50,
+                    l_lambda_guide_gamma * w_56 - l_beta_gamma * w_57,
+                    self.inverse_gamma * w_60 - l_beta_gamma * w_65
+                        - l_lambda_guide_gamma * w_64,
+                    S::from_f64(0.0),
+                    -(l_beta_gamma * w_69 + l_lambda_guide_gamma * w_68),
+                    l_lambda_guide_gamma * w_73 - l_beta_gamma * w_74,
+                    self.inverse_gamma * w_77 - l_beta_gamma * w_82
+                        - l_lambda_guide_gamma * w_81,
+                    self.inverse_gamma * w_84 - l_beta_gamma * w_89
+                        - l_lambda_guide_gamma * w_88,
+                    -(l_beta_gamma * w_92 + l_lambda_guide_gamma * w_91),
+                    w_98,
+                    w_98,
+                    -(self.inverse_gamma * gamma_ddot + l_beta_gamma * w_104
+                        + l_lambda_guide_gamma * w_103),
+                    -(self.inverse_gamma * w_105 + l_beta_gamma * w_110
+                        + l_lambda_guide_gamma * w_109),
+                    l_lambda_guide_gamma * w_112 - l_beta_gamma * w_113,
+                ],
+            ],
+            multipliers: [
+                [
+                    -w_27,
+                    w_35,
+                    w_44,
+                    -w_49,
+                    -w_56,
+                    w_64,
+                    S::from_f64(0.0),
+                    w_68,
+                    -w_73,
+                    w_81,
+                    w_88,
+                    w_91,
+                    w_96,
+                    w_96,
+                    w_103,
+                    w_109,
+                    -w_112,
+                ],
+                [
+                    w_26,
+                    -w_34,
+                    -w_43,
+                    w_48,
+                    w_55,
+                    w_63,
+                    S::from_f64(0.0),
+                    -w_67,
+                    w_72,
+                    w_80,
+                    w_87,
+                    -w_90,
+                    w_94,
+                    w_94,
+                    -w_102,
+                    -w_108,
+                    w_111,
+                ],
+            ],
+            refused: sim_kernel::pivot_is_refused(
+                self.mass_alpha_alpha,
+                self.abs_mass_alpha_alpha,
+            )
+                | sim_kernel::pivot_is_refused(
+                    self.mass_gamma_gamma,
+                    self.abs_mass_gamma_gamma,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_beta,
+                    self.abs_mass_beta_beta + w_15.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_guide,
+                    w_16.abs() + w_17.abs(),
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_lambda_slot,
+                    w_14.abs() + w_18.abs() + w_19.abs(),
+                ),
+        }
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
+    type Q = [S; 3];
+    type L = [S; 2];
+    type Z = [S; 5];
+    type QQ = [[S; 3]; 3];
+    type LQ = [[S; 3]; 2];
+    type LL = [[S; 2]; 2];
+    type ZZ = [[S; 5]; 5];
+    type Parameters = [S; 17];
+    type Outputs = [S; 10];
+    type OutputRates = [S; 7];
+    type Events = [S; 1];
+    type Drawing = [S; 24];
+    type QP = [[S; 17]; 3];
+    type LP = [[S; 17]; 2];
+    type Prepared = QuickReturnRatioPrepared<S>;
+    type On<T: sim_kernel::Scalar> = QuickReturnRatio<T>;
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "quick-return-ratio",
+        type_name: "QuickReturnRatio",
+        docs: "Quick-return mechanism whose slot closes by a ratio of lengths, so that its multiplier is an energy.\nCrank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.",
+        declaration: "/// Quick-return mechanism whose slot closes by a ratio of lengths, so that its multiplier is an energy.\n/// Crank 2 drives rocker 4 through slider 3; bar 5 pushes slider 6 along a guide.\npub QuickReturnRatio;\n\ncoordinates {\n    /// Angle of crank 2.\n    alpha [rad];\n    /// Angle of rocker 4, and of slider 3 on it.\n    beta [rad];\n    /// Angle of bar 5.\n    gamma [rad];\n}\n\nparameters {\n    /// Length of crank 2.\n    O2A [m] = 0.2;\n    /// Length of rocker 4.\n    O4B [m] = 0.7;\n    /// Length of bar 5.\n    BC [m] = 0.6;\n    /// Distance of the fixed pivots.\n    O4O2 [m] = 0.3;\n    /// Centre of mass of rocker 4.\n    O4G4 [m] = 0.4;\n    /// Centre of mass of bar 5.\n    BG5 [m] = 0.3;\n    /// Height of the guide.\n    yc [m] = 0.9;\n    /// Mass of slider 3.\n    m3 [kg] = 0.5;\n    /// Mass of rocker 4.\n    m4 [kg] = 6;\n    /// Mass of bar 5.\n    m5 [kg] = 4;\n    /// Mass of slider 6.\n    m6 [kg] = 2;\n    /// Inertia of crank 2 with its flywheel, about O2.\n    J2 [kg*m^2] = 100;\n    /// Inertia of slider 3.\n    J3 [kg*m^2] = 0;\n    /// Inertia of rocker 4.\n    J4 [kg*m^2] = 10;\n    /// Inertia of bar 5.\n    J5 [kg*m^2] = 6;\n    /// Force on slider 6, along +x.\n    F [N] = 1000;\n    /// Torque on crank 2.\n    T [N*m] = 0;\n}\n\nlet O4 = [0, 0];\nlet O2 = [0, O4O2];\nlet A = O2 + O2A*[cos(alpha), sin(alpha)];\nlet G4 = O4G4*[cos(beta), sin(beta)];\nlet B = O4B*[cos(beta), sin(beta)];\nlet G5 = B + BG5*[cos(gamma), sin(gamma)];\nlet C = B + BC*[cos(gamma), sin(gamma)];\n\nbodies {\n    crank2: inertia J2, angle alpha;\n    slider3: mass m3 at A, inertia J3, angle beta;\n    rocker4: mass m4 at G4, inertia J4, angle beta;\n    bar5: mass m5 at G5, inertia J5, angle gamma;\n    slider6: mass m6 at C;\n}\n\nloads {\n    force [F, 0] at C;\n    torque T on crank2;\n}\n\nconstraints {\n    guide: C.y = yc;\n    slot: A.x/A.y = G4.x/G4.y;\n}\n\ninitial {\n    alpha = 0;\n    dot(alpha) = 75 [rpm];\n    guess beta = 1;\n    guess gamma = 2.6;\n}\n\nevents {\n    period: alpha = 2*pi;\n}\n\noutputs {\n    angular_speeds \"Angular speeds\" {\n        /// crank 2\n        crank_speed [rad/s] = dot(alpha);\n        /// rocker 4\n        rocker_speed [rad/s] = dot(beta);\n        /// bar 5\n        bar_speed [rad/s] = dot(gamma);\n    }\n    slider3_speed \"Sliding speed of slider 3 on rocker 4\" {\n        /// sliding speed, d|O4 A|/dt\n        sliding_speed [m/s] = dot(norm(A));\n        /// the report's |v_A| - |v_G4|\n        speed_difference [m/s] = norm(dot(A)) - norm(dot(G4));\n    }\n    slider6_position \"Position of slider 6\" {\n        /// position\n        x6 [m] = C.x;\n    }\n    slider6_velocity \"Velocity of slider 6\" {\n        /// velocity\n        x6_velocity [m/s] = dot(C.x);\n    }\n    slider6_acceleration \"Acceleration of slider 6\" {\n        /// acceleration\n        x6_acceleration [m/s^2] = ddot(C.x);\n    }\n    normal_forces \"Normal forces\" {\n        /// slider 3 on rocker 4\n        normal_force_slider3 [N] = -reaction(slot)*norm(A)/A.y^2;\n        /// slider 6 on the ground\n        normal_force_slider6 [N] = reaction(guide);\n    }\n}\n\ndrawing {\n    ground O2, O4;\n    line O2, A;\n    line O4, B, C;\n    slider A along beta;\n    slider C along 0;\n    point G4, G5;\n}\n",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "alpha",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of crank 2.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "alpha_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "alpha_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "beta",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of rocker 4, and of slider 3 on it.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "beta_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "beta_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Guess,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "gamma",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Angle of bar 5.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "gamma_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "gamma_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Guess,
+                speed_given: false,
+            },
+        ],
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "O2A",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of crank 2.",
+            },
+            sim_kernel::Quantity {
+                name: "O4B",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "BC",
+                unit: "m",
+                factor: 1f64,
+                docs: "Length of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "O4O2",
+                unit: "m",
+                factor: 1f64,
+                docs: "Distance of the fixed pivots.",
+            },
+            sim_kernel::Quantity {
+                name: "O4G4",
+                unit: "m",
+                factor: 1f64,
+                docs: "Centre of mass of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "BG5",
+                unit: "m",
+                factor: 1f64,
+                docs: "Centre of mass of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "yc",
+                unit: "m",
+                factor: 1f64,
+                docs: "Height of the guide.",
+            },
+            sim_kernel::Quantity {
+                name: "m3",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of slider 3.",
+            },
+            sim_kernel::Quantity {
+                name: "m4",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "m5",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "m6",
+                unit: "kg",
+                factor: 1f64,
+                docs: "Mass of slider 6.",
+            },
+            sim_kernel::Quantity {
+                name: "J2",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of crank 2 with its flywheel, about O2.",
+            },
+            sim_kernel::Quantity {
+                name: "J3",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of slider 3.",
+            },
+            sim_kernel::Quantity {
+                name: "J4",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of rocker 4.",
+            },
+            sim_kernel::Quantity {
+                name: "J5",
+                unit: "kg*m^2",
+                factor: 1f64,
+                docs: "Inertia of bar 5.",
+            },
+            sim_kernel::Quantity {
+                name: "F",
+                unit: "N",
+                factor: 1f64,
+                docs: "Force on slider 6, along +x.",
+            },
+            sim_kernel::Quantity {
+                name: "T",
+                unit: "N*m",
+                factor: 1f64,
+                docs: "Torque on crank 2.",
+            },
+        ],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "guide",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "slot",
+                unit: "J",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        events: &["period"],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "crank_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "crank 2",
+            },
+            sim_kernel::Quantity {
+                name: "rocker_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "rocker 4",
+            },
+            sim_kernel::Quantity {
+                name: "bar_speed",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "bar 5",
+            },
+            sim_kernel::Quantity {
+                name: "sliding_speed",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "sliding speed, d|O4 A|/dt",
+            },
+            sim_kernel::Quantity {
+                name: "speed_difference",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "the report's |v_A| - |v_G4|",
+            },
+            sim_kernel::Quantity {
+                name: "x6",
+                unit: "m",
+                factor: 1f64,
+                docs: "position",
+            },
+            sim_kernel::Quantity {
+                name: "x6_velocity",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "velocity",
+            },
+            sim_kernel::Quantity {
+                name: "x6_acceleration",
+                unit: "m/s^2",
+                factor: 1f64,
+                docs: "acceleration",
+            },
+            sim_kernel::Quantity {
+                name: "normal_force_slider3",
+                unit: "N",
+                factor: 1f64,
+                docs: "slider 3 on rocker 4",
+            },
+            sim_kernel::Quantity {
+                name: "normal_force_slider6",
+                unit: "N",
+                factor: 1f64,
+                docs: "slider 6 on the ground",
+            },
+        ],
+        rated_outputs: &[0, 1, 2, 3, 4, 5, 6],
+        figures: &[
+            sim_kernel::Figure {
+                name: "angular_speeds",
+                title: "Angular speeds",
+                len: 3,
+            },
+            sim_kernel::Figure {
+                name: "slider3_speed",
+                title: "Sliding speed of slider 3 on rocker 4",
+                len: 2,
+            },
+            sim_kernel::Figure {
+                name: "slider6_position",
+                title: "Position of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "slider6_velocity",
+                title: "Velocity of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "slider6_acceleration",
+                title: "Acceleration of slider 6",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "normal_forces",
+                title: "Normal forces",
+                len: 2,
+            },
+        ],
+        drawing: &[
+            sim_kernel::Shape::Ground(2),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(3),
+            sim_kernel::Shape::Slider,
+            sim_kernel::Shape::Slider,
+            sim_kernel::Shape::Points(2),
+        ],
+    };
+    fn defaults() -> Self {
+        Self {
+            O2A: S::from_f64(0.2f64),
+            O4B: S::from_f64(0.7f64),
+            BC: S::from_f64(0.6f64),
+            O4O2: S::from_f64(0.3f64),
+            O4G4: S::from_f64(0.4f64),
+            BG5: S::from_f64(0.3f64),
+            yc: S::from_f64(0.9f64),
+            m3: S::from_f64(0.5f64),
+            m4: S::from_f64(6f64),
+            m5: S::from_f64(4f64),
+            m6: S::from_f64(2f64),
+            J2: S::from_f64(100f64),
+            J3: S::from_f64(0f64),
+            J4: S::from_f64(10f64),
+            J5: S::from_f64(6f64),
+            F: S::from_f64(1000f64),
+            T: S::from_f64(0f64),
+        }
+    }
+    fn parameters(&self) -> [S; 17] {
+        [
+            self.O2A,
+            self.O4B,
+            self.BC,
+            self.O4O2,
+            self.O4G4,
+            self.BG5,
+            self.yc,
+            self.m3,
+            self.m4,
+            self.m5,
+            self.m6,
+            self.J2,
+            self.J3,
+            self.J4,
+            self.J5,
+            self.F,
+            self.T,
+        ]
+    }
+    fn with_parameters(parameters: [S; 17]) -> Self {
+        Self {
+            O2A: parameters[0],
+            O4B: parameters[1],
+            BC: parameters[2],
+            O4O2: parameters[3],
+            O4G4: parameters[4],
+            BG5: parameters[5],
+            yc: parameters[6],
+            m3: parameters[7],
+            m4: parameters[8],
+            m5: parameters[9],
+            m6: parameters[10],
+            J2: parameters[11],
+            J3: parameters[12],
+            J4: parameters[13],
+            J5: parameters[14],
+            F: parameters[15],
+            T: parameters[16],
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> QuickReturnRatio<T> {
+        QuickReturnRatio {
+            O2A: convert(self.O2A),
+            O4B: convert(self.O4B),
+            BC: convert(self.BC),
+            O4O2: convert(self.O4O2),
+            O4G4: convert(self.O4G4),
+            BG5: convert(self.BG5),
+            yc: convert(self.yc),
+            m3: convert(self.m3),
+            m4: convert(self.m4),
+            m5: convert(self.m5),
+            m6: convert(self.m6),
+            J2: convert(self.J2),
+            J3: convert(self.J3),
+            J4: convert(self.J4),
+            J5: convert(self.J5),
+            F: convert(self.F),
+            T: convert(self.T),
+        }
+    }
+    #[inline(always)]
+    fn prepare(&self) -> QuickReturnRatioPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn prepared_dynamics_jacobian(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
+        prepared.dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn prepared_dynamics_sensitivity(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
+        prepared.dynamics_sensitivity(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 2]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 10] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 7] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+        self.events(t, q, qd)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        self.initial()
+    }
+}
