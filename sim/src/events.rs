@@ -108,22 +108,36 @@ impl<M: Mechanism> EventSearch<M> {
         if !crosses(values) && cannot_reach_zero(values, rates) {
             return Ok(());
         }
-        if halvings > 0 {
+        if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
             let middle = step.at(from.time + h / 2.0)?;
-            let value = conditions(step, &middle)[event];
-            let size = values[0].abs().max(values[1].abs()).max(rates[0].abs()).max(rates[1].abs());
-            let foretold = (value - cubic(values, rates, 0.5)).abs() <= 0.02 * size;
-            if !foretold {
-                let middle = Point::of(step.motion.mechanism(), &step.motion.sample(middle)?, h / 2.0);
-                self.search_one(step, event, from, &middle, halvings - 1)?;
-                return self.search_one(step, event, &middle, to, halvings - 1);
-            }
+            let middle = Point::of(step.motion.mechanism(), &step.motion.sample(middle)?, h / 2.0);
+            self.search_one(step, event, from, &middle, halvings - 1)?;
+            return self.search_one(step, event, &middle, to, halvings - 1);
         }
         match () {
             _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
             _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
             _ => Ok(()),
         }
+    }
+
+    /// Whether the cubic of both ends tells the value at two places between them, to a hundredth.
+    fn is_foretold<A: Advance<M>>(
+        &self,
+        step: &mut Step<M, A>,
+        event: usize,
+        [from, h]: [f64; 2],
+        values: [f64; 2],
+        rates: [f64; 2],
+    ) -> Result<bool, Failure> {
+        for fraction in [0.5, 0.29] {
+            let found = value(step, from + fraction * h, event)?;
+            let size = values[0].abs().max(values[1].abs()).max(found.abs());
+            if !((found - cubic(values, rates, fraction)).abs() <= 0.01 * size + TOUCH * self.largest[event]) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.
@@ -217,7 +231,7 @@ fn crosses([before, after]: [f64; 2]) -> bool {
 fn cannot_reach_zero(values: [f64; 2], rates: [f64; 2]) -> bool {
     let least = values[0].abs().min(values[1].abs());
     let undefined = !(values[0] + values[1]).is_finite();
-    undefined || values[0] == 0.0 || least > rates[0].abs().max(rates[1].abs())
+    undefined || least > rates[0].abs().max(rates[1].abs())
 }
 
 /// Whether a condition that keeps its sign heads for zero at both ends.

@@ -63,7 +63,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// As the right-hand side.
     pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
         let state = &at.state;
-        let generated = M::prepared_dynamics_jacobian(&self.prepared, state.time, &state.positions, &state.speeds);
+        let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
         let is_wanted = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
         if is_wanted && !generated.refused {
             return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));

@@ -1,8 +1,7 @@
 //! A mechanism one of whose kernels is spoiled, for tests of what verification sees.
 
-use sim::{
-    Array, ConstraintLinearization, Description, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, Scalar,
-};
+use sim::sim_kernel::{ConstraintLinearization, Initial};
+use sim::{Array, Description, Dynamics, Mechanism, Scalar};
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,22 +137,6 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
             _ => {}
         }
         dynamics
-    }
-    fn prepared_dynamics_jacobian(
-        prepared: &Self,
-        t: f64,
-        q: &Self::Q,
-        qd: &Self::Q,
-    ) -> DynamicsJacobian<f64, Self::QQ, Self::LQ> {
-        prepared.kernels().dynamics_jacobian(t, q, qd)
-    }
-    fn prepared_dynamics_sensitivity(
-        prepared: &Self,
-        t: f64,
-        q: &Self::Q,
-        qd: &Self::Q,
-    ) -> DynamicsSensitivity<f64, Self::QP, Self::LP> {
-        prepared.kernels().dynamics_sensitivity(t, q, qd)
     }
     fn power(&self, t: f64, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> f64 {
         self.moved().power(t, q, qd, qdd, lambda)

@@ -28,7 +28,7 @@ fn error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
 }
 
 /// Errors below this are rounding, collected over the steps.
-const FLOOR: f64 = 2e-12;
+const FLOOR: f64 = 2e-11;
 
 /// The order between the finest pair of step counts, each twice the one before, whose errors are above rounding.
 fn observed_order<M: Mechanism>(mechanism: M, method: Method, end: f64, coarsest: usize, exact: &[Vec<f64>]) -> f64 {
@@ -53,9 +53,9 @@ fn check<M: Mechanism>(mechanism: M, end: f64) {
         let coarsest = if method.order() < 5 { 256 } else { 16 };
         let order = observed_order(mechanism, method, end, coarsest, &exact);
         let expected = method.order() as f64;
-        // High orders meet rounding before they are quite alone.
-        let tolerance = if method.order() < 5 { 0.05 } else { 0.5 };
-        assert!((order - expected).abs() < tolerance, "{} {}: {order}", M::DESCRIPTION.name, method.name());
+        // High orders meet rounding before their leading term is alone, and then show more.
+        let is_shown = if method.order() < 5 { (order - expected).abs() < 0.05 } else { order > expected - 0.3 };
+        assert!(is_shown, "{} {}: {order}", M::DESCRIPTION.name, method.name());
     }
 }
 

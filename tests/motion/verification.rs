@@ -26,7 +26,14 @@ mechanism! {
 fn failing<M: Mechanism>(mechanism: M, end: f64) -> Vec<&'static str> {
     let checks = verify(mechanism, &declared_start(&mechanism), end).unwrap();
     for check in &checks {
-        println!("{:<16} {:<34} {:>9.1e} {:>9.0e} {}", M::DESCRIPTION.name, check.name, check.figure, check.bound, check.meaning);
+        println!(
+            "{:<16} {:<34} {:>9.1e} {:>9.0e} {}",
+            M::DESCRIPTION.name,
+            check.name,
+            check.figure,
+            check.bound,
+            check.meaning
+        );
     }
     assert!(checks.len() >= 7);
     checks.iter().filter(|check| !check.passes()).map(|check| check.name).collect()
@@ -89,14 +96,12 @@ fn a_velocity_projection_that_is_skipped_fails_the_constraints() {
 /// RK4 with one entry of its tableau wrong.
 #[test]
 fn a_wrong_tableau_fails_the_order() {
-    const WRONG: Tableau = Tableau {
-        a: &[&[], &[(0, 0.5)], &[(1, 0.51)], &[(2, 1.0)]],
-        error: ErrorEstimate::None,
-        ..RK4
-    };
+    const WRONG: Tableau =
+        Tableau { a: &[&[], &[(0, 0.5)], &[(1, 0.51)], &[(2, 1.0)]], error: ErrorEstimate::None, ..RK4 };
     let mechanism = QuickReturn::default();
     let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
-    let order = |tableau| order_of_convergence(&mechanism, start, 0.5, || ExplicitRungeKutta::new(tableau), 4.0).unwrap();
+    let order =
+        |tableau| order_of_convergence(&mechanism, start, 0.5, || ExplicitRungeKutta::new(tableau), 4.0).unwrap();
     println!("{:?}\n{:?}", order(&RK4), order(&WRONG));
     assert!(order(&RK4).passes() && !order(&WRONG).passes());
 }

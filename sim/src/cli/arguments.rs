@@ -234,8 +234,10 @@ fn format(name: &str) -> Result<Format, String> {
 
 /// What to verify.
 #[derive(Args)]
-#[command(after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
-    the verdict. Exit status 1 if a check fails.")]
+#[command(
+    after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
+    the verdict. Exit status 1 if a check fails."
+)]
 pub(super) struct VerifyArguments {
     /// The mechanism, as `list` names it.
     pub(super) model: String,

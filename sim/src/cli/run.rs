@@ -70,7 +70,11 @@ pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: 
     Ok(M::with_parameters(parameters))
 }
 
-pub(super) fn start_with<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<Start<M>, Stop> {
+pub(super) fn start_with<M: Mechanism>(
+    mechanism: &M,
+    description: &Description,
+    settings: &[String],
+) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;

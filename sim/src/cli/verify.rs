@@ -1,8 +1,8 @@
 //! `sim verify`.
 
+use super::Stop;
 use super::arguments::VerifyArguments;
 use super::run::{mechanism_with, start_with};
-use super::Stop;
 use super::settings::positive;
 use crate::verify::{Check, verify};
 use sim_kernel::Mechanism;
@@ -18,11 +18,20 @@ pub(super) fn verify_command<M: Mechanism>(arguments: &VerifyArguments) -> Resul
     writeln!(out, "{:<34} {:>9} {:>9}  {:<7}what", description.name, "figure", "bound", "verdict")?;
     for check in &checks {
         let verdict = if check.passes() { "ok" } else { "FAILS" };
-        writeln!(out, "{:<34} {:>9.1e} {:>9.0e}  {verdict:<7} {}", check.name, check.figure, check.bound, check.meaning)?;
+        writeln!(
+            out,
+            "{:<34} {:>9.1e} {:>9.0e}  {verdict:<7} {}",
+            check.name, check.figure, check.bound, check.meaning
+        )?;
     }
     let failing: Vec<&str> = checks.iter().filter(|check| !Check::passes(check)).map(|check| check.name).collect();
     match failing.is_empty() {
         true => Ok(()),
-        false => Err(Stop::Failed(anyhow::anyhow!("{} of {} checks fail: {}", failing.len(), checks.len(), failing.join(", ")))),
+        false => Err(Stop::Failed(anyhow::anyhow!(
+            "{} of {} checks fail: {}",
+            failing.len(),
+            checks.len(),
+            failing.join(", ")
+        ))),
     }
 }

@@ -21,7 +21,8 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
         let jacobian = mechanism.constraint_jacobian(t, q);
         let generated = mechanism.dynamics_jacobian(t, q, qd);
         let (n, m) = (M::Q::LEN, M::L::LEN);
-        let columns: Vec<[Column; 2]> = (0..n).map(|j| [false, true].map(|by_speed| column(mechanism, sample, j, by_speed))).collect();
+        let columns: Vec<[Column; 2]> =
+            (0..n).map(|j| [false, true].map(|by_speed| column(mechanism, sample, j, by_speed))).collect();
         for i in 0..m {
             let size = row_size(&|j| columns[j][0].constraints[i], n);
             (0..n).for_each(|j| compare("C_q", jacobian[i][j], columns[j][0].constraints[i], size));

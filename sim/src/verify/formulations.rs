@@ -170,7 +170,11 @@ fn compare_terms<M: Mechanism>(
     let jacobian = mechanism.constraint_jacobian(t, q);
     found.compare("constraint Jacobian", &flat(&mut jacobian.iter()), &terms.constraint_jacobian.concat());
     found.compare("C_t", mechanism.constraint_time_derivative(t, q).as_ref(), &terms.constraint_time_derivative);
-    found.compare("convective terms of constraints", mechanism.constraint_convective(t, q, qd).as_ref(), &terms.constraint_convective);
+    found.compare(
+        "convective terms of constraints",
+        mechanism.constraint_convective(t, q, qd).as_ref(),
+        &terms.constraint_convective,
+    );
     found.compare("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
     let events = oracle.events(&at).map_err(uninterpreted)?;
     found.compare("events", mechanism.events(t, q, qd).as_ref(), &events);
@@ -233,8 +237,16 @@ pub fn reactions_against_balance<M: Mechanism>(
 
 /// M q'' + g - Q + C_q' lambda along coordinate j, and the magnitudes in it.
 fn balance(terms: &Terms, accelerations: &[f64], multipliers: &[f64], j: usize) -> (f64, f64) {
-    let inertia = terms.mass_matrix[j].iter().zip(accelerations).map(|(entry, a)| (entry.value * a, entry.magnitude * a.abs()));
-    let reactions = terms.constraint_jacobian.iter().zip(multipliers).map(|(row, l)| (row[j].value * l, row[j].magnitude * l.abs()));
+    let inertia =
+        terms.mass_matrix[j].iter().zip(accelerations).map(|(entry, a)| (entry.value * a, entry.magnitude * a.abs()));
+    let reactions = terms
+        .constraint_jacobian
+        .iter()
+        .zip(multipliers)
+        .map(|(row, l)| (row[j].value * l, row[j].magnitude * l.abs()));
     let force = &terms.generalized_forces[j];
-    inertia.chain(reactions).chain([(-force.value, force.magnitude)]).fold((0.0, 0.0), |(sum, size), (value, magnitude)| (sum + value, size + magnitude))
+    inertia
+        .chain(reactions)
+        .chain([(-force.value, force.magnitude)])
+        .fold((0.0, 0.0), |(sum, size), (value, magnitude)| (sum + value, size + magnitude))
 }

@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
 use crate::motion::Motion;
 use crate::run::run;
-use crate::settings::{Method, Settings, Stabilisation, Tolerance, Stepping};
+use crate::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
 use crate::trajectory::Sample;
 use sim_kernel::{Array, Mechanism};
 use std::ops::ControlFlow;

@@ -12,7 +12,10 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
         let (position, velocity) = residuals(&run.mechanism, &sample.state);
         if !(position.max(velocity) <= worst) || position.is_nan() || velocity.is_nan() {
             worst = if position.is_nan() { f64::NAN } else { position.max(velocity) };
-            meaning = format!("largest |C| and |C_q q' + C_t|: {position:.1e}, {velocity:.1e} at t = {:.4} s", sample.state.time);
+            meaning = format!(
+                "largest |C| and |C_q q' + C_t|: {position:.1e}, {velocity:.1e} at t = {:.4} s",
+                sample.state.time
+            );
         }
     }
     Check { name: "constraints along the run", figure: worst, bound: 1e-9, meaning }
