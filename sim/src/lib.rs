@@ -23,9 +23,9 @@ pub mod show;
 mod solve;
 mod table;
 mod trajectory;
+mod vector;
 #[cfg(feature = "analysis")]
 pub mod verify;
-mod vector;
 mod write;
 
 /// The programs in the documents, compiled and run.

@@ -82,8 +82,7 @@ enum Direction {
 fn along<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, direction: Direction) -> Solution {
     let dual = |value: f64, at: Direction| Dual { value, derivative: f64::from(at == direction) };
     let values = mechanism.parameters();
-    let parameters =
-        <OnDual<M> as Mechanism<Dual>>::Parameters::from_fn(|i| dual(values[i], Direction::Parameter(i)));
+    let parameters = <OnDual<M> as Mechanism<Dual>>::Parameters::from_fn(|i| dual(values[i], Direction::Parameter(i)));
     let q = Q::<M>::from_fn(|i| dual(q[i], Direction::Position(i)));
     let qd = Q::<M>::from_fn(|i| dual(qd[i], Direction::Speed(i)));
     let solved = OnDual::<M>::with_parameters(parameters).dynamics(Dual::constant(t), &q, &qd);

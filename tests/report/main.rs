@@ -65,7 +65,8 @@ const PIXELS: &str = "(() => {
 })()";
 
 /// Where the cursor of the first plot is, and the value beside it.
-const CURSOR: &str = "[document.querySelector('.now').style.transform, document.querySelector('.legend .value').textContent]";
+const CURSOR: &str =
+    "[document.querySelector('.now').style.transform, document.querySelector('.legend .value').textContent]";
 
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
@@ -139,7 +140,8 @@ fn what_a_reader_does_has_its_effect() {
     assert!((time(&mut browser) - 1.0).abs() < 0.01);
     let (from, to) = (browser.place(".u-over", 0.25), browser.place(".u-over", 0.75));
     browser.drag(from, to);
-    let ranges = browser.evaluate("report.plots.filter((p) => p.chart).map((p) => [p.chart.scales.x.min, p.chart.scales.x.max])");
+    let ranges = browser
+        .evaluate("report.plots.filter((p) => p.chart).map((p) => [p.chart.scales.x.min, p.chart.scales.x.max])");
     for range in ranges.as_array().unwrap() {
         let (low, high) = (range[0].as_f64().unwrap(), range[1].as_f64().unwrap());
         assert!((low - 0.5).abs() < 0.02 && (high - 1.5).abs() < 0.02, "{ranges}");

@@ -143,16 +143,18 @@ const isDark = () => document.documentElement.classList.contains("dark");
 system.addEventListener("change", () => setTheme(system.matches));
 byId("theme-button").addEventListener("click", () => setTheme(!isDark()));
 byId("print-button").addEventListener("click", () => print());
+/** The width of plots on A4 or letter paper, in CSS pixels. */
+const PRINTED = 640;
 let darkBeforePrint = false;
 addEventListener("beforeprint", () => {
   darkBeforePrint = isDark();
   setTheme(false);
-  if (drawing) drawing.resize();
+  for (const plot of plots) if (plot.chart) plot.chart.setSize({ width: PRINTED, height: HEIGHT });
   player.render();
 });
 addEventListener("afterprint", () => {
   setTheme(darkBeforePrint);
-  if (drawing) drawing.resize();
+  for (const plot of plots) plot.fit();
 });
 
 // Keys.

@@ -64,8 +64,10 @@ pub(super) struct InfoArguments {
 
 /// What to draw of a run.
 #[derive(Args)]
-#[command(after_help = "Examples:\n  sim plot out/quick-return x6 x6_velocity\n  sim plot out/quick-return alpha_dot --against alpha\n\n\
-    Quantities are the columns of trajectory.csv. Those of one unit share axes; others are stacked over one time axis.")]
+#[command(
+    after_help = "Examples:\n  sim plot out/quick-return x6 x6_velocity\n  sim plot out/quick-return alpha_dot --against alpha\n\n\
+    Quantities are the columns of trajectory.csv. Those of one unit share axes; others are stacked over one time axis."
+)]
 pub(super) struct PlotArguments {
     /// The directory of a run, or its trajectory.csv.
     pub(super) run: PathBuf,
@@ -93,8 +95,10 @@ pub(super) struct PlotArguments {
 
 /// What to compare.
 #[derive(Args)]
-#[command(after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
-    Curves are called after their directories.")]
+#[command(
+    after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
+    Curves are called after their directories."
+)]
 pub(super) struct CompareArguments {
     /// The directories of runs, or their trajectory.csv.
     #[arg(required = true, num_args = 2.., value_name = "RUN")]
@@ -177,14 +181,17 @@ impl std::fmt::Display for Size {
 
 /// How to run.
 #[derive(Args)]
-#[command(args_override_self = true, after_help = "Files written to DIR:\n  \
+#[command(
+    args_override_self = true,
+    after_help = "Files written to DIR:\n  \
     report.html      the mechanism in motion, plots, tables and equations; opens in any browser, without network\n  \
     trajectory.csv   time, coordinates, speeds, accelerations, multipliers and outputs; header cells `name [unit]`\n  \
     run.json         the run file, which makes this run again: `sim run DIR/run.json`\n  \
     summary.json     model, parameters, method, events, period, residuals, energy balance\n  \
     timing.json      wall times; all other files are the same bytes run after run\n  \
     NAME.svg, .png   a figure for each group of outputs, and mechanism.svg, .png: the mechanism in several positions\n\n\
-    A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit.")]
+    A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit."
+)]
 pub(super) struct RunArguments {
     /// The mechanism, as `list` names it; or a run file, NAME.json, which other words of the command line override.
     #[arg(value_name = "MODEL|FILE.json")]

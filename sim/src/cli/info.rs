@@ -43,7 +43,8 @@ pub(super) fn info(facts: &Facts, voice: Voice) -> Result<(), Stop> {
 fn as_json(facts: &Facts) -> Value {
     let d = facts.description;
     let quantity = |q: &Quantity| json!({ "name": q.name, "unit": q.unit, "docs": q.docs });
-    let valued = |q: &Quantity, si: f64| json!({ "name": q.name, "unit": q.unit, "default": si / q.factor, "docs": q.docs });
+    let valued =
+        |q: &Quantity, si: f64| json!({ "name": q.name, "unit": q.unit, "default": si / q.factor, "docs": q.docs });
     let coordinates = d.coordinates.iter().zip(&facts.start).map(|(c, (position, speed))| {
         json!({
             "name": c.position.name, "unit": c.position.unit, "docs": c.position.docs,
@@ -52,7 +53,8 @@ fn as_json(facts: &Facts) -> Value {
             "start_speed": c.speed_given.then_some(speed / c.speed.factor),
         })
     });
-    let kernels = kernels(d).into_iter().map(|(name, total, text)| json!({ "name": name, "operations": total, "of": text }));
+    let kernels =
+        kernels(d).into_iter().map(|(name, total, text)| json!({ "name": name, "operations": total, "of": text }));
     json!({
         "name": d.name,
         "type": d.type_name,
@@ -101,7 +103,8 @@ fn as_text(facts: &Facts) -> String {
     }
     let number = |si: f64, q: &Quantity| format!("{} {}", short(si / q.factor), unit(q));
     let coordinates = d.coordinates.iter().zip(&facts.start).map(|(c, (position, speed))| {
-        let speed = if c.speed_given { format!(", {} = {}", c.speed.name, number(*speed, &c.speed)) } else { String::new() };
+        let speed =
+            if c.speed_given { format!(", {} = {}", c.speed.name, number(*speed, &c.speed)) } else { String::new() };
         let start = match c.start {
             Start::Given => format!("starts at {}{speed}", number(*position, &c.position)),
             Start::Guess => format!("starts near {}{speed}", number(*position, &c.position)),
@@ -116,7 +119,17 @@ fn as_text(facts: &Facts) -> String {
     let equations = equations(d);
     let constraints = d.constraints.iter().map(|c| {
         let name = format!("lambda_{}", c.name);
-        [c.name.to_owned(), equations.iter().find(|e| e.0 == c.name || c.name.strip_suffix(['x', 'y']).is_some_and(|s| s.trim_end_matches('_') == e.0)).map_or(String::new(), |e| e.1.clone()), name, unit(c)]
+        [
+            c.name.to_owned(),
+            equations
+                .iter()
+                .find(|e| {
+                    e.0 == c.name || c.name.strip_suffix(['x', 'y']).is_some_and(|s| s.trim_end_matches('_') == e.0)
+                })
+                .map_or(String::new(), |e| e.1.clone()),
+            name,
+            unit(c),
+        ]
     });
     text += &section("Constraints, their multipliers and the unit of those", constraints.collect());
     if !d.constraints.is_empty() {

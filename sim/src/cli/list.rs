@@ -8,9 +8,7 @@ use sim_kernel::Description;
 /// Prints each mechanism with its size and the first line of its documentation.
 pub(super) fn list(mechanisms: impl Iterator<Item = &'static Description>, voice: Voice) -> Result<(), Stop> {
     if voice.json {
-        let of = |d: &Description| {
-            json!({ "name": d.name, "coordinates": d.coordinates.len(), "constraints": d.constraints.len(), "docs": d.docs })
-        };
+        let of = |d: &Description| json!({ "name": d.name, "coordinates": d.coordinates.len(), "constraints": d.constraints.len(), "docs": d.docs });
         return print(&format!("{:#}\n", mechanisms.map(of).collect::<serde_json::Value>()));
     }
     let mut text = String::new();

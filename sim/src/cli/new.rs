@@ -87,7 +87,8 @@ fn syn_keyword(name: &str) -> bool {
 /// `my-linkage` as `MyLinkage`.
 fn type_name(name: &str) -> String {
     let words = name.split(['-', '_']).filter(|word| !word.is_empty());
-    let capital = |word: &str| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1)).collect::<String>();
+    let capital =
+        |word: &str| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1)).collect::<String>();
     let joined: String = words.map(capital).collect();
     // `S` is the scalar of generated types.
     if joined == "S" { "SMechanism".to_owned() } else { joined }

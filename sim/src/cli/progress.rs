@@ -57,7 +57,8 @@ pub(super) fn watched<M: Mechanism>(
 }
 
 fn bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}  {eta} left  (Ctrl-C keeps what there is)");
+    let style =
+        ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}  {eta} left  (Ctrl-C keeps what there is)");
     let bar = ProgressBar::with_draw_target(Some(1_000_000), ProgressDrawTarget::stderr());
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -2,8 +2,8 @@
 
 use super::arguments::{Arguments, RunArguments};
 use super::{Stop, program, unknown};
-use crate::settings::{Rows, Settings, Stepping};
 use crate::Start;
+use crate::settings::{Rows, Settings, Stepping};
 use clap::CommandFactory;
 use codegen::model::Unit;
 use serde_json::{Map, Value, json};
@@ -84,7 +84,8 @@ fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, 
     let mut entries = Vec::new();
     for (i, c) in coordinates.iter().enumerate() {
         if start.position_given[i] || c.start == Known::Guess {
-            let differs = start.positions[i] != declared.positions[i] || start.position_given[i] != declared.position_given[i];
+            let differs =
+                start.positions[i] != declared.positions[i] || start.position_given[i] != declared.position_given[i];
             entries.push((c.position.name, in_si(&c.position, start.positions[i]), differs));
         }
     }
@@ -122,10 +123,13 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[&str]) -> Ma
         }
     };
     put("projection", settings.stabilisation.to_string().into());
-    put("rows", match settings.rows {
-        Rows::Steps => "steps".into(),
-        Rows::Even(rows) => rows.into(),
-    });
+    put(
+        "rows",
+        match settings.rows {
+            Rows::Steps => "steps".into(),
+            Rows::Even(rows) => rows.into(),
+        },
+    );
     if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?))) {
         put("until", format!("{name}:{}", stop.occurrence).into());
     }
@@ -143,7 +147,8 @@ fn quoted(text: &str) -> String {
 
 /// The command line that a run file stands for, with the user's own words after the file's.
 pub(super) fn expand(path: &str, words: &[OsString]) -> Result<Vec<OsString>, Stop> {
-    let text = fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
+    let text =
+        fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
     let wrong = |what: String| Stop::Usage(format!("{path}: {what}"));
     let file: Value = serde_json::from_str(&text).map_err(|why| wrong(format!("not JSON: {why}")))?;
     let own: Vec<&OsString> = words.iter().skip(1).filter(|word| *word != path).collect();
@@ -190,7 +195,8 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
         match value {
             Value::Bool(true) => words.push(format!("--{name}")),
             Value::Bool(false) => {}
-            value => words.push(format!("--{name}={}", word(value).ok_or_else(|| format!("`{name}` needs a number or text"))?)),
+            value => words
+                .push(format!("--{name}={}", word(value).ok_or_else(|| format!("`{name}` needs a number or text"))?)),
         }
     }
     Ok(words)
@@ -210,7 +216,9 @@ fn message(stop: Stop) -> String {
 fn object<'a>(file: &'a Map<String, Value>, entry: &str) -> Result<Vec<(&'a String, &'a Value)>, String> {
     match file.get(entry) {
         None => Ok(Vec::new()),
-        Some(value) => value.as_object().map(|o| o.iter().collect()).ok_or_else(|| format!("`{entry}` needs an object")),
+        Some(value) => {
+            value.as_object().map(|o| o.iter().collect()).ok_or_else(|| format!("`{entry}` needs an object"))
+        }
     }
 }
 

@@ -84,7 +84,9 @@ mod tests {
     fn numbers_start_at_multiples_of_64_bytes() {
         for rows in [0, 1, 12_345_678] {
             let header = header("'<f8'", rows);
-            assert!(header.len().is_multiple_of(64) && header.ends_with(b"\n") && header.starts_with(b"\x93NUMPY\x01\x00"));
+            assert!(
+                header.len().is_multiple_of(64) && header.ends_with(b"\n") && header.starts_with(b"\x93NUMPY\x01\x00")
+            );
             assert_eq!(usize::from(header[8]) + 256 * usize::from(header[9]), header.len() - 10);
         }
         let greek = header("[('\u{3b1}', '<f8')]", 3);

@@ -33,10 +33,10 @@ use sim_kernel::Shape;
 
 pub use error::ShowError;
 pub use figures::{Figures, figures};
-pub use report::{About, report};
-pub use text::typeset;
 #[cfg(feature = "cli")]
 pub(crate) use names::printed;
+pub use report::{About, report};
+pub use text::typeset;
 
 /// A curve of a plot.
 #[derive(Clone, Debug)]

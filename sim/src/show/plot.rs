@@ -49,9 +49,9 @@ pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, Sh
     let right = left + widest - right_room(&x)?;
     let notes: Vec<f64> = axes.iter().map(|axis| top_room("", axis) - top_room("", &axis.without_note())).collect();
     let first_top = top_room(&title, &axes[0]);
-    let height = (size.height - bottom_room() - first_top - GAP * (panels.len() - 1) as f64
-        - notes.iter().skip(1).sum::<f64>())
-        / panels.len() as f64;
+    let height =
+        (size.height - bottom_room() - first_top - GAP * (panels.len() - 1) as f64 - notes.iter().skip(1).sum::<f64>())
+            / panels.len() as f64;
 
     let below = if panels.len() == 1 { legends[0].height(size.width) } else { 0.0 };
     let mut scene = Scene::new(size.width, size.height + below);

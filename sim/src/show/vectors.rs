@@ -150,7 +150,8 @@ mod declared {
 
     /// C with the point moved forwards, minus C with it moved back.
     fn change(constraint: &Expression, point: &str, [x, y]: [f64; 2]) -> Expression {
-        let moved = |sign: Operator| substitute(constraint, point, &binary(sign, name(point), vector(number(x), number(y))));
+        let moved =
+            |sign: Operator| substitute(constraint, point, &binary(sign, name(point), vector(number(x), number(y))));
         binary(Operator::Subtract, moved(Operator::Add), moved(Operator::Subtract))
     }
 
@@ -250,9 +251,7 @@ mod declared {
     }
 
     fn components(vector: &Expression) -> [Expression; 2] {
-        ["x", "y"].map(|axis| {
-            made(Kind::Component(Box::new(copy(vector)), proc_macro2::Ident::new(axis, span())))
-        })
+        ["x", "y"].map(|axis| made(Kind::Component(Box::new(copy(vector)), proc_macro2::Ident::new(axis, span()))))
     }
 
     fn output(value: Expression) -> Output {

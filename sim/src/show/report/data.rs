@@ -112,7 +112,12 @@ fn states(description: &Description) -> Vec<Group> {
         (2, i) => description.coordinates[i].acceleration.unit,
         _ => description.constraints[index - 3 * n].unit,
     };
-    let kinds = [("Coordinates", 0..n), ("Speeds", n..2 * n), ("Accelerations", 2 * n..3 * n), ("Multipliers", 3 * n..3 * n + m)];
+    let kinds = [
+        ("Coordinates", 0..n),
+        ("Speeds", n..2 * n),
+        ("Accelerations", 2 * n..3 * n),
+        ("Multipliers", 3 * n..3 * n + m),
+    ];
     kinds.into_iter().flat_map(|(title, indices)| of_one_unit(title, indices.collect(), unit)).collect()
 }
 
@@ -162,7 +167,9 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
     for (index, (shape, points)) in description.drawing.iter().zip(&names).enumerate() {
         let kind = kind(*shape);
         let label = format!("{kind} {}", points.join(", "));
-        shapes.push(json!({ "kind": kind, "index": index, "first": first, "points": points, "colour": colour, "label": label }));
+        shapes.push(
+            json!({ "kind": kind, "index": index, "first": first, "points": points, "colour": colour, "label": label }),
+        );
         first += shape.len();
         colour += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
     }
@@ -171,7 +178,8 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
         let drawn = run.mechanism.drawing(state.time, &state.positions);
         (0..M::Drawing::LEN).map(move |i| drawn[i])
     });
-    let named = names.iter().flatten().filter(|name| name.len() <= 4).count() > 0 && names.iter().flatten().count() <= 40;
+    let named =
+        names.iter().flatten().filter(|name| name.len() <= 4).count() > 0 && names.iter().flatten().count() <= 40;
     json!({ "shapes": shapes, "width": first, "named": named, "numbers": floats(numbers) })
 }
 

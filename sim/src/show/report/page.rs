@@ -122,7 +122,9 @@ fn equations(description: &Description) -> String {
     let length: usize = parts.iter().map(|part| part.text.len()).sum();
     if length > MOST_OF_EQUATIONS {
         let note = "The equations are too long to be read here; `codegen` prints the kernels made of them.";
-        return format!("<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>");
+        return format!(
+            "<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>"
+        );
     }
     let part = |part: &codegen::notation::Part| {
         let heading = if part.name == "system" { String::new() } else { format!("<h3>{}</h3>\n", part.title) };

@@ -80,7 +80,8 @@ fn started(q: &Quantity, value: f64, kind: &str) -> String {
 /// Whatever the summary says of the method.
 fn method(summary: &Value) -> String {
     let entries = summary["method"].as_object().into_iter().flatten();
-    let rows: Vec<String> = entries.filter(|(_, value)| !value.is_null()).map(|(name, value)| pair(name, &told(value))).collect();
+    let rows: Vec<String> =
+        entries.filter(|(_, value)| !value.is_null()).map(|(name, value)| pair(name, &told(value))).collect();
     let end = &summary["end"];
     let reached = |name: &str| end[name].as_f64().map(|time| format!("{} s", number(time, 12)));
     let times = [("end asked for", reached("asked")), ("end reached", reached("reached"))];
