@@ -67,7 +67,7 @@ class PlotCard {
     const options = {
       width: this.room.clientWidth || 300,
       height: HEIGHT,
-      padding: [8, 12, 0, 0],
+      padding: [8, 22, 0, 0],
       legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: true, dist: 6 } },
       scales: { x: { time: false }, y: { range: (_, low, high) => padded(low, high) } },

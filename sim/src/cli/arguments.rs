@@ -42,7 +42,7 @@ pub(super) enum Command {
     /// Shows what a mechanism has: coordinates, parameters, constraints, outputs, sizes.
     Info(InfoArguments),
     /// Runs a mechanism and writes its motion, a summary and figures.
-    Run(RunArguments),
+    Run(Box<RunArguments>),
     /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
     Verify(VerifyArguments),
     /// Draws quantities of a run over time, or against another.

@@ -92,7 +92,7 @@ fn declared(description: &Description, table: &Table) -> Vec<Group> {
     };
     let groups: Vec<_> = groups(description).collect();
     let title = |figure: &sim_kernel::Figure| {
-        if figure.title.is_empty() { figure.name.replace('_', " ") } else { figure.title.to_owned() }
+        capital(&if figure.title.is_empty() { figure.name.replace('_', " ") } else { figure.title.to_owned() })
     };
     let shown = groups.iter().filter(finite);
     shown
@@ -101,6 +101,12 @@ fn declared(description: &Description, table: &Table) -> Vec<Group> {
             columns: outputs.clone().map(|output| first_output + output).collect(),
         })
         .collect()
+}
+
+/// With a capital letter at the start.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Coordinates, speeds, accelerations and multipliers, those of one unit together.
