@@ -128,10 +128,20 @@ fn equations(description: &Description) -> String {
     }
     let part = |part: &codegen::notation::Part| {
         let heading = if part.name == "system" { String::new() } else { format!("<h3>{}</h3>\n", part.title) };
-        format!("{heading}<div class=\"row\">{}</div>", part.text)
+        format!("{heading}<div class=\"row\">{}</div>", apart(&part.text))
     };
     let parts: Vec<String> = parts.iter().map(part).collect();
     format!("<section class=\"card equations\"><h2>Equations of motion</h2>\n{}</section>", parts.join("\n"))
+}
+
+/// Factors and arguments a little apart, as books set them: browsers give the invisible operators no space.
+#[cfg(feature = "analysis")]
+fn apart(mathml: &str) -> String {
+    let spaced = |space: &str, sign: char| format!("<mo {space}=\"0.14em\">{sign}</mo>");
+    let (apply, times) = ('\u{2061}', '\u{2062}');
+    mathml
+        .replace(&format!("<mo>{apply}</mo>"), &spaced("rspace", apply))
+        .replace(&format!("<mo>{times}</mo>"), &spaced("lspace", times))
 }
 
 /// The equations of motion need the derivation at run time.
