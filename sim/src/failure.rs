@@ -62,6 +62,16 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
+    /// Constraints that are independent elsewhere depend on each other here.
+    #[error(
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here, and \
+             from here there may be more than one way to go on. Equal steps may pass it (`--method rk4 --steps N`); or change a length \
+             or the start a little"
+    )]
+    SingularPosition {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// The equations of motion do not determine the accelerations.
     #[error(
         "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \
@@ -70,6 +80,26 @@ pub enum What {
     Singular {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
+    },
+    /// Some motion has no or negative kinetic energy.
+    #[error(
+        "the mass matrix is not positive: moving `{coordinate}` would have negative kinetic energy. Masses and inertias \
+             must not be negative{suspects}"
+    )]
+    NegativeMass {
+        /// The coordinate that moves most.
+        coordinate: &'static str,
+        /// Negative parameters, as a part of a sentence.
+        suspects: String,
+    },
+    /// No equilibrium was found.
+    #[error(
+        "no equilibrium was found: at the nearest position at rest an acceleration of {acceleration:.3e} is left. Start nearer to \
+             one, or hold what nothing holds"
+    )]
+    NoEquilibrium {
+        /// The largest acceleration, in SI units.
+        acceleration: f64,
     },
     /// The samples would not fit in memory.
     #[error("{rows} rows do not fit in memory; record fewer")]

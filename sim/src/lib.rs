@@ -7,6 +7,7 @@ mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod equilibrium;
 mod events;
 mod failure;
 mod formats;
@@ -39,6 +40,7 @@ mod documents {
 
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
+pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use formats::{Format, write_table};
@@ -47,7 +49,7 @@ pub use integrate::{
     Step, Steps, Tableau, Weight, integrate,
 };
 pub use interpolate::hermite;
-pub use mobility::{Mobility, mobility};
+pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run};

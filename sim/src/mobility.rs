@@ -1,7 +1,7 @@
 //! Degrees of freedom, and constraints that say what others say already.
 
-use crate::failure::constraint_name;
-use nalgebra::DVector;
+use crate::failure::{Failure, What, constraint_name};
+use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// What the constraints leave free at a position.
@@ -36,4 +36,36 @@ pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
         }
     }
     Mobility { degrees_of_freedom: n - basis.len(), dependent }
+}
+
+/// A negative kinetic energy this small beside the others is rounding.
+const NEGATIVE: f64 = 1e-10;
+
+/// That no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
+///
+/// # Errors
+/// [`What::NegativeMass`], with the parameters that are negative.
+pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
+    let mass = mechanism.mass_matrix(time, q);
+    let n = M::Q::LEN;
+    let matrix = DMatrix::from_fn(n, n, |i, j| mass[i][j]);
+    if n == 0 || matrix.iter().any(|entry| !entry.is_finite()) {
+        return Ok(());
+    }
+    let eigen = matrix.symmetric_eigen();
+    let (at, least) = eigen.eigenvalues.argmin();
+    if least >= -NEGATIVE * eigen.eigenvalues.amax() {
+        return Ok(());
+    }
+    let coordinate = M::DESCRIPTION.coordinates[eigen.eigenvectors.column(at).iamax()].position.name;
+    let parameters = mechanism.parameters();
+    let negative = M::DESCRIPTION
+        .parameters
+        .iter()
+        .zip(parameters.iter())
+        .filter(|(p, value)| **value < 0.0 && p.unit.contains('g'));
+    let names: Vec<String> =
+        negative.map(|(p, value)| format!("`{}` is {} {}", p.name, value / p.factor, p.unit)).collect();
+    let suspects = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };
+    Err(Failure::at::<M>(What::NegativeMass { coordinate, suspects }, time, q))
 }

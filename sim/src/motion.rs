@@ -16,14 +16,28 @@ pub struct Motion<'m, M: Mechanism> {
     prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition>,
+    /// How many constraints depend on others everywhere.
+    redundant: usize,
     evaluations: Cell<u64>,
 }
 
 impl<'m, M: Mechanism> Motion<'m, M> {
     /// The motion of a mechanism, kept on its constraints in this way.
     pub fn new(mechanism: &'m M, stabilisation: Stabilisation) -> Motion<'m, M> {
+        Motion::with_redundant(mechanism, stabilisation, 0)
+    }
+
+    /// The same where so many constraints depend on others everywhere.
+    pub fn with_redundant(mechanism: &'m M, stabilisation: Stabilisation, redundant: usize) -> Motion<'m, M> {
         let partition = RefCell::new(Partition::default());
-        Motion { mechanism, prepared: mechanism.prepare(), stabilisation, partition, evaluations: Cell::new(0) }
+        Motion {
+            mechanism,
+            prepared: mechanism.prepare(),
+            stabilisation,
+            partition,
+            redundant,
+            evaluations: Cell::new(0),
+        }
     }
 
     /// The mechanism.
@@ -97,7 +111,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     #[inline]
     pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
-            Stabilisation::Projection => project(self.mechanism, state),
+            Stabilisation::Projection => project(self.mechanism, state, self.redundant),
             Stabilisation::MassProjection => by_mass(self.mechanism, state),
             Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, state),
             Stabilisation::Baumgarte(_) | Stabilisation::None => Ok(()),

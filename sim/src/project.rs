@@ -25,11 +25,12 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
 
 /// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
+/// `redundant` is how many constraints depend on others everywhere.
 ///
 /// # Errors
-/// As those.
+/// As those, and [`What::SingularPosition`] where more constraints depend on others.
 #[inline]
-pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
+pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usize) -> Result<(), Failure> {
     if M::L::LEN == 0 {
         return Ok(());
     }
@@ -38,6 +39,10 @@ pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), 
     let open = rates::<M>(&found.linear, &state.speeds);
     let serves = found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
     let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
+    if !factors.is_regular() && factors.dependent().count() > redundant {
+        let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
+        return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
+    }
     correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)
 }
 

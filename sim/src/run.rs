@@ -6,7 +6,7 @@ use crate::failure::{Failure, What};
 use crate::integrate::{
     Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Step, Steps, integrate,
 };
-use crate::mobility::{Mobility, mobility};
+use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::{Motion, residuals};
 use crate::settings::{Method, Rows, Settings, StopAt};
 use crate::trajectory::{Sample, Trajectory};
@@ -58,8 +58,9 @@ impl<M: Mechanism> Run<M> {
 /// If no start can be assembled. A failure on the way does not lose the run: it stands in its trajectory.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
+    check_masses(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
-    let motion = Motion::new(&mechanism, settings.stabilisation);
+    let motion = Motion::with_redundant(&mechanism, settings.stabilisation, mobility.dependent.len());
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
     let mut steps = Steps::default();

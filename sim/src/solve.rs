@@ -6,6 +6,10 @@ use sim_kernel::Array;
 /// comparable size, so that units do not decide.
 const SMALLEST_PIVOT: f64 = 1e-13;
 
+/// The squared sine of the angle between a row and those before it, below which it is taken to depend on them: a
+/// correction would multiply rounding by its inverse root.
+const LEAST_INDEPENDENCE: f64 = 1e-9;
+
 /// What is left of the equations without a pivot, relative to the right-hand side, when they agree with the others.
 const CONSISTENT: f64 = 1e-6;
 
@@ -148,7 +152,7 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
                 pivot -= lower[k][j] * scaled;
                 lower[k][j] = scaled;
             }
-            if pivot > SMALLEST_PIVOT * lower[k][k] {
+            if pivot > LEAST_INDEPENDENCE * lower[k][k] {
                 inverse_pivots[k] = 1.0 / pivot;
             } else if !pivot.is_finite() {
                 return Err(Undefined { row: k });
@@ -161,6 +165,11 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
     #[inline]
     pub(crate) fn is_regular(&self) -> bool {
         self.inverse_pivots.iter().all(|inverse| *inverse != 0.0)
+    }
+
+    /// The rows that depend on those before them.
+    pub(crate) fn dependent(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..R::LEN).filter(|k| self.inverse_pivots[*k] == 0.0)
     }
 
     /// The solution for a right-hand side; zero for unknowns whose rows depend on others.

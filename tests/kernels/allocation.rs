@@ -5,8 +5,8 @@
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
 use sim::{
-    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Mechanism, Motion, RK4, Stabilisation, State,
-    Stepping, Steps, Tolerance, assemble, declared_start, integrate,
+    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Mechanism, Motion, RK4, Radau5, Stabilisation,
+    State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -81,6 +81,8 @@ fn ten_thousand_steps_do_not_allocate() {
         ten_thousand_steps(&mechanism, ExplicitRungeKutta::new(&RK4), stabilisation, equal, 2.0, start);
         ten_thousand_steps(&mechanism, Dop853::new(), stabilisation, equal, 20.0, start);
     }
+    let equal = Stepping::Equal(10_000);
+    ten_thousand_steps(&mechanism, Radau5::new(), Stabilisation::Projection, equal, 20.0, start);
     let adaptive = Stepping::Adaptive(Tolerance::new(1e-12));
     ten_thousand_steps(&mechanism, Dop853::new(), Stabilisation::Projection, adaptive, 400.0, start);
 }

@@ -1,7 +1,9 @@
 //! Runs that fail say what, when and where, and keep what was computed until then.
 
-use sim::{Failure, Table, What, mechanism};
-use tests::run;
+use models::QuickReturn;
+use sim::{Failure, Method, Settings, Table, What, mechanism};
+use std::sync::atomic::AtomicBool;
+use tests::{run, run_with};
 
 mechanism! {
     /// A bead on a rod in a groove that ends: y = sqrt(1 - x) leaves its domain at x = 1.
@@ -108,4 +110,63 @@ fn an_output_that_leaves_its_domain_is_named_with_its_time() {
     let [("broken", time)] = table.undefined_outputs()[..] else { panic!("{:?}", table.undefined_outputs()) };
     // The first sample after 0.5 s.
     assert!((time - 0.51).abs() < 1e-12, "{time}");
+}
+
+mechanism! {
+    /// A wheel with a condition that changes a million times as fast as the wheel.
+    Chattering;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; }
+    bodies { wheel: inertia J, angle phi; }
+    initial { dot(phi) = 1; }
+    events { rattle: sin(1e6*phi) = 0; }
+}
+
+/// An adaptive method comes as near to where a load leaves its domain as its steps can shrink, and then says where.
+#[test]
+fn an_adaptive_method_ends_where_a_load_leaves_its_domain() {
+    for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+        let run = run_with(Pole::default(), &Settings::adaptive(method, 2.0, 1e-8)).unwrap();
+        let failure = run.trajectory.failure.unwrap();
+        let last = run.trajectory.samples.last().unwrap().state;
+        println!("{}: {failure}", method.name());
+        assert!(last.time > 0.3 && last.positions[0] < 0.5 && failure.time >= last.time, "{failure}");
+        assert!(failure.state[0].1 > 0.49, "{failure}");
+    }
+}
+
+#[test]
+fn events_that_chatter_end_the_run_with_their_name() {
+    let run = run_with(Chattering::default(), &Settings::equal_steps(Method::Rk4, 1.0, 10)).unwrap();
+    let failure = run.trajectory.failure.unwrap();
+    assert!(matches!(failure.what, What::Chattering { event: "rattle", .. }), "{failure}");
+    assert_eq!(run.trajectory.samples.len(), 1);
+}
+
+#[test]
+fn steps_too_large_for_newton_say_so() {
+    let run = run_with(QuickReturn::default(), &Settings::equal_steps(Method::Radau5, 2.0, 3)).unwrap();
+    let message = run.trajectory.failure.unwrap().to_string();
+    assert!(message.contains("Newton's method does not converge") || message.contains("constraint"), "{message}");
+}
+
+#[test]
+fn a_method_without_an_estimate_cannot_choose_its_steps() {
+    let run = run_with(QuickReturn::default(), &Settings::adaptive(Method::Rk4, 2.0, 1e-8)).unwrap();
+    assert_eq!(run.trajectory.failure.unwrap().what, What::NoErrorEstimate);
+}
+
+#[test]
+fn negative_masses_are_refused_by_name() {
+    let failure = run(QuickReturn { J2: -100.0, ..Default::default() }, 2.0, 10).unwrap_err();
+    let message = failure.to_string();
+    assert!(message.contains("`alpha`") && message.contains("`J2` is -100 kg*m^2"), "{message}");
+}
+
+#[test]
+fn an_interrupted_run_keeps_what_it_has() {
+    static STOP: AtomicBool = AtomicBool::new(true);
+    let settings = Settings { interrupt: Some(&STOP), ..Settings::new(2.0) };
+    let run = run_with(QuickReturn::default(), &settings).unwrap();
+    assert_eq!((run.trajectory.failure.unwrap().what, run.trajectory.samples.len()), (What::Interrupted, 1));
 }

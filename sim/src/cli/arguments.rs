@@ -45,6 +45,10 @@ pub(super) enum Command {
     Run(Box<RunArguments>),
     /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
     Verify(VerifyArguments),
+    /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
+    Assemble(StartArguments),
+    /// Finds the equilibrium near the start and the eigenvalues of small motions about it.
+    Equilibrium(StartArguments),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.
@@ -252,6 +256,21 @@ pub(super) struct VerifyArguments {
     /// Verifies the motion until then, or for as long as 150 steps of DOP853 take.
     #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
     pub(super) t_end: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(super) initial: Vec<String>,
+}
+
+/// A mechanism and its start.
+#[derive(Args)]
+pub(super) struct StartArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
 
     /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]

@@ -28,10 +28,11 @@ mod quantity;
 mod run;
 mod run_file;
 mod settings;
+mod statics;
 mod stored;
 mod verify;
 
-use arguments::{Arguments, Command, RunArguments, VerifyArguments, Voice};
+use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use sim_kernel::{Description, Mechanism};
@@ -46,6 +47,8 @@ pub struct Entry {
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
     verify: fn(&VerifyArguments) -> Result<(), Stop>,
+    assemble: fn(&StartArguments) -> Result<(), Stop>,
+    equilibrium: fn(&StartArguments) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -55,6 +58,8 @@ pub fn entry<M: Mechanism>() -> Entry {
         run: run::run_command::<M>,
         facts: info::facts::<M>,
         verify: verify::verify_command::<M>,
+        assemble: statics::assemble_command::<M>,
+        equilibrium: statics::equilibrium_command::<M>,
     }
 }
 
@@ -112,6 +117,8 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
         Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments),
+        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),

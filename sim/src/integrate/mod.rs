@@ -145,16 +145,6 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
         // The last step is not followed by a tiny one.
         let time = if now + 1.01 * h >= course.end { course.end } else { now + h };
         let made = attempt(motion, method, &from, time, Some(tolerance));
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "t {now:.6} h {:.3e} {}",
-                time - now,
-                match &made {
-                    Ok((s, e)) => format!("err {e:.2e} q {:?} qdd {:?}", s.state.positions, s.accelerations),
-                    Err(f) => f.to_string(),
-                }
-            );
-        }
         match made {
             Ok((to, error)) if error <= 1.0 => {
                 steps.accepted += 1;

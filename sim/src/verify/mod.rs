@@ -15,6 +15,7 @@ pub use runs::{constraint_residuals, difference, energy_balance, runs_agree};
 use crate::assemble::{Start, assemble};
 use crate::failure::Failure;
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
+use crate::mobility::mobility;
 use crate::motion::Motion;
 use crate::run::run;
 use crate::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
@@ -97,7 +98,8 @@ pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<
 /// `end`, or the time that so many steps take.
 fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, Failure> {
     let first = assemble(mechanism, start)?;
-    let motion = Motion::new(mechanism, Stabilisation::Projection);
+    let redundant = mobility(mechanism, first.time, &first.positions).dependent.len();
+    let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
     let course = Course { end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)), interrupt: None };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
     integrate(&motion, &mut Dop853::new(), &course, motion.sample(first)?, &mut steps, |step| {

@@ -1,0 +1,56 @@
+//! `sim assemble` and `sim equilibrium`.
+
+use super::Stop;
+use super::arguments::StartArguments;
+use super::list::counted;
+use super::run::{mechanism_with, start_with};
+use crate::{assemble, check_masses, equilibrium, mobility, residuals};
+use sim_kernel::{Array, Mechanism};
+use std::io::Write;
+
+/// Prints the assembled start, degrees of freedom and redundant constraints.
+pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let state = assemble(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    check_masses(&mechanism, state.time, &state.positions)?;
+    let found = mobility(&mechanism, state.time, &state.positions);
+    let (position, velocity) = residuals(&mechanism, &state);
+    let mut out = std::io::stdout().lock();
+    let freedom = match found.degrees_of_freedom {
+        1 => "1 degree of freedom".to_owned(),
+        count => format!("{count} degrees of freedom"),
+    };
+    let coordinates = counted(M::Q::LEN, "coordinate");
+    writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
+    for name in &found.dependent {
+        writeln!(out, "redundant    `{name}` is implied by the constraints before it")?;
+    }
+    for (c, (q, qd)) in description.coordinates.iter().zip(state.positions.iter().zip(state.speeds.iter())) {
+        let (position, speed) = (q / c.position.factor, qd / c.speed.factor);
+        writeln!(
+            out,
+            "{:<12} {position:>20.15} {:<10} {speed:>20.15} {}",
+            c.position.name, c.position.unit, c.speed.unit
+        )?;
+    }
+    Ok(writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?)
+}
+
+/// Prints an equilibrium, its reactions and the eigenvalues of small motions.
+pub(super) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    let mut out = std::io::stdout().lock();
+    for (c, q) in description.coordinates.iter().zip(found.state.positions.iter()) {
+        writeln!(out, "{:<20} {:>20.12} {}", c.position.name, q / c.position.factor, c.position.unit)?;
+    }
+    for (c, lambda) in description.constraints.iter().zip(found.multipliers.iter()) {
+        writeln!(out, "{:<20} {:>20.12} {}", format!("lambda_{}", c.name), lambda / c.factor, c.unit)?;
+    }
+    for value in found.eigenvalues {
+        writeln!(out, "{:<20} {:>20.12} {:+.12} i 1/s", "eigenvalue", value.re, value.im)?;
+    }
+    Ok(())
+}

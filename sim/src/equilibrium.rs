@@ -1,0 +1,110 @@
+//! Static equilibrium, and small motions about it.
+
+use crate::assemble::{Start, assemble};
+use crate::failure::{Failure, What};
+use crate::motion::Motion;
+use crate::settings::Stabilisation;
+use crate::trajectory::State;
+use nalgebra::{Complex, DMatrix, DVector};
+use sim_kernel::{Array, Mechanism};
+
+/// A position in which a mechanism at rest stays.
+#[derive(Clone, Debug)]
+pub struct Equilibrium<M: Mechanism> {
+    /// It, at rest at time 0.
+    pub state: State<M>,
+    /// The reactions there.
+    pub multipliers: M::L,
+    /// The eigenvalues of small motions about it, 2 for each degree of freedom, by imaginary part; a positive real part
+    /// is unstable.
+    pub eigenvalues: Vec<Complex<f64>>,
+}
+
+const MOST_STEPS: usize = 100;
+
+/// The equilibrium near a start, by Newton's method on q''(q, 0) = 0 with C(q) = 0, in steps of least norm that are halved
+/// until the residual falls.
+///
+/// # Errors
+/// If the start cannot be assembled, or [`What::NoEquilibrium`].
+pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
+    let motion = Motion::new(mechanism, Stabilisation::Projection);
+    let mut state = State { speeds: M::Q::filled(0.0), ..assemble(mechanism, &at_rest(start))? };
+    let mut residual = residual_at(&motion, &state)?;
+    for _ in 0..MOST_STEPS {
+        let size = residual.norm();
+        let jacobian = jacobian_at(&motion, &state)?;
+        let Ok(step) = jacobian.svd(true, true).solve(&residual, 1e-12) else { break };
+        let mut scale = 1.0;
+        let better = loop {
+            let positions = M::Q::from_fn(|i| state.positions[i] - scale * step[i]);
+            let trial = State { positions, ..state };
+            match residual_at(&motion, &trial) {
+                Ok(residual) if residual.norm() < size => break Some((trial, residual)),
+                _ if scale < 1e-6 => break None,
+                _ => scale /= 2.0,
+            }
+        };
+        // At rounding no step is better.
+        let Some(found) = better else { break };
+        (state, residual) = found;
+    }
+    motion.keep(&mut state)?;
+    state.speeds = M::Q::filled(0.0);
+    let sample = motion.sample(state)?;
+    let largest = sample.accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
+    if !(largest <= 1e-8) {
+        return Err(Failure::at::<M>(What::NoEquilibrium { acceleration: largest }, state.time, &state.positions));
+    }
+    let eigenvalues = eigenvalues(&motion, &state)?;
+    Ok(Equilibrium { state, multipliers: sample.multipliers, eigenvalues })
+}
+
+/// The same start with all coordinates free and no speeds.
+fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
+    let none = vec![false; M::Q::LEN];
+    Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
+}
+
+/// q'' and C.
+fn residual_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DVector<f64>, Failure> {
+    let sample = motion.sample(*state)?;
+    let constraints = motion.mechanism().constraints(state.time, &state.positions);
+    let values: Vec<f64> = sample.accelerations.iter().chain(constraints.iter()).copied().collect();
+    Ok(DVector::from_vec(values))
+}
+
+fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMatrix<f64>, Failure> {
+    let (by_positions, _) = motion.jacobian(&motion.sample(*state)?)?;
+    let constraints = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+    let n = M::Q::LEN;
+    Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
+}
+
+/// Of y'' = N'(A N y + B N y'), where the columns of N span the motions that the constraints leave, and A and B
+/// are d(q'')/dq and d(q'')/dq'.
+fn eigenvalues<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<Vec<Complex<f64>>, Failure> {
+    let (by_positions, by_speeds) = motion.jacobian(&motion.sample(*state)?)?;
+    let n = M::Q::LEN;
+    let free = free_directions(&motion.mechanism().constraint_jacobian(state.time, &state.positions), n);
+    let reduced = |matrix: &M::QQ| free.transpose() * DMatrix::from_fn(n, n, |i, j| matrix[i][j]) * &free;
+    let (a, b, f) = (reduced(&by_positions), reduced(&by_speeds), free.ncols());
+    let system = DMatrix::from_fn(2 * f, 2 * f, |i, j| match (i < f, j < f) {
+        (true, _) => f64::from(u8::from(j == i + f)),
+        (false, true) => a[(i - f, j)],
+        (false, false) => b[(i - f, j - f)],
+    });
+    let mut eigenvalues: Vec<Complex<f64>> = system.complex_eigenvalues().iter().copied().collect();
+    eigenvalues
+        .sort_by(|a, b| a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re)));
+    Ok(eigenvalues)
+}
+
+/// An orthonormal basis of the null space of C_q, by columns.
+fn free_directions<LQ: Array<Q>, Q: Array<f64>>(jacobian: &LQ, n: usize) -> DMatrix<f64> {
+    let gram = DMatrix::from_fn(n, n, |i, j| jacobian.iter().map(|row| row[i] * row[j]).sum::<f64>());
+    let eigen = gram.symmetric_eigen();
+    let largest: f64 = eigen.eigenvalues.amax();
+    let null: Vec<_> = (0..n).filter(|i| eigen.eigenvalues[*i] <= 1e-14 * largest.max(f64::MIN_POSITIVE)).collect();
+    eigen.eigenvectors.select_columns(&null)
+}

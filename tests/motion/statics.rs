@@ -1,0 +1,50 @@
+//! Equilibria and small motions about them against closed forms.
+
+use models::{DoublePendulum, Pendulum};
+use sim::{declared_start, equilibrium, mechanism};
+
+mechanism! {
+    /// A bead on a circle, hung from a spring: one constraint, damped.
+    Hung;
+    coordinates { x [m]; y [m]; }
+    parameters { l [m] = 0.5; m [kg] = 2; c [N*s/m] = 0.3; g [m/s^2] = 9.81; }
+    bodies { bead: mass m at [x, y]; }
+    loads { gravity [0, -g]; force [-c*dot(x), -c*dot(y)] at [x, y]; }
+    constraints { rod: norm([x, y]) = l; }
+    initial { guess x = 0.3; guess y = -0.4; }
+}
+
+#[test]
+fn pendulums_hang_and_swing_as_they_should() {
+    let pendulum = Pendulum::default();
+    let found = equilibrium(&pendulum, &declared_start(&pendulum)).unwrap();
+    let frequency = 9.81f64.sqrt();
+    let turned = (found.state.positions[0] / std::f64::consts::PI).round() as i64;
+    assert!((found.state.positions[0] - turned as f64 * std::f64::consts::PI).abs() < 1e-9);
+    // Down it swings, up it falls.
+    let size = if turned % 2 == 0 { found.eigenvalues[1].im } else { found.eigenvalues[1].re };
+    assert!((size - frequency).abs() < 1e-9, "{found:?}");
+    let double = DoublePendulum::default();
+    let mut start = declared_start(&double);
+    start.positions = [0.1, -0.1];
+    let found = equilibrium(&double, &start).unwrap();
+    // (4/3) a'' + b''/2 + (3/2)(g/l) a = 0 and a''/2 + b''/3 + (g/l) b/2 = 0 with w^2 = s g/l: 7 s^2/36 - 7 s/6 + 3/4 = 0.
+    let squares = [-1.0, 1.0].map(|sign: f64| (7.0 / 6.0 + sign * (49.0f64 / 36.0 - 7.0 / 12.0).sqrt()) / (7.0 / 18.0));
+    for (pair, square) in found.eigenvalues.chunks(2).zip(squares) {
+        let expected = (square * 9.81 / 0.6).sqrt();
+        assert!((pair[1].im - expected).abs() < 1e-9 * expected && pair[1].re.abs() < 1e-9, "{pair:?} {expected}");
+    }
+}
+
+/// x'' + c/m x' + g/l x = 0 on the circle; the rod carries m g.
+#[test]
+fn a_constrained_bead_hangs_and_is_damped() {
+    let hung = Hung::default();
+    let found = equilibrium(&hung, &declared_start(&hung)).unwrap();
+    assert!(found.state.positions[0].abs() < 1e-9 && (found.state.positions[1] + 0.5).abs() < 1e-12, "{found:?}");
+    assert!((found.multipliers[0] - 2.0 * 9.81).abs() < 1e-9);
+    let (damping, square) = (0.3 / 2.0 / 2.0, 9.81 / 0.5);
+    let last = found.eigenvalues[1];
+    assert!(found.eigenvalues.len() == 2 && (last.re + damping).abs() < 1e-9, "{found:?}");
+    assert!((last.im - f64::sqrt(square - damping * damping)).abs() < 1e-9, "{found:?}");
+}
