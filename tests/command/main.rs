@@ -301,30 +301,6 @@ fn programs_read_json_and_quiet_is_quiet() {
         assert_eq!(info["coordinates"].as_array().unwrap().len() as u64, model["coordinates"].as_u64().unwrap());
         assert!(info["kernels"].as_array().unwrap().iter().any(|kernel| kernel["name"] == "dynamics"), "{name}");
         assert!(info["degrees_of_freedom"].as_u64().unwrap() >= 1, "{name}");
-
-/// A full disk is an error that names the file, not a short file.
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_disk_is_an_error() {
-    let directory = fresh("full");
-    fs::create_dir_all(&directory).unwrap();
-    std::os::unix::fs::symlink("/dev/full", directory.join("trajectory.csv")).unwrap();
-    let output = sim(&["run", "quick-return", "--no-figures", "--out", directory.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(
-        stderr(&output).contains("trajectory.csv") && stderr(&output).contains("No space left"),
-        "{}",
-        stderr(&output)
-    );
-}
-
-#[test]
-fn verify_prints_a_row_for_each_check() {
-    let output = sim(&["verify", "quick-return", "--t-end", "0.2"]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let text = stdout(&output);
-    for row in ["TMT against Lagrange", "kernels against the oracle", "projection against partitioning", "reactions"] {
-        assert!(text.lines().any(|line| line.starts_with(row) && line.contains(" ok ")), "{row}:\n{text}");
     }
 }
 
@@ -452,7 +428,35 @@ print(len(rows[0]), 'columns of', len(rows) - 1)
     let output = Command::new(python).args(["-c", script]).current_dir(&directory).output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));
     assert!(stdout(&output).contains("22 columns"), "{}", stdout(&output));
+}
 
+/// A full disk is an error that names the file, not a short file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_an_error() {
+    let directory = fresh("full");
+    fs::create_dir_all(&directory).unwrap();
+    std::os::unix::fs::symlink("/dev/full", directory.join("trajectory.csv")).unwrap();
+    let output = sim(&["run", "quick-return", "--no-figures", "--out", directory.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        stderr(&output).contains("trajectory.csv") && stderr(&output).contains("No space left"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[test]
+fn verify_prints_a_row_for_each_check() {
+    let output = sim(&["verify", "quick-return", "--t-end", "0.2"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = stdout(&output);
+    for row in ["TMT against Lagrange", "kernels against the oracle", "projection against partitioning", "reactions"] {
+        assert!(text.lines().any(|line| line.starts_with(row) && line.contains(" ok ")), "{row}:\n{text}");
+    }
+}
+
+#[test]
 fn assemble_and_equilibrium_print_what_they_find() {
     let output = sim(&["assemble", "quick-return"]);
     let text = stdout(&output);
