@@ -46,9 +46,9 @@ pub struct Entry {
     description: &'static Description,
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
-    verify: fn(&VerifyArguments) -> Result<(), Stop>,
-    assemble: fn(&StartArguments) -> Result<(), Stop>,
-    equilibrium: fn(&StartArguments) -> Result<(), Stop>,
+    verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
+    assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -116,9 +116,9 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
-        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments),
-        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments),
+        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
+        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),
