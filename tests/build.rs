@@ -36,6 +36,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let calls: Vec<String> = rows.iter().map(|row| format!("$measure!({row})")).collect();
         text += &format!("macro_rules! {name} {{ ($measure:ident) => {{ vec![{}] }} }}\n", calls.join(", "));
     }
-    std::fs::write(std::path::Path::new(&std::env::var("OUT_DIR")?).join("scale.rs"), text)?;
+    let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
+    std::fs::write(out.join("scale.rs"), text)?;
+    std::fs::write(out.join("derivatives.rs"), quick_return_with_derivatives()?)?;
     Ok(())
+}
+
+/// The shipped quick-return mechanism with all kernels that not everyone needs.
+#[cfg(feature = "scale")]
+fn quick_return_with_derivatives() -> Result<String, Box<dyn std::error::Error>> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/src/quick_return.rs");
+    println!("cargo::rerun-if-changed={path}");
+    let text = std::fs::read_to_string(path)?;
+    let inside = text.split_once("mechanism! {").and_then(|(_, rest)| rest.rsplit_once('}'));
+    let (declaration, _) = inside.ok_or("no declaration in quick_return.rs")?;
+    let wanted = format!("{declaration} kernels {{ dynamics_jacobian; dynamics_sensitivity; }}");
+    Ok(codegen::generate(wanted.parse()?, &quote::quote!(sim_kernel))?.to_string())
 }

@@ -183,6 +183,11 @@ fn constraints_and_events() {
     );
     check(
         "initial {",
+        "kernels { jacobian; } initial {",
+        &["7:11 `jacobian` is not known here; expected one of `dynamics_jacobian`, `dynamics_sensitivity`"],
+    );
+    check(
+        "initial {",
         "events { top: l = 1; } initial {",
         &["7:10 event `top` never changes; let it depend on a coordinate, a speed or `t`"],
     );

@@ -36,7 +36,7 @@ pub struct Occurrence<M: Mechanism> {
 /// Halvings of a step, after which what a condition does between is not looked at.
 const MOST_HALVINGS: usize = 8;
 /// Occurrences in one step, after which something chatters.
-const MOST_IN_A_STEP: usize = 100;
+const MOST_IN_A_STEP: usize = 64;
 /// How near zero, relative to the largest value of a condition, it has to turn to touch it.
 const TOUCH: f64 = 1e-9;
 

@@ -19,23 +19,39 @@ const DEPENDENT: f64 = 1e-7;
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
+    let angles = independence(mechanism, time, q);
+    let rows = || angles.iter().enumerate();
+    let dependent: Vec<_> =
+        rows().filter(|(_, sine)| !(**sine > DEPENDENT)).map(|(i, _)| constraint_name::<M>(i)).collect();
+    Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - M::L::LEN, dependent }
+}
+
+/// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.
+pub(crate) fn weakest_constraint<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<(&'static str, f64)> {
+    let angles = independence(mechanism, time, q);
+    let independent = angles.iter().enumerate().filter(|(_, sine)| **sine > 0.0);
+    let (row, sine) = independent.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    Some((constraint_name::<M>(row), *sine))
+}
+
+/// For each row of C_q the sine of its angle to the space of those before it.
+fn independence<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<f64> {
     let jacobian = mechanism.constraint_jacobian(time, q);
-    let (n, m) = (M::Q::LEN, M::L::LEN);
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let mut dependent = Vec::new();
-    for i in 0..m {
-        let row = DVector::from_iterator(n, jacobian[i].iter().copied());
+    let of_row = |i: usize| {
+        let row = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
         let mut rest = row.clone();
         // Twice, so that rounding leaves nothing of what was taken.
         for direction in basis.iter().chain(&basis) {
             rest -= direction * direction.dot(&rest);
         }
-        match rest.norm() > DEPENDENT * row.norm() {
-            true => basis.push(rest.normalize()),
-            false => dependent.push(constraint_name::<M>(i)),
+        let sine = rest.norm() / row.norm();
+        if sine > DEPENDENT {
+            basis.push(rest.normalize());
         }
-    }
-    Mobility { degrees_of_freedom: n - basis.len(), dependent }
+        sine
+    };
+    (0..M::L::LEN).map(of_row).collect()
 }
 
 /// A negative kinetic energy this small beside the others is rounding.

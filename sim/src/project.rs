@@ -16,6 +16,8 @@ const MOST_CORRECTIONS: usize = 10;
 const TOLERANCE: f64 = 1e-12;
 /// A residual above this is never put down to rounding: a state known no better is lost.
 const LARGEST_ROUNDING: f64 = 1e-6;
+/// A change of positions that is rounding, in SI units.
+const ROUNDING: f64 = 1e-14;
 /// A change of positions, in SI units, and rates of constraints, below which one factorisation serves both projections:
 /// what it leaves of the rates is of the order of their product.
 const SMALL_CHANGE: f64 = 1e-8;
@@ -138,6 +140,9 @@ fn correct<M: Mechanism, T>(
         }
         let (correction, last) = change(&linear, q)?;
         subtract(q, &correction);
+        if is_rounding::<M>(&linear, &correction) {
+            return Ok((linear, last));
+        }
         linear = mechanism.constraint_linearization(time, q);
         if is_met(mechanism, time, q, &linear) {
             return Ok((linear, last));
@@ -146,6 +151,14 @@ fn correct<M: Mechanism, T>(
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
     let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: MOST_CORRECTIONS };
     Err(Failure::at::<M>(what, time, q))
+}
+
+/// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
+/// what it leaves of C is of its second order.
+#[inline]
+fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bool {
+    let is_small = |values: &[f64], bound: f64| values.iter().all(|value| value.abs() <= bound);
+    is_small(linear.values.as_ref(), 0.1 * TOLERANCE) && is_small(correction.as_ref(), ROUNDING)
 }
 
 /// The factors of C_q C_q'.

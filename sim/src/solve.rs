@@ -8,7 +8,7 @@ const SMALLEST_PIVOT: f64 = 1e-13;
 
 /// The squared sine of the angle between a row and those before it, below which it is taken to depend on them: a
 /// correction would multiply rounding by its inverse root.
-const LEAST_INDEPENDENCE: f64 = 1e-9;
+const LEAST_INDEPENDENCE: f64 = 1e-8;
 
 /// What is left of the equations without a pivot, relative to the right-hand side, when they agree with the others.
 const CONSISTENT: f64 = 1e-6;

@@ -55,7 +55,7 @@ fn check<M: Mechanism>(mechanism: M, end: f64) {
     // Twice as fine as DOP853 needs for its rounding floor.
     let exact = states(mechanism, Method::Dop853, end, 4096);
     for method in Method::ALL {
-        let coarsest = if method.order() < 5 { 256 } else { 32 };
+        let coarsest = [256, 32, 16][usize::from(method.order() >= 5) + usize::from(method.order() >= 8)];
         let order = observed_order(mechanism, method, end, coarsest, &exact);
         let expected = method.order() as f64;
         // High orders meet rounding before their leading term is alone, and then show more.

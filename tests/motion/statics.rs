@@ -17,13 +17,17 @@ mechanism! {
 #[test]
 fn pendulums_hang_and_swing_as_they_should() {
     let pendulum = Pendulum::default();
-    let found = equilibrium(&pendulum, &declared_start(&pendulum)).unwrap();
-    let frequency = 9.81f64.sqrt();
-    let turned = (found.state.positions[0] / std::f64::consts::PI).round() as i64;
-    assert!((found.state.positions[0] - turned as f64 * std::f64::consts::PI).abs() < 1e-9);
     // Down it swings, up it falls.
-    let size = if turned % 2 == 0 { found.eigenvalues[1].im } else { found.eigenvalues[1].re };
-    assert!((size - frequency).abs() < 1e-9, "{found:?}");
+    for (near, place) in [(0.3, 0.0), (3.0, std::f64::consts::PI)] {
+        let start = sim::Start { positions: [near], ..declared_start(&pendulum) };
+        let found = equilibrium(&pendulum, &start).unwrap();
+        let last = found.eigenvalues[1];
+        let size = if place == 0.0 { last.im } else { last.re };
+        assert!((found.state.positions[0] - place).abs() < 1e-9 && (size - 9.81f64.sqrt()).abs() < 1e-9, "{found:?}");
+    }
+    // From the horizontal no direction leads to less.
+    let failure = equilibrium(&pendulum, &declared_start(&pendulum)).unwrap_err();
+    assert!(matches!(failure.what, sim::What::NoEquilibrium { .. }), "{failure}");
     let double = DoublePendulum::default();
     let mut start = declared_start(&double);
     start.positions = [0.1, -0.1];

@@ -50,7 +50,7 @@ fn row(kernel: &Kernel) -> String {
         o.other_functions,
         o.total(),
         rounded(Diagram::of(kernel).operations_without_sharing()),
-        kernel.statements.len(),
+        kernel.pieces.iter().map(|piece| piece.statements.len()).sum::<usize>() + kernel.statements.len(),
     )
 }
 

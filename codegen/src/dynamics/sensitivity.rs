@@ -10,10 +10,15 @@ use crate::symbolic::{Differential, Expr, Graph, Symbol};
 /// The derivatives of r - K z at fixed accelerations and multipliers: a column of n + m for each variable.
 pub type Columns = Vec<Vec<Expr>>;
 
+/// Above, the kernel of the derivatives with respect to the state is made only if it is asked for: it grows with the
+/// square of the number of coordinates.
+const MOST_COORDINATES: usize = 12;
+
 /// Enters the derivatives that the model asks for.
 pub(super) fn derive(equations: &mut EquationsOfMotion, derivatives: &mut Derivatives) {
     let model = &equations.model;
-    let (by_state, by_parameters) = (model.wants_jacobian, model.wants_sensitivity);
+    let by_state = model.wants_jacobian.unwrap_or(model.coordinates.len() <= MOST_COORDINATES);
+    let by_parameters = model.wants_sensitivity;
     if !by_state && !by_parameters {
         return;
     }

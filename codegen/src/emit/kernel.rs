@@ -4,7 +4,7 @@ use super::record::record_type;
 use super::tree::tree;
 use super::{ident, size, types};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, Program, Receiver, Record, Results, Statement, Tree};
+use crate::program::{Arguments, Kernel, Piece, Program, Receiver, Record, Results, Statement, Tree};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -35,20 +35,72 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let statements = kernel.statements.iter().map(statement);
     let results = results(model, kernel, path);
     let inline = inline(kernel);
+    let calls = calls(kernel);
+    let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece));
     quote! {
+        #(#pieces)*
+
         #(#[doc = #docs])*
         #inline
         pub fn #name(&self #(, #arguments)*) -> #returns {
             #entries
+            #calls
             #(#statements)*
             #results
         }
     }
 }
 
-/// The kernel of batches is compiled for the vector instructions of the function that it is inlined into.
+fn piece_name(kernel: &Kernel, i: usize) -> Ident {
+    format_ident!("{}_part_{}", kernel.name, i + 1)
+}
+
+/// A part of a long kernel: what the parts before have found, to what the parts after need.
+fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> TokenStream {
+    let name = piece_name(kernel, i);
+    let mut arguments = arguments(model, kernel.arguments);
+    let mut unpacked = None;
+    if !piece.given.is_empty() {
+        let (len, names) = (size(piece.given.len()), piece.given.iter().map(|name| ident(name)));
+        arguments.push(quote! { found: &[S; #len] });
+        unpacked = Some(quote! { let [#(#names),*] = *found; });
+    }
+    let entries = entries(kernel);
+    let statements = piece.statements.iter().map(statement);
+    let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
+    quote! {
+        #[inline(never)]
+        fn #name(&self #(, #arguments)*) -> [S; #len] {
+            #entries
+            #unpacked
+            #(#statements)*
+            [#(#handed_on),*]
+        }
+    }
+}
+
+/// The parts of a long kernel one after the other, and what they have found by name.
+fn calls(kernel: &Kernel) -> TokenStream {
+    let mut calls = TokenStream::new();
+    for (i, piece) in kernel.pieces.iter().enumerate() {
+        let name = piece_name(kernel, i);
+        let mut arguments: Vec<TokenStream> =
+            argument_names(kernel.arguments).iter().map(ToTokens::to_token_stream).collect();
+        if !piece.given.is_empty() {
+            arguments.push(quote! { &found });
+        }
+        calls.extend(quote! { let found = self.#name(#(#arguments),*); });
+    }
+    if let Some(last) = kernel.pieces.last() {
+        let names = last.handed_on.iter().map(|name| ident(name));
+        calls.extend(quote! { let [#(#names),*] = found; });
+    }
+    calls
+}
+
+/// The kernel of batches, unless it is long, is compiled for the vector instructions of the function that it is inlined into.
 fn inline(kernel: &Kernel) -> TokenStream {
-    if kernel.name == "dynamics" {
+    if kernel.name == "dynamics" && kernel.pieces.is_empty() {
         quote! { #[inline(always)] }
     } else {
         quote! { #[inline] }

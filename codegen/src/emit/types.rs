@@ -106,7 +106,7 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
 /// What the kernels of each step need of the parameters.
 fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
     let (visibility, name) = (&head.visibility, prepared_name(model));
-    let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(|field| ident(field)).collect();
+    let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(ident).collect();
     let marker = fields.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     let docs = format!(
         " What the equations of motion need of the parameters of [`{0}`], from [`{0}::prepare`]; its methods are the \

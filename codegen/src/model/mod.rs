@@ -60,8 +60,8 @@ pub struct Model {
     pub groups: Vec<OutputGroup>,
     /// What to draw.
     pub drawing: Vec<Shape>,
-    /// Whether the derivatives of the motion with respect to the state are wanted as a kernel.
-    pub wants_jacobian: bool,
+    /// Whether the derivatives of the motion with respect to the state are wanted as a kernel; `None` leaves it open.
+    pub wants_jacobian: Option<bool>,
     /// Whether those with respect to the parameters are.
     pub wants_sensitivity: bool,
 }

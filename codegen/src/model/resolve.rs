@@ -75,7 +75,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         outputs,
         groups,
         drawing,
-        wants_jacobian: declaration.kernels.as_ref().is_none_or(|kernels| kernels.contains(&DynamicsJacobian)),
+        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
 }

@@ -18,6 +18,8 @@ pub(super) struct Term {
 }
 
 type Map<K, V> = IndexMap<K, V, FxBuildHasher>;
+/// The factors and divisors that vary.
+type VariablePart = (Vec<Value>, Vec<Value>);
 
 /// The sum of terms.
 pub(super) fn collect(values: &mut Values, terms: Vec<Term>) -> Value {
@@ -28,7 +30,7 @@ pub(super) fn collect(values: &mut Values, terms: Vec<Term>) -> Value {
 
 /// Adds the coefficients of terms of equal variable part.
 fn merge(values: &mut Values, terms: Vec<Term>) -> Vec<Term> {
-    let mut coefficients: Map<(Vec<Value>, Vec<Value>), Vec<(bool, Value)>> = Map::default();
+    let mut coefficients: Map<VariablePart, Vec<(bool, Value)>> = Map::default();
     for term in terms {
         let (parametric, mut factors): (Vec<_>, Vec<_>) =
             term.factors.into_iter().partition(|factor| values.is_parametric(*factor));

@@ -66,7 +66,7 @@ enum Step {
 type Entry = Vec<(bool, Value)>;
 
 /// Rows of a symmetric matrix under elimination, each entry under both of its indices' smaller one first.
-struct Matrix {
+pub(super) struct Matrix {
     entries: IndexMap<(usize, usize), Entry, FxBuildHasher>,
 }
 
@@ -81,6 +81,11 @@ impl Matrix {
 
     fn add(&mut self, i: usize, j: usize, negative: bool, value: Value) {
         self.entries.entry((i.min(j), i.max(j))).or_default().push((negative, value));
+    }
+
+    /// The entry as it stands.
+    pub(super) fn entry(&mut self, values: &mut Values, i: usize, j: usize) -> Value {
+        self.value(values, i, j).unwrap_or_else(|| values.constant(0.0))
     }
 
     /// The entry as it stands, as one value from now on; nothing if it is zero.
@@ -121,34 +126,15 @@ pub(super) fn factorise(
     Some(factors)
 }
 
-/// The system with its intermediate quantities substituted, and nothing else done.
-pub(super) fn reduce(values: &mut Values, system: &System) -> Reduced {
+/// The matrix with its intermediate quantities substituted, and nothing else done.
+pub(super) fn reduce(values: &mut Values, system: &System) -> Matrix {
     let mut matrix = Matrix::of(system);
-    let mut factors = Factors { steps: vec![], pivots: vec![] };
     for Action { unknown, neighbours } in substitutions(system.pattern()) {
         if let Unknown::Intermediate(definition) = &system.unknowns[unknown] {
-            factors.steps.push(substitute(values, &mut matrix, unknown, definition, &neighbours));
+            substitute(values, &mut matrix, unknown, definition, &neighbours);
         }
     }
-    Reduced { matrix, factors }
-}
-
-/// A system in coordinates and multipliers alone.
-pub(super) struct Reduced {
-    matrix: Matrix,
-    factors: Factors,
-}
-
-impl Reduced {
-    /// An entry of the matrix.
-    pub(super) fn entry(&mut self, values: &mut Values, i: usize, j: usize) -> Value {
-        self.matrix.value(values, i, j).unwrap_or_else(|| values.constant(0.0))
-    }
-
-    /// The right-hand side that belongs to one of the whole system.
-    pub(super) fn right_hand_side(&self, values: &mut Values, rhs: Vec<Value>, constants: &[Value]) -> Vec<Value> {
-        self.factors.forward(values, rhs, constants, &mut |_, _| ())
-    }
+    matrix
 }
 
 fn eliminate(

@@ -1,9 +1,9 @@
 //! The kernels of a mechanism.
 
 use super::lower::Lowering;
-use super::motion::ReducedEquations;
 use super::planner::Planner;
 use super::prepared::prepared_kernels;
+use super::reduced;
 use super::results::{Record, Results};
 use super::values::Value;
 use super::{Arguments, Kernel, Program};
@@ -11,6 +11,9 @@ use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Shape, Start};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
+
+/// What a kernel returns, of the equations of motion.
+type Wanted = fn(&EquationsOfMotion, &mut Lowering) -> Results<Value>;
 
 /// The largest sum that multiplying out may make.
 const LONGEST_EXPANSION: usize = 64;
@@ -51,31 +54,30 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
     let vector = |name, arguments, docs: String, values: &[Expr]| {
         planner.kernel(name, arguments, docs, |lowering| Results::Vector(lowering.lower_all(values)))
     };
-    let reduced =
-        |name, arguments, docs: String, wanted: fn(&mut ReducedEquations, &mut Lowering) -> Results<Value>| {
-            planner.kernel(name, arguments, docs, |lowering| wanted(&mut ReducedEquations::of(e, lowering), lowering))
-        };
+    let term = |name, arguments, docs: String, wanted: Wanted| {
+        planner.kernel(name, arguments, docs, |lowering| wanted(e, lowering))
+    };
     let constraints = &e.constraints;
     let rates: Vec<Expr> = e.outputs.rates.iter().flatten().copied().collect();
     let events: Vec<Expr> = e.model.events.iter().map(|event| event.value).collect();
     vec![
-        reduced(
+        term(
             "mass_matrix",
             Positions,
             format!("Mass matrix `T_q' M T_q`, {n} x {n}, symmetric, in SI units."),
-            |reduced, lowering| reduced.mass_matrix(lowering),
+            reduced::mass_matrix,
         ),
-        reduced(
+        term(
             "convective_forces",
             Speeds,
             format!("Convective forces `T_q' M g`, {n}, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate."),
-            |reduced, lowering| reduced.convective_forces(lowering),
+            reduced::convective_forces,
         ),
-        reduced(
+        term(
             "generalized_forces",
             Speeds,
             format!("Generalised forces `T_q' F`, {n}: joules per unit of each coordinate."),
-            |reduced, lowering| reduced.generalized_forces(lowering),
+            reduced::generalized_forces,
         ),
         vector(
             "constraints",
@@ -89,36 +91,35 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
             format!("The sum of the magnitudes of the terms of `C`, {m}, in SI units: what its rounding is relative to."),
             &constraints.magnitudes,
         ),
-        reduced(
+        term(
             "constraint_jacobian",
             Positions,
             format!("Constraint Jacobian `C_q`, {m} x {n}: units of each constraint per unit of each coordinate."),
-            |reduced, lowering| reduced.constraint_jacobian(lowering),
+            reduced::constraint_jacobian,
         ),
-        reduced(
+        term(
             "constraint_time_derivative",
             Positions,
             format!("`C_t`, {m}, units of `C` per second: the speeds obey `C_q q' + C_t = 0`."),
-            |reduced, lowering| reduced.constraint_time_derivative(lowering),
+            reduced::constraint_time_derivative,
         ),
-        reduced(
+        term(
             "constraint_convective",
             Speeds,
             format!("`(C_q q' + C_t)_q q' + (..)_t`, {m}, units of `C` per second squared: the part of `C''` without accelerations."),
-            |reduced, lowering| reduced.constraint_convective(lowering),
+            reduced::constraint_convective,
         ),
         planner.kernel(
             "constraint_linearization",
             Positions,
             format!("`C` ({m}), `C_q` ({m} x {n}) and `C_t` ({m}) together, in SI units, for projection."),
             |lowering| {
-                let mut reduced = ReducedEquations::of(e, lowering);
                 Results::record(
                     Record::ConstraintLinearization,
                     [
                         ("values", Results::Vector(lowering.lower_all(&constraints.values))),
-                        ("jacobian", reduced.constraint_jacobian(lowering)),
-                        ("time_derivative", reduced.constraint_time_derivative(lowering)),
+                        ("jacobian", reduced::constraint_jacobian(e, lowering)),
+                        ("time_derivative", reduced::constraint_time_derivative(e, lowering)),
                     ],
                 )
             },

@@ -9,8 +9,10 @@ mod lower;
 mod motion;
 mod names;
 mod operations;
+mod pieces;
 mod planner;
 mod prepared;
+mod reduced;
 mod results;
 mod schedule;
 mod values;
@@ -18,6 +20,7 @@ mod values;
 pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
+pub use pieces::Piece;
 pub use results::{Record, Results};
 
 /// All kernels of a mechanism.
@@ -38,6 +41,8 @@ pub struct Kernel {
     pub arguments: Arguments,
     /// The local names of the entries of its arguments; `None` for those it does not need.
     pub entries: Entries,
+    /// What is computed before in functions of their own, if it is long.
+    pub pieces: Vec<Piece>,
     /// What is computed, in order.
     pub statements: Vec<Statement>,
     /// What is returned.

@@ -1,11 +1,11 @@
 //! The equations of motion as a linear system of values, its solution, and the derivatives of that solution.
 
-use super::eliminate::{Factors, Labels, Reduced, System, Unknown, factorise, reduce};
+use super::eliminate::{Factors, Labels, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::planner::variable_names;
 use super::results::{Record, Results};
 use super::values::Value;
-use crate::dynamics::{Columns, Differentiated, EquationsOfMotion};
+use crate::dynamics::{Columns, EquationsOfMotion, Intermediate};
 use crate::symbolic::Expr;
 
 /// The equations of motion solved at one state.
@@ -25,7 +25,7 @@ impl<'a> Motion<'a> {
         let mut labels = Labels::new();
         let system = system(equations, lowering);
         let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &equations.constraints.convective);
-        let constants = constants(equations, lowering, |definition| definition.convective);
+        let constants = constants(equations, lowering);
         let factors = factorise(&mut lowering.values, &system, &names, &mut labels);
         let solved = match &factors {
             Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |value, k| {
@@ -111,79 +111,6 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// The equations of motion in coordinates and multipliers, not solved.
-pub(super) struct ReducedEquations<'a> {
-    equations: &'a EquationsOfMotion,
-    reduced: Reduced,
-}
-
-impl<'a> ReducedEquations<'a> {
-    pub(super) fn of(equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> ReducedEquations<'a> {
-        let system = system(equations, lowering);
-        ReducedEquations { equations, reduced: reduce(&mut lowering.values, &system) }
-    }
-
-    /// T_q' M T_q.
-    pub(super) fn mass_matrix(&mut self, lowering: &mut Lowering) -> Results<Value> {
-        let n = self.equations.model.coordinates.len();
-        let mut row = |i: usize| (0..n).map(|j| self.reduced.entry(&mut lowering.values, i, j)).collect();
-        Results::Matrix(n, (0..n).map(&mut row).collect())
-    }
-
-    /// C_q.
-    pub(super) fn constraint_jacobian(&mut self, lowering: &mut Lowering) -> Results<Value> {
-        let n = self.equations.model.coordinates.len();
-        let rows =
-            self.equations.variables.len()..self.equations.variables.len() + self.equations.constraints.values.len();
-        let mut row = |i: usize| (0..n).map(|j| self.reduced.entry(&mut lowering.values, i, j)).collect();
-        Results::Matrix(n, rows.map(&mut row).collect())
-    }
-
-    /// T_q' F.
-    pub(super) fn generalized_forces(&self, lowering: &mut Lowering) -> Results<Value> {
-        let zero = lowering.values.constant(0.0);
-        let constants = vec![zero; unknown_count(self.equations)];
-        let forces = lowering.lower_all(&self.equations.tmt.generalized_forces);
-        Results::Vector(self.coordinate_rows(lowering, forces, &constants))
-    }
-
-    /// T_q' M g.
-    pub(super) fn convective_forces(&self, lowering: &mut Lowering) -> Results<Value> {
-        let constants = constants(self.equations, lowering, |definition| definition.convective);
-        let forces = negated(lowering, &self.equations.tmt.convective_forces);
-        let rows = self.coordinate_rows(lowering, forces, &constants);
-        Results::Vector(rows.into_iter().map(|row| lowering.values.negate(row)).collect())
-    }
-
-    /// C_t.
-    pub(super) fn constraint_time_derivative(&self, lowering: &mut Lowering) -> Results<Value> {
-        let constants = constants(self.equations, lowering, |definition| definition.time_derivative);
-        self.constraint_rows(lowering, &self.equations.constraints.time_derivative, &constants)
-    }
-
-    /// (C_q q' + C_t)_q q' + (..)_t.
-    pub(super) fn constraint_convective(&self, lowering: &mut Lowering) -> Results<Value> {
-        let constants = constants(self.equations, lowering, |definition| definition.convective);
-        self.constraint_rows(lowering, &self.equations.constraints.convective, &constants)
-    }
-
-    fn coordinate_rows(&self, lowering: &mut Lowering, forces: Vec<Value>, constants: &[Value]) -> Vec<Value> {
-        let mut rhs = forces;
-        rhs.resize(constants.len(), lowering.values.constant(0.0));
-        let mut reduced = self.reduced.right_hand_side(&mut lowering.values, rhs, constants);
-        reduced.truncate(self.equations.model.coordinates.len());
-        reduced
-    }
-
-    fn constraint_rows(&self, lowering: &mut Lowering, rows: &[Expr], constants: &[Value]) -> Results<Value> {
-        let mut rhs = vec![lowering.values.constant(0.0); self.equations.variables.len()];
-        rhs.extend(negated(lowering, rows));
-        let mut reduced = self.reduced.right_hand_side(&mut lowering.values, rhs, constants);
-        let rows = reduced.split_off(self.equations.variables.len());
-        Results::Vector(rows.into_iter().map(|row| lowering.values.negate(row)).collect())
-    }
-}
-
 fn unknown_names(equations: &EquationsOfMotion) -> Vec<String> {
     let mut names = variable_names(equations);
     names.extend(equations.model.constraints.iter().map(|c| format!("lambda_{}", c.name)));
@@ -195,7 +122,7 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 }
 
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers.
-fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
+pub(super) fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, variables, intermediates, tmt, constraints, .. } = equations;
     let mut entries = Vec::new();
     let mut enter = |i: usize, j: usize, expr: Expr| {
@@ -211,12 +138,21 @@ fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
     }
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
-        let definition = y.definition.jacobian.iter().copied().enumerate();
-        let definition = definition.filter(|(_, expr)| !model.graph.is_zero(*expr));
-        unknowns.push(Unknown::Intermediate(definition.map(|(j, expr)| (j, lowering.lower(expr))).collect()));
+        unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
     }
     unknowns.extend(model.constraints.iter().map(|_| Unknown::Multiplier));
     System { unknowns, entries }
+}
+
+/// The variables that an intermediate is defined by, with their coefficients.
+pub(super) fn definition(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    intermediate: &Intermediate,
+) -> Vec<(usize, Value)> {
+    let entries = intermediate.definition.jacobian.iter().copied().enumerate();
+    let entries = entries.filter(|(_, expr)| !equations.model.graph.is_zero(*expr));
+    entries.map(|(j, expr)| (j, lowering.lower(expr))).collect()
 }
 
 /// Forces, then the opposites of constraint terms.
@@ -231,14 +167,10 @@ fn negated(lowering: &mut Lowering, exprs: &[Expr]) -> Vec<Value> {
 }
 
 /// What the definitions of the intermediates add that no acceleration is in, at their places; 0 elsewhere.
-fn constants(
-    equations: &EquationsOfMotion,
-    lowering: &mut Lowering,
-    term: impl Fn(&Differentiated) -> Expr,
-) -> Vec<Value> {
+fn constants(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
     let mut constants = vec![lowering.values.constant(0.0); unknown_count(equations)];
     for (i, y) in equations.intermediates.iter().enumerate() {
-        constants[equations.model.coordinates.len() + i] = lowering.lower(term(&y.definition));
+        constants[equations.model.coordinates.len() + i] = lowering.lower(y.definition.convective);
     }
     constants
 }

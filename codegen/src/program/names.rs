@@ -11,7 +11,7 @@ pub(super) struct Names {
 impl Names {
     /// No name but those that generated code itself uses, and those that are patterns everywhere in Rust.
     pub(super) fn new() -> Names {
-        let reserved = ["t", "q", "qd", "qdd", "lambda", "S", "refused", "Some", "None", "Ok", "Err"];
+        let reserved = ["t", "q", "qd", "qdd", "lambda", "S", "refused", "found", "Some", "None", "Ok", "Err"];
         Names { taken: reserved.into_iter().map(|name| (name.to_owned(), 1)).collect() }
     }
 

@@ -3,6 +3,7 @@
 use super::eliminate::Labels;
 use super::lower::Lowering;
 use super::names::Names;
+use super::pieces::split;
 use super::results::Results;
 use super::schedule::{Leaves, Schedule};
 use super::values::{Input, Operation, Value};
@@ -87,7 +88,8 @@ impl<'a> Planner<'a> {
         let statements = schedule.statements;
         let operations = Operations::of(&statements, &results);
         let Head { name, docs, receiver, arguments } = head;
-        Kernel { name, docs, receiver, arguments, entries, statements, results, operations }
+        let (pieces, statements) = split(statements, &results);
+        Kernel { name, docs, receiver, arguments, entries, pieces, statements, results, operations }
     }
 
     /// Names for values: what the user named, then what the method names. The first wish for a value wins.

@@ -10,7 +10,7 @@ pub const DOP853: Tableau = Tableau { a: &A, b: B, c: &C, order: 8, error: Error
 
 /// The step's weights less those of the method of order 3.
 const ERROR3: &[Weight] = &[
-    (0, B[0].1 - 0.244_094_488_188_976_38),
+    (0, B[0].1 - 0.244_094_488_188_976_4),
     B[1],
     B[2],
     B[3],

@@ -55,8 +55,9 @@ impl<T: ComplexField<RealField = f64> + Copy> Lu<T> {
     pub(super) fn solve(&mut self, rhs: impl Fn(usize) -> T) -> &[T] {
         let (n, entries, x) = (self.n, &self.entries, &mut self.scratch);
         (0..n).for_each(|i| x[i] = rhs(i));
+        // All exchanges first: later ones have moved the multipliers of earlier rows too.
+        (0..n).for_each(|k| x.swap(k, self.exchanged[k]));
         for k in 0..n {
-            x.swap(k, self.exchanged[k]);
             for i in k + 1..n {
                 let known = entries[i * n + k] * x[k];
                 x[i] -= known;
@@ -78,13 +79,13 @@ mod tests {
     use super::Lu;
     use nalgebra::Complex;
 
-    /// Two exchanges in a row, and a rotation by a complex number.
+    /// Exchanges in every column, the second of rows that the first has given multipliers.
     #[test]
     fn systems_are_solved() {
-        let matrix = [[0.0, 2.0, 1.0], [4.0, 1.0, 0.0], [1.0, 1.0, 8.0]];
+        let matrix = [[1.0, 1.0, 8.0], [2.0, 2.0, 1.0], [4.0, 1.0, 0.0]];
         let mut real = Lu::new(3);
         assert!(real.factorise(|i, j| matrix[i][j]));
-        let rhs = [7.0, 6.0, 27.0];
+        let rhs = [27.0, 9.0, 6.0];
         let expected = [1.0f64, 2.0, 3.0];
         assert!(real.solve(|i| rhs[i]).iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-14));
         let mut complex = Lu::new(1);

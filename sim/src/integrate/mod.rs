@@ -19,11 +19,12 @@ pub use radau::Radau5;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
+use crate::mobility::weakest_constraint;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -158,13 +159,32 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
                 steps.rejected += 1;
                 h = (time - now) * controller.rejected(refused.as_ref().ok().map(|(_, error)| *error));
                 if h < 16.0 * f64::EPSILON * now.abs().max(1e-3 * course.end) {
-                    let what = What::StepTooSmall { step: h };
-                    return Err(refused.err().unwrap_or(Failure::at::<M>(what, now, &from.state.positions)));
+                    return Err(too_small(motion, &from.state, h, refused.err()));
                 }
             }
         }
     }
     Ok(())
+}
+
+/// A constraint whose rows are this near to depending on others, as a sine, explains why no step is small enough.
+const NEARLY_SINGULAR: f64 = 1e-3;
+
+/// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
+fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
+    let weakest = weakest_constraint(motion.mechanism(), at.time, &at.positions);
+    match weakest.filter(|(_, sine)| *sine < NEARLY_SINGULAR) {
+        Some((constraint, _)) => Failure::at::<M>(What::SingularPosition { constraint }, at.time, &at.positions),
+        None => cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions)),
+    }
+}
+
+/// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.
+const MOST_MOVED: f64 = 1000.0;
+
+/// The differences of positions and speeds.
+fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
+    (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
 }
 
 /// One step, with its end on the constraints and the estimate of its error.
@@ -181,8 +201,10 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     if !(error <= 1.0) {
         return Ok((*from, error));
     }
+    let before = end;
     motion.keep(&mut end)?;
-    Ok((motion.sample(end)?, error))
+    let moved = tolerance.map_or(0.0, |tolerance| tolerance.norm(&before, &end, &difference(&before, &end)));
+    Ok((motion.sample(end)?, error.max(moved / MOST_MOVED)))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {

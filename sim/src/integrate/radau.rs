@@ -26,13 +26,13 @@ const PAIR: Complex<f64> = Complex::new(2.681_082_873_627_752, 3.050_430_199_247
 /// T^-1 A^-1 T is block diagonal with them.
 const T: [[f64; 3]; 3] = [
     [9.123_239_487_089_295e-2, -0.141_255_295_020_954_2, -3.002_919_410_514_742_4e-2],
-    [0.241_717_932_707_107, 0.204_129_352_293_799_93, 0.382_942_112_757_261_94],
+    [0.241_717_932_707_107, 0.204_129_352_293_799_94, 0.382_942_112_757_261_9],
     [0.966_048_182_615_093, 1.0, 0.0],
 ];
 const T_INVERSE: [[f64; 3]; 3] = [
-    [4.325_579_890_063_155, 0.339_199_251_815_809_87, 0.541_770_539_935_874_9],
-    [-4.178_718_591_551_905, -0.327_682_820_761_062_4, 0.476_623_554_500_550_45],
-    [-0.502_872_634_945_786_9, 2.571_926_949_855_605_4, -0.596_039_204_828_225],
+    [4.325_579_890_063_155, 0.339_199_251_815_809_84, 0.541_770_539_935_874_9],
+    [-4.178_718_591_551_905, -0.327_682_820_761_062_4, 0.476_623_554_500_550_44],
+    [-0.502_872_634_945_786_9, 2.571_926_949_855_605, -0.596_039_204_828_225],
 ];
 /// Weights of the stages in the estimate of the error.
 const ESTIMATE: [f64; 3] = [-(13.0 + 7.0 * ROOT6) / 3.0, (-13.0 + 7.0 * ROOT6) / 3.0, -1.0 / 3.0];
@@ -50,6 +50,8 @@ pub struct Radau5<M: Mechanism> {
     stages: [Rates<M>; 3],
     /// The length of the last step, whose polynomial foretells the next; 0 if there is none.
     last: f64,
+    /// The time that the last step came to.
+    reached: f64,
     jacobian: Blocks<M>,
     real: Lu<f64>,
     complex: Lu<Complex<f64>>,
@@ -67,7 +69,14 @@ impl<M: Mechanism> Radau5<M> {
     pub fn new() -> Radau5<M> {
         let (n, zero) = (M::Q::LEN, M::QQ::filled(M::Q::filled(0.0)));
         let jacobian = Blocks { by_positions: zero, by_speeds: zero };
-        Radau5 { stages: [Rates::zero(); 3], last: 0.0, jacobian, real: Lu::new(n), complex: Lu::new(n) }
+        Radau5 {
+            stages: [Rates::zero(); 3],
+            last: 0.0,
+            reached: f64::NAN,
+            jacobian,
+            real: Lu::new(n),
+            complex: Lu::new(n),
+        }
     }
 
     /// Factorises both systems for a step of length h.
@@ -107,9 +116,10 @@ impl<M: Mechanism> Radau5<M> {
     }
 
     /// Where the polynomial of the last step foretells the stages of the next.
-    fn foretell(&mut self, h: f64) {
+    fn foretell(&mut self, from: &Sample<M>, h: f64) {
         let (last, stages) = (self.last, self.stages);
-        if last == 0.0 {
+        // A step that was refused foretells nothing.
+        if last == 0.0 || self.reached != from.state.time {
             self.stages = [Rates::zero(); 3];
             return;
         }
@@ -217,7 +227,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         let fail = || Failure::at::<M>(What::NoConvergence, from.state.time, &from.state.positions);
         let (by_positions, by_speeds) = motion.jacobian(from)?;
         self.jacobian = Blocks { by_positions, by_speeds };
-        self.foretell(h);
+        self.foretell(from, h);
         // Unless the step succeeds, the next one starts from nothing.
         self.last = 0.0;
         if !self.factorise(h) {
@@ -228,7 +238,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         change.work = h * rates.iter().zip(B).map(|(rates, weight)| weight * rates.work).sum::<f64>();
         let end = from.state.changed(time, 1.0, &change);
         let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, from, &end, h, tolerance))?;
-        self.last = h;
+        (self.last, self.reached) = (h, time);
         Ok(Attempt { end, error })
     }
 

@@ -238,7 +238,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 42 additions, 86 multiplications, 5 sine-cosine pairs.
+    /// Operations: 29 additions, 76 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -257,56 +257,40 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w = self.m * self.l * self.l * S::from_f64(0.5);
-        let w_2 = self.m * self.l * S::from_f64(0.5);
-        let mass_P4_x_phi_5 = w_2 * cos_phi_5;
-        let mass_P4_y_phi_5 = w_2 * sin_phi_5;
-        let w_3 = self.l * cos_phi_3;
-        let u3_x = self.l * sin_phi_3;
-        let w_4 = self.l * cos_phi_4;
-        let u4_x = self.l * sin_phi_4;
-        let w_5 = w_2 * sin_phi_4 + self.m * u4_x;
-        let w_6 = self.m + self.m;
-        let w_7 = w_2 * cos_phi_4 + self.m * w_4;
-        let w_8 = self.m + w_6;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let minus_P2_x_convective = self.l
-            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
-        let P2_y_convective = self.l
-            * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
+        let w = S::from_f64(0.5) * self.m * self.l;
+        let w_2 = S::from_f64(0.5) * self.m * self.l * self.l;
+        let w_3 = cos_phi_1 * sin_phi_2;
+        let w_4 = sin_phi_1 * cos_phi_2;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
-        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
         let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
-        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
-        let w_9 = cos_phi_1 * sin_phi_2;
-        let w_10 = cos_phi_2 * sin_phi_1;
         let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let w_11 = w_2 * cos_phi_5 * phi_5_dot_squared + self.m * P4_y_convective;
-        let w_12 = w_2 * sin_phi_5 * phi_5_dot_squared + self.m * minus_P4_x_convective;
-        let w_13 = w_2 * cos_phi_4 * phi_4_dot_squared + w_11 + w_6 * P3_y_convective;
-        let w_14 = w_2 * sin_phi_4 * phi_4_dot_squared + w_12
-            + w_6 * minus_P3_x_convective;
-        let w_15 = cos_phi_3 * w_2 * phi_3_dot_squared + w_13 + w_8 * P2_y_convective;
-        let w_16 = w_2 * sin_phi_3 * phi_3_dot_squared + w_14
-            + w_8 * minus_P2_x_convective;
+        let minus_P2_x_convective = self.l
+            * (phi_1_dot_squared * sin_phi_1 + phi_2_dot_squared * sin_phi_2);
+        let P2_y_convective = self.l
+            * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
+        let w_5 = self.l * phi_3_dot_squared * sin_phi_3 + minus_P2_x_convective;
+        let w_6 = self.l * phi_3_dot_squared * cos_phi_3 + P2_y_convective;
+        let w_7 = self.l * phi_4_dot_squared * sin_phi_4 + w_5;
+        let w_8 = self.l * phi_4_dot_squared * cos_phi_4 + w_6;
+        let w_9 = w * phi_5_dot_squared * sin_phi_5 + self.m * w_7;
+        let w_10 = w * phi_5_dot_squared * cos_phi_5 + self.m * w_8;
+        let w_11 = w * phi_4_dot_squared * cos_phi_4 + self.m * w_6 + w_10;
+        let w_12 = w * phi_4_dot_squared * sin_phi_4 + self.m * w_5 + w_9;
+        let w_13 = w * phi_3_dot_squared * cos_phi_3 + self.m * P2_y_convective + w_11;
+        let w_14 = w * phi_3_dot_squared * sin_phi_3 + self.m * minus_P2_x_convective
+            + w_12;
         [
-            -(self.l * cos_phi_1 * w_16 - w * phi_2_dot_squared * (w_10 - w_9)
-                - self.l * sin_phi_1 * w_15),
-            -(self.l * cos_phi_2 * w_16 - w * phi_1_dot_squared * (w_9 - w_10)
-                - self.l * sin_phi_2 * w_15),
-            -(w_3 * w_14 - u3_x * w_13 - (w_2 * sin_phi_3 + u3_x * w_6) * P2_y_convective
-                + (cos_phi_3 * w_2 + w_3 * w_6) * minus_P2_x_convective),
-            -(w_4 * w_12 - u4_x * w_11 - w_5 * P3_y_convective
-                + w_7 * minus_P3_x_convective - w_5 * P2_y_convective
-                + w_7 * minus_P2_x_convective),
-            -(mass_P4_x_phi_5 * minus_P4_x_convective - mass_P4_y_phi_5 * P4_y_convective
-                - mass_P4_y_phi_5 * P3_y_convective
-                + mass_P4_x_phi_5 * minus_P3_x_convective
-                - mass_P4_y_phi_5 * P2_y_convective
-                + mass_P4_x_phi_5 * minus_P2_x_convective),
+            w_2 * phi_2_dot_squared * (w_4 - w_3) + w_13 * self.l * sin_phi_1
+                - w_14 * self.l * cos_phi_1,
+            w_2 * phi_1_dot_squared * (w_3 - w_4) + w_13 * self.l * sin_phi_2
+                - w_14 * self.l * cos_phi_2,
+            P2_y_convective * w * sin_phi_3 - minus_P2_x_convective * w * cos_phi_3
+                + w_11 * self.l * sin_phi_3 - w_12 * self.l * cos_phi_3,
+            w_6 * w * sin_phi_4 - w_5 * w * cos_phi_4 + w_10 * self.l * sin_phi_4
+                - w_9 * self.l * cos_phi_4,
+            w_8 * w * sin_phi_5 - w_7 * w * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
@@ -322,17 +306,17 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             phi_4,
             phi_5,
         ]);
-        let w = self.m * self.l * S::from_f64(0.5) * self.g;
+        let w = self.m * self.l * self.g * S::from_f64(0.5);
         let w_2 = self.m * self.g;
         let w_3 = w_2 + w_2;
         let w_4 = w_2 + w_3;
         [
-            -(sin_phi_1 * self.m * self.l * S::from_f64(1.5) * self.g
-                + self.l * sin_phi_1 * w_4),
-            -(sin_phi_2 * w + self.l * sin_phi_2 * w_4),
-            -(sin_phi_3 * w + self.l * sin_phi_3 * w_3),
-            -(sin_phi_4 * w + self.l * sin_phi_4 * w_2),
-            -(sin_phi_5 * w),
+            -(sin_phi_1 * S::from_f64(1.5) * self.m * self.l * self.g
+                + w_4 * self.l * sin_phi_1),
+            -(sin_phi_2 * w + w_4 * self.l * sin_phi_2),
+            -(w * sin_phi_3 + w_3 * self.l * sin_phi_3),
+            -(w * sin_phi_4 + w_2 * self.l * sin_phi_4),
+            -(w * sin_phi_5),
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.

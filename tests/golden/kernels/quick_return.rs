@@ -282,19 +282,12 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnOutputRates<S>> for
 )]
 pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     O2A: S,
-    O2A_squared: S,
     mass_alpha_alpha: S,
-    O4G4_squared: S,
     O4B: S,
-    O4B_squared: S,
-    m5: S,
-    m6: S,
     mass_beta_beta: S,
     BG5: S,
     BC: S,
     k: S,
-    BG5_squared: S,
-    BC_squared: S,
     mass_gamma_gamma: S,
     O4O2: S,
     T: S,
@@ -317,63 +310,41 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     k_12: S,
     k_13: S,
     k_14: S,
-    k_15: S,
-    k_16: S,
-    k_17: S,
-    k_18: S,
-    k_19: S,
-    k_20: S,
-    k_21: S,
-    k_22: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 16 additions, 42 multiplications, 2 divisions.
+    /// Operations: 14 additions, 31 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
-        let O2A_squared = self.O2A * self.O2A;
-        let mass_alpha_alpha = self.J2 + O2A_squared * self.m3;
-        let O4G4_squared = self.O4G4 * self.O4G4;
+        let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let mass_beta_beta = self.J3 + self.J4 + O4G4_squared * self.m4 + w + w_2;
-        let BG5_squared = self.BG5 * self.BG5;
-        let BC_squared = self.BC * self.BC;
-        let w_3 = self.m5 * BG5_squared;
-        let w_4 = self.m6 * BC_squared;
+        let mass_beta_beta = self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
+            + w_2;
+        let w_3 = self.m5 * self.BG5 * self.BG5;
+        let w_4 = self.m6 * self.BC * self.BC;
         let mass_gamma_gamma = self.J5 + w_3 + w_4;
-        let w_5 = self.O4B * self.m5;
-        let w_6 = self.O4B * self.m6;
-        let w_7 = self.m5 * self.BG5;
-        let w_8 = self.m6 * self.BC;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
         QuickReturnPrepared {
             O2A: self.O2A,
-            O2A_squared: O2A_squared,
             mass_alpha_alpha: mass_alpha_alpha,
-            O4G4_squared: O4G4_squared,
             O4B: self.O4B,
-            O4B_squared: O4B_squared,
-            m5: self.m5,
-            m6: self.m6,
             mass_beta_beta: mass_beta_beta,
             BG5: self.BG5,
             BC: self.BC,
             k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
-            BG5_squared: BG5_squared,
-            BC_squared: BC_squared,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             T: self.T,
             F: self.F,
-            k_2: w_5,
-            k_3: w_6,
+            k_2: self.O4B * self.m5,
+            k_3: self.O4B * self.m6,
             k_4: self.O4B * self.F,
-            k_5: w_7,
-            k_6: w_8,
+            k_5: self.m5 * self.BG5,
+            k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
             k_8: self.O2A * S::from_f64(2.0),
             abs_mass_alpha_alpha: mass_alpha_alpha.abs(),
@@ -388,14 +359,6 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 + self.O4B * self.m6 * self.BC * S::from_f64(2.0),
             k_13: self.O4B * S::from_f64(2.0),
             k_14: self.BC * S::from_f64(2.0),
-            k_15: self.O2A * self.m3 * S::from_f64(2.0),
-            k_16: w_7 + w_8,
-            k_17: S::from_f64(2.0) * (w_5 + w_6),
-            k_18: self.m6 * self.BC * S::from_f64(2.0),
-            k_19: self.O4G4 * self.m4 * S::from_f64(2.0),
-            k_20: self.m5 * self.BG5 * S::from_f64(2.0),
-            k_21: self.O4B * self.BG5,
-            k_22: self.O4B * self.BC,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -444,7 +407,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         ]);
         let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let w_2 = sin_beta * cos_gamma;
-        let w_3 = sin_gamma * cos_beta;
+        let w_3 = cos_beta * sin_gamma;
         [
             S::from_f64(0.0),
             w * gamma_dot * gamma_dot * (w_2 - w_3),
@@ -458,7 +421,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, beta, gamma] = *q;
         let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
-        [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.BC * self.F)]
+        [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.F * self.BC)]
     }
     /// Constraints `C`, 2, in SI units; zero throughout the motion.
     ///
@@ -529,20 +492,20 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let beta_dot_squared = beta_dot * beta_dot;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let beta_dot_squared = beta_dot * beta_dot;
         let w = alpha_dot * alpha_dot + beta_dot_squared;
         let w_2 = self.O2A * S::from_f64(2.0) * beta_dot * alpha_dot
-            * (cos_beta * sin_alpha - sin_beta * cos_alpha);
+            * (sin_alpha * cos_beta - sin_beta * cos_alpha);
         [
-            -(self.O4B * sin_beta * beta_dot_squared
-                + sin_gamma * self.BC * gamma_dot * gamma_dot),
-            self.O2A * (sin_beta * cos_alpha * w - cos_beta * sin_alpha * w) + w_2
-                - cos_beta * self.O4O2 * beta_dot_squared,
+            -(beta_dot_squared * self.O4B * sin_beta
+                + gamma_dot * gamma_dot * self.BC * sin_gamma),
+            self.O2A * (sin_beta * cos_alpha * w - sin_alpha * cos_beta * w) + w_2
+                - beta_dot_squared * cos_beta * self.O4O2,
         ]
     }
     /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
@@ -563,11 +526,11 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         sim_kernel::ConstraintLinearization {
             values: [
-                self.O4B * sin_beta - self.yc + sin_gamma * self.BC,
-                cos_beta * A_y - self.O2A * sin_beta * cos_alpha,
+                self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
+                A_y * cos_beta - sin_beta * self.O2A * cos_alpha,
             ],
             jacobian: [
-                [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
+                [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
                 [
                     self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha),
                     -(self.O2A * cos_beta * cos_alpha + sin_beta * A_y),
@@ -796,16 +759,6 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         qd: &[S; 3],
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
         self.prepare().dynamics_jacobian(t, q, qd)
-    }
-    /// [`QuickReturnPrepared::dynamics_sensitivity`] once; for many calls with the same parameters [`Self::prepare`] first.
-    #[inline]
-    pub fn dynamics_sensitivity(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        self.prepare().dynamics_sensitivity(t, q, qd)
     }
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
@@ -1126,361 +1079,6 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
                     w_15.abs() + w_19.abs() + w_20.abs(),
-                ),
-        }
-    }
-    /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to the parameters (17 columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
-    ///
-    /// Operations: 204 additions, 343 multiplications, 3 divisions, 3 sine-cosine pairs.
-    #[inline]
-    pub fn dynamics_sensitivity(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        let [alpha, beta, gamma] = *q;
-        let [alpha_dot, beta_dot, gamma_dot] = *qd;
-        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
-            beta,
-            gamma,
-            alpha,
-        ]);
-        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w;
-        let guide_by_gamma = cos_gamma * self.BC;
-        let w_2 = cos_beta * cos_alpha + sin_beta * sin_alpha;
-        let slot_by_alpha = self.O2A * w_2;
-        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha
-            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = self.O4B * cos_beta * beta_dot_squared;
-        let w_4 = w_3 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_5 = w_3 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_6 = self.O4B * sin_beta * beta_dot_squared;
-        let w_7 = w_6 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_8 = w_6 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w_9 = alpha_dot - beta_dot;
-        let w_10 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_11 = self.O2A * (sin_beta * cos_alpha * w_10 - cos_beta * sin_alpha * w_10)
-            + self.k_8 * beta_dot * alpha_dot
-                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_12 = slot_by_alpha * l_lambda_slot_alpha;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_13 = mass_gamma_beta * l_beta_gamma;
-        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_14 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_13;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_15 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_16 = minus_slot_by_beta * minus_l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_14 + w_15;
-        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
-        let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
-            * minus_inverse_lambda_guide;
-        let w_17 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_17 - w_12 - w_16;
-        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
-        let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_11 - self.T * l_lambda_slot_alpha
-                + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
-            - minus_inverse_lambda_guide * rhs_lambda_guide;
-        let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
-            + minus_l_lambda_slot_beta * lambda_slot;
-        let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
-            - l_lambda_guide_gamma * lambda_guide;
-        let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_18 = sin_gamma * cos_beta;
-        let w_19 = sin_beta * cos_gamma;
-        let w_20 = w_2 * lambda_slot;
-        let w_21 = alpha_ddot * self.k_15 + w_20;
-        let w_22 = l_lambda_guide_beta * w_20;
-        let w_23 = w_9
-            * (cos_beta * sin_alpha * w_9
-                + sin_beta * cos_alpha * (beta_dot - alpha_dot))
-            + w_2 * (beta_ddot - alpha_ddot) + l_lambda_slot_alpha * w_21
-            + minus_l_lambda_slot_beta * w_20 - minus_l_lambda_slot_lambda_guide * w_22;
-        let w_24 = inverse_lambda_slot * w_23;
-        let w_25 = minus_inverse_lambda_guide * w_22
-            + minus_l_lambda_slot_lambda_guide * w_24;
-        let w_26 = inverse_beta * w_20 - l_lambda_guide_beta * w_25
-            + minus_l_lambda_slot_beta * w_24;
-        let w_27 = w * self.k_16;
-        let w_28 = cos_beta * (self.m5 * w_7 + self.m6 * w_8 - lambda_guide)
-            - sin_beta * (self.m5 * w_4 + self.m6 * w_5 + self.F) - beta_ddot * self.k_17
-            - gamma_ddot * w_27;
-        let w_29 = self.k_16 * beta_dot_squared * (w_19 - w_18) - beta_ddot * w_27;
-        let w_30 = w_28 - l_beta_gamma * w_29;
-        let w_31 = sin_beta * beta_dot_squared - cos_beta * beta_ddot
-            - l_lambda_guide_gamma * w_29 - l_lambda_guide_beta * w_30;
-        let w_32 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_30
-                + minus_l_lambda_slot_lambda_guide * w_31);
-        let w_33 = minus_l_lambda_slot_lambda_guide * w_32
-            - minus_inverse_lambda_guide * w_31;
-        let w_34 = inverse_beta * w_30 - l_lambda_guide_beta * w_33
-            + minus_l_lambda_slot_beta * w_32;
-        let w_35 = w * self.k_3;
-        let w_36 = gamma_dot_squared * (w_18 - w_19);
-        let w_37 = cos_gamma * w_8 - sin_gamma * w_5;
-        let w_38 = self.m6 * w_37 - sin_gamma * self.F - beta_ddot * w_35
-            - gamma_ddot * self.k_18 - cos_gamma * lambda_guide;
-        let w_39 = self.k_3 * w_36 - gamma_ddot * w_35 - l_beta_gamma * w_38;
-        let w_40 = sin_gamma * gamma_dot_squared - cos_gamma * gamma_ddot
-            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
-        let w_41 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_39
-                + minus_l_lambda_slot_lambda_guide * w_40);
-        let w_42 = minus_l_lambda_slot_lambda_guide * w_41
-            - minus_inverse_lambda_guide * w_40;
-        let w_43 = inverse_beta * w_39 - l_lambda_guide_beta * w_42
-            + minus_l_lambda_slot_beta * w_41;
-        let w_44 = sin_beta * lambda_slot;
-        let w_45 = l_lambda_guide_beta * w_44;
-        let w_46 = inverse_lambda_slot
-            * (cos_beta * beta_dot_squared + sin_beta * beta_ddot
-                + minus_l_lambda_slot_beta * w_44
-                - minus_l_lambda_slot_lambda_guide * w_45);
-        let w_47 = minus_inverse_lambda_guide * w_45
-            + minus_l_lambda_slot_lambda_guide * w_46;
-        let w_48 = inverse_beta * w_44 - l_lambda_guide_beta * w_47
-            + minus_l_lambda_slot_beta * w_46;
-        let w_49 = beta_ddot * self.k_19;
-        let w_50 = l_lambda_guide_beta * w_49;
-        let w_51 = inverse_lambda_slot
-            * (minus_l_lambda_slot_lambda_guide * w_50
-                - minus_l_lambda_slot_beta * w_49);
-        let w_52 = minus_l_lambda_slot_lambda_guide * w_51
-            - minus_inverse_lambda_guide * w_50;
-        let w_53 = minus_l_lambda_slot_beta * w_51 - inverse_beta * w_49
-            - l_lambda_guide_beta * w_52;
-        let w_54 = w * self.k_2;
-        let w_55 = cos_gamma * w_7 - sin_gamma * w_4;
-        let w_56 = self.m5 * w_55 - beta_ddot * w_54 - gamma_ddot * self.k_20;
-        let w_57 = self.k_2 * w_36 - gamma_ddot * w_54 - l_beta_gamma * w_56;
-        let w_58 = l_lambda_guide_gamma * w_56 + l_lambda_guide_beta * w_57;
-        let w_59 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_57
-                - minus_l_lambda_slot_lambda_guide * w_58);
-        let w_60 = minus_inverse_lambda_guide * w_58
-            + minus_l_lambda_slot_lambda_guide * w_59;
-        let w_61 = inverse_beta * w_57 - l_lambda_guide_beta * w_60
-            + minus_l_lambda_slot_beta * w_59;
-        let w_62 = self.O2A_squared * alpha_ddot;
-        let w_63 = inverse_lambda_slot * l_lambda_slot_alpha * w_62;
-        let w_64 = minus_l_lambda_slot_lambda_guide * w_63;
-        let w_65 = minus_l_lambda_slot_beta * w_63 - l_lambda_guide_beta * w_64;
-        let w_66 = self.O4G4_squared * beta_ddot;
-        let w_67 = l_lambda_guide_beta * w_66;
-        let w_68 = inverse_lambda_slot
-            * (minus_l_lambda_slot_lambda_guide * w_67
-                - minus_l_lambda_slot_beta * w_66);
-        let w_69 = minus_l_lambda_slot_lambda_guide * w_68
-            - minus_inverse_lambda_guide * w_67;
-        let w_70 = minus_l_lambda_slot_beta * w_68 - inverse_beta * w_66
-            - l_lambda_guide_beta * w_69;
-        let w_71 = w * self.k_21;
-        let w_72 = self.O4B_squared * beta_ddot;
-        let w_73 = self.BG5 * w_55 - beta_ddot * w_71 - self.BG5_squared * gamma_ddot;
-        let w_74 = self.O4B * (cos_beta * w_7 - sin_beta * w_4) - w_72
-            - gamma_ddot * w_71 - l_beta_gamma * w_73;
-        let w_75 = l_lambda_guide_gamma * w_73 + l_lambda_guide_beta * w_74;
-        let w_76 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_74
-                - minus_l_lambda_slot_lambda_guide * w_75);
-        let w_77 = minus_inverse_lambda_guide * w_75
-            + minus_l_lambda_slot_lambda_guide * w_76;
-        let w_78 = inverse_beta * w_74 - l_lambda_guide_beta * w_77
-            + minus_l_lambda_slot_beta * w_76;
-        let w_79 = w * self.k_22;
-        let w_80 = self.BC * w_37 - beta_ddot * w_79 - self.BC_squared * gamma_ddot;
-        let w_81 = self.O4B * (cos_beta * w_8 - sin_beta * w_5) - w_72
-            - gamma_ddot * w_79 - l_beta_gamma * w_80;
-        let w_82 = l_lambda_guide_gamma * w_80 + l_lambda_guide_beta * w_81;
-        let w_83 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_81
-                - minus_l_lambda_slot_lambda_guide * w_82);
-        let w_84 = minus_inverse_lambda_guide * w_82
-            + minus_l_lambda_slot_lambda_guide * w_83;
-        let w_85 = inverse_beta * w_81 - l_lambda_guide_beta * w_84
-            + minus_l_lambda_slot_beta * w_83;
-        let w_86 = inverse_lambda_slot * l_lambda_slot_alpha * alpha_ddot;
-        let w_87 = minus_l_lambda_slot_lambda_guide * w_86;
-        let w_88 = minus_l_lambda_slot_beta * w_86 - l_lambda_guide_beta * w_87;
-        let w_89 = l_lambda_guide_beta * beta_ddot;
-        let w_90 = inverse_lambda_slot
-            * (minus_l_lambda_slot_lambda_guide * w_89
-                - minus_l_lambda_slot_beta * beta_ddot);
-        let w_91 = minus_l_lambda_slot_lambda_guide * w_90
-            - minus_inverse_lambda_guide * w_89;
-        let w_92 = minus_l_lambda_slot_beta * w_90 - inverse_beta * beta_ddot
-            - l_lambda_guide_beta * w_91;
-        let w_93 = -(l_beta_gamma * w_92 + l_lambda_guide_gamma * w_91);
-        let w_94 = -(l_lambda_slot_alpha * w_90);
-        let w_95 = l_beta_gamma * gamma_ddot;
-        let w_96 = l_lambda_guide_gamma * gamma_ddot - l_lambda_guide_beta * w_95;
-        let w_97 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_95
-                + minus_l_lambda_slot_lambda_guide * w_96);
-        let w_98 = minus_l_lambda_slot_lambda_guide * w_97
-            - minus_inverse_lambda_guide * w_96;
-        let w_99 = inverse_beta * w_95 - l_lambda_guide_beta * w_98
-            + minus_l_lambda_slot_beta * w_97;
-        let w_100 = sin_gamma * self.BC;
-        let w_101 = l_beta_gamma * w_100 - self.O4B * sin_beta;
-        let w_102 = l_lambda_guide_gamma * w_100 - l_lambda_guide_beta * w_101;
-        let w_103 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_101
-                + minus_l_lambda_slot_lambda_guide * w_102);
-        let w_104 = minus_l_lambda_slot_lambda_guide * w_103
-            - minus_inverse_lambda_guide * w_102;
-        let w_105 = inverse_beta * w_101 - l_lambda_guide_beta * w_104
-            + minus_l_lambda_slot_beta * w_103;
-        let w_106 = l_lambda_slot_alpha * inverse_lambda_slot;
-        let w_107 = minus_l_lambda_slot_lambda_guide * w_106;
-        let w_108 = l_lambda_guide_beta * w_107 - minus_l_lambda_slot_beta * w_106;
-        sim_kernel::DynamicsSensitivity {
-            accelerations: [
-                [
-                    -(self.inverse_alpha * w_21 + l_lambda_slot_alpha * w_24),
-                    -(l_lambda_slot_alpha * w_32),
-                    -(l_lambda_slot_alpha * w_41),
-                    -(l_lambda_slot_alpha * w_46),
-                    -(l_lambda_slot_alpha * w_51),
-                    -(l_lambda_slot_alpha * w_59),
-                    S::from_f64(0.0),
-                    -(self.inverse_alpha * w_62 + l_lambda_slot_alpha * w_63),
-                    -(l_lambda_slot_alpha * w_68),
-                    -(l_lambda_slot_alpha * w_76),
-                    -(l_lambda_slot_alpha * w_83),
-                    -(self.inverse_alpha * alpha_ddot + l_lambda_slot_alpha * w_86),
-                    w_94,
-                    w_94,
-                    -(l_lambda_slot_alpha * w_97),
-                    -(l_lambda_slot_alpha * w_103),
-                    self.inverse_alpha + l_lambda_slot_alpha * w_106,
-                ],
-                [
-                    w_26,
-                    w_34,
-                    w_43,
-                    w_48,
-                    w_53,
-                    w_61,
-                    S::from_f64(0.0),
-                    w_65,
-                    w_70,
-                    w_78,
-                    w_85,
-                    w_88,
-                    w_92,
-                    w_92,
-                    w_99,
-                    w_105,
-                    w_108,
-                ],
-                [
-                    -(l_beta_gamma * w_26 + l_lambda_guide_gamma * w_25),
-                    self.inverse_gamma * w_29 - l_beta_gamma * w_34
-                        - l_lambda_guide_gamma * w_33,
-                    self.inverse_gamma * w_38 - l_beta_gamma * w_43
-                        - l_lambda_guide_gamma * w_42,
-                    -(l_beta_gamma * w_48 + l_lambda_guide_gamma * w_47),
-                    -(l_beta_gamma * w_53 + l_lambda_guide_gamma * w_52),
-                    self.inverse_gamma * w_56 - l_beta_gamma * w_61
-                        - l_lambda_guide_gamma * w_60,
-                    S::from_f64(0.0),
-                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
-                    -(l_beta_gamma * w_70 + l_lambda_guide_gamma * w_69),
-                    self.inverse_gamma * w_73 - l_beta_gamma * w_78
-                        - l_lambda_guide_gamma * w_77,
-                    self.inverse_gamma * w_80 - l_beta_gamma * w_85
-                        - l_lambda_guide_gamma * w_84,
-                    -(l_beta_gamma * w_88 + l_lambda_guide_gamma * w_87),
-                    w_93,
-                    w_93,
-                    -(self.inverse_gamma * gamma_ddot + l_beta_gamma * w_99
-                        + l_lambda_guide_gamma * w_98),
-                    -(self.inverse_gamma * w_100 + l_beta_gamma * w_105
-                        + l_lambda_guide_gamma * w_104),
-                    l_lambda_guide_gamma * w_107 - l_beta_gamma * w_108,
-                ],
-            ],
-            multipliers: [
-                [
-                    w_25,
-                    w_33,
-                    w_42,
-                    w_47,
-                    w_52,
-                    w_60,
-                    S::from_f64(0.0),
-                    w_64,
-                    w_69,
-                    w_77,
-                    w_84,
-                    w_87,
-                    w_91,
-                    w_91,
-                    w_98,
-                    w_104,
-                    -w_107,
-                ],
-                [
-                    w_24,
-                    w_32,
-                    w_41,
-                    w_46,
-                    w_51,
-                    w_59,
-                    S::from_f64(0.0),
-                    w_63,
-                    w_68,
-                    w_76,
-                    w_83,
-                    w_86,
-                    w_90,
-                    w_90,
-                    w_97,
-                    w_103,
-                    -w_106,
-                ],
-            ],
-            refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
-            )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w_13.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_guide,
-                    w_14.abs() + w_15.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_12.abs() + w_16.abs() + w_17.abs(),
                 ),
         }
     }
@@ -1900,22 +1498,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
         prepared.dynamics(t, q, qd)
     }
     #[inline(always)]
-    fn prepared_dynamics_jacobian(
-        prepared: &Self::Prepared,
+    fn dynamics_jacobian(
+        &self,
         t: S,
         q: &[S; 3],
         qd: &[S; 3],
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
-        prepared.dynamics_jacobian(t, q, qd)
-    }
-    #[inline(always)]
-    fn prepared_dynamics_sensitivity(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        prepared.dynamics_sensitivity(t, q, qd)
+        self.prepare().dynamics_jacobian(t, q, qd)
     }
     #[inline(always)]
     fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {

@@ -295,17 +295,11 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
     O2A_squared: S,
     mass_alpha_alpha: S,
     O4G4: S,
-    O4G4_squared: S,
     O4B: S,
-    O4B_squared: S,
-    m5: S,
-    m6: S,
     mass_beta_beta: S,
     BG5: S,
     BC: S,
     k: S,
-    BG5_squared: S,
-    BC_squared: S,
     mass_gamma_gamma: S,
     O4O2: S,
     inverse_O4G4: S,
@@ -340,85 +334,50 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
     k_23: S,
     k_24: S,
     k_25: S,
-    k_26: S,
-    k_27: S,
-    k_28: S,
-    k_29: S,
-    k_30: S,
-    k_31: S,
-    k_32: S,
-    k_33: S,
-    k_34: S,
-    k_35: S,
-    k_36: S,
-    k_37: S,
-    k_38: S,
-    k_39: S,
-    k_40: S,
-    k_41: S,
-    k_42: S,
-    k_43: S,
-    k_44: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 20 additions, 62 multiplications, 8 divisions.
+    /// Operations: 14 additions, 44 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnRatioPrepared<S> {
         let O2A_squared = self.O2A * self.O2A;
         let mass_alpha_alpha = self.J2 + O2A_squared * self.m3;
-        let O4G4_squared = self.O4G4 * self.O4G4;
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let mass_beta_beta = self.J3 + self.J4 + O4G4_squared * self.m4 + w + w_2;
-        let BG5_squared = self.BG5 * self.BG5;
-        let BC_squared = self.BC * self.BC;
-        let w_3 = self.m5 * BG5_squared;
-        let w_4 = self.m6 * BC_squared;
+        let mass_beta_beta = self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
+            + w_2;
+        let w_3 = self.m5 * self.BG5 * self.BG5;
+        let w_4 = self.m6 * self.BC * self.BC;
         let mass_gamma_gamma = self.J5 + w_3 + w_4;
-        let inverse_O4G4 = S::from_f64(1.0) / self.O4G4;
-        let w_5 = self.O4B * self.m5;
-        let w_6 = self.O4B * self.m6;
-        let w_7 = self.m5 * self.BG5;
-        let w_8 = self.m6 * self.BC;
-        let w_9 = self.O4G4 * S::from_f64(2.0);
-        let w_10 = self.O4G4 * S::from_f64(3.0);
-        let w_11 = self.O2A * O2A_squared;
+        let w_5 = self.O2A * O2A_squared;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
-        let w_12 = self.O4G4 / O4G4_squared;
         QuickReturnRatioPrepared {
             O2A: self.O2A,
             O2A_squared: O2A_squared,
             mass_alpha_alpha: mass_alpha_alpha,
             O4G4: self.O4G4,
-            O4G4_squared: O4G4_squared,
             O4B: self.O4B,
-            O4B_squared: O4B_squared,
-            m5: self.m5,
-            m6: self.m6,
             mass_beta_beta: mass_beta_beta,
             BG5: self.BG5,
             BC: self.BC,
             k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
-            BG5_squared: BG5_squared,
-            BC_squared: BC_squared,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
-            inverse_O4G4: inverse_O4G4,
+            inverse_O4G4: S::from_f64(1.0) / self.O4G4,
             T: self.T,
             F: self.F,
-            k_2: w_5,
-            k_3: w_6,
+            k_2: self.O4B * self.m5,
+            k_3: self.O4B * self.m6,
             k_4: self.O4B * self.F,
-            k_5: w_7,
-            k_6: w_8,
+            k_5: self.m5 * self.BG5,
+            k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
-            k_8: w_9,
-            k_9: w_10,
-            k_10: S::from_f64(2.0) * w_11,
+            k_8: self.O4G4 * S::from_f64(2.0),
+            k_9: self.O4G4 * S::from_f64(3.0),
+            k_10: S::from_f64(2.0) * w_5,
             k_11: O2A_squared * S::from_f64(3.0),
             abs_mass_alpha_alpha: mass_alpha_alpha.abs(),
             inverse_alpha: inverse_mass_alpha_alpha,
@@ -427,7 +386,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             abs_mass_beta_beta: mass_beta_beta.abs(),
             k_12: self.T * inverse_mass_alpha_alpha,
             k_13: S::from_f64(6.0) * O2A_squared * O2A_squared,
-            k_14: w_11 * S::from_f64(12.0),
+            k_14: w_5 * S::from_f64(12.0),
             k_15: O2A_squared * S::from_f64(7.0),
             k_16: O2A_squared * S::from_f64(4.0),
             k_17: w + w_2,
@@ -440,25 +399,6 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
                 + self.O4B * self.m6 * self.BC * S::from_f64(2.0),
             k_24: self.O4B * S::from_f64(2.0),
             k_25: self.BC * S::from_f64(2.0),
-            k_26: O2A_squared * S::from_f64(2.0),
-            k_27: self.O2A * S::from_f64(3.0),
-            k_28: self.O2A * S::from_f64(2.0),
-            k_29: self.O2A * self.m3 * S::from_f64(2.0),
-            k_30: w_11 * S::from_f64(6.0),
-            k_31: self.O2A * S::from_f64(7.0),
-            k_32: O2A_squared * S::from_f64(12.0),
-            k_33: O2A_squared * S::from_f64(6.0),
-            k_34: w_7 + w_8,
-            k_35: S::from_f64(2.0) * (w_5 + w_6),
-            k_36: self.m6 * self.BC * S::from_f64(2.0),
-            k_37: inverse_O4G4 - w_12,
-            k_38: self.O4G4 * self.m4 * S::from_f64(2.0),
-            k_39: S::from_f64(3.0) / self.O4G4 - w_10 / O4G4_squared,
-            k_40: w_12 - inverse_O4G4,
-            k_41: S::from_f64(2.0) / self.O4G4 - w_9 / O4G4_squared,
-            k_42: self.m5 * self.BG5 * S::from_f64(2.0),
-            k_43: self.O4B * self.BG5,
-            k_44: self.O4B * self.BC,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -507,7 +447,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         ]);
         let w = self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC;
         let w_2 = sin_beta * cos_gamma;
-        let w_3 = sin_gamma * cos_beta;
+        let w_3 = cos_beta * sin_gamma;
         [
             S::from_f64(0.0),
             w * gamma_dot * gamma_dot * (w_2 - w_3),
@@ -521,7 +461,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, beta, gamma] = *q;
         let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
-        [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.BC * self.F)]
+        [self.T, -(sin_beta * self.O4B * self.F), -(sin_gamma * self.F * self.BC)]
     }
     /// Constraints `C`, 2, in SI units; zero throughout the motion.
     ///
@@ -595,30 +535,29 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
-        let O2A_squared = self.O2A * self.O2A;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, _, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
+        let sin_beta_squared = sin_beta * sin_beta;
+        let w = (cos_beta
+            * (sin_beta * self.O4G4 * S::from_f64(3.0) / sin_beta_squared
+                - self.O4G4 / sin_beta)
+            + cos_beta * cos_beta * cos_beta * S::from_f64(2.0) * self.O4G4
+                / (sin_beta * sin_beta_squared)) * (S::from_f64(1.0) / self.O4G4);
+        let O2A_squared = self.O2A * self.O2A;
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let A_y_squared = A_y * A_y;
-        let sin_beta_squared = sin_beta * sin_beta;
-        let w = S::from_f64(1.0) / self.O4G4
-            * (cos_beta
-                * (sin_beta * self.O4G4 * S::from_f64(3.0) / sin_beta_squared
-                    - self.O4G4 / sin_beta)
-                + cos_beta * cos_beta * cos_beta * self.O4G4 * S::from_f64(2.0)
-                    / (sin_beta * sin_beta_squared));
         let w_2 = alpha_dot
             * (cos_alpha
-                * (sin_alpha * O2A_squared * S::from_f64(3.0) / A_y_squared
+                * (sin_alpha * S::from_f64(3.0) * O2A_squared / A_y_squared
                     - self.O2A / A_y)
                 + cos_alpha * cos_alpha * cos_alpha * S::from_f64(2.0) * self.O2A
                     * O2A_squared / (A_y * A_y_squared));
         [
-            -(self.O4B * sin_beta * beta_dot * beta_dot
-                + sin_gamma * self.BC * gamma_dot * gamma_dot),
+            -(beta_dot * beta_dot * self.O4B * sin_beta
+                + gamma_dot * gamma_dot * self.BC * sin_gamma),
             alpha_dot * w_2 - beta_dot * beta_dot * w,
         ]
     }
@@ -641,12 +580,12 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let A_y = self.O4O2 + w;
         sim_kernel::ConstraintLinearization {
             values: [
-                self.O4B * sin_beta - self.yc + sin_gamma * self.BC,
+                self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
                 self.O2A * cos_alpha / A_y
-                    - self.O4G4 * cos_beta / (self.O4G4 * sin_beta),
+                    - self.O4G4 * cos_beta / (sin_beta * self.O4G4),
             ],
             jacobian: [
-                [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
+                [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
                 [
                     -(self.O2A * self.O2A * cos_alpha * cos_alpha / (A_y * A_y)
                         + w / A_y),
@@ -880,16 +819,6 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         qd: &[S; 3],
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
         self.prepare().dynamics_jacobian(t, q, qd)
-    }
-    /// [`QuickReturnRatioPrepared::dynamics_sensitivity`] once; for many calls with the same parameters [`Self::prepare`] first.
-    #[inline]
-    pub fn dynamics_sensitivity(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        self.prepare().dynamics_sensitivity(t, q, qd)
     }
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
@@ -1223,365 +1152,6 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     pivot_lambda_slot,
                     w_18.abs() + w_22.abs() + w_23.abs(),
-                ),
-        }
-    }
-    /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to the parameters (17 columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
-    ///
-    /// Operations: 207 additions, 358 multiplications, 28 divisions, 3 sine-cosine pairs.
-    #[inline]
-    pub fn dynamics_sensitivity(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        let [alpha, beta, gamma] = *q;
-        let [alpha_dot, beta_dot, gamma_dot] = *qd;
-        let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
-            beta,
-            gamma,
-            alpha,
-        ]);
-        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w;
-        let guide_by_gamma = cos_gamma * self.BC;
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_2 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_2;
-        let A_y_squared = A_y * A_y;
-        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_2 / A_y;
-        let cos_beta_squared = cos_beta * cos_beta;
-        let sin_beta_squared = sin_beta * sin_beta;
-        let slot_by_beta = self.O4G4
-            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
-            * self.inverse_O4G4;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = self.O4B * cos_beta * beta_dot_squared;
-        let w_4 = w_3 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_5 = w_3 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_6 = self.O4B * sin_beta * beta_dot_squared;
-        let w_7 = w_6 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_8 = w_6 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let w_9 = cos_beta * cos_beta_squared;
-        let w_10 = sin_beta * sin_beta_squared;
-        let w_11 = cos_alpha * cos_alpha_squared;
-        let w_12 = A_y * A_y_squared;
-        let w_13 = beta_dot * beta_dot * self.inverse_O4G4
-            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
-                + w_9 * self.k_8 / w_10);
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_14 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_15 = mass_gamma_beta * l_beta_gamma;
-        let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_16 = guide_by_gamma * l_lambda_guide_gamma;
-        let pivot_beta = self.mass_beta_beta - w_15;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_17 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
-        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let w_18 = slot_by_beta * l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = w_16 + w_17;
-        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
-        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
-            * minus_inverse_lambda_guide;
-        let w_19 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
-        let pivot_lambda_slot = w_19 - w_14 - w_18;
-        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
-        let rhs_lambda_slot = self.T * minus_l_lambda_slot_alpha
-            - (alpha_dot * alpha_dot
-                * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
-                    + w_11 * self.k_10 / w_12) - w_13) - l_lambda_slot_beta * rhs_beta
-            - l_lambda_slot_lambda_guide * rhs_lambda_guide;
-        let lambda_slot = inverse_lambda_slot * rhs_lambda_slot;
-        let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
-            + l_lambda_slot_lambda_guide * lambda_slot;
-        let beta_ddot = inverse_beta * rhs_beta
-            + l_lambda_guide_beta * minus_lambda_guide
-            - l_lambda_slot_beta * lambda_slot;
-        let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
-            + l_lambda_guide_gamma * minus_lambda_guide;
-        let alpha_ddot = self.k_12 + minus_l_lambda_slot_alpha * lambda_slot;
-        let A_y_squared_squared = A_y_squared * A_y_squared;
-        let sin_alpha_squared = sin_alpha * sin_alpha;
-        let w_20 = sin_gamma * cos_beta;
-        let w_21 = sin_beta * cos_gamma;
-        let w_22 = cos_alpha_squared * self.k_26 / w_12;
-        let inverse_A_y = S::from_f64(1.0) / A_y;
-        let w_23 = sin_alpha * (w_22 - inverse_A_y)
-            + (sin_alpha_squared * self.k_27 - self.k_28) / A_y_squared;
-        let w_24 = alpha_ddot * self.k_29 + lambda_slot * w_23;
-        let w_25 = alpha_dot * alpha_dot
-            * (cos_alpha
-                * ((sin_alpha_squared * self.k_32 - self.k_33) / w_12
-                    - sin_alpha * self.k_31 / A_y_squared + inverse_A_y)
-                + sin_alpha * w_11 * self.k_30 / A_y_squared_squared);
-        let w_26 = inverse_lambda_slot
-            * (w_25 - alpha_ddot * w_23 - minus_l_lambda_slot_alpha * w_24);
-        let w_27 = l_lambda_slot_lambda_guide * w_26;
-        let w_28 = l_lambda_guide_beta * w_27 - l_lambda_slot_beta * w_26;
-        let w_29 = w * self.k_34;
-        let w_30 = cos_beta * (self.m5 * w_7 + self.m6 * w_8 + minus_lambda_guide)
-            - sin_beta * (self.m5 * w_4 + self.m6 * w_5 + self.F) - beta_ddot * self.k_35
-            - gamma_ddot * w_29;
-        let w_31 = self.k_34 * beta_dot_squared * (w_21 - w_20) - beta_ddot * w_29;
-        let w_32 = w_30 - l_beta_gamma * w_31;
-        let w_33 = sin_beta * beta_dot_squared - cos_beta * beta_ddot
-            - l_lambda_guide_gamma * w_31 - l_lambda_guide_beta * w_32;
-        let w_34 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_32 + l_lambda_slot_lambda_guide * w_33);
-        let w_35 = l_lambda_slot_lambda_guide * w_34 - minus_inverse_lambda_guide * w_33;
-        let w_36 = inverse_beta * w_32 - l_lambda_guide_beta * w_35
-            + l_lambda_slot_beta * w_34;
-        let w_37 = w * self.k_3;
-        let w_38 = gamma_dot_squared * (w_20 - w_21);
-        let w_39 = cos_gamma * w_8 - sin_gamma * w_5;
-        let w_40 = self.m6 * w_39 - sin_gamma * self.F - beta_ddot * w_37
-            - gamma_ddot * self.k_36 + cos_gamma * minus_lambda_guide;
-        let w_41 = self.k_3 * w_38 - gamma_ddot * w_37 - l_beta_gamma * w_40;
-        let w_42 = sin_gamma * gamma_dot_squared - cos_gamma * gamma_ddot
-            - l_lambda_guide_gamma * w_40 - l_lambda_guide_beta * w_41;
-        let w_43 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_41 + l_lambda_slot_lambda_guide * w_42);
-        let w_44 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
-        let w_45 = inverse_beta * w_41 - l_lambda_guide_beta * w_44
-            + l_lambda_slot_beta * w_43;
-        let w_46 = w_22 + w_2 / A_y_squared;
-        let w_47 = lambda_slot * w_46;
-        let w_48 = inverse_lambda_slot
-            * (alpha_dot * alpha_dot
-                * (cos_alpha * (sin_alpha * self.k_33 / w_12 - self.O2A / A_y_squared)
-                    + w_11 * self.k_30 / A_y_squared_squared) - alpha_ddot * w_46
-                - minus_l_lambda_slot_alpha * w_47);
-        let w_49 = l_lambda_slot_lambda_guide * w_48;
-        let w_50 = l_lambda_guide_beta * w_49 - l_lambda_slot_beta * w_48;
-        let w_51 = cos_beta_squared * (self.k_37 / sin_beta_squared)
-            + sin_beta * (self.k_37 / sin_beta);
-        let w_52 = beta_ddot * self.k_38 + lambda_slot * w_51;
-        let w_53 = l_lambda_guide_beta * w_52;
-        let w_54 = beta_dot * beta_dot
-            * (cos_beta
-                * (sin_beta * (self.k_39 / sin_beta_squared) + self.k_40 / sin_beta)
-                + w_9 * (self.k_41 / w_10)) - beta_ddot * w_51
-            + l_lambda_slot_beta * w_52 - l_lambda_slot_lambda_guide * w_53;
-        let w_55 = inverse_lambda_slot * w_54;
-        let w_56 = minus_inverse_lambda_guide * w_53 + l_lambda_slot_lambda_guide * w_55;
-        let w_57 = l_lambda_guide_beta * w_56 - inverse_beta * w_52
-            - l_lambda_slot_beta * w_55;
-        let w_58 = w * self.k_2;
-        let w_59 = cos_gamma * w_7 - sin_gamma * w_4;
-        let w_60 = self.m5 * w_59 - beta_ddot * w_58 - gamma_ddot * self.k_42;
-        let w_61 = self.k_2 * w_38 - gamma_ddot * w_58 - l_beta_gamma * w_60;
-        let w_62 = l_lambda_guide_gamma * w_60 + l_lambda_guide_beta * w_61;
-        let w_63 = inverse_lambda_slot
-            * (l_lambda_slot_lambda_guide * w_62 - l_lambda_slot_beta * w_61);
-        let w_64 = minus_inverse_lambda_guide * w_62 - l_lambda_slot_lambda_guide * w_63;
-        let w_65 = inverse_beta * w_61 - l_lambda_guide_beta * w_64
-            - l_lambda_slot_beta * w_63;
-        let w_66 = self.O2A_squared * alpha_ddot;
-        let w_67 = inverse_lambda_slot * minus_l_lambda_slot_alpha * w_66;
-        let w_68 = l_lambda_slot_lambda_guide * w_67;
-        let w_69 = l_lambda_slot_beta * w_67 - l_lambda_guide_beta * w_68;
-        let w_70 = self.O4G4_squared * beta_ddot;
-        let w_71 = l_lambda_guide_beta * w_70;
-        let w_72 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_70 - l_lambda_slot_lambda_guide * w_71);
-        let w_73 = minus_inverse_lambda_guide * w_71 + l_lambda_slot_lambda_guide * w_72;
-        let w_74 = l_lambda_guide_beta * w_73 - inverse_beta * w_70
-            - l_lambda_slot_beta * w_72;
-        let w_75 = w * self.k_43;
-        let w_76 = self.O4B_squared * beta_ddot;
-        let w_77 = self.BG5 * w_59 - beta_ddot * w_75 - self.BG5_squared * gamma_ddot;
-        let w_78 = self.O4B * (cos_beta * w_7 - sin_beta * w_4) - w_76
-            - gamma_ddot * w_75 - l_beta_gamma * w_77;
-        let w_79 = l_lambda_guide_gamma * w_77 + l_lambda_guide_beta * w_78;
-        let w_80 = inverse_lambda_slot
-            * (l_lambda_slot_lambda_guide * w_79 - l_lambda_slot_beta * w_78);
-        let w_81 = minus_inverse_lambda_guide * w_79 - l_lambda_slot_lambda_guide * w_80;
-        let w_82 = inverse_beta * w_78 - l_lambda_guide_beta * w_81
-            - l_lambda_slot_beta * w_80;
-        let w_83 = w * self.k_44;
-        let w_84 = self.BC * w_39 - beta_ddot * w_83 - self.BC_squared * gamma_ddot;
-        let w_85 = self.O4B * (cos_beta * w_8 - sin_beta * w_5) - w_76
-            - gamma_ddot * w_83 - l_beta_gamma * w_84;
-        let w_86 = l_lambda_guide_gamma * w_84 + l_lambda_guide_beta * w_85;
-        let w_87 = inverse_lambda_slot
-            * (l_lambda_slot_lambda_guide * w_86 - l_lambda_slot_beta * w_85);
-        let w_88 = minus_inverse_lambda_guide * w_86 - l_lambda_slot_lambda_guide * w_87;
-        let w_89 = inverse_beta * w_85 - l_lambda_guide_beta * w_88
-            - l_lambda_slot_beta * w_87;
-        let w_90 = inverse_lambda_slot * minus_l_lambda_slot_alpha * alpha_ddot;
-        let w_91 = l_lambda_slot_lambda_guide * w_90;
-        let w_92 = l_lambda_slot_beta * w_90 - l_lambda_guide_beta * w_91;
-        let w_93 = l_lambda_guide_beta * beta_ddot;
-        let w_94 = inverse_lambda_slot
-            * (l_lambda_slot_beta * beta_ddot - l_lambda_slot_lambda_guide * w_93);
-        let w_95 = minus_inverse_lambda_guide * w_93 + l_lambda_slot_lambda_guide * w_94;
-        let w_96 = -w_95;
-        let w_97 = l_lambda_guide_beta * w_95 - inverse_beta * beta_ddot
-            - l_lambda_slot_beta * w_94;
-        let w_98 = l_lambda_guide_gamma * w_95 - l_beta_gamma * w_97;
-        let w_99 = minus_l_lambda_slot_alpha * w_94;
-        let w_100 = l_beta_gamma * gamma_ddot;
-        let w_101 = l_lambda_guide_gamma * gamma_ddot - l_lambda_guide_beta * w_100;
-        let w_102 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_100 + l_lambda_slot_lambda_guide * w_101);
-        let w_103 = l_lambda_slot_lambda_guide * w_102
-            - minus_inverse_lambda_guide * w_101;
-        let w_104 = inverse_beta * w_100 - l_lambda_guide_beta * w_103
-            + l_lambda_slot_beta * w_102;
-        let w_105 = sin_gamma * self.BC;
-        let w_106 = l_beta_gamma * w_105 - self.O4B * sin_beta;
-        let w_107 = l_lambda_guide_gamma * w_105 - l_lambda_guide_beta * w_106;
-        let w_108 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_106 + l_lambda_slot_lambda_guide * w_107);
-        let w_109 = l_lambda_slot_lambda_guide * w_108
-            - minus_inverse_lambda_guide * w_107;
-        let w_110 = inverse_beta * w_106 - l_lambda_guide_beta * w_109
-            + l_lambda_slot_beta * w_108;
-        let w_111 = minus_l_lambda_slot_alpha * inverse_lambda_slot;
-        let w_112 = l_lambda_slot_lambda_guide * w_111;
-        let w_113 = l_lambda_guide_beta * w_112 - l_lambda_slot_beta * w_111;
-        sim_kernel::DynamicsSensitivity {
-            accelerations: [
-                [
-                    minus_l_lambda_slot_alpha * w_26 - self.inverse_alpha * w_24,
-                    -(minus_l_lambda_slot_alpha * w_34),
-                    -(minus_l_lambda_slot_alpha * w_43),
-                    minus_l_lambda_slot_alpha * w_48 - self.inverse_alpha * w_47,
-                    minus_l_lambda_slot_alpha * w_55,
-                    minus_l_lambda_slot_alpha * w_63,
-                    S::from_f64(0.0),
-                    -(self.inverse_alpha * w_66 + minus_l_lambda_slot_alpha * w_67),
-                    minus_l_lambda_slot_alpha * w_72,
-                    minus_l_lambda_slot_alpha * w_80,
-                    minus_l_lambda_slot_alpha * w_87,
-                    -(self.inverse_alpha * alpha_ddot
-                        + minus_l_lambda_slot_alpha * w_90),
-                    w_99,
-                    w_99,
-                    -(minus_l_lambda_slot_alpha * w_102),
-                    -(minus_l_lambda_slot_alpha * w_108),
-                    self.inverse_alpha + minus_l_lambda_slot_alpha * w_111,
-                ],
-                [
-                    w_28,
-                    w_36,
-                    w_45,
-                    w_50,
-                    w_57,
-                    w_65,
-                    S::from_f64(0.0),
-                    w_69,
-                    w_74,
-                    w_82,
-                    w_89,
-                    w_92,
-                    w_97,
-                    w_97,
-                    w_104,
-                    w_110,
-                    w_113,
-                ],
-                [
-                    l_lambda_guide_gamma * w_27 - l_beta_gamma * w_28,
-                    self.inverse_gamma * w_31 - l_beta_gamma * w_36
-                        - l_lambda_guide_gamma * w_35,
-                    self.inverse_gamma * w_40 - l_beta_gamma * w_45
-                        - l_lambda_guide_gamma * w_44,
-                    l_lambda_guide_gamma * w_49 - l_beta_gamma * w_50,
-                    l_lambda_guide_gamma * w_56 - l_beta_gamma * w_57,
-                    self.inverse_gamma * w_60 - l_beta_gamma * w_65
-                        - l_lambda_guide_gamma * w_64,
-                    S::from_f64(0.0),
-                    -(l_beta_gamma * w_69 + l_lambda_guide_gamma * w_68),
-                    l_lambda_guide_gamma * w_73 - l_beta_gamma * w_74,
-                    self.inverse_gamma * w_77 - l_beta_gamma * w_82
-                        - l_lambda_guide_gamma * w_81,
-                    self.inverse_gamma * w_84 - l_beta_gamma * w_89
-                        - l_lambda_guide_gamma * w_88,
-                    -(l_beta_gamma * w_92 + l_lambda_guide_gamma * w_91),
-                    w_98,
-                    w_98,
-                    -(self.inverse_gamma * gamma_ddot + l_beta_gamma * w_104
-                        + l_lambda_guide_gamma * w_103),
-                    -(self.inverse_gamma * w_105 + l_beta_gamma * w_110
-                        + l_lambda_guide_gamma * w_109),
-                    l_lambda_guide_gamma * w_112 - l_beta_gamma * w_113,
-                ],
-            ],
-            multipliers: [
-                [
-                    -w_27,
-                    w_35,
-                    w_44,
-                    -w_49,
-                    -w_56,
-                    w_64,
-                    S::from_f64(0.0),
-                    w_68,
-                    -w_73,
-                    w_81,
-                    w_88,
-                    w_91,
-                    w_96,
-                    w_96,
-                    w_103,
-                    w_109,
-                    -w_112,
-                ],
-                [
-                    w_26,
-                    -w_34,
-                    -w_43,
-                    w_48,
-                    w_55,
-                    w_63,
-                    S::from_f64(0.0),
-                    -w_67,
-                    w_72,
-                    w_80,
-                    w_87,
-                    -w_90,
-                    w_94,
-                    w_94,
-                    -w_102,
-                    -w_108,
-                    w_111,
-                ],
-            ],
-            refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
-            )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w_15.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_guide,
-                    w_16.abs() + w_17.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_14.abs() + w_18.abs() + w_19.abs(),
                 ),
         }
     }
@@ -2001,22 +1571,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
         prepared.dynamics(t, q, qd)
     }
     #[inline(always)]
-    fn prepared_dynamics_jacobian(
-        prepared: &Self::Prepared,
+    fn dynamics_jacobian(
+        &self,
         t: S,
         q: &[S; 3],
         qd: &[S; 3],
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
-        prepared.dynamics_jacobian(t, q, qd)
-    }
-    #[inline(always)]
-    fn prepared_dynamics_sensitivity(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsSensitivity<S, [[S; 17]; 3], [[S; 17]; 2]> {
-        prepared.dynamics_sensitivity(t, q, qd)
+        self.prepare().dynamics_jacobian(t, q, qd)
     }
     #[inline(always)]
     fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {

@@ -1,0 +1,116 @@
+//! The terms of the equations of motion in coordinates alone, whatever they were derived in.
+
+use super::eliminate::reduce;
+use super::lower::Lowering;
+use super::motion::{definition, system};
+use super::results::Results;
+use super::values::Value;
+use crate::dynamics::EquationsOfMotion;
+use crate::symbolic::Expr;
+use std::ops::Range;
+
+/// T_q' M T_q, n x n.
+pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    matrix(equations, lowering, 0..equations.model.coordinates.len())
+}
+
+/// C_q, m x n.
+pub(super) fn constraint_jacobian(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let first = equations.variables.len();
+    matrix(equations, lowering, first..first + equations.model.constraints.len())
+}
+
+/// T_q' F, n.
+pub(super) fn generalized_forces(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let forces = lowering.lower_all(&equations.tmt.generalized_forces);
+    Results::Vector(pulled_back(equations, lowering, forces))
+}
+
+/// T_q' M g, n: the forces h of the variables, and those that their own convective accelerations take, M u.
+pub(super) fn convective_forces(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let mut forces = lowering.lower_all(&equations.tmt.convective_forces);
+    if !equations.intermediates.is_empty() {
+        let accelerations = convective_accelerations(equations, lowering);
+        for (i, row) in equations.tmt.mass_matrix.iter().enumerate() {
+            forces[i] = plus_inner(equations, lowering, forces[i], row, &accelerations);
+        }
+    }
+    Results::Vector(pulled_back(equations, lowering, forces))
+}
+
+/// C_t, m.
+pub(super) fn constraint_time_derivative(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let mut drifts = vec![lowering.values.constant(0.0); equations.model.coordinates.len()];
+    drifts.extend(equations.intermediates.iter().map(|y| lowering.lower(y.time_derivative)));
+    constraint_rows(equations, lowering, &equations.constraints.time_derivative, &drifts)
+}
+
+/// (C_q q' + C_t)_q q' + (..)_t, m.
+pub(super) fn constraint_convective(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let accelerations = convective_accelerations(equations, lowering);
+    constraint_rows(equations, lowering, &equations.constraints.convective, &accelerations)
+}
+
+fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<usize>) -> Results<Value> {
+    let n = equations.model.coordinates.len();
+    let system = system(equations, lowering);
+    let mut reduced = reduce(&mut lowering.values, &system);
+    let mut row = |i: usize| (0..n).map(|j| reduced.entry(&mut lowering.values, i, j)).collect();
+    Results::Matrix(n, rows.map(&mut row).collect())
+}
+
+/// The accelerations of the variables where those of the coordinates are 0.
+fn convective_accelerations(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
+    let mut accelerations = vec![lowering.values.constant(0.0); equations.model.coordinates.len()];
+    for y in &equations.intermediates {
+        let constant = lowering.lower(y.definition.convective);
+        accelerations.push(plus_inner(equations, lowering, constant, &y.definition.jacobian, &accelerations));
+    }
+    accelerations
+}
+
+/// Forces along the variables as forces along the coordinates: each intermediate passes its own on to those that it is
+/// defined by.
+fn pulled_back(equations: &EquationsOfMotion, lowering: &mut Lowering, forces: Vec<Value>) -> Vec<Value> {
+    let n = equations.model.coordinates.len();
+    let mut sums: Vec<Vec<(bool, Value)>> = forces.into_iter().map(|force| vec![(false, force)]).collect();
+    for (k, y) in equations.intermediates.iter().enumerate().rev() {
+        let force = lowering.values.sum(std::mem::take(&mut sums[n + k]));
+        for (j, a) in definition(equations, lowering, y) {
+            let passed_on = lowering.values.product(vec![a, force]);
+            sums[j].push((false, passed_on));
+        }
+    }
+    sums.truncate(n);
+    sums.into_iter().map(|sum| lowering.values.sum(sum)).collect()
+}
+
+fn constraint_rows(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    rows: &[Expr],
+    rates: &[Value],
+) -> Results<Value> {
+    let own = lowering.lower_all(rows);
+    let jacobian = &equations.constraints.jacobian;
+    let rows = own.into_iter().zip(jacobian).map(|(own, row)| plus_inner(equations, lowering, own, row, rates));
+    Results::Vector(rows.collect())
+}
+
+/// `value + sum of row_j rates_j`, over those of `row` that have rates.
+fn plus_inner(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    value: Value,
+    row: &[Expr],
+    rates: &[Value],
+) -> Value {
+    let mut terms = vec![(false, value)];
+    for (entry, rate) in row.iter().zip(rates) {
+        if !equations.model.graph.is_zero(*entry) && !lowering.values.is_zero(*rate) {
+            let entry = lowering.lower(*entry);
+            terms.push((false, lowering.values.product(vec![entry, *rate])));
+        }
+    }
+    lowering.values.sum(terms)
+}
