@@ -19,8 +19,8 @@ fn verlet<M: Mechanism>(mechanism: &M, state: &mut State<M>, h: f64) -> Result<(
     for i in 0..M::Q::LEN {
         state.speeds[i] += h / 2.0 * (after[i] - before[i]);
     }
-    // Back onto C(q, t) = 0 and C_q q' + C_t = 0.
-    project(mechanism, state)
+    // Back onto C(q, t) = 0 and C_q q' + C_t = 0; none of these constraints is redundant.
+    project(mechanism, state, 0)
 }
 
 /// Angle and speed of the crank.
