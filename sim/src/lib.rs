@@ -10,6 +10,7 @@ pub mod cli;
 mod equilibrium;
 mod events;
 mod failure;
+mod formats;
 mod integrate;
 mod interpolate;
 mod mobility;
@@ -28,11 +29,21 @@ mod vector;
 pub mod verify;
 mod write;
 
+/// The programs in the documents, compiled and run.
+#[cfg(all(doctest, feature = "models", feature = "cli"))]
+mod documents {
+    #[doc = include_str!("../../TUTORIAL.md")]
+    struct Tutorial;
+    #[doc = include_str!("../../COMING-FROM.md")]
+    struct ComingFrom;
+}
+
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
+pub use formats::{Format, write_table};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,
@@ -41,7 +52,7 @@ pub use interpolate::hermite;
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};
-pub use run::{Run, run};
+pub use run::{DOUBTFUL_BALANCE, Run, run};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};

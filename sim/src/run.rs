@@ -12,7 +12,11 @@ use crate::settings::{Method, Rows, Settings, StopAt};
 use crate::trajectory::{Sample, Trajectory};
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
+
+/// Relative change of energy from which a result deserves doubt.
+pub const DOUBTFUL_BALANCE: f64 = 1e-3;
 
 /// What a run found.
 #[derive(Clone, Debug)]
@@ -114,7 +118,12 @@ fn integrate_with<M: Mechanism>(
     recorder: &mut Recorder<M>,
 ) -> Result<(), Failure> {
     let course = Course { end: settings.end, stepping: settings.stepping, interrupt: settings.interrupt };
-    integrate(motion, &mut method, &course, start, steps, |step| recorder.watch(step))
+    integrate(motion, &mut method, &course, start, steps, |step| {
+        if let Some(progress) = settings.progress {
+            progress.store(step.to.state.time.to_bits(), Ordering::Relaxed);
+        }
+        recorder.watch(step)
+    })
 }
 
 /// Watches the steps of a run: finds events, and keeps what is to be recorded.

@@ -1,7 +1,7 @@
 //! How to run a motion.
 
 use std::fmt;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 /// Which method advances the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,6 +146,8 @@ pub struct Settings {
     pub stop: Option<StopAt>,
     /// Ends the run, as a failure, once it is true.
     pub interrupt: Option<&'static AtomicBool>,
+    /// Where the time reached is told, as the bits of an `f64`.
+    pub progress: Option<&'static AtomicU64>,
 }
 
 impl Settings {
@@ -159,6 +161,7 @@ impl Settings {
             rows: Rows::Even(1024),
             stop: None,
             interrupt: None,
+            progress: None,
         }
     }
 

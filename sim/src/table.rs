@@ -69,6 +69,12 @@ impl Table {
         Table { columns, first_output }
     }
 
+    /// A table of columns of one length, time first, that are no outputs.
+    #[cfg(test)]
+    pub(crate) fn from_columns(columns: Vec<Column>) -> Table {
+        Table { first_output: columns.len(), columns }
+    }
+
     /// The times of the samples.
     pub fn times(&self) -> &[f64] {
         self.columns.first().map_or(&[], |column| &column.values)

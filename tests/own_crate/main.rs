@@ -1,12 +1,13 @@
-//! The README's own mechanism: a crate beside the workspace, built and run as a new user would.
+//! Crates of one's own beside the workspace, built and run as a new user would: the README's, and what `new` makes.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod build_script;
 
 use std::fs;
-use std::path::Path;
-use std::process::Command;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
 use tests::{decimal, reference};
 
 /// The first code block of this language in the README.
@@ -17,38 +18,78 @@ fn block(readme: &str, language: &str) -> String {
     readme[start..start + end + 1].to_owned()
 }
 
+/// Where all crates here are built, so that what they share is built once.
+fn shared_target() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("crates")
+}
+
+/// Cargo, in a folder, without network.
+fn cargo(folder: &Path, words: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO"));
+    command.args(words).current_dir(folder).env("CARGO_NET_OFFLINE", "true").env("CARGO_TARGET_DIR", shared_target());
+    // One profile for all, the quickest to build: otherwise nothing could be shared.
+    for (setting, value) in [("OPT_LEVEL", "0"), ("DEBUG", "0"), ("BUILD_OVERRIDE_OPT_LEVEL", "1")] {
+        command.env(format!("CARGO_PROFILE_DEV_{setting}"), value);
+    }
+    command.output().unwrap()
+}
+
+/// The README's crate, made once.
+fn double_pendulum() -> &'static Path {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let readme = fs::read_to_string(workspace.join("README.md")).unwrap();
+        let source = block(&readme, "rust");
+        assert!(source.lines().count() < 40);
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("double-pendulum");
+        fs::create_dir_all(folder.join("src")).unwrap();
+        let manifest = block(&readme, "toml").replace("../linkwright", workspace.to_str().unwrap());
+        fs::write(folder.join("Cargo.toml"), manifest + "\n[workspace]\n").unwrap();
+        fs::write(folder.join("src/main.rs"), source).unwrap();
+        // The versions that the workspace was built with are there already.
+        fs::copy(workspace.join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
+        folder
+    })
+}
+
 #[test]
 fn the_double_pendulum_of_the_readme_builds_runs_and_is_right() {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    let readme = fs::read_to_string(workspace.join("README.md")).unwrap();
-    let source = block(&readme, "rust");
-    assert!(source.lines().count() < 40);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("double-pendulum");
-    fs::create_dir_all(folder.join("src")).unwrap();
-    let manifest = block(&readme, "toml").replace("../linkwright", workspace.to_str().unwrap());
-    fs::write(folder.join("Cargo.toml"), manifest + "\n[workspace]\n").unwrap();
-    fs::write(folder.join("src/main.rs"), source).unwrap();
-    // The versions that the workspace was built with are there already.
-    fs::copy(workspace.join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
+    let folder = double_pendulum();
     let run = |words: &[&str]| {
-        Command::new(env!("CARGO"))
-            .args(["run", "--quiet", "--offline", "--", "run", "double-pendulum", "--t-end", "3", "--steps", "30000"])
-            .args(words)
-            .current_dir(&folder)
-            .env("CARGO_TARGET_DIR", folder.join("target"))
-            .output()
-            .unwrap()
+        let run = ["run", "--quiet", "--", "run", "double-pendulum", "--t-end", "3", "--steps", "30000"];
+        cargo(folder, &[&run[..], words].concat())
     };
     let output = run(&[]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let out = folder.join("out/double-pendulum");
-    for name in ["trajectory.csv", "summary.json", "mechanism.svg", "mechanism.png", "tip_speed.svg", "height.png"] {
+    let files = ["trajectory.csv", "summary.json", "report.html", "mechanism.svg", "mechanism.png", "tip_speed.svg"];
+    for name in files {
         assert!(out.join(name).exists(), "{name}");
     }
     compare_with_reference(&fs::read_to_string(out.join("trajectory.csv")).unwrap());
     // Two letters in wrong order: exit status 2 and the way out.
     let mistaken = run(&["--set", "gg=3"]);
     assert_eq!(mistaken.status.code(), Some(2));
+}
+
+/// What `new` makes builds offline, passes its own test and runs.
+#[test]
+fn a_new_crate_builds_tests_and_runs() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("my-linkage");
+    let _ = fs::remove_dir_all(&folder);
+    let done = |output: Output| {
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let said = done(cargo(double_pendulum(), &["run", "--quiet", "--", "new", folder.to_str().unwrap()]));
+    assert!(said.contains("cargo run --release -- run my-linkage"), "{said}");
+    let main = fs::read_to_string(folder.join("src/main.rs")).unwrap();
+    assert_eq!(main.lines().count(), 3);
+    let tested = done(cargo(&folder, &["test", "--quiet"]));
+    assert!(tested.contains("1 passed"), "{tested}");
+    let said = done(cargo(&folder, &["run", "--quiet", "--", "run", "my-linkage"]));
+    assert!(said.contains("period") && folder.join("out/my-linkage/report.html").exists(), "{said}");
 }
 
 /// Angles from the direction of gravity, as in the reference, at whole seconds.

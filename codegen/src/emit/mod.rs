@@ -59,8 +59,8 @@ fn size(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
-/// `QuickReturn` to `quick-return`.
-fn kebab_case(name: &str) -> String {
+/// What a mechanism is called on the command line: `QuickReturn` is `quick-return`.
+pub fn kebab_case(name: &str) -> String {
     let mut out = String::new();
     let letters: Vec<char> = name.chars().collect();
     for (i, letter) in letters.iter().enumerate() {

@@ -1,21 +1,26 @@
 //! `sim list`.
 
-use super::Stop;
+use super::arguments::Voice;
+use super::{Stop, print};
+use serde_json::json;
 use sim_kernel::Description;
-use std::io::Write;
 
 /// Prints each mechanism with its size and the first line of its documentation.
-pub(super) fn list(mechanisms: impl Iterator<Item = &'static Description>) -> Result<(), Stop> {
-    let mut out = std::io::stdout().lock();
+pub(super) fn list(mechanisms: impl Iterator<Item = &'static Description>, voice: Voice) -> Result<(), Stop> {
+    if voice.json {
+        let of = |d: &Description| json!({ "name": d.name, "coordinates": d.coordinates.len(), "constraints": d.constraints.len(), "docs": d.docs });
+        return print(&format!("{:#}\n", mechanisms.map(of).collect::<serde_json::Value>()));
+    }
+    let mut text = String::new();
     for d in mechanisms {
         let (coordinates, constraints) =
             (counted(d.coordinates.len(), "coordinate"), counted(d.constraints.len(), "constraint"));
-        writeln!(out, "{:<20} {coordinates}, {constraints}", d.name)?;
+        text += &format!("{:<20} {coordinates}, {constraints}\n", d.name);
         if let Some(line) = d.docs.lines().next() {
-            writeln!(out, "{:<20} {line}", "")?;
+            text += &format!("{:<20} {line}\n", "");
         }
     }
-    Ok(())
+    print(&text)
 }
 
 /// `1 step`, `2 steps`.

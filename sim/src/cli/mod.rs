@@ -1,33 +1,54 @@
 //! The command line over any mechanisms. A user's own program has all of it in one line:
 //!
-//! ```ignore
+//! ```no_run
+//! sim::mechanism! {
+//!     /// A mass that falls.
+//!     pub Falling;
+//!     coordinates { y [m]; }
+//!     parameters { m [kg] = 1; }
+//!     bodies { ball: mass m at [0, y]; }
+//!     loads { gravity [0, -9.81]; }
+//! }
+//!
 //! fn main() -> std::process::ExitCode {
-//!     sim::cli::main(&[sim::cli::entry::<MyLinkage>()])
+//!     sim::cli::main(&[sim::cli::entry::<Falling>()])
 //! }
 //! ```
 
 mod arguments;
+mod compare;
+mod files;
+mod generate;
+mod info;
 mod list;
+mod new;
+mod plot;
+mod progress;
 mod quantity;
 mod run;
+mod run_file;
 mod settings;
 mod statics;
+mod stored;
 mod verify;
 
-use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments};
+use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use sim_kernel::{Description, Mechanism};
+use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// A mechanism that the command line can run.
 #[derive(Clone, Copy)]
 pub struct Entry {
     description: &'static Description,
-    run: fn(&RunArguments) -> Result<(), Stop>,
-    verify: fn(&VerifyArguments) -> Result<(), Stop>,
-    assemble: fn(&StartArguments) -> Result<(), Stop>,
-    equilibrium: fn(&StartArguments) -> Result<(), Stop>,
+    run: fn(&RunArguments, Voice) -> Result<(), Stop>,
+    facts: fn() -> info::Facts,
+    verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
+    assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -35,6 +56,7 @@ pub fn entry<M: Mechanism>() -> Entry {
     Entry {
         description: const { &M::DESCRIPTION },
         run: run::run_command::<M>,
+        facts: info::facts::<M>,
         verify: verify::verify_command::<M>,
         assemble: statics::assemble_command::<M>,
         equilibrium: statics::equilibrium_command::<M>,
@@ -47,6 +69,8 @@ enum Stop {
     Usage(String),
     /// The work failed; exit status 1.
     Failed(anyhow::Error),
+    /// The user ended it; exit status 130.
+    Interrupted(anyhow::Error),
 }
 
 impl<E: Into<anyhow::Error>> From<E> for Stop {
@@ -56,9 +80,11 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 }
 
 /// Reads the command line, does what it says, and gives the exit status: 0 for success, 1 for a run that failed,
-/// 2 for words that could not be understood.
+/// 2 for words that could not be understood, 130 for a run that was interrupted.
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
-    match execute(mechanisms, Arguments::parse()) {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let arguments = Arguments::parse_from(&words);
+    match with_run_file(arguments, &words).and_then(|arguments| execute(mechanisms, arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Stop::Usage(message)) => {
             eprintln!("error: {message}");
@@ -68,20 +94,51 @@ pub fn main(mechanisms: &[Entry]) -> ExitCode {
             eprintln!("error: {error:#}");
             ExitCode::from(1)
         }
+        Err(Stop::Interrupted(error)) => {
+            eprintln!("{error:#}");
+            ExitCode::from(130)
+        }
     }
 }
 
-fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
-    match arguments.command {
-        Command::List => list::list(mechanisms.iter().map(|entry| entry.description)),
-        Command::Run(arguments) => {
-            let entry = find(mechanisms, &arguments.model)?;
-            (entry.run)(&arguments)
-        }
-        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments),
-        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments),
+/// The command line with what a run file says put before the user's own words.
+fn with_run_file(arguments: Arguments, words: &[OsString]) -> Result<Arguments, Stop> {
+    let Command::Run(run) = &arguments.command else { return Ok(arguments) };
+    if !run.model.ends_with(".json") {
+        return Ok(arguments);
     }
+    Ok(Arguments::parse_from(run_file::expand(&run.model, words)?))
+}
+
+fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
+    let voice = arguments.voice;
+    match arguments.command {
+        Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
+        Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
+        Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
+        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
+        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
+        Command::Plot(arguments) => plot::plot(&arguments, voice),
+        Command::Compare(arguments) => compare::compare(&arguments, voice),
+        Command::New(arguments) => new::new(&arguments, voice),
+        Command::Generate(arguments) => generate::generate(&arguments),
+    }
+}
+
+/// Prints to a standard output that may be closed: whoever closed it has read enough.
+fn print(text: &str) -> Result<(), Stop> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
+/// What this program is called.
+fn program() -> String {
+    let name = std::env::args_os().next().map(std::path::PathBuf::from);
+    let name = name.as_ref().and_then(|path| path.file_stem()).map(|name| name.to_string_lossy().into_owned());
+    name.unwrap_or_else(|| "sim".to_owned())
 }
 
 fn find<'a>(mechanisms: &'a [Entry], name: &str) -> Result<&'a Entry, Stop> {

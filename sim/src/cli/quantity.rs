@@ -55,7 +55,7 @@ mod tests {
     fn value(text: &str, unit: &str) -> Result<f64, String> {
         parse_quantity("O2A", text, unit).map_err(|stop| match stop {
             Stop::Usage(message) => message,
-            Stop::Failed(error) => error.to_string(),
+            Stop::Failed(error) | Stop::Interrupted(error) => error.to_string(),
         })
     }
 

@@ -1,74 +1,59 @@
 //! `sim run`.
 
-use super::arguments::RunArguments;
+use super::arguments::{RunArguments, Voice};
+use super::files::{self, Written};
 use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
-use super::{Stop, unknown};
-use crate::show;
-use crate::{Run, Start, Stepping, Table, WriteError, declared_start, run, summary, write_csv, write_json};
-use serde_json::json;
+use super::run_file::Reproduction;
+use super::{Stop, print, progress, unknown};
+use crate::{Run, Start, Stepping, Table, What, declared_start, run, summary};
 use sim_kernel::{Array, Description, Mechanism};
-use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Runs a mechanism, writes what it found, and prints a short table.
-pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments) -> Result<(), Stop> {
+pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let clock = Instant::now();
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let settings = arguments.settings.settings(description)?;
+    let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
-    remove_earlier_results(description, &directory)?;
-    let found = run(mechanism, &start, &settings)?;
-    fs::create_dir_all(&directory).map_err(|e| WriteError::new(&directory, e))?;
+    files::remove_earlier(description, &directory)?;
+    let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    write_csv(&table, &directory.join("trajectory.csv"))?;
-    write_json(&summary(&found, &table), &directory.join("summary.json"))?;
-    let before_figures = clock.elapsed();
-    let wanted = !arguments.no_figures && !table.times().is_empty();
-    let figures = if wanted { show::figures(&found, &table, &directory) } else { show::Figures::default() };
-    let timing = json!({
-        "integration_seconds": found.integration_time.as_secs_f64(),
-        "without_figures_seconds": before_figures.as_secs_f64(),
-        "total_seconds": clock.elapsed().as_secs_f64(),
-    });
-    write_json(&timing, &directory.join("timing.json"))?;
-    let times = [before_figures.as_secs_f64(), clock.elapsed().as_secs_f64()];
-    print(&report(&found, &table, figures.drawn, &directory, times))?;
-    match (found.trajectory.failure, table.undefined_outputs().first(), figures.failures.into_iter().next()) {
-        (Some(failure), ..) => Err(failure.into()),
-        (None, Some((name, time)), _) => Err(Stop::Failed(anyhow::anyhow!(
+    let written = files::write(&found, &table, arguments, &reproduction, &directory, clock)?;
+    say(&found, &table, &written, &directory, voice)?;
+    match (found.trajectory.failure, table.undefined_outputs().first()) {
+        (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
+        (Some(failure), _) => Err(failure.into()),
+        (None, Some((name, time))) => Err(Stop::Failed(anyhow::anyhow!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
         ))),
-        (None, None, Some(failure)) => Err(failure.into()),
-        (None, None, None) => Ok(()),
+        (None, None) => written.check(),
     }
 }
 
-/// Prints to a standard output that may be closed: whoever closed it has read enough.
-fn print(text: &str) -> Result<(), Stop> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(()),
-    }
-}
-
-/// Removes what an earlier run wrote, so that nothing there is older than the run that it seems to belong to.
-fn remove_earlier_results(description: &Description, directory: &Path) -> Result<(), Stop> {
-    let figures = description.figures.iter().map(|figure| figure.name).chain(["mechanism"]);
-    let figures = figures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
-    let tables = ["trajectory.csv", "summary.json", "timing.json"].map(String::from);
-    for name in figures.chain(tables) {
-        let path = directory.join(name);
-        if path.is_file() {
-            fs::remove_file(&path).map_err(|e| WriteError::new(&path, e))?;
+/// Prints what came of it.
+fn say<M: Mechanism>(
+    run: &Run<M>,
+    table: &Table,
+    written: &Written,
+    directory: &Path,
+    voice: Voice,
+) -> Result<(), Stop> {
+    match voice {
+        Voice { quiet: true, .. } => Ok(()),
+        Voice { json: true, .. } => {
+            let mut summary = summary(run, table);
+            summary["directory"] = directory.to_string_lossy().into();
+            summary["files"] = written.names.clone().into();
+            print(&format!("{summary:#}\n"))
         }
+        _ => print(&report(run, table, written, directory)),
     }
-    Ok(())
 }
 
 pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
@@ -111,9 +96,6 @@ pub(super) fn start_with<M: Mechanism>(
     Ok(start)
 }
 
-/// Relative change of energy from which the result deserves doubt.
-const DOUBTFUL_BALANCE: f64 = 1e-3;
-
 /// The method, its steps and what they took.
 fn method<M: Mechanism>(run: &Run<M>) -> String {
     let settings = &run.settings;
@@ -129,13 +111,7 @@ fn method<M: Mechanism>(run: &Run<M>) -> String {
 }
 
 /// The short table for the terminal.
-fn report<M: Mechanism>(
-    run: &Run<M>,
-    table: &Table,
-    figures: usize,
-    directory: &Path,
-    [without, total]: [f64; 2],
-) -> String {
+fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, directory: &Path) -> String {
     let description = const { &M::DESCRIPTION };
     let end = run.settings.end;
     let reached = table.times().last().copied().unwrap_or(0.0);
@@ -168,16 +144,22 @@ fn report<M: Mechanism>(
         "energy",
         format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
     ));
-    if !(run.energy_balance < DOUBTFUL_BALANCE) {
+    if !(run.energy_balance < crate::DOUBTFUL_BALANCE) {
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
-    let integration = 1e3 * run.integration_time.as_secs_f64();
-    let (without, total) = (1e3 * without, 1e3 * total);
+    let milliseconds = |seconds: f64| 1e3 * seconds;
+    let integration = milliseconds(run.integration_time.as_secs_f64());
+    let (without, total) = (milliseconds(written.without_figures), milliseconds(written.total));
     rows.push((
         "wall time",
         format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
     ));
-    let files = format!("trajectory.csv, summary.json, timing.json, {}", counted(figures, "figure"));
-    rows.push(("written", format!("{}: {files}", directory.display())));
+    let tables = written.names.iter().filter(|name| !name.ends_with(".svg") && !name.ends_with(".png"));
+    let files: Vec<&str> = tables.map(String::as_str).collect();
+    let figures = counted(written.figures, "figure");
+    rows.push(("written", format!("{}: {}, {figures}", directory.display(), files.join(", "))));
+    if written.names.iter().any(|name| name == "report.html") {
+        rows.push(("look at", format!("{}", directory.join("report.html").display())));
+    }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }

@@ -1,21 +1,38 @@
 //! `sim assemble` and `sim equilibrium`.
 
-use super::Stop;
-use super::arguments::StartArguments;
+use super::arguments::{StartArguments, Voice};
 use super::list::counted;
 use super::run::{mechanism_with, start_with};
+use super::{Stop, print};
 use crate::{assemble, check_masses, equilibrium, mobility, residuals};
-use sim_kernel::{Array, Mechanism};
+use serde_json::{Map, Value, json};
+use sim_kernel::{Array, Mechanism, Quantity};
 use std::io::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
-pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments) -> Result<(), Stop> {
+pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let state = assemble(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
     check_masses(&mechanism, state.time, &state.positions)?;
     let found = mobility(&mechanism, state.time, &state.positions);
     let (position, velocity) = residuals(&mechanism, &state);
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let coordinates = named(description.coordinates.iter().map(|c| &c.position), &state.positions);
+        let speeds = named(description.coordinates.iter().map(|c| &c.speed), &state.speeds);
+        let said = json!({
+            "model": description.name,
+            "degrees_of_freedom": found.degrees_of_freedom,
+            "redundant_constraints": found.dependent,
+            "coordinates": coordinates,
+            "speeds": speeds,
+            "residuals": { "position": position, "velocity": velocity },
+        });
+        return print(&format!("{said:#}\n"));
+    }
     let mut out = std::io::stdout().lock();
     let freedom = match found.degrees_of_freedom {
         1 => "1 degree of freedom".to_owned(),
@@ -38,10 +55,23 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments) -> Resu
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
-pub(super) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments) -> Result<(), Stop> {
+pub(super) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let eigenvalues = found.eigenvalues.iter().map(|value| json!([value.re, value.im]));
+        let said = json!({
+            "model": description.name,
+            "coordinates": named(description.coordinates.iter().map(|c| &c.position), &found.state.positions),
+            "multipliers": named(description.constraints.iter(), &found.multipliers),
+            "eigenvalues": eigenvalues.collect::<Vec<_>>(),
+        });
+        return print(&format!("{said:#}\n"));
+    }
     let mut out = std::io::stdout().lock();
     for (c, q) in description.coordinates.iter().zip(found.state.positions.iter()) {
         writeln!(out, "{:<20} {:>20.12} {}", c.position.name, q / c.position.factor, c.position.unit)?;
@@ -53,4 +83,11 @@ pub(super) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments) -> R
         writeln!(out, "{:<20} {:>20.12} {:+.12} i 1/s", "eigenvalue", value.re, value.im)?;
     }
     Ok(())
+}
+
+/// Values by name, in their units.
+fn named<'a, A: Array<f64>>(quantities: impl Iterator<Item = &'a Quantity>, values: &A) -> Map<String, Value> {
+    let entry =
+        |(q, value): (&Quantity, &f64)| (q.name.to_owned(), json!({ "value": value / q.factor, "unit": q.unit }));
+    quantities.zip(values.iter()).map(entry).collect()
 }

@@ -1,28 +1,21 @@
 //! `sim verify`.
 
-use super::Stop;
-use super::arguments::VerifyArguments;
+use super::arguments::{VerifyArguments, Voice};
 use super::run::{mechanism_with, start_with};
 use super::settings::positive;
+use super::{Stop, print};
 use crate::verify::{Check, verify};
+use serde_json::json;
 use sim_kernel::Mechanism;
-use std::io::Write;
 
 /// Prints one row for each check; fails if one does.
-pub(super) fn verify_command<M: Mechanism>(arguments: &VerifyArguments) -> Result<(), Stop> {
+pub(super) fn verify_command<M: Mechanism>(arguments: &VerifyArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
-    let mut out = std::io::stdout().lock();
-    writeln!(out, "{:<34} {:>9} {:>9}  {:<7}what", description.name, "figure", "bound", "verdict")?;
-    for check in &checks {
-        let verdict = if check.passes() { "ok" } else { "FAILS" };
-        writeln!(
-            out,
-            "{:<34} {:>9.1e} {:>9.0e}  {verdict:<7} {}",
-            check.name, check.figure, check.bound, check.meaning
-        )?;
+    if !voice.quiet {
+        print(&if voice.json { as_json(&checks) } else { as_text(description.name, &checks) })?;
     }
     let failing: Vec<&str> = checks.iter().filter(|check| !Check::passes(check)).map(|check| check.name).collect();
     match failing.is_empty() {
@@ -34,4 +27,23 @@ pub(super) fn verify_command<M: Mechanism>(arguments: &VerifyArguments) -> Resul
             failing.join(", ")
         ))),
     }
+}
+
+fn as_json(checks: &[Check]) -> String {
+    let row = |check: &Check| {
+        json!({
+            "name": check.name, "figure": check.figure, "bound": check.bound, "passes": check.passes(), "what": check.meaning,
+        })
+    };
+    format!("{:#}\n", checks.iter().map(row).collect::<serde_json::Value>())
+}
+
+fn as_text(name: &str, checks: &[Check]) -> String {
+    let mut text = format!("{name:<34} {:>9} {:>9}  {:<7}what\n", "figure", "bound", "verdict");
+    for check in checks {
+        let verdict = if check.passes() { "ok" } else { "FAILS" };
+        let Check { name, figure, bound, meaning, .. } = check;
+        text += &format!("{name:<34} {figure:>9.1e} {bound:>9.0e}  {verdict:<7} {meaning}\n");
+    }
+    text
 }

@@ -1,38 +1,41 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
-use super::{Curve, Plot, Pose, ShowError, mechanism, plot};
-use crate::{Column, Run, Table};
-use sim_kernel::Mechanism;
+use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels};
+use crate::{Column, Run, Sample, Table};
+use sim_kernel::{Array, Description, Figure, Mechanism};
+use std::ops::Range;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
 const POSES: usize = 6;
+/// Samples among which they are chosen.
+const MOST_CANDIDATES: usize = 2000;
 
 /// What came of drawing.
 #[derive(Debug, Default)]
 pub struct Figures {
-    /// How many figures were drawn.
-    pub drawn: usize,
+    /// The names of those that were drawn.
+    pub names: Vec<String>,
     /// Why others were not.
     pub failures: Vec<ShowError>,
 }
 
 impl Figures {
-    fn add(&mut self, result: Result<(), ShowError>) {
+    fn add(&mut self, name: &str, result: Result<(), ShowError>) {
         match result {
-            Ok(()) => self.drawn += 1,
+            Ok(()) => self.names.push(name.to_owned()),
             Err(failure) => self.failures.push(failure),
         }
     }
 }
 
 /// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
-pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> Figures {
+pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let description = const { &M::DESCRIPTION };
-    let mut outputs = table.outputs().iter().zip(description.outputs);
+    let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
     let mut figures = Figures::default();
-    for figure in description.figures {
-        let group: Vec<_> = outputs.by_ref().take(figure.len).collect();
+    for (figure, indices) in groups(description) {
+        let group = &outputs[indices];
         if group.iter().all(|(column, _)| column.values.iter().all(|value| !value.is_finite())) {
             continue;
         }
@@ -43,16 +46,25 @@ pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path) -> F
         let y_label = y_label(figure.name, &columns, &labels);
         let (x_label, x, curves) = ("time [s]", table.times(), curves.collect());
         let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves };
-        figures.add(plot(&shown, directory, figure.name));
+        figures.add(figure.name, panels(&[shown], size, directory, figure.name));
     }
     if !description.drawing.is_empty() {
-        figures.add(draw_mechanism(run, directory));
+        figures.add("mechanism", draw_mechanism(run, directory, size));
     }
     figures
 }
 
+/// Each declared figure with the indices of its outputs.
+pub(super) fn groups(description: &Description) -> impl Iterator<Item = (&Figure, Range<usize>)> {
+    description.figures.iter().scan(0, |first, figure| {
+        let outputs = *first..*first + figure.len;
+        *first = outputs.end;
+        Some((figure, outputs))
+    })
+}
+
 /// What a curve is called: the first line of its documentation, or its name.
-fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
+pub(super) fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
     docs.lines().next().filter(|line| !line.is_empty()).unwrap_or(name)
 }
 
@@ -69,26 +81,55 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     format!("{what} {}", units.join(", "))
 }
 
-/// The mechanism at equal times through its period, or through the run.
-fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path) -> Result<(), ShowError> {
+/// The mechanism at equal times through its period, or where its positions differ most.
+fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path, size: Size) -> Result<(), ShowError> {
     let description = const { &M::DESCRIPTION };
-    let samples = &run.trajectory.samples;
-    let span = run.period().or(samples.last().map(|sample| sample.state.time)).unwrap_or(0.0);
-    let mut drawn: Vec<(f64, M::Drawing)> = (0..POSES)
-        .filter_map(|i| {
-            let wanted = span * i as f64 / POSES as f64;
-            let sample = samples
-                .iter()
-                .min_by(|a, b| (a.state.time - wanted).abs().total_cmp(&(b.state.time - wanted).abs()))?;
-            Some((sample.state.time, run.mechanism.drawing(sample.state.time, &sample.state.positions)))
-        })
+    let drawn: Vec<(f64, M::Drawing)> = chosen(run)
+        .into_iter()
+        .map(|sample| (sample.state.time, run.mechanism.drawing(sample.state.time, &sample.state.positions)))
         .collect();
-    drawn.dedup_by(|a, b| a.0 == b.0);
     let poses: Vec<Pose> =
         drawn.iter().map(|(time, numbers)| Pose { numbers: numbers.as_ref(), time: *time }).collect();
     let title = match poses.len() {
         1 => description.type_name.to_owned(),
         n => format!("{} in {n} positions", description.type_name),
     };
-    mechanism(&title, description.drawing, &poses, directory, "mechanism")
+    mechanism_of_size(&title, description.drawing, &poses, size, directory, "mechanism")
+}
+
+/// The samples that are drawn, in the order of time.
+fn chosen<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
+    let samples = &run.trajectory.samples;
+    let Some(period) = run.period() else { return most_different(run) };
+    let nearest = |wanted: f64| {
+        let apart = |sample: &Sample<M>| (sample.state.time - wanted).abs();
+        samples.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    };
+    let mut chosen: Vec<&Sample<M>> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
+    chosen.dedup_by(|a, b| a.state.time == b.state.time);
+    chosen
+}
+
+/// The first sample, then each time the one whose drawing is farthest from all before: at equal times an oscillation
+/// could look as if it stood still.
+fn most_different<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
+    let samples = &run.trajectory.samples;
+    let candidates: Vec<&Sample<M>> = samples.iter().step_by(samples.len().div_ceil(MOST_CANDIDATES).max(1)).collect();
+    let drawings: Vec<M::Drawing> =
+        candidates.iter().map(|sample| run.mechanism.drawing(sample.state.time, &sample.state.positions)).collect();
+    let apart = |a: usize, b: usize| {
+        let squares = drawings[a].iter().zip(drawings[b].iter()).map(|(x, y)| (x - y) * (x - y));
+        squares.filter(|square| square.is_finite()).sum::<f64>()
+    };
+    let mut nearest = vec![f64::INFINITY; candidates.len()];
+    let mut taken: Vec<usize> = Vec::new();
+    let mut next = (!candidates.is_empty()).then_some(0);
+    while let Some(index) = next.filter(|_| taken.len() < POSES) {
+        taken.push(index);
+        nearest.iter_mut().enumerate().for_each(|(other, best)| *best = best.min(apart(index, other)));
+        let farthest = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a)));
+        next = farthest.filter(|farthest| nearest[*farthest] > 0.0);
+    }
+    taken.sort_unstable();
+    taken.into_iter().map(|index| candidates[index]).collect()
 }

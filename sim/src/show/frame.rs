@@ -88,6 +88,12 @@ impl Legend {
         Ok(Legend { entries, heading, column, beside })
     }
 
+    /// A legend beside the data, whose labels are cut where they are too long.
+    pub(super) fn beside(entries: Vec<Entry>) -> Result<Self, ShowError> {
+        let legend = Legend::new(entries, None, f64::INFINITY)?;
+        Ok(Legend { column: legend.column.min(WIDEST), beside: true, ..legend })
+    }
+
     /// The width it takes beside the data.
     pub(super) fn width(&self) -> f64 {
         if self.beside && !self.entries.is_empty() { APART + self.column } else { 0.0 }
@@ -133,7 +139,7 @@ impl Legend {
             for line in entry.style.lines(vec![at, (at.0 + SAMPLE, at.1)]) {
                 scene.line(line, entry.width, entry.colour);
             }
-            let space = scene.width - at.0 - SAMPLE - 8.0;
+            let space = (scene.width - at.0).min(self.column.max(WIDEST)) - SAMPLE - 8.0;
             let (label, size) = fit(&entry.label, LEGEND, space)?;
             scene.text(&label, (at.0 + SAMPLE + 8.0, at.1 + 0.35 * size), size, Anchor::Start, INK);
         }

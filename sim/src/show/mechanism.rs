@@ -7,10 +7,10 @@ use super::palette::{Colour, INK, series};
 use super::scene::{Point, Scene};
 use super::text::{times, typeset};
 use super::ticks::{Axis, shown};
-use super::{Pose, ShowError, symbols};
+use super::{Pose, ShowError, Size, symbols};
 
-/// The largest data area.
-const LARGEST: (f64, f64) = (720.0, 600.0);
+/// The largest data area, as parts of a figure's width and height.
+const LARGEST: (f64, f64) = (0.75, 10.0 / 9.0);
 /// Its least width and height.
 const LEAST: f64 = 300.0;
 /// How strong the poses after the first are, from the second to the last.
@@ -34,9 +34,9 @@ struct Placed {
 }
 
 /// Lays out a drawing.
-pub(super) fn scene(title: &str, shapes: &[Shape], poses: &[Pose], name: &str) -> Result<Scene, ShowError> {
+pub(super) fn scene(title: &str, shapes: &[Shape], poses: &[Pose], size: Size, name: &str) -> Result<Scene, ShowError> {
     let placed = placed(shapes, poses, name)?;
-    let (x_range, y_range, scale) = scaled(&placed, name)?;
+    let (x_range, y_range, scale) = scaled(&placed, size, name)?;
     let title = typeset(title);
     let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
     let distance = apart(x_range, width)?;
@@ -127,11 +127,12 @@ impl Part {
 }
 
 /// The ranges of the axes and the logical pixels to the metre.
-fn scaled(placed: &[Placed], name: &str) -> Result<(Point, Point, f64), ShowError> {
+fn scaled(placed: &[Placed], size: Size, name: &str) -> Result<(Point, Point, f64), ShowError> {
     let points: Vec<Point> = placed.iter().flat_map(|pose| &pose.parts).flat_map(Part::extent).collect();
     let (x, y) = (extent(points.iter().map(|point| point.0)), extent(points.iter().map(|point| point.1)));
     let fill = |largest: f64, range: Point| (largest - 2.0 * symbols::REACH) / (range.1 - range.0);
-    let scale = fill(LARGEST.0, x).min(fill(LARGEST.1, y));
+    let room = |part: f64, side: f64| (part * side).max(LEAST);
+    let scale = fill(room(LARGEST.0, size.width), x).min(fill(room(LARGEST.1, size.height), y));
     if points.is_empty() || scale == 0.0 {
         return Err(ShowError::empty(name, "no position is finite"));
     }

@@ -1,4 +1,5 @@
-//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions.
+//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions; and the report, a
+//! page on which it moves.
 //!
 //! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
 //! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
@@ -12,14 +13,17 @@ mod figures;
 mod font;
 mod frame;
 mod mechanism;
+mod names;
 mod palette;
 mod plot;
 mod png;
+mod report;
 mod scene;
 mod svg;
 mod symbols;
 mod text;
 mod ticks;
+mod vectors;
 
 use std::fs;
 use std::path::Path;
@@ -29,6 +33,9 @@ use sim_kernel::Shape;
 
 pub use error::ShowError;
 pub use figures::{Figures, figures};
+#[cfg(feature = "cli")]
+pub(crate) use names::printed;
+pub use report::{About, report};
 pub use text::typeset;
 
 /// A curve of a plot.
@@ -56,6 +63,21 @@ pub struct Plot<'a> {
     pub curves: Vec<Curve<'a>>,
 }
 
+/// The size of a figure, in logical pixels: 96 to the inch. PNG has twice as many.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Its width.
+    pub width: f64,
+    /// Its height, but for a legend that has to stand below the data.
+    pub height: f64,
+}
+
+impl Default for Size {
+    fn default() -> Size {
+        Size { width: 960.0, height: 540.0 }
+    }
+}
+
 /// One position of a mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<'a> {
@@ -71,7 +93,17 @@ pub struct Pose<'a> {
 ///
 /// The plot has nothing to show, a curve has too few or too many values, or a file cannot be written.
 pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> {
-    save(&plot::scene(plot, name)?, directory, name)
+    panels(std::slice::from_ref(plot), Size::default(), directory, name)
+}
+
+/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be. The abscissa is named as the last plot says.
+///
+/// # Errors
+///
+/// As [`plot`], and if there is no room for so many.
+pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&plot::scene(plots, size, name)?, directory, name)
 }
 
 /// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
@@ -81,7 +113,19 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
 pub fn mechanism(title: &str, shapes: &[Shape], poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    save(&mechanism::scene(title, shapes, poses, name)?, directory, name)
+    mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
+}
+
+/// The same on a sheet of about this size.
+fn mechanism_of_size(
+    title: &str,
+    shapes: &[Shape],
+    poses: &[Pose],
+    size: Size,
+    directory: &Path,
+    name: &str,
+) -> Result<(), ShowError> {
+    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name)
 }
 
 /// Writes a scene in both formats.

@@ -1,4 +1,4 @@
-//! Curves over a common abscissa.
+//! Curves over a common abscissa, in one panel or several.
 
 use super::decimate::decimate;
 use super::frame::{Entry, Frame, Legend, Names, Style, apart, bottom_room, left_room, right_room, top_room};
@@ -6,10 +6,7 @@ use super::palette::{round, series};
 use super::scene::{Point, Scene};
 use super::text::typeset;
 use super::ticks::{Axis, padded, range, shown};
-use super::{Plot, ShowError};
-
-const WIDTH: f64 = 960.0;
-const HEIGHT: f64 = 540.0;
+use super::{Plot, ShowError, Size};
 
 /// The width of curves.
 const STROKE: f64 = 2.0;
@@ -17,39 +14,74 @@ const STROKE: f64 = 2.0;
 const COLUMN: f64 = 0.5;
 /// The least distance of ticks of the ordinate.
 const APART: f64 = 42.0;
+/// From one panel to the next.
+const GAP: f64 = 22.0;
 /// Curves longer than this are not broken: they would be all pieces.
 const LONGEST_BROKEN: f64 = 20_000.0;
 
-/// Lays out a plot.
-pub(super) fn scene(plot: &Plot, name: &str) -> Result<Scene, ShowError> {
-    check(plot, name)?;
-    let nothing = || ShowError::empty(name, "no value is finite");
-    let values = plot.curves.iter().flat_map(|curve| pieces(plot.x, &curve.values)).flatten();
-    let x_range = range(plot.x.iter().copied()).ok_or_else(nothing)?;
-    let y_range = padded(range(values.map(|point| point.1)).ok_or_else(nothing)?, 0.05);
+/// Lays out plots as panels below each other, over one abscissa: that of the last names it.
+pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, ShowError> {
+    let Some(last) = panels.last() else { return Err(ShowError::empty(name, "no panels")) };
+    panels.iter().try_for_each(|panel| check(panel, name))?;
+    let x_range = range(panels.iter().flat_map(|panel| panel.x.iter().copied()));
+    let x_range = x_range.ok_or_else(|| ShowError::empty(name, "no value is finite"))?;
+    let y_ranges: Vec<Point> = panels.iter().map(|panel| y_range(panel, name)).collect::<Result<_, _>>()?;
 
-    let (title, names) = (typeset(plot.title), names(plot));
-    let legend = Legend::new(entries(plot), None, HEIGHT - 100.0)?;
-    let height = HEIGHT + legend.height(WIDTH);
-    let bottom = HEIGHT - bottom_room();
+    let title = typeset(panels.iter().map(|panel| panel.title).find(|title| !title.is_empty()).unwrap_or(""));
+    let room = size.height - bottom_room() - 60.0;
+    let share = (room - GAP * (panels.len() - 1) as f64) / panels.len() as f64;
+    if share < 60.0 {
+        return Err(ShowError::Draw(format!("{} panels need a figure higher than {}", panels.len(), size.height)));
+    }
     // Whether there is a note above, which depends on the ticks, takes little room from them.
-    let distance = APART / (bottom - 60.0) * (y_range.1 - y_range.0);
-    let y = Axis::new(y_range, distance);
-    let (left, top) = (left_room(&y)?, top_room(&title, &y));
-    let widest = WIDTH - left - legend.width();
+    let axes: Vec<Axis> =
+        y_ranges.iter().map(|range| Axis::new(*range, APART.min(share / 2.0) / share * (range.1 - range.0))).collect();
+    let legends: Vec<Legend> = panels
+        .iter()
+        .map(|panel| match panels.len() {
+            1 => Legend::new(entries(panel), None, size.height - 100.0),
+            _ => Legend::beside(entries(panel)),
+        })
+        .collect::<Result<_, _>>()?;
+    let left = axes.iter().map(left_room).try_fold(0.0, |most: f64, room| room.map(|room| most.max(room)))?;
+    let widest = size.width - left - legends.iter().map(Legend::width).fold(0.0, f64::max);
     let x = Axis::new(x_range, apart(x_range, widest - 30.0)?);
     let right = left + widest - right_room(&x)?;
-    let frame = Frame { left, right, top, bottom, x, y, zero: true };
+    let notes: Vec<f64> = axes.iter().map(|axis| top_room("", axis) - top_room("", &axis.without_note())).collect();
+    let first_top = top_room(&title, &axes[0]);
+    let height =
+        (size.height - bottom_room() - first_top - GAP * (panels.len() - 1) as f64 - notes.iter().skip(1).sum::<f64>())
+            / panels.len() as f64;
 
-    let mut scene = Scene::new(WIDTH, height);
-    frame.draw(&mut scene, &Names { title: &title, x: &names.0, y: &names.1 })?;
-    for (index, curve) in plot.curves.iter().enumerate() {
-        for piece in pieces(plot.x, &curve.values) {
-            draw(&mut scene, piece.into_iter().map(|point| frame.place(point)).collect(), index);
+    let below = if panels.len() == 1 { legends[0].height(size.width) } else { 0.0 };
+    let mut scene = Scene::new(size.width, size.height + below);
+    let mut top = first_top;
+    let x_name = names(last).0;
+    for (index, (panel, y)) in panels.iter().zip(axes).enumerate() {
+        let is_last = index + 1 == panels.len();
+        let x = if is_last { x.clone() } else { x.without_labels() };
+        let frame = Frame { left, right, top, bottom: top + height, x, y, zero: true };
+        let shown = Names {
+            title: if index == 0 { &title } else { "" },
+            x: if is_last { &x_name } else { "" },
+            y: &names(panel).1,
+        };
+        frame.draw(&mut scene, &shown)?;
+        for (index, curve) in panel.curves.iter().enumerate() {
+            for piece in pieces(panel.x, &curve.values) {
+                draw(&mut scene, piece.into_iter().map(|point| frame.place(point)).collect(), index);
+            }
         }
+        legends[index].draw(&mut scene, &frame)?;
+        top = frame.bottom + GAP + notes.get(index + 1).copied().unwrap_or(0.0);
     }
-    legend.draw(&mut scene, &frame)?;
     Ok(scene)
+}
+
+fn y_range(plot: &Plot, name: &str) -> Result<Point, ShowError> {
+    let values = plot.curves.iter().flat_map(|curve| pieces(plot.x, &curve.values)).flatten();
+    let found = range(values.map(|point| point.1)).ok_or_else(|| ShowError::empty(name, "no value is finite"))?;
+    Ok(padded(found, 0.05))
 }
 
 fn check(plot: &Plot, name: &str) -> Result<(), ShowError> {

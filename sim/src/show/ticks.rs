@@ -9,7 +9,7 @@ const HUGE: f64 = 1e300;
 const ROUNDING: f64 = 1e-12;
 
 /// A range and its ticks.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Axis {
     /// Its least value.
     pub(super) low: f64,
@@ -21,8 +21,21 @@ pub(super) struct Axis {
     pub(super) note: Option<String>,
 }
 
+impl Axis {
+    /// The same ticks without labels.
+    pub(super) fn without_labels(&self) -> Axis {
+        let ticks = self.ticks.iter().map(|tick| Tick { at: tick.at, label: String::new() }).collect();
+        Axis { ticks, note: None, ..*self }
+    }
+
+    /// The same ticks with labels as if they were not multiplied.
+    pub(super) fn without_note(&self) -> Axis {
+        Axis { note: None, ..self.clone() }
+    }
+}
+
 /// A tick.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Tick {
     /// Its value.
     pub(super) at: f64,

@@ -1,0 +1,70 @@
+//! What is seen of a long run while it lasts, and its end by Ctrl-C.
+
+use super::Stop;
+use super::arguments::Voice;
+use crate::settings::Settings;
+use crate::{Failure, Run};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use sim_kernel::Mechanism;
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static REACHED: AtomicU64 = AtomicU64::new(0);
+
+/// No bar before this: most runs are over by then.
+const PATIENCE: Duration = Duration::from_secs(1);
+const BETWEEN: Duration = Duration::from_millis(100);
+
+/// Runs with a bar on a terminal, from the second second on. Ctrl-C ends the run, and what it has is kept; a second
+/// one ends the program.
+pub(super) fn watched<M: Mechanism>(
+    settings: &Settings,
+    voice: Voice,
+    run: impl FnOnce(&Settings) -> Result<Run<M>, Failure>,
+) -> Result<Run<M>, Stop> {
+    // A program that has its own handler keeps it.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    REACHED.store(0, Ordering::Relaxed);
+    let settings = Settings { interrupt: Some(&INTERRUPTED), progress: Some(&REACHED), ..*settings };
+    let shown = !voice.quiet && !voice.json && std::io::stderr().is_terminal();
+    let (done, waiting) = channel::<()>();
+    let end = settings.end;
+    let bar = shown.then(|| {
+        thread::spawn(move || {
+            if waiting.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                let bar = bar();
+                while waiting.recv_timeout(BETWEEN) == Err(RecvTimeoutError::Timeout) {
+                    show(&bar, f64::from_bits(REACHED.load(Ordering::Relaxed)), end);
+                }
+                bar.finish_and_clear();
+            }
+        })
+    });
+    let found = run(&settings);
+    drop(done);
+    if let Some(bar) = bar {
+        let _ = bar.join();
+    }
+    Ok(found?)
+}
+
+fn bar() -> ProgressBar {
+    let style =
+        ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}  {eta} left  (Ctrl-C keeps what there is)");
+    let bar = ProgressBar::with_draw_target(Some(1_000_000), ProgressDrawTarget::stderr());
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn show(bar: &ProgressBar, reached: f64, end: f64) {
+    bar.set_position((1e6 * (reached / end).clamp(0.0, 1.0)) as u64);
+    let rate = reached / bar.elapsed().as_secs_f64().max(1e-3);
+    bar.set_message(format!("t = {reached:.4} of {end} s, {rate:.3} s per second"));
+}

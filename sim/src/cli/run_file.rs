@@ -1,0 +1,288 @@
+//! Run files: everything that `run` takes, as JSON; read as words of the command line, so that both mean the same.
+
+use super::arguments::{Arguments, RunArguments};
+use super::{Stop, program, unknown};
+use crate::Start;
+use crate::settings::{Rows, Settings, Stepping};
+use clap::CommandFactory;
+use codegen::model::Unit;
+use serde_json::{Map, Value, json};
+use sim_kernel::{Array, Mechanism, Quantity, Start as Known};
+use std::ffi::OsString;
+use std::fs;
+
+/// What a run file says of itself.
+const FORMAT: &str = "linkwright run 1";
+
+/// Options that say where to, and not what.
+const NOT_OF_A_RUN: [&str; 7] = ["set", "initial", "out", "json", "quiet", "help", "version"];
+
+/// How a run is made again.
+pub(super) struct Reproduction {
+    /// The run file.
+    pub(super) file: Value,
+    /// The command with every option.
+    pub(super) command: String,
+}
+
+impl Reproduction {
+    /// Of a run as it was asked for, defaults and all.
+    pub(super) fn new<M: Mechanism>(
+        mechanism: &M,
+        start: &Start<M>,
+        settings: &Settings,
+        arguments: &RunArguments,
+    ) -> Reproduction {
+        let description = const { &M::DESCRIPTION };
+        let (values, defaults) = (mechanism.parameters(), M::defaults().parameters());
+        let parameters: Vec<(&str, String, bool)> = description
+            .parameters
+            .iter()
+            .enumerate()
+            .map(|(i, p)| (p.name, in_si(p, values[i]), values[i] != defaults[i]))
+            .collect();
+        let initial = initial(mechanism, start);
+        let options = options(settings, arguments, description.events);
+        let mut command = format!("{} run {}", program(), description.name);
+        for (name, value, _) in parameters.iter().filter(|entry| entry.2) {
+            command += &format!(" --set {}", quoted(&format!("{name}={value}")));
+        }
+        for (name, value, _) in initial.iter().filter(|entry| entry.2) {
+            command += &format!(" --initial {}", quoted(&format!("{name}={value}")));
+        }
+        for (name, value) in &options {
+            command += &match value {
+                Value::Bool(true) => format!(" --{name}"),
+                Value::Bool(false) => String::new(),
+                value => format!(" --{name} {}", quoted(&word(value).unwrap_or_default())),
+            };
+        }
+        let object = |entries: &[(&str, String, bool)]| {
+            let entries = entries.iter().map(|(name, value, _)| ((*name).to_owned(), Value::from(value.as_str())));
+            entries.collect::<Map<String, Value>>()
+        };
+        let file = json!({
+            "format": FORMAT,
+            "model": description.name,
+            "parameters": object(&parameters),
+            "initial": object(&initial),
+            "options": options,
+        });
+        Reproduction { file, command }
+    }
+
+    /// The run file as it is written.
+    pub(super) fn text(&self) -> String {
+        format!("{:#}\n", self.file)
+    }
+}
+
+/// What is given or guessed of the start, and whether the declaration says otherwise.
+fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, String, bool)> {
+    let declared = crate::declared_start(mechanism);
+    let coordinates = M::DESCRIPTION.coordinates;
+    let mut entries = Vec::new();
+    for (i, c) in coordinates.iter().enumerate() {
+        if start.position_given[i] || c.start == Known::Guess {
+            let differs =
+                start.positions[i] != declared.positions[i] || start.position_given[i] != declared.position_given[i];
+            entries.push((c.position.name, in_si(&c.position, start.positions[i]), differs));
+        }
+    }
+    for (i, c) in coordinates.iter().enumerate() {
+        if start.speed_given[i] {
+            let differs = start.speeds[i] != declared.speeds[i] || !declared.speed_given[i];
+            entries.push((c.speed.name, in_si(&c.speed, start.speeds[i]), differs));
+        }
+    }
+    entries
+}
+
+/// A value in the coherent SI unit, so that it reads back as the same number.
+fn in_si(quantity: &Quantity, value: f64) -> String {
+    let unit = Unit::parse(quantity.unit).map_or_else(|_| quantity.unit.to_owned(), |unit| unit.si_text());
+    match unit.as_str() {
+        // Degrees have the dimension 1; their coherent unit is the radian.
+        "1" if quantity.factor != 1.0 => format!("{value:?} rad"),
+        "1" => format!("{value:?}"),
+        unit => format!("{value:?} {unit}"),
+    }
+}
+
+/// The options of a run by their long names.
+fn options(settings: &Settings, arguments: &RunArguments, events: &[&str]) -> Map<String, Value> {
+    let mut options = Map::new();
+    let mut put = |name: &str, value: Value| options.insert(name.to_owned(), value);
+    put("t-end", format!("{:?} s", settings.end).into());
+    put("method", settings.method.name().into());
+    match settings.stepping {
+        Stepping::Equal(steps) => put("steps", steps.into()),
+        Stepping::Adaptive(tolerance) => {
+            put("rtol", tolerance.relative.into());
+            put("atol", tolerance.absolute.into())
+        }
+    };
+    put("projection", settings.stabilisation.to_string().into());
+    put(
+        "rows",
+        match settings.rows {
+            Rows::Steps => "steps".into(),
+            Rows::Even(rows) => rows.into(),
+        },
+    );
+    if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?))) {
+        put("until", format!("{name}:{}", stop.occurrence).into());
+    }
+    put("format", arguments.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());
+    put("size", arguments.size.to_string().into());
+    put("no-figures", arguments.no_figures.into());
+    put("no-report", arguments.no_report.into());
+    options
+}
+
+fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "._-+=,:/^%".contains(c);
+    if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
+/// The command line that a run file stands for, with the user's own words after the file's.
+pub(super) fn expand(path: &str, words: &[OsString]) -> Result<Vec<OsString>, Stop> {
+    let text =
+        fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
+    let wrong = |what: String| Stop::Usage(format!("{path}: {what}"));
+    let file: Value = serde_json::from_str(&text).map_err(|why| wrong(format!("not JSON: {why}")))?;
+    let own: Vec<&OsString> = words.iter().skip(1).filter(|word| *word != path).collect();
+    let mentioned: Vec<String> = own.iter().map(|word| word.to_string_lossy().into_owned()).collect();
+    let said = read(&file, &mentioned).map_err(wrong)?;
+    let mut all: Vec<OsString> = words.first().cloned().into_iter().collect();
+    all.push("run".into());
+    all.extend(said.into_iter().map(OsString::from));
+    let at = own.iter().position(|word| *word == "run");
+    all.extend(own.into_iter().enumerate().filter(|(i, _)| Some(*i) != at).map(|(_, word)| word.clone()));
+    Ok(all)
+}
+
+/// A run file's words: the model, then options. Steps and tolerances give way to the user's own.
+fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
+    let file = file.as_object().ok_or("a run file is an object")?;
+    for key in file.keys() {
+        let known = ["$schema", "format", "model", "parameters", "initial", "options"];
+        if !known.contains(&key.as_str()) {
+            return Err(message(unknown("entry", key, known.into_iter())));
+        }
+    }
+    if let Some(other) = file.get("format").filter(|format| *format != FORMAT) {
+        return Err(format!("its format is {other}, but this program reads \"{FORMAT}\""));
+    }
+    let model = file.get("model").and_then(Value::as_str).ok_or("`model` is missing: the name of a mechanism")?;
+    let mut words = vec![model.to_owned()];
+    for (entry, option) in [("parameters", "--set"), ("initial", "--initial")] {
+        for (name, value) in object(file, entry)? {
+            let value = word(value).ok_or_else(|| format!("`{name}` needs a number, or text like \"180 mm\""))?;
+            words.extend([option.to_owned(), format!("{name}={value}")]);
+        }
+    }
+    let long_options = long_options();
+    let steps = ["steps", "step", "rtol", "atol"];
+    let says_steps = own.iter().any(|word| steps.iter().any(|step| mentions(word, step)));
+    for (name, value) in object(file, "options")? {
+        if !long_options.contains(name) {
+            return Err(message(unknown("option of a run file", name, long_options.iter().map(String::as_str))));
+        }
+        if says_steps && steps.contains(&name.as_str()) || own.iter().any(|word| mentions(word, name)) {
+            continue;
+        }
+        match value {
+            Value::Bool(true) => words.push(format!("--{name}")),
+            Value::Bool(false) => {}
+            value => words
+                .push(format!("--{name}={}", word(value).ok_or_else(|| format!("`{name}` needs a number or text"))?)),
+        }
+    }
+    Ok(words)
+}
+
+fn mentions(word: &str, option: &str) -> bool {
+    word.strip_prefix("--").is_some_and(|rest| rest == option || rest.starts_with(&format!("{option}=")))
+}
+
+fn message(stop: Stop) -> String {
+    match stop {
+        Stop::Usage(message) => message,
+        Stop::Failed(error) | Stop::Interrupted(error) => error.to_string(),
+    }
+}
+
+fn object<'a>(file: &'a Map<String, Value>, entry: &str) -> Result<Vec<(&'a String, &'a Value)>, String> {
+    match file.get(entry) {
+        None => Ok(Vec::new()),
+        Some(value) => {
+            value.as_object().map(|o| o.iter().collect()).ok_or_else(|| format!("`{entry}` needs an object"))
+        }
+    }
+}
+
+/// A value as a word of the command line.
+fn word(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(number) => Some(number.to_string()),
+        Value::Array(items) => items.iter().map(word).collect::<Option<Vec<_>>>().map(|items| items.join(",")),
+        _ => None,
+    }
+}
+
+/// What `options` of a run file may hold: the long options of `run`, but for those that have entries of their own.
+fn long_options() -> Vec<String> {
+    let command = Arguments::command();
+    let run = command.find_subcommand("run");
+    let options = run.into_iter().flat_map(clap::Command::get_arguments).filter_map(clap::Arg::get_long);
+    options.filter(|name| !NOT_OF_A_RUN.contains(name)).map(String::from).collect()
+}
+
+/// The schema of run files.
+pub(super) const SCHEMA: &str = include_str!("../../assets/run.schema.json");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The schema names the options of `run`, all of them and no others.
+    #[test]
+    fn the_schema_is_that_of_the_command_line() {
+        let schema: Value = serde_json::from_str(SCHEMA).unwrap();
+        let options = schema["properties"]["options"]["properties"].as_object().unwrap();
+        let mut described: Vec<&String> = options.keys().collect();
+        let mut known = long_options();
+        described.sort();
+        known.sort();
+        assert_eq!(described, known.iter().collect::<Vec<_>>());
+        assert_eq!(schema["properties"]["format"]["const"], FORMAT);
+    }
+
+    #[test]
+    fn files_are_words() {
+        let file = json!({
+            "model": "m", "parameters": { "a": "180 mm", "b": 2 }, "initial": { "x": -1.5 },
+            "options": { "t-end": "3 s", "rtol": 1e-9, "no-figures": true, "no-report": false, "format": ["csv", "npz"] },
+        });
+        let words = read(&file, &[]).unwrap().join(" ");
+        assert_eq!(
+            words,
+            "m --set a=180 mm --set b=2 --initial x=-1.5 --t-end=3 s --rtol=1e-9 --no-figures --format=csv,npz"
+        );
+        let own = read(&file, &["--steps".to_owned(), "--t-end=4".to_owned()]).unwrap().join(" ");
+        assert!(!own.contains("rtol") && !own.contains("t-end"), "{own}");
+    }
+
+    #[test]
+    fn mistakes_say_what_is_known() {
+        let fails = |file: Value| read(&file, &[]).unwrap_err();
+        assert!(fails(json!([])).contains("an object"));
+        assert!(fails(json!({ "parameters": {} })).contains("`model` is missing"));
+        assert!(fails(json!({ "model": "m", "parameter": {} })).contains("did you mean `parameters`?"));
+        assert!(fails(json!({ "model": "m", "options": { "tend": "1 s" } })).contains("did you mean `t-end`?"));
+        assert!(fails(json!({ "model": "m", "format": "other 2" })).contains(FORMAT));
+        assert!(fails(json!({ "model": "m", "parameters": { "a": null } })).contains("180 mm"));
+    }
+}

@@ -1,0 +1,95 @@
+//! NumPy's files.
+//!
+//! Source: NumPy Enhancement Proposal 1, "A simple file format for NumPy arrays", versions 1.0 to 3.0.
+
+use crate::table::{Column, Table};
+use crate::write::WriteError;
+use std::fs::File;
+use std::io::{BufWriter, Result, Seek, Write};
+use std::path::Path;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// One array of records, a field for each column: `numpy.load(path)["alpha"]`.
+pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
+    let write = || -> Result<()> {
+        let mut out = BufWriter::new(File::create(path)?);
+        let rows = table.times().len();
+        out.write_all(&header(&fields(&table.columns), rows))?;
+        for row in 0..rows {
+            for column in &table.columns {
+                out.write_all(&column.values[row].to_le_bytes())?;
+            }
+        }
+        out.flush()
+    };
+    write().map_err(|why| WriteError::new(path, why))
+}
+
+/// An archive with an array for each column: `numpy.load(path)["alpha"]`.
+pub(super) fn write_npz(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
+    let write = || -> Result<()> { archive(table, BufWriter::new(File::create(path)?)) };
+    write().map_err(|why| WriteError::new(path, why))
+}
+
+fn archive(table: &Table, out: impl Write + Seek) -> Result<()> {
+    // Stored, as numpy.savez does, and without the time of day: the same table gives the same bytes.
+    let stored = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .last_modified_time(DateTime::default())
+        .large_file(8 * table.times().len() > u32::MAX as usize / 2);
+    let mut archive = ZipWriter::new(out);
+    for column in &table.columns {
+        archive.start_file(format!("{}.npy", column.name), stored)?;
+        archive.write_all(&header("'<f8'", column.values.len()))?;
+        let bytes: Vec<u8> = column.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        archive.write_all(&bytes)?;
+    }
+    archive.finish()?.flush()
+}
+
+/// The type of a record.
+fn fields(columns: &[Column]) -> String {
+    let fields: Vec<String> = columns.iter().map(|column| format!("('{}', '<f8')", column.name)).collect();
+    format!("[{}]", fields.join(", "))
+}
+
+/// Magic, version, length and a Python dictionary, padded so that the numbers start at a multiple of 64 bytes.
+fn header(kind: &str, rows: usize) -> Vec<u8> {
+    let text = format!("{{'descr': {kind}, 'fortran_order': False, 'shape': ({rows},), }}");
+    // Version 1 counts to 65535 and knows no letters beyond Latin; version 3 is for all others.
+    let old = text.is_ascii() && text.len() < 65_000;
+    let before = if old { 10 } else { 12 };
+    let padding = (64 - (before + text.len() + 1) % 64) % 64;
+    let length = text.len() + padding + 1;
+    let mut header = b"\x93NUMPY".to_vec();
+    if old {
+        header.extend([1, 0]);
+        header.extend((length as u16).to_le_bytes());
+    } else {
+        header.extend([3, 0]);
+        header.extend((length as u32).to_le_bytes());
+    }
+    header.extend(text.bytes());
+    header.extend(std::iter::repeat_n(b' ', padding));
+    header.push(b'\n');
+    header
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_start_at_multiples_of_64_bytes() {
+        for rows in [0, 1, 12_345_678] {
+            let header = header("'<f8'", rows);
+            assert!(
+                header.len().is_multiple_of(64) && header.ends_with(b"\n") && header.starts_with(b"\x93NUMPY\x01\x00")
+            );
+            assert_eq!(usize::from(header[8]) + 256 * usize::from(header[9]), header.len() - 10);
+        }
+        let greek = header("[('\u{3b1}', '<f8')]", 3);
+        assert!(greek.len().is_multiple_of(64) && greek[6] == 3);
+    }
+}

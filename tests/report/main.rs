@@ -1,0 +1,182 @@
+//! Reports as a reader meets them: in a browser, from a file.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
+
+mod browser;
+
+use browser::Browser;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Where pictures are kept: `LINKWRIGHT_SCREENSHOTS`, or beside the build.
+fn pictures() -> PathBuf {
+    let place = std::env::var_os("LINKWRIGHT_SCREENSHOTS").map(PathBuf::from);
+    let place = place.unwrap_or_else(|| scratch("screenshots"));
+    fs::create_dir_all(&place).unwrap();
+    place
+}
+
+fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+fn sim(words: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_sim")).args(words).output().unwrap();
+    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The shipped mechanisms, and how long each is run.
+fn models() -> Vec<(String, &'static str)> {
+    let list: Value = serde_json::from_str(&sim(&["list", "--json"])).unwrap();
+    let names = list.as_array().unwrap().iter().map(|model| model["name"].as_str().unwrap().to_owned());
+    // What Andrews' mechanism does later is of no interest.
+    names.map(|name| if name == "andrews" { (name, "30ms") } else { (name, "2s") }).collect()
+}
+
+/// A run of a model, with report, figures and what `info` says.
+fn made(model: &str, t_end: &str) -> PathBuf {
+    let directory = scratch("reports").join(model);
+    let _ = fs::remove_dir_all(&directory);
+    sim(&["run", model, "--t-end", t_end, "--out", directory.to_str().unwrap(), "--quiet"]);
+    assert!(sim(&["info", model]).contains("Operations of each kernel"));
+    assert!(directory.join("mechanism.png").exists());
+    directory.join("report.html")
+}
+
+/// Colours on the canvas, and a number that changes with any of its pixels.
+const PIXELS: &str = "(() => {
+    const canvas = document.getElementById('drawing');
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext('2d', { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    const counts = new Map();
+    let sum = 0;
+    for (const pixel of pixels) {
+        counts.set(pixel, (counts.get(pixel) || 0) + 1);
+        sum = (31 * sum + pixel) % 4294967291;
+    }
+    const most = Math.max(...counts.values());
+    return [pixels.length - most, sum];
+})()";
+
+/// Where the cursor of the first plot is, and the value beside it.
+const CURSOR: &str =
+    "[document.querySelector('.now').style.transform, document.querySelector('.legend .value').textContent]";
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn every_report_moves_in_a_browser() {
+    let mut browser = Browser::start(&scratch("chromium"));
+    for (model, t_end) in models() {
+        let report = made(&model, t_end);
+        let bytes = fs::metadata(&report).unwrap().len();
+        assert!(bytes < 2_000_000, "{model}: {bytes} bytes");
+        browser.window(1400, 1000, 1.0, false);
+        browser.open(&report, "#t=0");
+        let ready = browser.evaluate("document.documentElement.dataset.ready");
+
+        let (drawn, first) = (browser.evaluate(PIXELS), browser.evaluate(CURSOR));
+        assert!(drawn[0].as_u64().unwrap() > 500, "{model}: the canvas is empty, {drawn}");
+        let (left, right) = (browser.place("#scrubber", 0.0), browser.place("#scrubber", 0.37));
+        browser.drag((left.0 + 8.0, left.1), right);
+        let (later, second) = (browser.evaluate(PIXELS), browser.evaluate(CURSOR));
+        assert_ne!(drawn[1], later[1], "{model}: scrubbing does not move the drawing");
+        assert_ne!(first[0], second[0], "{model}: scrubbing does not move the cursor");
+        assert_ne!(first[1], second[1], "{model}: scrubbing does not change the value beside the curve");
+        let time = browser.evaluate("report.player.time / (document.getElementById('scrubber').value / 1000)");
+        assert!(time.as_f64().unwrap() > 0.0);
+
+        browser.evaluate("scrollTo(0, 0)");
+        browser.screenshot(&pictures().join(format!("{model}.png")));
+        let drawing = "frameCost";
+        let cost = browser.evaluate(&format!("report.{drawing}(101, false)"));
+        println!("{model:<20} {:>7.3} MB  loaded in {ready} ms, a frame takes {cost} ms (median)", bytes as f64 / 1e6);
+        browser.window(390, 844, 2.0, true);
+        browser.open(&report, "#t=0");
+        assert!(browser.evaluate("report.isDark()").as_bool().unwrap());
+        let wide = browser.evaluate("document.documentElement.scrollWidth");
+        assert!(wide.as_u64().unwrap() <= 390, "{model}: {wide} pixels wide on a phone");
+        browser.screenshot(&pictures().join(format!("{model}-phone-dark.png")));
+
+        assert!(browser.complaints.is_empty(), "{model}: {:?}", browser.complaints);
+        let outside: Vec<&String> = browser.requests.iter().filter(|url| !url.starts_with("file:")).collect();
+        assert!(outside.is_empty(), "{model}: {outside:?}");
+    }
+}
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn what_a_reader_does_has_its_effect() {
+    let report = made("quick-return", "2s");
+    let mut browser = Browser::start(&scratch("chromium-controls"));
+    browser.window(1400, 1000, 1.0, false);
+    browser.open(&report, "#t=0.25");
+    let time = |browser: &mut Browser| browser.evaluate("report.player.shown()").as_f64().unwrap();
+    assert_eq!(time(&mut browser), 0.25);
+
+    // Play, and pause.
+    let play = browser.place("#play", 0.5);
+    browser.drag(play, play);
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    browser.key(" ");
+    assert!(!browser.evaluate("report.player.playing").as_bool().unwrap());
+    let paused = time(&mut browser);
+    assert!(paused > 0.25);
+    // One sample on: rows are 2/1024 s apart.
+    browser.key("ArrowRight");
+    let step = time(&mut browser) - paused;
+    assert!(step > 0.0 && step <= 2.0 / 1024.0 + 1e-12, "{step}");
+    browser.key("Home");
+    assert_eq!(time(&mut browser), 0.0);
+
+    // A click in a plot goes to its time; dragging zooms all plots.
+    let middle = browser.place(".u-over", 0.5);
+    browser.drag(middle, middle);
+    assert!((time(&mut browser) - 1.0).abs() < 0.01);
+    let (from, to) = (browser.place(".u-over", 0.25), browser.place(".u-over", 0.75));
+    browser.drag(from, to);
+    let ranges = browser
+        .evaluate("report.plots.filter((p) => p.chart).map((p) => [p.chart.scales.x.min, p.chart.scales.x.max])");
+    for range in ranges.as_array().unwrap() {
+        let (low, high) = (range[0].as_f64().unwrap(), range[1].as_f64().unwrap());
+        assert!((low - 0.5).abs() < 0.02 && (high - 1.5).abs() < 0.02, "{ranges}");
+    }
+    browser.screenshot(&pictures().join("zoomed.png"));
+    browser.key("0");
+    assert_eq!(browser.evaluate("report.plots[0].chart.scales.x.max"), 2.0);
+
+    // Hidden parts, traces and forces change the drawing, one by one.
+    let mut before = browser.evaluate(PIXELS);
+    for menu in ["parts", "traces", "forces"] {
+        browser.evaluate(&format!("document.querySelector('#{menu} input').click()"));
+        browser.settle();
+        let after = browser.evaluate(PIXELS);
+        assert_ne!(before[1], after[1], "{menu}");
+        before = after;
+    }
+    browser.evaluate("document.querySelectorAll('#forces input[type=checkbox], #traces input').forEach((box) => box.checked || box.click())");
+    browser.settle();
+    browser.screenshot(&pictures().join("forces-and-traces.png"));
+    browser.key("d");
+    assert!(browser.evaluate("report.isDark()").as_bool().unwrap());
+    browser.screenshot(&pictures().join("dark.png"));
+
+    // The phase portrait, the tables, the equations, and paper.
+    browser.evaluate("document.querySelectorAll('.plot details').forEach((details) => (details.open = true))");
+    browser.place("#phase", 0.5);
+    browser.settle();
+    browser.screenshot(&pictures().join("phase.png"));
+    assert!(browser.evaluate("document.querySelectorAll('.equations math').length").as_u64().unwrap() >= 7);
+    browser.evaluate("document.querySelector('.tables').scrollIntoView()");
+    browser.screenshot(&pictures().join("tables.png"));
+    browser.evaluate("document.querySelector('.equations').scrollIntoView()");
+    browser.screenshot(&pictures().join("equations.png"));
+    let pdf = browser.printed();
+    assert!(pdf > 20_000, "{pdf}");
+    assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
+}
