@@ -8,7 +8,7 @@
 //! when all of its coordinates are gone: then the pivots are those of -C_q M^-1 C_q', which is definite as long as M
 //! is and the constraints are independent; one taken earlier could meet a pivot that is zero at some position.
 //!
-//! Each pivot comes with the terms that it is the sum of, to be checked at run time.
+//! Each pivot comes with what cancellation in it is measured by, to be checked at run time.
 
 use super::values::{Value, Values};
 use crate::dynamics::order::{Action, Kind, Pattern, order, substitutions};
@@ -50,7 +50,7 @@ pub(super) type Labels = Vec<(Value, String)>;
 /// A factorised system, which solves any right-hand side.
 pub(super) struct Factors {
     steps: Vec<Step>,
-    /// Each pivot with the magnitudes of its terms added up.
+    /// Each pivot with the size that cancellation in it is measured by.
     pub(super) pivots: Vec<(Value, Value)>,
 }
 
@@ -68,19 +68,42 @@ type Entry = Vec<(bool, Value)>;
 /// Rows of a symmetric matrix under elimination, each entry under both of its indices' smaller one first.
 pub(super) struct Matrix {
     entries: IndexMap<(usize, usize), Entry, FxBuildHasher>,
+    is_multiplier: Vec<bool>,
+    /// For each diagonal entry what cancellation in it is measured by: the terms with the sign that the pivot must
+    /// have, and the magnitudes of those that may have either.
+    sizes: Vec<Entry>,
 }
 
 impl Matrix {
     fn of(system: &System) -> Matrix {
-        let mut matrix = Matrix { entries: IndexMap::default() };
+        let is_multiplier: Vec<bool> = system.unknowns.iter().map(|u| matches!(u, Unknown::Multiplier)).collect();
+        let sizes = vec![vec![]; is_multiplier.len()];
+        let mut matrix = Matrix { entries: IndexMap::default(), is_multiplier, sizes };
         for (i, j, value) in &system.entries {
             matrix.add(*i, *j, false, *value);
+            if i == j {
+                matrix.sizes[*i].push((false, *value));
+            }
         }
         matrix
     }
 
     fn add(&mut self, i: usize, j: usize, negative: bool, value: Value) {
         self.entries.entry((i.min(j), i.max(j))).or_default().push((negative, value));
+    }
+
+    /// A pivot, and the size that cancellation in it is measured by.
+    ///
+    /// Pivots of coordinates are positive and those of multipliers negative. Eliminating the one kind takes from the
+    /// pivots of its own and adds to those of the other, so that terms of known sign need no magnitudes.
+    fn pivot(&self, values: &mut Values, k: usize) -> (Value, Value) {
+        let mut terms = self.entries.get(&(k, k)).cloned().unwrap_or_default();
+        let size = values.sum(self.sizes[k].clone());
+        if self.is_multiplier[k] {
+            terms.retain(|(_, term)| !self.sizes[k].contains(&(false, *term)));
+            terms.insert(0, (true, size));
+        }
+        (values.sum(terms), size)
     }
 
     /// The entry as it stands.
@@ -146,9 +169,7 @@ fn eliminate(
     labels: &mut Labels,
 ) -> (Step, (Value, Value)) {
     let mut label = |value: Value, text: String| labels.push((value, text));
-    let terms = matrix.entries.get(&(k, k)).cloned().unwrap_or_default();
-    let terms_size = magnitude(values, &terms);
-    let pivot = values.sum(terms);
+    let (pivot, size) = matrix.pivot(values, k);
     label(pivot, format!("pivot_{}", names[k]));
     let one = values.constant(1.0);
     let inverse = values.quotient(one, pivot);
@@ -163,9 +184,13 @@ fn eliminate(
         for (j, value) in &entries[..=at] {
             let product = values.product(vec![factor, *value]);
             matrix.add(*i, *j, true, product);
+            if i == j && matrix.is_multiplier[*i] != matrix.is_multiplier[k] {
+                // Over a multiplier's pivot the product is negative.
+                matrix.sizes[*i].push((matrix.is_multiplier[k], product));
+            }
         }
     }
-    (Step::Eliminate { unknown: k, column, inverse }, (pivot, terms_size))
+    (Step::Eliminate { unknown: k, column, inverse }, (pivot, size))
 }
 
 /// With `u_k = sum of a_j u_j + c`: `W_ij += a_i W_kj + W_ik a_j + a_i W_kk a_j`.
@@ -181,9 +206,12 @@ fn substitute(
     for (i, w) in &column {
         for (j, a) in definition {
             let product = values.product(vec![*w, *a]);
+            matrix.add(*i, *j, false, product);
             // A pair of different unknowns is met from both sides, an unknown with itself only once.
-            for _ in 0..if i == j { 2 } else { 1 } {
+            if i == j {
                 matrix.add(*i, *j, false, product);
+                let magnitude = values.magnitude(product);
+                matrix.sizes[*i].extend([(false, magnitude); 2]);
             }
         }
     }
@@ -191,8 +219,12 @@ fn substitute(
         let scaled = values.product(vec![*a, diagonal]);
         for (j, b) in &definition[..=at] {
             let product = values.product(vec![scaled, *b]);
-            if !values.is_zero(product) {
-                matrix.add(*i, *j, false, product);
+            if values.is_zero(product) {
+                continue;
+            }
+            matrix.add(*i, *j, false, product);
+            if i == j {
+                matrix.sizes[*i].push((false, product));
             }
         }
     }
@@ -258,10 +290,4 @@ impl Factors {
         }
         rhs.into_iter().map(|entry| values.sum(entry)).collect()
     }
-}
-
-/// The sum of the magnitudes of terms.
-fn magnitude(values: &mut Values, terms: &[(bool, Value)]) -> Value {
-    let sizes = terms.iter().map(|(_, term)| (false, values.magnitude(*term))).collect();
-    values.sum(sizes)
 }

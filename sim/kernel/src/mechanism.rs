@@ -165,9 +165,10 @@ pub struct Initial<Q> {
     pub speeds: Q,
 }
 
-/// Whether elimination must not divide by this pivot: cancellation between the terms that it is the sum of has
-/// taken half of its digits, or it is zero or NaN. `terms` is the sum of their magnitudes.
+/// Whether elimination must not divide by this pivot: cancellation has taken half of its digits, or it is zero or NaN.
+/// `size` is what it is the rest of: the sum of its terms of the sign that the pivot should have, and of the magnitudes
+/// of those whose sign is not known.
 #[inline(always)]
-pub fn pivot_is_refused<S: Scalar>(pivot: S, terms: S) -> S::Mask {
-    S::not(pivot.abs().greater(S::from_f64(S::HALF_DIGITS) * terms))
+pub fn pivot_is_refused<S: Scalar>(pivot: S, size: S) -> S::Mask {
+    S::not(pivot.abs().greater(S::from_f64(S::HALF_DIGITS) * size))
 }

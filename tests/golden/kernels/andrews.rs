@@ -485,21 +485,17 @@ pub struct AndrewsPrepared<S = ::core::primitive::f64> {
     k_25: S,
     k_26: S,
     k_27: S,
-    abs_mass_Phi_Phi: S,
     inverse_Phi: S,
-    abs_mass_Omega_Omega: S,
     inverse_Omega: S,
-    abs_mass_Theta_Theta: S,
     k_28: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Andrews<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 38 additions, 94 multiplications, 2 divisions.
+    /// Operations: 35 additions, 94 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> AndrewsPrepared<S> {
-        let mass_Theta_Theta = self.i2 + self.m2 * self.da * self.da;
         let w = self.ee - self.ea;
         let mass_Phi_Phi = self.i4 + self.m4 * w * w;
         let w_2 = self.m4 * self.ee * self.zt;
@@ -516,7 +512,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             k: self.i1 + self.i2 + self.m1 * self.ra * self.ra,
             k_2: self.m2 * self.da,
             k_3: self.m2 * self.rr * self.da,
-            mass_Theta_Theta: mass_Theta_Theta,
+            mass_Theta_Theta: self.i2 + self.m2 * self.da * self.da,
             i3: self.i3,
             m3: self.m3,
             sa: self.sa,
@@ -580,11 +576,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             k_25: S::from_f64(2.0) * self.d,
             k_26: self.ee * S::from_f64(2.0),
             k_27: S::from_f64(2.0) * self.zf,
-            abs_mass_Phi_Phi: mass_Phi_Phi.abs(),
             inverse_Phi: S::from_f64(1.0) / mass_Phi_Phi,
-            abs_mass_Omega_Omega: mass_Omega_Omega.abs(),
             inverse_Omega: S::from_f64(1.0) / mass_Omega_Omega,
-            abs_mass_Theta_Theta: mass_Theta_Theta.abs(),
             k_28: S::from_f64(2.0) * self.ss,
         }
     }
@@ -1451,7 +1444,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 309 additions, 306 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 243 additions, 306 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1497,8 +1490,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
         let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_8 + u2_x * w_10);
         let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let w_11 = mass_Theta_beta * l_Theta_beta;
-        let pivot_Theta = self.mass_Theta_Theta - w_11;
+        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
         let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let beta_dot_squared = beta_dot * beta_dot;
         let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
@@ -1510,15 +1502,15 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - mass_Theta_beta * l_lambda_loop3_x_beta;
         let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
         let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let w_12 = self.sa * u3_x - self.sb * u3_y;
-        let w_13 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_12 * w_12 + w_13 * w_13) + self.i3;
+        let w_11 = self.sa * u3_x - self.sb * u3_y;
+        let w_12 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_11 * w_11 + w_12 * w_12) + self.i3;
         let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
         let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_14 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
-        let w_15 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let w_16 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
-        let minus_pivot_lambda_loop3_x = w_14 + w_15 + w_16;
+        let w_13 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_14 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = minus_loop3_x_by_gamma
+            * minus_l_lambda_loop3_x_gamma + w_13 + w_14;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
         let minus_loop3_y_by_Theta = u2_x * self.d;
         let P_x = w_9 - minus_loop3_y_by_Theta;
@@ -1526,132 +1518,130 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_17 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_15 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
         let minus_loop3_y_by_gamma = u3_y * self.ss;
         let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_18 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let k_lambda_loop3_y_lambda_loop3_x = w_17
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_18;
+        let w_16 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_15
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_16;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_19 = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop3_y_lambda_loop3_x;
-        let w_20 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
-        let w_21 = P_x * l_lambda_loop3_y_beta;
-        let w_22 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let pivot_lambda_loop3_y = w_19 - w_20 - w_21 - w_22;
+        let w_17 = P_x * l_lambda_loop3_y_beta;
+        let w_18 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_19 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_17 + w_18;
+        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop3_y_lambda_loop3_x - w_19;
         let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_23 = u3_y * self.sc;
-        let w_24 = u3_x * self.sd;
-        let w_25 = self.k_17 + w_23 + w_24;
-        let w_26 = u3_x * self.sc;
-        let w_27 = u3_y * self.sd;
-        let w_28 = self.k_18 - w_26 + w_27;
-        let w_29 = (w_25 * w_25 + w_28 * w_28).sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + w_29 * self.k_21)
-            + u3_y * (self.k_20 + w_29 * self.k_22)) / w_29;
-        let w_30 = Theta_dot * beta_dot * self.k_25;
-        let w_31 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_30);
+        let w_20 = u3_y * self.sc;
+        let w_21 = u3_x * self.sd;
+        let w_22 = self.k_17 + w_20 + w_21;
+        let w_23 = u3_x * self.sc;
+        let w_24 = u3_y * self.sd;
+        let w_25 = self.k_18 - w_23 + w_24;
+        let w_26 = (w_22 * w_22 + w_25 * w_25).sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + w_26 * self.k_21)
+            + u3_y * (self.k_20 + w_26 * self.k_22)) / w_26;
+        let w_27 = Theta_dot * beta_dot * self.k_25;
+        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_27);
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_32 = self.rr * u1_y * beta_dot_squared;
-        let w_33 = rhs_beta * l_lambda_loop3_y_beta;
-        let w_34 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let w_35 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_30);
-        let w_36 = self.rr * u1_x * beta_dot_squared;
-        let w_37 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_38 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let w_29 = self.rr * u1_y * beta_dot_squared;
+        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
+        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_32 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_27);
+        let w_33 = self.rr * u1_x * beta_dot_squared;
+        let w_34 = rhs_beta * l_lambda_loop3_x_beta;
+        let w_35 = l_lambda_loop3_x_Theta * rhs_Theta;
         let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_35 + u3_y * self.ss * gamma_dot_squared - w_36) - w_37 - w_38;
+            - (w_32 + u3_y * self.ss * gamma_dot_squared - w_33) - w_34 - w_35;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_31 - u3_x * self.ss * gamma_dot_squared - w_32) - w_33 + w_34
+            - (w_28 - u3_x * self.ss * gamma_dot_squared - w_29) - w_30 + w_31
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_39 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let w_40 = P_x * l_lambda_loop3_x_beta;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_15 + w_16;
+        let w_36 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_37 = P_x * l_lambda_loop3_x_beta;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_13 + w_14;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_x_lambda_loop3_y = w_39 - w_40
+        let k_lambda_loop4_x_lambda_loop3_y = w_36 - w_37
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_41 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_38 = minus_k_lambda_loop4_x_lambda_loop3_x
             * l_lambda_loop4_x_lambda_loop3_x;
         let minus_loop4_x_by_Phi = self.ee * cos_w_2;
         let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_42 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_43 = self.zt * u5_y;
+        let w_39 = self.zt * u5_y;
         let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
             + cos_w_2 * u5_y * self.k_8;
-        let k_lambda_loop4_x_delta = w_43 - minus_loop4_x_by_Phi
+        let k_lambda_loop4_x_delta = w_39 - minus_loop4_x_by_Phi
             + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_44 = w_43 - self.k_4 * cos_w_2;
-        let w_45 = self.zt * u5_x;
-        let w_46 = w_45 + self.k_4 * n4_x;
-        let w_47 = u5_y * self.ta + u5_x * self.tb;
-        let w_48 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_44 * w_44 + w_46 * w_46)
-            + self.m5 * (w_47 * w_47 + w_48 * w_48) + self.k_9;
+        let w_40 = w_39 - self.k_4 * cos_w_2;
+        let w_41 = self.zt * u5_x;
+        let w_42 = w_41 + self.k_4 * n4_x;
+        let w_43 = u5_y * self.ta + u5_x * self.tb;
+        let w_44 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_42 * w_42)
+            + self.m5 * (w_43 * w_43 + w_44 * w_44) + self.k_9;
         let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let w_49 = mass_delta_Phi * l_delta_Phi;
-        let pivot_delta = mass_delta_delta - w_49;
+        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
         let inverse_delta = S::from_f64(1.0) / pivot_delta;
         let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_50 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
-        let w_51 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_41 - w_42 - w_50 - w_15 - w_16 - w_51;
+        let w_45 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
+            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta + w_13 + w_14;
+        let w_46 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_38 - w_45 - w_46;
         let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
         let delta_dot_squared = delta_dot * delta_dot;
-        let w_52 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_52;
+        let w_47 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_47;
         let Phi_dot_squared = Phi_dot * Phi_dot;
-        let w_53 = Phi_dot * delta_dot * self.k_26;
-        let rhs_delta = self.k_8 * w_52 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_52 - rhs_Phi * l_delta_Phi;
-        let w_54 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_55 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_48 = Phi_dot * delta_dot * self.k_26;
+        let rhs_delta = self.k_8 * w_47 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_47 - rhs_Phi * l_delta_Phi;
+        let w_49 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_50 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_35 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_53)
-                - w_36 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_37 - w_38 - w_54 - w_55;
+            - (w_32 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_48)
+                - w_33 + self.zt * u5_x * delta_dot_squared)
+            - l_lambda_loop4_x_delta * rhs_delta - w_34 - w_35 - w_49 - w_50;
         let minus_loop4_y_by_Phi = self.ee * n4_x;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
         let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_45 + minus_loop4_y_by_Phi);
+            - (w_41 + minus_loop4_y_by_Phi);
         let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let k_lambda_loop4_y_lambda_loop3_x = w_17 - w_18;
+        let k_lambda_loop4_y_lambda_loop3_x = w_15 - w_16;
         let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop4_y_lambda_loop3_x;
-        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_51 = minus_k_lambda_loop4_x_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_21 - w_22;
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_17 - w_18;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let k_lambda_loop4_y_lambda_loop4_x = w_17
+        let w_52 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_15
             - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_18 - w_56 - w_57;
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_16 - w_51 - w_52;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_58 = k_lambda_loop4_y_lambda_loop3_x
+        let w_53 = k_lambda_loop4_y_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_59 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
-        let w_60 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let w_61 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let w_62 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
-        let pivot_lambda_loop4_y = w_58 - w_59 - w_60 - w_21 - w_22 - w_61 - w_62;
+        let w_54 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta + w_17 + w_18;
+        let w_55 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let pivot_lambda_loop4_y = w_53 - w_54 - w_55
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
         let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let w_63 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_64 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_56 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_57 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_31 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_53)
-                - w_32 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_33 + w_34 + w_63 - w_64
+            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_48)
+                - w_29 + self.zt * u5_y * delta_dot_squared)
+            - l_lambda_loop4_y_delta * rhs_delta - w_30 + w_31 + w_56 - w_57
             - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_x = w_41 - w_15 - w_16 - w_51;
+        let k_lambda_loop6_x_lambda_loop4_x = w_38 - w_13 - w_14 - w_46;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_y = w_39 - w_40
+        let k_lambda_loop6_x_lambda_loop4_y = w_36 - w_37
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
@@ -1659,73 +1649,71 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             * k_lambda_loop6_x_lambda_loop4_y;
         let loop6_x_by_Omega = self.zf * u6_y;
         let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_65 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
-        let w_66 = self.u * u7_x;
+        let w_58 = self.u * u7_x;
         let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
             + u6_y * u7_x * self.k_14;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_66
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_58
             - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let w_67 = w_66 - self.k_10 * u6_y;
-        let w_68 = self.u * u7_y;
-        let w_69 = w_68 + self.k_10 * u6_x;
-        let w_70 = u7_x * self.ua + u7_y * self.ub;
-        let w_71 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_67 * w_67 + w_69 * w_69)
-            + self.m7 * (w_70 * w_70 + w_71 * w_71) + self.k_15;
+        let w_59 = w_58 - self.k_10 * u6_y;
+        let w_60 = self.u * u7_y;
+        let w_61 = w_60 + self.k_10 * u6_x;
+        let w_62 = u7_x * self.ua + u7_y * self.ub;
+        let w_63 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_59 * w_59 + w_61 * w_61)
+            + self.m7 * (w_62 * w_62 + w_63 * w_63) + self.k_15;
         let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let w_72 = mass_epsilon_Omega * l_epsilon_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - w_72;
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
         let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
         let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_73 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
-        let w_74 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let w_75 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_41 - w_65 - w_73 - w_15 - w_16 - w_51 - w_74 - w_75;
+        let w_64 = loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon + w_13 + w_14;
+        let pivot_lambda_loop6_x = w_38 - w_64 - w_46
+            - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
+            - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
         let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let Omega_dot_squared = Omega_dot * Omega_dot;
         let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_76 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+        let w_65 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
             + epsilon_dot * Omega_dot * self.k_27;
-        let w_77 = u7_y * u6_y;
-        let w_78 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_77 + w_78);
-        let w_79 = w_78 + w_77;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_79
-            + self.k_13 * Omega_dot_squared * w_79 - rhs_Omega * l_epsilon_Omega;
-        let minus_rhs_lambda_loop6_x = w_35 + u6_x * w_76 - w_36
+        let w_66 = u7_y * u6_y;
+        let w_67 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_66 + w_67);
+        let w_68 = w_67 + w_66;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_68
+            + self.k_13 * Omega_dot_squared * w_68 - rhs_Omega * l_epsilon_Omega;
+        let minus_rhs_lambda_loop6_x = w_32 + u6_x * w_65 - w_33
             + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_37 + w_38 + w_54 + w_55
+            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_34 + w_35 + w_49 + w_50
             + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
             + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
         let minus_loop6_y_by_Omega = self.zf * u6_x;
         let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
         let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_68 + minus_loop6_y_by_Omega);
+            - (w_60 + minus_loop6_y_by_Omega);
         let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let k_lambda_loop6_y_lambda_loop4_x = w_17 - w_18 - w_56 - w_57;
+        let k_lambda_loop6_y_lambda_loop4_x = w_15 - w_16 - w_51 - w_52;
         let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_y_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_58 - w_21 - w_22 - w_61
+        let k_lambda_loop6_y_lambda_loop4_y = w_53 - w_17 - w_18 - w_55
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_y_lambda_loop4_y;
         let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
             * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_18 + w_17 - w_56
-            - w_57 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_16 + w_15 - w_51
+            - w_52 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_80 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
-        let w_81 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
-        let w_82 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let w_83 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
-        let w_84 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
-        let pivot_lambda_loop6_y = w_58 - w_80 - w_81 - w_21 - w_22 - w_61 - w_82 - w_83
-            - w_84;
+        let w_69 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon + w_17 + w_18;
+        let pivot_lambda_loop6_y = w_53 - w_69 - w_55
+            - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
+            - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
         let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_31 + u6_y * w_76 - w_32 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_33 + w_34 + w_63 - w_64
+            - (w_28 + u6_y * w_65 - w_29 - self.u * u7_x * epsilon_dot_squared)
+            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_30 + w_31 + w_56 - w_57
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
             + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
@@ -1764,14 +1752,6 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let epsilon_ddot = inverse_epsilon * rhs_epsilon
             + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
             - l_lambda_loop6_y_epsilon * lambda_loop6_y;
-        let abs_w_15 = w_15.abs();
-        let abs_w_16 = w_16.abs();
-        let abs_w_21 = w_21.abs();
-        let abs_w_22 = w_22.abs();
-        let abs_w_41 = w_41.abs();
-        let abs_w_51 = w_51.abs();
-        let abs_w_58 = w_58.abs();
-        let abs_w_61 = w_61.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_beta * inverse_beta - l_Theta_beta * Theta_ddot
@@ -1801,61 +1781,31 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 -minus_lambda_loop6_x,
                 lambda_loop6_y,
             ],
-            power: self.c0 * gamma_dot * (self.l0 - w_29)
-                * ((w_25 * (w_26 - w_27) + w_28 * (w_23 + w_24)) / w_29)
+            power: self.c0 * gamma_dot * (self.l0 - w_26)
+                * ((w_22 * (w_23 - w_24) + w_25 * (w_20 + w_21)) / w_26)
                 + self.mom * beta_dot,
-            refused: sim_kernel::pivot_is_refused(
-                mass_gamma_gamma,
-                mass_gamma_gamma.abs(),
-            ) | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.abs_mass_Phi_Phi)
-                | sim_kernel::pivot_is_refused(
-                    pivot_delta,
-                    mass_delta_delta.abs() + w_49.abs(),
-                )
+            refused: sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
+                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
+                | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
                 | sim_kernel::pivot_is_refused(
                     self.mass_Omega_Omega,
-                    self.abs_mass_Omega_Omega,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_epsilon,
-                    mass_epsilon_epsilon.abs() + w_72.abs(),
-                ) | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta.abs())
-                | sim_kernel::pivot_is_refused(
-                    pivot_Theta,
-                    self.abs_mass_Theta_Theta + w_11.abs(),
-                )
+                    self.mass_Omega_Omega,
+                ) | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
+                | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+                | sim_kernel::pivot_is_refused(pivot_Theta, self.mass_Theta_Theta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
-                    w_14.abs() + abs_w_15 + abs_w_16,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop3_y,
-                    w_20.abs() + abs_w_21 + abs_w_22 + w_19.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop4_x,
-                    w_42.abs() + w_50.abs() + abs_w_15 + abs_w_16 + abs_w_41 + abs_w_51,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop4_y,
-                    w_59.abs() + w_60.abs() + abs_w_21 + abs_w_22 + abs_w_58 + abs_w_61
-                        + w_62.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop6_x,
-                    w_65.abs() + w_73.abs() + abs_w_15 + abs_w_16 + abs_w_41 + abs_w_51
-                        + w_74.abs() + w_75.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop6_y,
-                    w_80.abs() + w_81.abs() + abs_w_21 + abs_w_22 + abs_w_58 + abs_w_61
-                        + w_82.abs() + w_83.abs() + w_84.abs(),
-                ),
+                    minus_pivot_lambda_loop3_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_19)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_45)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_54)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_64)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
         }
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 1160 additions, 1412 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 1094 additions, 1412 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1901,8 +1851,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
         let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let w_8 = mass_Theta_beta * l_Theta_beta;
-        let pivot_Theta = self.mass_Theta_Theta - w_8;
+        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
         let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let minus_loop3_y_by_Theta = u2_x * self.d;
         let P_x = w_6 - minus_loop3_y_by_Theta;
@@ -1910,156 +1859,154 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_9 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_8 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
         let minus_loop3_x_by_gamma = u3_x * self.ss;
         let minus_loop3_y_by_gamma = u3_y * self.ss;
-        let w_10 = self.sa * u3_x - self.sb * u3_y;
-        let w_11 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_10 * w_10 + w_11 * w_11) + self.i3;
+        let w_9 = self.sa * u3_x - self.sb * u3_y;
+        let w_10 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_9 * w_9 + w_10 * w_10) + self.i3;
         let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
         let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_12 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let k_lambda_loop3_y_lambda_loop3_x = w_9
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_12;
+        let w_11 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_8
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_11;
         let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_13 = minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma;
-        let w_14 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_12 = loop3_x_by_beta * l_lambda_loop3_x_beta;
         let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_15 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
-        let minus_pivot_lambda_loop3_x = w_13 + w_14 + w_15;
+        let w_13 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = minus_loop3_x_by_gamma
+            * minus_l_lambda_loop3_x_gamma + w_12 + w_13;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_16 = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop3_y_lambda_loop3_x;
-        let w_17 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma;
-        let w_18 = P_x * l_lambda_loop3_y_beta;
-        let w_19 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let pivot_lambda_loop3_y = w_16 - w_17 - w_18 - w_19;
+        let w_14 = P_x * l_lambda_loop3_y_beta;
+        let w_15 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_16 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_14 + w_15;
+        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop3_y_lambda_loop3_x - w_16;
         let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_20 = u3_y * self.sc;
-        let w_21 = u3_x * self.sd;
-        let w_22 = self.k_17 + w_20 + w_21;
-        let w_23 = u3_x * self.sc;
-        let w_24 = u3_y * self.sd;
-        let w_25 = self.k_18 - w_23 + w_24;
-        let w_26 = w_22 * w_22 + w_25 * w_25;
-        let sqrt_w_26 = w_26.sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_26 * self.k_21)
-            + u3_y * (self.k_20 + sqrt_w_26 * self.k_22)) / sqrt_w_26;
+        let w_17 = u3_y * self.sc;
+        let w_18 = u3_x * self.sd;
+        let w_19 = self.k_17 + w_17 + w_18;
+        let w_20 = u3_x * self.sc;
+        let w_21 = u3_y * self.sd;
+        let w_22 = self.k_18 - w_20 + w_21;
+        let w_23 = w_19 * w_19 + w_22 * w_22;
+        let sqrt_w_23 = w_23.sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_23 * self.k_21)
+            + u3_y * (self.k_20 + sqrt_w_23 * self.k_22)) / sqrt_w_23;
         let beta_dot_squared = beta_dot * beta_dot;
         let Theta_dot_squared = Theta_dot * Theta_dot;
-        let w_27 = Theta_dot * beta_dot * self.k_25;
-        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_27);
+        let w_24 = Theta_dot * beta_dot * self.k_25;
+        let w_25 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_24);
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_29 = self.rr * u1_y * beta_dot_squared;
-        let w_30 = u1_y * u2_x;
-        let w_31 = u2_y * u1_x;
-        let w_32 = w_30 - w_31;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_32
-            + self.k_3 * Theta_dot_squared * w_32 + self.mom;
-        let w_33 = rhs_beta * l_lambda_loop3_y_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_31 - w_30)
+        let w_26 = self.rr * u1_y * beta_dot_squared;
+        let w_27 = u1_y * u2_x;
+        let w_28 = u2_y * u1_x;
+        let w_29 = w_27 - w_28;
+        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_29
+            + self.k_3 * Theta_dot_squared * w_29 + self.mom;
+        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
+        let rhs_Theta = self.k_3 * beta_dot_squared * (w_28 - w_27)
             - rhs_beta * l_Theta_beta;
-        let w_34 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let w_35 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_27);
-        let w_36 = self.rr * u1_x * beta_dot_squared;
-        let w_37 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_38 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_32 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_24);
+        let w_33 = self.rr * u1_x * beta_dot_squared;
+        let w_34 = rhs_beta * l_lambda_loop3_x_beta;
+        let w_35 = l_lambda_loop3_x_Theta * rhs_Theta;
         let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_35 + u3_y * self.ss * gamma_dot_squared - w_36) - w_37 - w_38;
+            - (w_32 + u3_y * self.ss * gamma_dot_squared - w_33) - w_34 - w_35;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_28 - u3_x * self.ss * gamma_dot_squared - w_29) - w_33 + w_34
+            - (w_25 - u3_x * self.ss * gamma_dot_squared - w_26) - w_30 + w_31
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_39 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let w_40 = P_x * l_lambda_loop3_x_beta;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_14 + w_15;
+        let w_36 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_37 = P_x * l_lambda_loop3_x_beta;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_12 + w_13;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_x_lambda_loop3_y = w_39 - w_40
+        let k_lambda_loop4_x_lambda_loop3_y = w_36 - w_37
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_41 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_38 = minus_k_lambda_loop4_x_lambda_loop3_x
             * l_lambda_loop4_x_lambda_loop3_x;
         let minus_loop4_x_by_Phi = self.ee * cos_w_2;
         let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_42 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_43 = self.zt * u5_y;
-        let loop4_x_by_delta = w_43 - minus_loop4_x_by_Phi;
+        let w_39 = self.zt * u5_y;
+        let loop4_x_by_delta = w_39 - minus_loop4_x_by_Phi;
         let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
             + cos_w_2 * u5_y * self.k_8;
         let k_lambda_loop4_x_delta = loop4_x_by_delta
             + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_44 = w_43 - self.k_4 * cos_w_2;
-        let w_45 = self.zt * u5_x;
-        let w_46 = w_45 + self.k_4 * n4_x;
-        let w_47 = u5_y * self.ta + u5_x * self.tb;
-        let w_48 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_44 * w_44 + w_46 * w_46)
-            + self.m5 * (w_47 * w_47 + w_48 * w_48) + self.k_9;
+        let w_40 = w_39 - self.k_4 * cos_w_2;
+        let w_41 = self.zt * u5_x;
+        let w_42 = w_41 + self.k_4 * n4_x;
+        let w_43 = u5_y * self.ta + u5_x * self.tb;
+        let w_44 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_42 * w_42)
+            + self.m5 * (w_43 * w_43 + w_44 * w_44) + self.k_9;
         let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let w_49 = mass_delta_Phi * l_delta_Phi;
-        let pivot_delta = mass_delta_delta - w_49;
+        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
         let inverse_delta = S::from_f64(1.0) / pivot_delta;
         let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_50 = k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
-        let w_51 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_41 - w_42 - w_50 - w_14 - w_15 - w_51;
+        let w_45 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
+            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta + w_12 + w_13;
+        let w_46 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_38 - w_45 - w_46;
         let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
         let delta_dot_squared = delta_dot * delta_dot;
-        let w_52 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_52;
+        let w_47 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_47;
         let Phi_dot_squared = Phi_dot * Phi_dot;
-        let w_53 = Phi_dot * delta_dot * self.k_26;
-        let rhs_delta = self.k_8 * w_52 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_52 - rhs_Phi * l_delta_Phi;
-        let w_54 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_55 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_48 = Phi_dot * delta_dot * self.k_26;
+        let rhs_delta = self.k_8 * w_47 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_47 - rhs_Phi * l_delta_Phi;
+        let w_49 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_50 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_35 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_53)
-                - w_36 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_37 - w_38 - w_54 - w_55;
+            - (w_32 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_48)
+                - w_33 + self.zt * u5_x * delta_dot_squared)
+            - l_lambda_loop4_x_delta * rhs_delta - w_34 - w_35 - w_49 - w_50;
         let minus_loop4_y_by_Phi = self.ee * n4_x;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let minus_loop4_y_by_delta = w_45 + minus_loop4_y_by_Phi;
+        let minus_loop4_y_by_delta = w_41 + minus_loop4_y_by_Phi;
         let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
             - minus_loop4_y_by_delta;
         let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let k_lambda_loop4_y_lambda_loop3_x = w_9 - w_12;
+        let k_lambda_loop4_y_lambda_loop3_x = w_8 - w_11;
         let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop4_y_lambda_loop3_x;
-        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_51 = minus_k_lambda_loop4_x_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_18 - w_19;
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_14 - w_15;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let k_lambda_loop4_y_lambda_loop4_x = w_9
+        let w_52 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_8
             - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_12 - w_56 - w_57;
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_11 - w_51 - w_52;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_58 = k_lambda_loop4_y_lambda_loop3_x
+        let w_53 = k_lambda_loop4_y_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_59 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi;
-        let w_60 = k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let w_61 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let w_62 = k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
-        let pivot_lambda_loop4_y = w_58 - w_59 - w_60 - w_18 - w_19 - w_61 - w_62;
+        let w_54 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta + w_14 + w_15;
+        let w_55 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let pivot_lambda_loop4_y = w_53 - w_54 - w_55
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
         let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let w_63 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_64 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_56 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_57 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_53)
-                - w_29 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_33 + w_34 + w_63 - w_64
+            - (w_25 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_48)
+                - w_26 + self.zt * u5_y * delta_dot_squared)
+            - l_lambda_loop4_y_delta * rhs_delta - w_30 + w_31 + w_56 - w_57
             - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_x = w_41 - w_14 - w_15 - w_51;
+        let k_lambda_loop6_x_lambda_loop4_x = w_38 - w_12 - w_13 - w_46;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_y = w_39 - w_40
+        let k_lambda_loop6_x_lambda_loop4_y = w_36 - w_37
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
@@ -2067,75 +2014,73 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             * k_lambda_loop6_x_lambda_loop4_y;
         let loop6_x_by_Omega = self.zf * u6_y;
         let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_65 = loop6_x_by_Omega * l_lambda_loop6_x_Omega;
-        let w_66 = self.u * u7_x;
+        let w_58 = self.u * u7_x;
         let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
             + u6_y * u7_x * self.k_14;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_66
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_58
             - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let w_67 = w_66 - self.k_10 * u6_y;
-        let w_68 = self.u * u7_y;
-        let w_69 = w_68 + self.k_10 * u6_x;
-        let w_70 = u7_x * self.ua + u7_y * self.ub;
-        let w_71 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_67 * w_67 + w_69 * w_69)
-            + self.m7 * (w_70 * w_70 + w_71 * w_71) + self.k_15;
+        let w_59 = w_58 - self.k_10 * u6_y;
+        let w_60 = self.u * u7_y;
+        let w_61 = w_60 + self.k_10 * u6_x;
+        let w_62 = u7_x * self.ua + u7_y * self.ub;
+        let w_63 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_59 * w_59 + w_61 * w_61)
+            + self.m7 * (w_62 * w_62 + w_63 * w_63) + self.k_15;
         let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let w_72 = mass_epsilon_Omega * l_epsilon_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - w_72;
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
         let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
         let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_73 = k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
-        let w_74 = k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
-        let w_75 = k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_41 - w_65 - w_73 - w_14 - w_15 - w_51 - w_74 - w_75;
+        let w_64 = loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon + w_12 + w_13;
+        let pivot_lambda_loop6_x = w_38 - w_64 - w_46
+            - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
+            - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
         let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let Omega_dot_squared = Omega_dot * Omega_dot;
         let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_76 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+        let w_65 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
             + epsilon_dot * Omega_dot * self.k_27;
-        let w_77 = u7_y * u6_y;
-        let w_78 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_77 + w_78);
-        let w_79 = w_78 + w_77;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_79
-            + self.k_13 * Omega_dot_squared * w_79 - rhs_Omega * l_epsilon_Omega;
-        let minus_rhs_lambda_loop6_x = w_35 + u6_x * w_76 - w_36
+        let w_66 = u7_y * u6_y;
+        let w_67 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_66 + w_67);
+        let w_68 = w_67 + w_66;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_68
+            + self.k_13 * Omega_dot_squared * w_68 - rhs_Omega * l_epsilon_Omega;
+        let minus_rhs_lambda_loop6_x = w_32 + u6_x * w_65 - w_33
             + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_37 + w_38 + w_54 + w_55
+            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_34 + w_35 + w_49 + w_50
             + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
             + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
         let minus_loop6_y_by_Omega = self.zf * u6_x;
         let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let minus_loop6_y_by_epsilon = w_68 + minus_loop6_y_by_Omega;
+        let minus_loop6_y_by_epsilon = w_60 + minus_loop6_y_by_Omega;
         let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
             - minus_loop6_y_by_epsilon;
         let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let k_lambda_loop6_y_lambda_loop4_x = w_9 - w_12 - w_56 - w_57;
+        let k_lambda_loop6_y_lambda_loop4_x = w_8 - w_11 - w_51 - w_52;
         let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_y_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_58 - w_18 - w_19 - w_61
+        let k_lambda_loop6_y_lambda_loop4_y = w_53 - w_14 - w_15 - w_55
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
         let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_y_lambda_loop4_y;
         let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
             * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_12 + w_9 - w_56
-            - w_57 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_11 + w_8 - w_51
+            - w_52 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_80 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega;
-        let w_81 = k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
-        let w_82 = k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let w_83 = k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
-        let w_84 = k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
-        let pivot_lambda_loop6_y = w_58 - w_80 - w_81 - w_18 - w_19 - w_61 - w_82 - w_83
-            - w_84;
+        let w_69 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon + w_14 + w_15;
+        let pivot_lambda_loop6_y = w_53 - w_69 - w_55
+            - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
+            - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
         let inverse_lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y;
         let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_28 + u6_y * w_76 - w_29 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_33 + w_34 + w_63 - w_64
+            - (w_25 + u6_y * w_65 - w_26 - self.u * u7_x * epsilon_dot_squared)
+            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_30 + w_31 + w_56 - w_57
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
             + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
@@ -2154,21 +2099,21 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_y * minus_lambda_loop6_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop6_y;
-        let w_85 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
+        let w_70 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
         let lambda_loop3_x = minus_l_lambda_loop3_y_lambda_loop3_x * lambda_loop3_y
             - minus_inverse_lambda_loop3_x * rhs_lambda_loop3_x
             - l_lambda_loop4_x_lambda_loop3_x * lambda_loop4_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_x * minus_lambda_loop6_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop6_y;
-        let w_86 = P_y * w_85
+        let w_71 = P_y * w_70
             + P_x * (lambda_loop3_x + lambda_loop4_x - minus_lambda_loop6_x);
-        let w_87 = self.d
+        let w_72 = self.d
             * (u2_x * (minus_lambda_loop6_x - lambda_loop3_x - lambda_loop4_x)
-                - u2_y * w_85);
-        let w_88 = w_87 - l_Theta_beta * w_86;
-        let w_89 = self.rr * u1_x * beta_dot;
-        let w_90 = beta_dot + Theta_dot;
+                - u2_y * w_70);
+        let w_73 = w_72 - l_Theta_beta * w_71;
+        let w_74 = self.rr * u1_x * beta_dot;
+        let w_75 = beta_dot + Theta_dot;
         let Theta_ddot = inverse_Theta * rhs_Theta
             - l_lambda_loop3_x_Theta * lambda_loop3_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop3_y
@@ -2183,924 +2128,882 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop3_y_beta * lambda_loop4_y
             + l_lambda_loop3_x_beta * minus_lambda_loop6_x
             - l_lambda_loop3_y_beta * lambda_loop6_y;
-        let w_91 = beta_dot * (w_89 - u2_x * self.d * w_90)
-            - self.d * (u2_x * Theta_dot * w_90 + u2_y * Theta_ddot) + beta_ddot * P_y;
-        let w_92 = l_lambda_loop3_y_beta * w_86;
-        let w_93 = minus_l_lambda_loop3_y_Theta * w_88;
-        let w_94 = self.rr * u1_y * beta_dot;
-        let w_95 = self.d * (u2_y * Theta_dot * w_90 - u2_x * Theta_ddot)
-            - beta_dot * (w_94 - u2_y * self.d * w_90) + P_x * beta_ddot;
-        let w_96 = l_lambda_loop3_x_beta * w_86;
-        let w_97 = l_lambda_loop3_x_Theta * w_88;
-        let w_98 = w_95 - w_96 - w_97;
-        let w_99 = w_91 - w_92 + w_93 + minus_l_lambda_loop3_y_lambda_loop3_x * w_98;
-        let w_100 = l_lambda_loop4_x_lambda_loop3_x * w_98;
-        let w_101 = l_lambda_loop4_x_lambda_loop3_y * w_99;
-        let w_102 = w_95 - w_96 - w_97 - w_100 - w_101;
-        let w_103 = minus_l_lambda_loop4_y_lambda_loop3_x * w_98;
-        let w_104 = l_lambda_loop4_y_lambda_loop3_y * w_99;
-        let w_105 = w_91 - w_92 + w_93 + w_103 - w_104
-            - l_lambda_loop4_y_lambda_loop4_x * w_102;
-        let w_106 = w_95 - w_96 - w_97 - w_100 - w_101
-            - l_lambda_loop6_x_lambda_loop4_x * w_102
-            - l_lambda_loop6_x_lambda_loop4_y * w_105;
-        let w_107 = inverse_lambda_loop6_y
-            * (w_91 - w_92 + w_93 + w_103 - w_104
-                - l_lambda_loop6_y_lambda_loop4_x * w_102
-                - l_lambda_loop6_y_lambda_loop4_y * w_105
-                - l_lambda_loop6_y_lambda_loop6_x * w_106);
-        let w_108 = inverse_lambda_loop6_x * w_106
-            - l_lambda_loop6_y_lambda_loop6_x * w_107;
-        let w_109 = inverse_lambda_loop4_y * w_105
-            - l_lambda_loop6_x_lambda_loop4_y * w_108
-            - l_lambda_loop6_y_lambda_loop4_y * w_107;
-        let w_110 = inverse_lambda_loop4_x * w_102
-            - l_lambda_loop4_y_lambda_loop4_x * w_109
-            - l_lambda_loop6_x_lambda_loop4_x * w_108
-            - l_lambda_loop6_y_lambda_loop4_x * w_107;
-        let w_111 = inverse_lambda_loop3_y * w_99
-            - l_lambda_loop4_x_lambda_loop3_y * w_110
-            - l_lambda_loop4_y_lambda_loop3_y * w_109
-            - l_lambda_loop4_x_lambda_loop3_y * w_108
-            - l_lambda_loop4_y_lambda_loop3_y * w_107;
-        let w_112 = minus_l_lambda_loop3_y_lambda_loop3_x * w_111
-            - minus_inverse_lambda_loop3_x * w_98
-            - l_lambda_loop4_x_lambda_loop3_x * w_110
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_109
-            - l_lambda_loop4_x_lambda_loop3_x * w_108
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_107;
-        let w_113 = inverse_Theta * w_88 - l_lambda_loop3_x_Theta * w_112
-            + minus_l_lambda_loop3_y_Theta * w_111 - l_lambda_loop3_x_Theta * w_110
-            + minus_l_lambda_loop3_y_Theta * w_109 - l_lambda_loop3_x_Theta * w_108
-            + minus_l_lambda_loop3_y_Theta * w_107;
-        let w_114 = beta_dot * (w_94 - self.da * u2_y * w_90)
-            - self.da * u2_y * Theta_dot * w_90;
-        let w_115 = self.da * u2_x * Theta_dot * w_90
-            - beta_dot * (w_89 - self.da * u2_x * w_90);
-        let w_116 = w_90 * (Theta_dot + beta_dot);
-        let w_117 = u2_y * w_116;
-        let w_118 = self.da * w_117;
-        let w_119 = u2_x * w_116;
-        let w_120 = self.da * w_119;
-        let w_121 = self.k_2 * (w_5 * u2_x - u2_y * w_7);
-        let w_122 = w_87 + self.k_2 * (u2_y * w_114 - u2_x * w_115)
-            - self.m2 * (w_5 * w_118 + w_7 * w_120)
-            + w_121 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
-        let w_123 = w_87 + self.k_2 * (u2_x * (w_120 - w_115) + u2_y * (w_114 + w_118))
-            + beta_ddot * w_121 - l_Theta_beta * w_122;
-        let w_124 = minus_l_lambda_loop3_y_Theta * w_123;
-        let w_125 = Theta_ddot + beta_ddot;
-        let w_126 = self.d * (w_119 + u2_y * w_125);
-        let w_127 = l_lambda_loop3_y_beta * w_122;
-        let w_128 = self.d * (w_117 - u2_x * w_125);
-        let w_129 = l_lambda_loop3_x_beta * w_122;
-        let w_130 = l_lambda_loop3_x_Theta * w_123;
-        let w_131 = w_128 - w_129 - w_130;
-        let w_132 = w_124 - w_126 - w_127
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_131;
-        let w_133 = l_lambda_loop4_x_lambda_loop3_x * w_131;
-        let w_134 = l_lambda_loop4_x_lambda_loop3_y * w_132;
-        let w_135 = w_128 - w_129 - w_130 - w_133 - w_134;
-        let w_136 = minus_l_lambda_loop4_y_lambda_loop3_x * w_131;
-        let w_137 = l_lambda_loop4_y_lambda_loop3_y * w_132;
-        let w_138 = w_124 - w_126 - w_127 + w_136 - w_137
-            - l_lambda_loop4_y_lambda_loop4_x * w_135;
-        let w_139 = w_128 - w_129 - w_130 - w_133 - w_134
-            - l_lambda_loop6_x_lambda_loop4_x * w_135
-            - l_lambda_loop6_x_lambda_loop4_y * w_138;
-        let w_140 = inverse_lambda_loop6_y
-            * (w_124 - w_126 - w_127 + w_136 - w_137
-                - l_lambda_loop6_y_lambda_loop4_x * w_135
-                - l_lambda_loop6_y_lambda_loop4_y * w_138
-                - l_lambda_loop6_y_lambda_loop6_x * w_139);
-        let w_141 = inverse_lambda_loop6_x * w_139
-            - l_lambda_loop6_y_lambda_loop6_x * w_140;
-        let w_142 = inverse_lambda_loop4_y * w_138
-            - l_lambda_loop6_x_lambda_loop4_y * w_141
-            - l_lambda_loop6_y_lambda_loop4_y * w_140;
-        let w_143 = inverse_lambda_loop4_x * w_135
-            - l_lambda_loop4_y_lambda_loop4_x * w_142
-            - l_lambda_loop6_x_lambda_loop4_x * w_141
-            - l_lambda_loop6_y_lambda_loop4_x * w_140;
-        let w_144 = inverse_lambda_loop3_y * w_132
-            - l_lambda_loop4_x_lambda_loop3_y * w_143
-            - l_lambda_loop4_y_lambda_loop3_y * w_142
-            - l_lambda_loop4_x_lambda_loop3_y * w_141
-            - l_lambda_loop4_y_lambda_loop3_y * w_140;
-        let w_145 = minus_l_lambda_loop3_y_lambda_loop3_x * w_144
-            - minus_inverse_lambda_loop3_x * w_131
-            - l_lambda_loop4_x_lambda_loop3_x * w_143
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_142
-            - l_lambda_loop4_x_lambda_loop3_x * w_141
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_140;
-        let w_146 = inverse_Theta * w_123 - l_lambda_loop3_x_Theta * w_145
-            + minus_l_lambda_loop3_y_Theta * w_144 - l_lambda_loop3_x_Theta * w_143
-            + minus_l_lambda_loop3_y_Theta * w_142 - l_lambda_loop3_x_Theta * w_141
-            + minus_l_lambda_loop3_y_Theta * w_140;
-        let w_147 = w_23 - w_24;
-        let w_148 = w_20 + w_21;
-        let w_149 = w_22 * w_147 + w_25 * w_148;
-        let w_150 = (w_147 * w_147 - w_22 * w_148 + w_148 * w_148 + w_25 * w_147)
-            / sqrt_w_26 - sqrt_w_26 * w_149 * (w_149 / (sqrt_w_26 * sqrt_w_26) / w_26);
-        let w_151 = self.c0
-            * ((self.l0 - sqrt_w_26) * w_150
-                - sqrt_w_26 * w_149 * (w_149 / sqrt_w_26 / w_26))
+        let w_76 = beta_dot * (w_74 - u2_x * self.d * w_75)
+            - self.d * (u2_x * Theta_dot * w_75 + u2_y * Theta_ddot) + beta_ddot * P_y;
+        let w_77 = l_lambda_loop3_y_beta * w_71;
+        let w_78 = minus_l_lambda_loop3_y_Theta * w_73;
+        let w_79 = self.rr * u1_y * beta_dot;
+        let w_80 = self.d * (u2_y * Theta_dot * w_75 - u2_x * Theta_ddot)
+            - beta_dot * (w_79 - u2_y * self.d * w_75) + P_x * beta_ddot;
+        let w_81 = l_lambda_loop3_x_beta * w_71;
+        let w_82 = l_lambda_loop3_x_Theta * w_73;
+        let w_83 = w_80 - w_81 - w_82;
+        let w_84 = w_76 - w_77 + w_78 + minus_l_lambda_loop3_y_lambda_loop3_x * w_83;
+        let w_85 = l_lambda_loop4_x_lambda_loop3_x * w_83;
+        let w_86 = l_lambda_loop4_x_lambda_loop3_y * w_84;
+        let w_87 = w_80 - w_81 - w_82 - w_85 - w_86;
+        let w_88 = minus_l_lambda_loop4_y_lambda_loop3_x * w_83;
+        let w_89 = l_lambda_loop4_y_lambda_loop3_y * w_84;
+        let w_90 = w_76 - w_77 + w_78 + w_88 - w_89
+            - l_lambda_loop4_y_lambda_loop4_x * w_87;
+        let w_91 = w_80 - w_81 - w_82 - w_85 - w_86
+            - l_lambda_loop6_x_lambda_loop4_x * w_87
+            - l_lambda_loop6_x_lambda_loop4_y * w_90;
+        let w_92 = inverse_lambda_loop6_y
+            * (w_76 - w_77 + w_78 + w_88 - w_89 - l_lambda_loop6_y_lambda_loop4_x * w_87
+                - l_lambda_loop6_y_lambda_loop4_y * w_90
+                - l_lambda_loop6_y_lambda_loop6_x * w_91);
+        let w_93 = inverse_lambda_loop6_x * w_91
+            - l_lambda_loop6_y_lambda_loop6_x * w_92;
+        let w_94 = inverse_lambda_loop4_y * w_90 - l_lambda_loop6_x_lambda_loop4_y * w_93
+            - l_lambda_loop6_y_lambda_loop4_y * w_92;
+        let w_95 = inverse_lambda_loop4_x * w_87 - l_lambda_loop4_y_lambda_loop4_x * w_94
+            - l_lambda_loop6_x_lambda_loop4_x * w_93
+            - l_lambda_loop6_y_lambda_loop4_x * w_92;
+        let w_96 = inverse_lambda_loop3_y * w_84 - l_lambda_loop4_x_lambda_loop3_y * w_95
+            - l_lambda_loop4_y_lambda_loop3_y * w_94
+            - l_lambda_loop4_x_lambda_loop3_y * w_93
+            - l_lambda_loop4_y_lambda_loop3_y * w_92;
+        let w_97 = minus_l_lambda_loop3_y_lambda_loop3_x * w_96
+            - minus_inverse_lambda_loop3_x * w_83
+            - l_lambda_loop4_x_lambda_loop3_x * w_95
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_94
+            - l_lambda_loop4_x_lambda_loop3_x * w_93
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_92;
+        let w_98 = inverse_Theta * w_73 - l_lambda_loop3_x_Theta * w_97
+            + minus_l_lambda_loop3_y_Theta * w_96 - l_lambda_loop3_x_Theta * w_95
+            + minus_l_lambda_loop3_y_Theta * w_94 - l_lambda_loop3_x_Theta * w_93
+            + minus_l_lambda_loop3_y_Theta * w_92;
+        let w_99 = beta_dot * (w_79 - self.da * u2_y * w_75)
+            - self.da * u2_y * Theta_dot * w_75;
+        let w_100 = self.da * u2_x * Theta_dot * w_75
+            - beta_dot * (w_74 - self.da * u2_x * w_75);
+        let w_101 = w_75 * (Theta_dot + beta_dot);
+        let w_102 = u2_y * w_101;
+        let w_103 = self.da * w_102;
+        let w_104 = u2_x * w_101;
+        let w_105 = self.da * w_104;
+        let w_106 = self.k_2 * (w_5 * u2_x - u2_y * w_7);
+        let w_107 = w_72 + self.k_2 * (u2_y * w_99 - u2_x * w_100)
+            - self.m2 * (w_5 * w_103 + w_7 * w_105)
+            + w_106 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
+        let w_108 = w_72 + self.k_2 * (u2_x * (w_105 - w_100) + u2_y * (w_99 + w_103))
+            + beta_ddot * w_106 - l_Theta_beta * w_107;
+        let w_109 = minus_l_lambda_loop3_y_Theta * w_108;
+        let w_110 = Theta_ddot + beta_ddot;
+        let w_111 = self.d * (w_104 + u2_y * w_110);
+        let w_112 = l_lambda_loop3_y_beta * w_107;
+        let w_113 = self.d * (w_102 - u2_x * w_110);
+        let w_114 = l_lambda_loop3_x_beta * w_107;
+        let w_115 = l_lambda_loop3_x_Theta * w_108;
+        let w_116 = w_113 - w_114 - w_115;
+        let w_117 = w_109 - w_111 - w_112
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_116;
+        let w_118 = l_lambda_loop4_x_lambda_loop3_x * w_116;
+        let w_119 = l_lambda_loop4_x_lambda_loop3_y * w_117;
+        let w_120 = w_113 - w_114 - w_115 - w_118 - w_119;
+        let w_121 = minus_l_lambda_loop4_y_lambda_loop3_x * w_116;
+        let w_122 = l_lambda_loop4_y_lambda_loop3_y * w_117;
+        let w_123 = w_109 - w_111 - w_112 + w_121 - w_122
+            - l_lambda_loop4_y_lambda_loop4_x * w_120;
+        let w_124 = w_113 - w_114 - w_115 - w_118 - w_119
+            - l_lambda_loop6_x_lambda_loop4_x * w_120
+            - l_lambda_loop6_x_lambda_loop4_y * w_123;
+        let w_125 = inverse_lambda_loop6_y
+            * (w_109 - w_111 - w_112 + w_121 - w_122
+                - l_lambda_loop6_y_lambda_loop4_x * w_120
+                - l_lambda_loop6_y_lambda_loop4_y * w_123
+                - l_lambda_loop6_y_lambda_loop6_x * w_124);
+        let w_126 = inverse_lambda_loop6_x * w_124
+            - l_lambda_loop6_y_lambda_loop6_x * w_125;
+        let w_127 = inverse_lambda_loop4_y * w_123
+            - l_lambda_loop6_x_lambda_loop4_y * w_126
+            - l_lambda_loop6_y_lambda_loop4_y * w_125;
+        let w_128 = inverse_lambda_loop4_x * w_120
+            - l_lambda_loop4_y_lambda_loop4_x * w_127
+            - l_lambda_loop6_x_lambda_loop4_x * w_126
+            - l_lambda_loop6_y_lambda_loop4_x * w_125;
+        let w_129 = inverse_lambda_loop3_y * w_117
+            - l_lambda_loop4_x_lambda_loop3_y * w_128
+            - l_lambda_loop4_y_lambda_loop3_y * w_127
+            - l_lambda_loop4_x_lambda_loop3_y * w_126
+            - l_lambda_loop4_y_lambda_loop3_y * w_125;
+        let w_130 = minus_l_lambda_loop3_y_lambda_loop3_x * w_129
+            - minus_inverse_lambda_loop3_x * w_116
+            - l_lambda_loop4_x_lambda_loop3_x * w_128
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_127
+            - l_lambda_loop4_x_lambda_loop3_x * w_126
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_125;
+        let w_131 = inverse_Theta * w_108 - l_lambda_loop3_x_Theta * w_130
+            + minus_l_lambda_loop3_y_Theta * w_129 - l_lambda_loop3_x_Theta * w_128
+            + minus_l_lambda_loop3_y_Theta * w_127 - l_lambda_loop3_x_Theta * w_126
+            + minus_l_lambda_loop3_y_Theta * w_125;
+        let w_132 = w_20 - w_21;
+        let w_133 = w_17 + w_18;
+        let w_134 = w_19 * w_132 + w_22 * w_133;
+        let w_135 = (w_132 * w_132 - w_19 * w_133 + w_133 * w_133 + w_22 * w_132)
+            / sqrt_w_23 - sqrt_w_23 * w_134 * (w_134 / (sqrt_w_23 * sqrt_w_23) / w_23);
+        let w_136 = self.c0
+            * ((self.l0 - sqrt_w_23) * w_135
+                - sqrt_w_23 * w_134 * (w_134 / sqrt_w_23 / w_23))
             + self.ss * (u3_x * lambda_loop3_y - u3_y * lambda_loop3_x);
         let gamma_ddot = rhs_gamma * inverse_gamma
             + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
             + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
-        let w_152 = minus_l_lambda_loop3_x_gamma * w_151
+        let w_137 = minus_l_lambda_loop3_x_gamma * w_136
             - self.ss * (u3_x * gamma_dot_squared + u3_y * gamma_ddot);
-        let w_153 = l_lambda_loop4_x_lambda_loop3_x * w_152;
-        let w_154 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
-            + minus_l_lambda_loop3_y_gamma * w_151
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_152;
-        let w_155 = l_lambda_loop4_x_lambda_loop3_y * w_154;
-        let w_156 = w_153 + w_155;
-        let w_157 = minus_l_lambda_loop4_y_lambda_loop3_x * w_152;
-        let w_158 = l_lambda_loop4_y_lambda_loop3_y * w_154;
-        let w_159 = w_157 - w_158 + l_lambda_loop4_y_lambda_loop4_x * w_156;
-        let w_160 = l_lambda_loop6_x_lambda_loop4_x * w_156 - w_153 - w_155
-            - l_lambda_loop6_x_lambda_loop4_y * w_159;
-        let w_161 = inverse_lambda_loop6_y
-            * (w_157 - w_158 + l_lambda_loop6_y_lambda_loop4_x * w_156
-                - l_lambda_loop6_y_lambda_loop4_y * w_159
-                - l_lambda_loop6_y_lambda_loop6_x * w_160);
-        let w_162 = inverse_lambda_loop6_x * w_160
-            - l_lambda_loop6_y_lambda_loop6_x * w_161;
-        let w_163 = inverse_lambda_loop4_y * w_159
-            - l_lambda_loop6_x_lambda_loop4_y * w_162
-            - l_lambda_loop6_y_lambda_loop4_y * w_161;
-        let w_164 = inverse_lambda_loop4_x * w_156
-            + l_lambda_loop4_y_lambda_loop4_x * w_163
-            + l_lambda_loop6_x_lambda_loop4_x * w_162
-            + l_lambda_loop6_y_lambda_loop4_x * w_161;
-        let w_165 = inverse_lambda_loop3_y * w_154
-            + l_lambda_loop4_x_lambda_loop3_y * w_164
-            - l_lambda_loop4_y_lambda_loop3_y * w_163
-            - l_lambda_loop4_x_lambda_loop3_y * w_162
-            - l_lambda_loop4_y_lambda_loop3_y * w_161;
-        let w_166 = minus_l_lambda_loop3_y_lambda_loop3_x * w_165
-            - minus_inverse_lambda_loop3_x * w_152
-            + l_lambda_loop4_x_lambda_loop3_x * w_164
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_163
-            - l_lambda_loop4_x_lambda_loop3_x * w_162
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_161;
-        let w_167 = minus_l_lambda_loop3_y_Theta * w_165 - l_lambda_loop3_x_Theta * w_166
-            + l_lambda_loop3_x_Theta * w_164 + minus_l_lambda_loop3_y_Theta * w_163
-            - l_lambda_loop3_x_Theta * w_162 + minus_l_lambda_loop3_y_Theta * w_161;
-        let w_168 = Phi_dot + delta_dot;
-        let w_168_squared = w_168 * w_168;
-        let w_169 = cos_w_2 * w_168_squared;
-        let w_170 = self.k_4 * w_169;
-        let w_171 = self.zt * u5_y * delta_dot;
-        let w_172 = self.k_4 * cos_w_2 * Phi_dot * w_168
-            - delta_dot * (w_171 - self.k_4 * cos_w_2 * w_168);
-        let w_173 = n4_x * w_168_squared;
-        let w_174 = self.k_4 * w_173;
-        let w_175 = self.zt * u5_x * delta_dot;
-        let w_176 = self.k_4 * n4_x * Phi_dot * w_168
-            + delta_dot * (w_175 + self.k_4 * n4_x * w_168);
-        let w_177 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
+        let w_138 = l_lambda_loop4_x_lambda_loop3_x * w_137;
+        let w_139 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
+            + minus_l_lambda_loop3_y_gamma * w_136
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_137;
+        let w_140 = l_lambda_loop4_x_lambda_loop3_y * w_139;
+        let w_141 = w_138 + w_140;
+        let w_142 = minus_l_lambda_loop4_y_lambda_loop3_x * w_137;
+        let w_143 = l_lambda_loop4_y_lambda_loop3_y * w_139;
+        let w_144 = w_142 - w_143 + l_lambda_loop4_y_lambda_loop4_x * w_141;
+        let w_145 = l_lambda_loop6_x_lambda_loop4_x * w_141 - w_138 - w_140
+            - l_lambda_loop6_x_lambda_loop4_y * w_144;
+        let w_146 = inverse_lambda_loop6_y
+            * (w_142 - w_143 + l_lambda_loop6_y_lambda_loop4_x * w_141
+                - l_lambda_loop6_y_lambda_loop4_y * w_144
+                - l_lambda_loop6_y_lambda_loop6_x * w_145);
+        let w_147 = inverse_lambda_loop6_x * w_145
+            - l_lambda_loop6_y_lambda_loop6_x * w_146;
+        let w_148 = inverse_lambda_loop4_y * w_144
+            - l_lambda_loop6_x_lambda_loop4_y * w_147
+            - l_lambda_loop6_y_lambda_loop4_y * w_146;
+        let w_149 = inverse_lambda_loop4_x * w_141
+            + l_lambda_loop4_y_lambda_loop4_x * w_148
+            + l_lambda_loop6_x_lambda_loop4_x * w_147
+            + l_lambda_loop6_y_lambda_loop4_x * w_146;
+        let w_150 = inverse_lambda_loop3_y * w_139
+            + l_lambda_loop4_x_lambda_loop3_y * w_149
+            - l_lambda_loop4_y_lambda_loop3_y * w_148
+            - l_lambda_loop4_x_lambda_loop3_y * w_147
+            - l_lambda_loop4_y_lambda_loop3_y * w_146;
+        let w_151 = minus_l_lambda_loop3_y_lambda_loop3_x * w_150
+            - minus_inverse_lambda_loop3_x * w_137
+            + l_lambda_loop4_x_lambda_loop3_x * w_149
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_148
+            - l_lambda_loop4_x_lambda_loop3_x * w_147
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_146;
+        let w_152 = minus_l_lambda_loop3_y_Theta * w_150 - l_lambda_loop3_x_Theta * w_151
+            + l_lambda_loop3_x_Theta * w_149 + minus_l_lambda_loop3_y_Theta * w_148
+            - l_lambda_loop3_x_Theta * w_147 + minus_l_lambda_loop3_y_Theta * w_146;
+        let w_153 = Phi_dot + delta_dot;
+        let w_153_squared = w_153 * w_153;
+        let w_154 = cos_w_2 * w_153_squared;
+        let w_155 = self.k_4 * w_154;
+        let w_156 = self.zt * u5_y * delta_dot;
+        let w_157 = self.k_4 * cos_w_2 * Phi_dot * w_153
+            - delta_dot * (w_156 - self.k_4 * cos_w_2 * w_153);
+        let w_158 = n4_x * w_153_squared;
+        let w_159 = self.k_4 * w_158;
+        let w_160 = self.zt * u5_x * delta_dot;
+        let w_161 = self.k_4 * n4_x * Phi_dot * w_153
+            + delta_dot * (w_160 + self.k_4 * n4_x * w_153);
+        let w_162 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
         let delta_ddot = inverse_delta * rhs_delta
             - l_lambda_loop4_x_delta * lambda_loop4_x
             - l_lambda_loop4_y_delta * lambda_loop4_y;
-        let w_178 = self.k_5 * (w_46 * cos_w_2 + n4_x * w_44);
-        let w_179 = self.k_5 * (cos_w_2 * (w_170 - w_172) + n4_x * (w_174 - w_176))
-            + w_177 - delta_ddot * w_178;
+        let w_163 = self.k_5 * (w_42 * cos_w_2 + n4_x * w_40);
+        let w_164 = self.k_5 * (cos_w_2 * (w_155 - w_157) + n4_x * (w_159 - w_161))
+            + w_162 - delta_ddot * w_163;
         let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
             + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
             + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
-        let w_180 = Phi_ddot + delta_ddot;
-        let w_181 = w_177 - self.k_5 * (cos_w_2 * w_172 + n4_x * w_176)
-            - w_178 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
-            + self.m4 * (w_46 * w_174 - w_44 * w_170);
-        let w_182 = w_181 - l_delta_Phi * w_179;
-        let w_183 = minus_l_lambda_loop4_x_Phi * w_179 - self.ee * (w_169 + n4_x * w_180)
-            - l_lambda_loop4_x_delta * w_182;
-        let w_184 = self.ee * (cos_w_2 * w_180 - w_173)
-            + minus_l_lambda_loop4_y_Phi * w_179 - l_lambda_loop4_y_delta * w_182
-            - l_lambda_loop4_y_lambda_loop4_x * w_183;
-        let w_185 = l_lambda_loop6_x_lambda_loop4_x * w_183
-            + l_lambda_loop6_x_lambda_loop4_y * w_184;
-        let w_186 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_185
-                - l_lambda_loop6_y_lambda_loop4_x * w_183
-                - l_lambda_loop6_y_lambda_loop4_y * w_184);
-        let w_187 = inverse_lambda_loop6_x * w_185
-            + l_lambda_loop6_y_lambda_loop6_x * w_186;
-        let w_188 = inverse_lambda_loop4_y * w_184
-            + l_lambda_loop6_x_lambda_loop4_y * w_187
-            - l_lambda_loop6_y_lambda_loop4_y * w_186;
-        let w_189 = inverse_lambda_loop4_x * w_183
-            - l_lambda_loop4_y_lambda_loop4_x * w_188
-            + l_lambda_loop6_x_lambda_loop4_x * w_187
-            - l_lambda_loop6_y_lambda_loop4_x * w_186;
-        let w_190 = l_lambda_loop4_x_lambda_loop3_y * w_187
-            - l_lambda_loop4_x_lambda_loop3_y * w_189
-            - l_lambda_loop4_y_lambda_loop3_y * w_188
-            - l_lambda_loop4_y_lambda_loop3_y * w_186;
-        let w_191 = minus_l_lambda_loop3_y_lambda_loop3_x * w_190
-            - l_lambda_loop4_x_lambda_loop3_x * w_189
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_188
-            + l_lambda_loop4_x_lambda_loop3_x * w_187
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_186;
-        let w_192 = minus_l_lambda_loop3_y_Theta * w_190 - l_lambda_loop3_x_Theta * w_191
-            - l_lambda_loop3_x_Theta * w_189 + minus_l_lambda_loop3_y_Theta * w_188
-            + l_lambda_loop3_x_Theta * w_187 + minus_l_lambda_loop3_y_Theta * w_186;
-        let w_193 = minus_loop4_y_by_delta * lambda_loop4_x
-            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_177;
-        let w_194 = delta_dot * (w_171 - self.ee * cos_w_2 * w_168)
-            - self.ee * (cos_w_2 * Phi_dot * w_168 + n4_x * Phi_ddot)
-            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_177
-            + l_lambda_loop4_x_delta * w_193;
-        let w_195 = self.ee * (cos_w_2 * Phi_ddot - n4_x * Phi_dot * w_168)
-            - delta_dot * (w_175 + self.ee * n4_x * w_168)
+        let w_165 = Phi_ddot + delta_ddot;
+        let w_166 = w_162 - self.k_5 * (cos_w_2 * w_157 + n4_x * w_161)
+            - w_163 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
+            + self.m4 * (w_42 * w_159 - w_40 * w_155);
+        let w_167 = w_166 - l_delta_Phi * w_164;
+        let w_168 = minus_l_lambda_loop4_x_Phi * w_164 - self.ee * (w_154 + n4_x * w_165)
+            - l_lambda_loop4_x_delta * w_167;
+        let w_169 = self.ee * (cos_w_2 * w_165 - w_158)
+            + minus_l_lambda_loop4_y_Phi * w_164 - l_lambda_loop4_y_delta * w_167
+            - l_lambda_loop4_y_lambda_loop4_x * w_168;
+        let w_170 = l_lambda_loop6_x_lambda_loop4_x * w_168
+            + l_lambda_loop6_x_lambda_loop4_y * w_169;
+        let w_171 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_170
+                - l_lambda_loop6_y_lambda_loop4_x * w_168
+                - l_lambda_loop6_y_lambda_loop4_y * w_169);
+        let w_172 = inverse_lambda_loop6_x * w_170
+            + l_lambda_loop6_y_lambda_loop6_x * w_171;
+        let w_173 = inverse_lambda_loop4_y * w_169
+            + l_lambda_loop6_x_lambda_loop4_y * w_172
+            - l_lambda_loop6_y_lambda_loop4_y * w_171;
+        let w_174 = inverse_lambda_loop4_x * w_168
+            - l_lambda_loop4_y_lambda_loop4_x * w_173
+            + l_lambda_loop6_x_lambda_loop4_x * w_172
+            - l_lambda_loop6_y_lambda_loop4_x * w_171;
+        let w_175 = l_lambda_loop4_x_lambda_loop3_y * w_172
+            - l_lambda_loop4_x_lambda_loop3_y * w_174
+            - l_lambda_loop4_y_lambda_loop3_y * w_173
+            - l_lambda_loop4_y_lambda_loop3_y * w_171;
+        let w_176 = minus_l_lambda_loop3_y_lambda_loop3_x * w_175
+            - l_lambda_loop4_x_lambda_loop3_x * w_174
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_173
+            + l_lambda_loop4_x_lambda_loop3_x * w_172
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_171;
+        let w_177 = minus_l_lambda_loop3_y_Theta * w_175 - l_lambda_loop3_x_Theta * w_176
+            - l_lambda_loop3_x_Theta * w_174 + minus_l_lambda_loop3_y_Theta * w_173
+            + l_lambda_loop3_x_Theta * w_172 + minus_l_lambda_loop3_y_Theta * w_171;
+        let w_178 = minus_loop4_y_by_delta * lambda_loop4_x
+            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_162;
+        let w_179 = delta_dot * (w_156 - self.ee * cos_w_2 * w_153)
+            - self.ee * (cos_w_2 * Phi_dot * w_153 + n4_x * Phi_ddot)
+            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_162
+            + l_lambda_loop4_x_delta * w_178;
+        let w_180 = self.ee * (cos_w_2 * Phi_ddot - n4_x * Phi_dot * w_153)
+            - delta_dot * (w_160 + self.ee * n4_x * w_153)
             - loop4_x_by_delta * delta_ddot;
-        let w_196 = w_195 + minus_l_lambda_loop4_y_Phi * w_177
-            + l_lambda_loop4_y_delta * w_193 - l_lambda_loop4_y_lambda_loop4_x * w_194;
-        let w_197 = l_lambda_loop6_x_lambda_loop4_x * w_194
-            + l_lambda_loop6_x_lambda_loop4_y * w_196;
-        let w_198 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_197
-                - l_lambda_loop6_y_lambda_loop4_x * w_194
-                - l_lambda_loop6_y_lambda_loop4_y * w_196);
-        let w_199 = inverse_lambda_loop6_x * w_197
-            + l_lambda_loop6_y_lambda_loop6_x * w_198;
-        let w_200 = inverse_lambda_loop4_y * w_196
-            + l_lambda_loop6_x_lambda_loop4_y * w_199
-            - l_lambda_loop6_y_lambda_loop4_y * w_198;
-        let w_201 = inverse_lambda_loop4_x * w_194
-            - l_lambda_loop4_y_lambda_loop4_x * w_200
-            + l_lambda_loop6_x_lambda_loop4_x * w_199
-            - l_lambda_loop6_y_lambda_loop4_x * w_198;
-        let w_202 = l_lambda_loop4_x_lambda_loop3_y * w_199
-            - l_lambda_loop4_x_lambda_loop3_y * w_201
-            - l_lambda_loop4_y_lambda_loop3_y * w_200
-            - l_lambda_loop4_y_lambda_loop3_y * w_198;
-        let w_203 = minus_l_lambda_loop3_y_lambda_loop3_x * w_202
-            - l_lambda_loop4_x_lambda_loop3_x * w_201
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_200
-            + l_lambda_loop4_x_lambda_loop3_x * w_199
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_198;
-        let w_204 = minus_l_lambda_loop3_y_Theta * w_202 - l_lambda_loop3_x_Theta * w_203
-            - l_lambda_loop3_x_Theta * w_201 + minus_l_lambda_loop3_y_Theta * w_200
-            + l_lambda_loop3_x_Theta * w_199 + minus_l_lambda_loop3_y_Theta * w_198;
-        let w_205 = Omega_dot + epsilon_dot;
-        let w_205_squared = w_205 * w_205;
-        let w_206 = u6_y * w_205_squared;
+        let w_181 = w_180 + minus_l_lambda_loop4_y_Phi * w_162
+            + l_lambda_loop4_y_delta * w_178 - l_lambda_loop4_y_lambda_loop4_x * w_179;
+        let w_182 = l_lambda_loop6_x_lambda_loop4_x * w_179
+            + l_lambda_loop6_x_lambda_loop4_y * w_181;
+        let w_183 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_182
+                - l_lambda_loop6_y_lambda_loop4_x * w_179
+                - l_lambda_loop6_y_lambda_loop4_y * w_181);
+        let w_184 = inverse_lambda_loop6_x * w_182
+            + l_lambda_loop6_y_lambda_loop6_x * w_183;
+        let w_185 = inverse_lambda_loop4_y * w_181
+            + l_lambda_loop6_x_lambda_loop4_y * w_184
+            - l_lambda_loop6_y_lambda_loop4_y * w_183;
+        let w_186 = inverse_lambda_loop4_x * w_179
+            - l_lambda_loop4_y_lambda_loop4_x * w_185
+            + l_lambda_loop6_x_lambda_loop4_x * w_184
+            - l_lambda_loop6_y_lambda_loop4_x * w_183;
+        let w_187 = l_lambda_loop4_x_lambda_loop3_y * w_184
+            - l_lambda_loop4_x_lambda_loop3_y * w_186
+            - l_lambda_loop4_y_lambda_loop3_y * w_185
+            - l_lambda_loop4_y_lambda_loop3_y * w_183;
+        let w_188 = minus_l_lambda_loop3_y_lambda_loop3_x * w_187
+            - l_lambda_loop4_x_lambda_loop3_x * w_186
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_185
+            + l_lambda_loop4_x_lambda_loop3_x * w_184
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_183;
+        let w_189 = minus_l_lambda_loop3_y_Theta * w_187 - l_lambda_loop3_x_Theta * w_188
+            - l_lambda_loop3_x_Theta * w_186 + minus_l_lambda_loop3_y_Theta * w_185
+            + l_lambda_loop3_x_Theta * w_184 + minus_l_lambda_loop3_y_Theta * w_183;
+        let w_190 = Omega_dot + epsilon_dot;
+        let w_190_squared = w_190 * w_190;
+        let w_191 = u6_y * w_190_squared;
         let epsilon_ddot = inverse_epsilon * rhs_epsilon
             + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
             - l_lambda_loop6_y_epsilon * lambda_loop6_y;
         let Omega_ddot = rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
             + l_lambda_loop6_x_Omega * minus_lambda_loop6_x
             + minus_l_lambda_loop6_y_Omega * lambda_loop6_y;
-        let w_207 = Omega_ddot + epsilon_ddot;
-        let w_208 = u6_x * w_205_squared;
-        let w_209 = self.k_10 * w_208;
-        let w_210 = self.u * u7_y * epsilon_dot;
-        let w_211 = epsilon_dot * (w_210 + self.k_10 * u6_x * w_205)
-            + self.k_10 * u6_x * Omega_dot * w_205;
-        let w_212 = self.k_10 * w_206;
-        let w_213 = self.u * u7_x * epsilon_dot;
-        let w_214 = self.k_10 * u6_y * Omega_dot * w_205
-            - epsilon_dot * (w_213 - self.k_10 * u6_y * w_205);
-        let w_215 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
-        let w_216 = self.k_11 * (w_69 * u6_y + u6_x * w_67);
-        let w_217 = self.k_11 * (u6_x * (w_209 - w_211) + u6_y * (w_212 - w_214)) + w_215
-            + epsilon_ddot * w_216;
-        let w_218 = w_216 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
-            - self.k_11 * (u6_x * w_211 + u6_y * w_214) + w_215
-            + self.m6 * (w_69 * w_209 - w_67 * w_212);
-        let w_219 = w_218 - l_epsilon_Omega * w_217;
-        let w_220 = self.zf * (w_206 - u6_x * w_207) - l_lambda_loop6_x_Omega * w_217
-            - l_lambda_loop6_x_epsilon * w_219;
-        let w_221 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_217 - self.zf * (w_208 + u6_y * w_207)
-                - l_lambda_loop6_y_epsilon * w_219
-                - l_lambda_loop6_y_lambda_loop6_x * w_220);
-        let w_222 = inverse_lambda_loop6_x * w_220
-            - l_lambda_loop6_y_lambda_loop6_x * w_221;
-        let w_223 = l_lambda_loop6_x_lambda_loop4_y * w_222
-            + l_lambda_loop6_y_lambda_loop4_y * w_221;
-        let w_224 = l_lambda_loop4_y_lambda_loop4_x * w_223
-            - l_lambda_loop6_x_lambda_loop4_x * w_222
-            - l_lambda_loop6_y_lambda_loop4_x * w_221;
-        let w_225 = l_lambda_loop4_y_lambda_loop3_y * w_223
-            - l_lambda_loop4_x_lambda_loop3_y * w_224
-            - l_lambda_loop4_x_lambda_loop3_y * w_222
-            - l_lambda_loop4_y_lambda_loop3_y * w_221;
-        let w_226 = minus_l_lambda_loop3_y_lambda_loop3_x * w_225
-            - l_lambda_loop4_x_lambda_loop3_x * w_224
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_223
-            - l_lambda_loop4_x_lambda_loop3_x * w_222
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_221;
-        let w_227 = minus_l_lambda_loop3_y_Theta * w_225 - l_lambda_loop3_x_Theta * w_226
-            - l_lambda_loop3_x_Theta * w_224 - minus_l_lambda_loop3_y_Theta * w_223
-            - l_lambda_loop3_x_Theta * w_222 + minus_l_lambda_loop3_y_Theta * w_221;
-        let w_228 = w_66 - loop6_x_by_Omega;
-        let w_229 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
-            + lambda_loop6_y * w_228 - l_epsilon_Omega * w_215;
-        let w_230 = self.zf * (u6_y * Omega_dot * w_205 - u6_x * Omega_ddot)
-            - epsilon_dot * (w_213 - self.zf * u6_y * w_205)
-            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_215
-            - l_lambda_loop6_x_epsilon * w_229;
-        let w_231 = epsilon_ddot * w_228
-            - self.zf * (u6_x * Omega_dot * w_205 + u6_y * Omega_ddot)
-            - epsilon_dot * (w_210 + self.zf * u6_x * w_205);
-        let w_232 = inverse_lambda_loop6_y
-            * (w_231 + minus_l_lambda_loop6_y_Omega * w_215
-                - l_lambda_loop6_y_epsilon * w_229
-                - l_lambda_loop6_y_lambda_loop6_x * w_230);
-        let w_233 = inverse_lambda_loop6_x * w_230
-            - l_lambda_loop6_y_lambda_loop6_x * w_232;
-        let w_234 = l_lambda_loop6_x_lambda_loop4_y * w_233
-            + l_lambda_loop6_y_lambda_loop4_y * w_232;
-        let w_235 = l_lambda_loop4_y_lambda_loop4_x * w_234
-            - l_lambda_loop6_x_lambda_loop4_x * w_233
-            - l_lambda_loop6_y_lambda_loop4_x * w_232;
-        let w_236 = l_lambda_loop4_y_lambda_loop3_y * w_234
-            - l_lambda_loop4_x_lambda_loop3_y * w_235
-            - l_lambda_loop4_x_lambda_loop3_y * w_233
-            - l_lambda_loop4_y_lambda_loop3_y * w_232;
-        let w_237 = minus_l_lambda_loop3_y_lambda_loop3_x * w_236
-            - l_lambda_loop4_x_lambda_loop3_x * w_235
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_234
-            - l_lambda_loop4_x_lambda_loop3_x * w_233
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_232;
-        let w_238 = minus_l_lambda_loop3_y_Theta * w_236 - l_lambda_loop3_x_Theta * w_237
-            - l_lambda_loop3_x_Theta * w_235 - minus_l_lambda_loop3_y_Theta * w_234
-            - l_lambda_loop3_x_Theta * w_233 + minus_l_lambda_loop3_y_Theta * w_232;
-        let w_239 = l_lambda_loop4_x_delta * w_110 + l_lambda_loop4_y_delta * w_109;
-        let w_240 = l_lambda_loop4_x_delta * w_143 + l_lambda_loop4_y_delta * w_142;
-        let w_241 = l_lambda_loop4_x_delta * w_164 - l_lambda_loop4_y_delta * w_163;
-        let w_242 = inverse_delta * w_182 - l_lambda_loop4_x_delta * w_189
-            - l_lambda_loop4_y_delta * w_188;
-        let w_243 = inverse_delta * w_193 + l_lambda_loop4_x_delta * w_201
-            + l_lambda_loop4_y_delta * w_200;
-        let w_244 = l_lambda_loop4_y_delta * w_223 - l_lambda_loop4_x_delta * w_224;
-        let w_245 = l_lambda_loop4_y_delta * w_234 - l_lambda_loop4_x_delta * w_235;
-        let w_246 = l_lambda_loop6_x_epsilon * w_108 + l_lambda_loop6_y_epsilon * w_107;
-        let w_247 = l_lambda_loop6_x_epsilon * w_141 + l_lambda_loop6_y_epsilon * w_140;
-        let w_248 = l_lambda_loop6_x_epsilon * w_162 + l_lambda_loop6_y_epsilon * w_161;
-        let w_249 = l_lambda_loop6_x_epsilon * w_187 - l_lambda_loop6_y_epsilon * w_186;
-        let w_250 = l_lambda_loop6_x_epsilon * w_199 - l_lambda_loop6_y_epsilon * w_198;
-        let w_251 = inverse_epsilon * w_219 - l_lambda_loop6_x_epsilon * w_222
-            - l_lambda_loop6_y_epsilon * w_221;
-        let w_252 = inverse_epsilon * w_229 - l_lambda_loop6_x_epsilon * w_233
-            - l_lambda_loop6_y_epsilon * w_232;
-        let w_253 = u2_x * (w_90 + Theta_dot);
-        let w_254 = beta_dot * (w_6 + w_7) - self.da * w_253;
-        let w_255 = u2_y * (Theta_dot + w_90);
-        let w_256 = self.da * w_255 - beta_dot * (w_5 + w_4);
-        let w_257 = self.m2 * (w_5 * w_254 + w_7 * w_256);
-        let w_258 = self.k_2 * (u2_y * w_254 + u2_x * w_256) + l_Theta_beta * w_257;
-        let w_259 = beta_dot * (w_4 + P_y) - self.d * w_255;
-        let w_260 = l_lambda_loop3_y_beta * w_257;
-        let w_261 = minus_l_lambda_loop3_y_Theta * w_258;
-        let w_262 = beta_dot * (w_6 + P_x) - self.d * w_253;
-        let w_263 = l_lambda_loop3_x_beta * w_257;
-        let w_264 = l_lambda_loop3_x_Theta * w_258;
-        let w_265 = w_262 + w_263 - w_264;
-        let w_266 = w_259 + w_260 + w_261
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_265;
-        let w_267 = l_lambda_loop4_x_lambda_loop3_x * w_265;
-        let w_268 = l_lambda_loop4_x_lambda_loop3_y * w_266;
-        let w_269 = w_262 + w_263 - w_264 - w_267 - w_268;
-        let w_270 = minus_l_lambda_loop4_y_lambda_loop3_x * w_265;
-        let w_271 = l_lambda_loop4_y_lambda_loop3_y * w_266;
-        let w_272 = w_259 + w_260 + w_261 + w_270 - w_271
-            - l_lambda_loop4_y_lambda_loop4_x * w_269;
-        let w_273 = w_262 + w_263 - w_264 - w_267 - w_268
-            - l_lambda_loop6_x_lambda_loop4_x * w_269
-            - l_lambda_loop6_x_lambda_loop4_y * w_272;
-        let w_274 = inverse_lambda_loop6_y
-            * (w_259 + w_260 + w_261 + w_270 - w_271
-                - l_lambda_loop6_y_lambda_loop4_x * w_269
-                - l_lambda_loop6_y_lambda_loop4_y * w_272
-                - l_lambda_loop6_y_lambda_loop6_x * w_273);
-        let w_275 = inverse_lambda_loop6_x * w_273
-            - l_lambda_loop6_y_lambda_loop6_x * w_274;
-        let w_276 = inverse_lambda_loop4_y * w_272
-            - l_lambda_loop6_x_lambda_loop4_y * w_275
-            - l_lambda_loop6_y_lambda_loop4_y * w_274;
-        let w_277 = inverse_lambda_loop4_x * w_269
-            - l_lambda_loop4_y_lambda_loop4_x * w_276
-            - l_lambda_loop6_x_lambda_loop4_x * w_275
-            - l_lambda_loop6_y_lambda_loop4_x * w_274;
-        let w_278 = inverse_lambda_loop3_y * w_266
-            - l_lambda_loop4_x_lambda_loop3_y * w_277
-            - l_lambda_loop4_y_lambda_loop3_y * w_276
-            - l_lambda_loop4_x_lambda_loop3_y * w_275
-            - l_lambda_loop4_y_lambda_loop3_y * w_274;
-        let w_279 = minus_l_lambda_loop3_y_lambda_loop3_x * w_278
-            - minus_inverse_lambda_loop3_x * w_265
-            - l_lambda_loop4_x_lambda_loop3_x * w_277
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_276
-            - l_lambda_loop4_x_lambda_loop3_x * w_275
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_274;
-        let w_280 = inverse_Theta * w_258 - l_lambda_loop3_x_Theta * w_279
-            + minus_l_lambda_loop3_y_Theta * w_278 - l_lambda_loop3_x_Theta * w_277
-            + minus_l_lambda_loop3_y_Theta * w_276 - l_lambda_loop3_x_Theta * w_275
-            + minus_l_lambda_loop3_y_Theta * w_274;
-        let w_281 = inverse_beta * w_257 + l_Theta_beta * w_280
-            + l_lambda_loop3_x_beta * w_279 + l_lambda_loop3_y_beta * w_278
-            + l_lambda_loop3_x_beta * w_277 + l_lambda_loop3_y_beta * w_276
-            + l_lambda_loop3_x_beta * w_275 + l_lambda_loop3_y_beta * w_274;
-        let w_282 = u2_x * (w_90 + Theta_dot + beta_dot);
-        let w_283 = self.da * w_282;
-        let w_284 = u2_y * (Theta_dot + w_90 + beta_dot);
-        let w_285 = self.da * w_284;
-        let w_286 = self.m2 * (w_5 * w_283 - w_7 * w_285);
-        let w_287 = self.k_2 * (u2_x * w_285 - u2_y * w_283) - l_Theta_beta * w_286;
-        let w_288 = self.d * w_282;
-        let w_289 = l_lambda_loop3_x_beta * w_286;
-        let w_290 = l_lambda_loop3_x_Theta * w_287;
-        let w_291 = w_288 + w_289 + w_290;
-        let w_292 = minus_l_lambda_loop3_y_Theta * w_287;
-        let w_293 = self.d * w_284;
-        let w_294 = l_lambda_loop3_y_beta * w_286;
-        let w_295 = w_292 - w_293 - w_294
-            - minus_l_lambda_loop3_y_lambda_loop3_x * w_291;
-        let w_296 = l_lambda_loop4_x_lambda_loop3_x * w_291;
-        let w_297 = l_lambda_loop4_x_lambda_loop3_y * w_295;
-        let w_298 = w_296 - w_288 - w_289 - w_290 - w_297;
-        let w_299 = minus_l_lambda_loop4_y_lambda_loop3_x * w_291;
-        let w_300 = l_lambda_loop4_y_lambda_loop3_y * w_295;
-        let w_301 = w_292 - w_293 - w_294 - w_299 - w_300
-            - l_lambda_loop4_y_lambda_loop4_x * w_298;
-        let w_302 = w_296 - w_288 - w_289 - w_290 - w_297
-            - l_lambda_loop6_x_lambda_loop4_x * w_298
-            - l_lambda_loop6_x_lambda_loop4_y * w_301;
-        let w_303 = inverse_lambda_loop6_y
-            * (w_292 - w_293 - w_294 - w_299 - w_300
-                - l_lambda_loop6_y_lambda_loop4_x * w_298
-                - l_lambda_loop6_y_lambda_loop4_y * w_301
-                - l_lambda_loop6_y_lambda_loop6_x * w_302);
-        let w_304 = inverse_lambda_loop6_x * w_302
-            - l_lambda_loop6_y_lambda_loop6_x * w_303;
-        let w_305 = inverse_lambda_loop4_y * w_301
-            - l_lambda_loop6_x_lambda_loop4_y * w_304
-            - l_lambda_loop6_y_lambda_loop4_y * w_303;
-        let w_306 = inverse_lambda_loop4_x * w_298
-            - l_lambda_loop4_y_lambda_loop4_x * w_305
-            - l_lambda_loop6_x_lambda_loop4_x * w_304
-            - l_lambda_loop6_y_lambda_loop4_x * w_303;
-        let w_307 = inverse_lambda_loop3_y * w_295
+        let w_192 = Omega_ddot + epsilon_ddot;
+        let w_193 = u6_x * w_190_squared;
+        let w_194 = self.k_10 * w_193;
+        let w_195 = self.u * u7_y * epsilon_dot;
+        let w_196 = epsilon_dot * (w_195 + self.k_10 * u6_x * w_190)
+            + self.k_10 * u6_x * Omega_dot * w_190;
+        let w_197 = self.k_10 * w_191;
+        let w_198 = self.u * u7_x * epsilon_dot;
+        let w_199 = self.k_10 * u6_y * Omega_dot * w_190
+            - epsilon_dot * (w_198 - self.k_10 * u6_y * w_190);
+        let w_200 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
+        let w_201 = self.k_11 * (w_61 * u6_y + u6_x * w_59);
+        let w_202 = self.k_11 * (u6_x * (w_194 - w_196) + u6_y * (w_197 - w_199)) + w_200
+            + epsilon_ddot * w_201;
+        let w_203 = w_201 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
+            - self.k_11 * (u6_x * w_196 + u6_y * w_199) + w_200
+            + self.m6 * (w_61 * w_194 - w_59 * w_197);
+        let w_204 = w_203 - l_epsilon_Omega * w_202;
+        let w_205 = self.zf * (w_191 - u6_x * w_192) - l_lambda_loop6_x_Omega * w_202
+            - l_lambda_loop6_x_epsilon * w_204;
+        let w_206 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_202 - self.zf * (w_193 + u6_y * w_192)
+                - l_lambda_loop6_y_epsilon * w_204
+                - l_lambda_loop6_y_lambda_loop6_x * w_205);
+        let w_207 = inverse_lambda_loop6_x * w_205
+            - l_lambda_loop6_y_lambda_loop6_x * w_206;
+        let w_208 = l_lambda_loop6_x_lambda_loop4_y * w_207
+            + l_lambda_loop6_y_lambda_loop4_y * w_206;
+        let w_209 = l_lambda_loop4_y_lambda_loop4_x * w_208
+            - l_lambda_loop6_x_lambda_loop4_x * w_207
+            - l_lambda_loop6_y_lambda_loop4_x * w_206;
+        let w_210 = l_lambda_loop4_y_lambda_loop3_y * w_208
+            - l_lambda_loop4_x_lambda_loop3_y * w_209
+            - l_lambda_loop4_x_lambda_loop3_y * w_207
+            - l_lambda_loop4_y_lambda_loop3_y * w_206;
+        let w_211 = minus_l_lambda_loop3_y_lambda_loop3_x * w_210
+            - l_lambda_loop4_x_lambda_loop3_x * w_209
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_208
+            - l_lambda_loop4_x_lambda_loop3_x * w_207
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_206;
+        let w_212 = minus_l_lambda_loop3_y_Theta * w_210 - l_lambda_loop3_x_Theta * w_211
+            - l_lambda_loop3_x_Theta * w_209 - minus_l_lambda_loop3_y_Theta * w_208
+            - l_lambda_loop3_x_Theta * w_207 + minus_l_lambda_loop3_y_Theta * w_206;
+        let w_213 = w_58 - loop6_x_by_Omega;
+        let w_214 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
+            + lambda_loop6_y * w_213 - l_epsilon_Omega * w_200;
+        let w_215 = self.zf * (u6_y * Omega_dot * w_190 - u6_x * Omega_ddot)
+            - epsilon_dot * (w_198 - self.zf * u6_y * w_190)
+            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_200
+            - l_lambda_loop6_x_epsilon * w_214;
+        let w_216 = epsilon_ddot * w_213
+            - self.zf * (u6_x * Omega_dot * w_190 + u6_y * Omega_ddot)
+            - epsilon_dot * (w_195 + self.zf * u6_x * w_190);
+        let w_217 = inverse_lambda_loop6_y
+            * (w_216 + minus_l_lambda_loop6_y_Omega * w_200
+                - l_lambda_loop6_y_epsilon * w_214
+                - l_lambda_loop6_y_lambda_loop6_x * w_215);
+        let w_218 = inverse_lambda_loop6_x * w_215
+            - l_lambda_loop6_y_lambda_loop6_x * w_217;
+        let w_219 = l_lambda_loop6_x_lambda_loop4_y * w_218
+            + l_lambda_loop6_y_lambda_loop4_y * w_217;
+        let w_220 = l_lambda_loop4_y_lambda_loop4_x * w_219
+            - l_lambda_loop6_x_lambda_loop4_x * w_218
+            - l_lambda_loop6_y_lambda_loop4_x * w_217;
+        let w_221 = l_lambda_loop4_y_lambda_loop3_y * w_219
+            - l_lambda_loop4_x_lambda_loop3_y * w_220
+            - l_lambda_loop4_x_lambda_loop3_y * w_218
+            - l_lambda_loop4_y_lambda_loop3_y * w_217;
+        let w_222 = minus_l_lambda_loop3_y_lambda_loop3_x * w_221
+            - l_lambda_loop4_x_lambda_loop3_x * w_220
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_219
+            - l_lambda_loop4_x_lambda_loop3_x * w_218
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_217;
+        let w_223 = minus_l_lambda_loop3_y_Theta * w_221 - l_lambda_loop3_x_Theta * w_222
+            - l_lambda_loop3_x_Theta * w_220 - minus_l_lambda_loop3_y_Theta * w_219
+            - l_lambda_loop3_x_Theta * w_218 + minus_l_lambda_loop3_y_Theta * w_217;
+        let w_224 = l_lambda_loop4_x_delta * w_95 + l_lambda_loop4_y_delta * w_94;
+        let w_225 = l_lambda_loop4_x_delta * w_128 + l_lambda_loop4_y_delta * w_127;
+        let w_226 = l_lambda_loop4_x_delta * w_149 - l_lambda_loop4_y_delta * w_148;
+        let w_227 = inverse_delta * w_167 - l_lambda_loop4_x_delta * w_174
+            - l_lambda_loop4_y_delta * w_173;
+        let w_228 = inverse_delta * w_178 + l_lambda_loop4_x_delta * w_186
+            + l_lambda_loop4_y_delta * w_185;
+        let w_229 = l_lambda_loop4_y_delta * w_208 - l_lambda_loop4_x_delta * w_209;
+        let w_230 = l_lambda_loop4_y_delta * w_219 - l_lambda_loop4_x_delta * w_220;
+        let w_231 = l_lambda_loop6_x_epsilon * w_93 + l_lambda_loop6_y_epsilon * w_92;
+        let w_232 = l_lambda_loop6_x_epsilon * w_126 + l_lambda_loop6_y_epsilon * w_125;
+        let w_233 = l_lambda_loop6_x_epsilon * w_147 + l_lambda_loop6_y_epsilon * w_146;
+        let w_234 = l_lambda_loop6_x_epsilon * w_172 - l_lambda_loop6_y_epsilon * w_171;
+        let w_235 = l_lambda_loop6_x_epsilon * w_184 - l_lambda_loop6_y_epsilon * w_183;
+        let w_236 = inverse_epsilon * w_204 - l_lambda_loop6_x_epsilon * w_207
+            - l_lambda_loop6_y_epsilon * w_206;
+        let w_237 = inverse_epsilon * w_214 - l_lambda_loop6_x_epsilon * w_218
+            - l_lambda_loop6_y_epsilon * w_217;
+        let w_238 = u2_x * (w_75 + Theta_dot);
+        let w_239 = beta_dot * (w_6 + w_7) - self.da * w_238;
+        let w_240 = u2_y * (Theta_dot + w_75);
+        let w_241 = self.da * w_240 - beta_dot * (w_5 + w_4);
+        let w_242 = self.m2 * (w_5 * w_239 + w_7 * w_241);
+        let w_243 = self.k_2 * (u2_y * w_239 + u2_x * w_241) + l_Theta_beta * w_242;
+        let w_244 = beta_dot * (w_4 + P_y) - self.d * w_240;
+        let w_245 = l_lambda_loop3_y_beta * w_242;
+        let w_246 = minus_l_lambda_loop3_y_Theta * w_243;
+        let w_247 = beta_dot * (w_6 + P_x) - self.d * w_238;
+        let w_248 = l_lambda_loop3_x_beta * w_242;
+        let w_249 = l_lambda_loop3_x_Theta * w_243;
+        let w_250 = w_247 + w_248 - w_249;
+        let w_251 = w_244 + w_245 + w_246
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_250;
+        let w_252 = l_lambda_loop4_x_lambda_loop3_x * w_250;
+        let w_253 = l_lambda_loop4_x_lambda_loop3_y * w_251;
+        let w_254 = w_247 + w_248 - w_249 - w_252 - w_253;
+        let w_255 = minus_l_lambda_loop4_y_lambda_loop3_x * w_250;
+        let w_256 = l_lambda_loop4_y_lambda_loop3_y * w_251;
+        let w_257 = w_244 + w_245 + w_246 + w_255 - w_256
+            - l_lambda_loop4_y_lambda_loop4_x * w_254;
+        let w_258 = w_247 + w_248 - w_249 - w_252 - w_253
+            - l_lambda_loop6_x_lambda_loop4_x * w_254
+            - l_lambda_loop6_x_lambda_loop4_y * w_257;
+        let w_259 = inverse_lambda_loop6_y
+            * (w_244 + w_245 + w_246 + w_255 - w_256
+                - l_lambda_loop6_y_lambda_loop4_x * w_254
+                - l_lambda_loop6_y_lambda_loop4_y * w_257
+                - l_lambda_loop6_y_lambda_loop6_x * w_258);
+        let w_260 = inverse_lambda_loop6_x * w_258
+            - l_lambda_loop6_y_lambda_loop6_x * w_259;
+        let w_261 = inverse_lambda_loop4_y * w_257
+            - l_lambda_loop6_x_lambda_loop4_y * w_260
+            - l_lambda_loop6_y_lambda_loop4_y * w_259;
+        let w_262 = inverse_lambda_loop4_x * w_254
+            - l_lambda_loop4_y_lambda_loop4_x * w_261
+            - l_lambda_loop6_x_lambda_loop4_x * w_260
+            - l_lambda_loop6_y_lambda_loop4_x * w_259;
+        let w_263 = inverse_lambda_loop3_y * w_251
+            - l_lambda_loop4_x_lambda_loop3_y * w_262
+            - l_lambda_loop4_y_lambda_loop3_y * w_261
+            - l_lambda_loop4_x_lambda_loop3_y * w_260
+            - l_lambda_loop4_y_lambda_loop3_y * w_259;
+        let w_264 = minus_l_lambda_loop3_y_lambda_loop3_x * w_263
+            - minus_inverse_lambda_loop3_x * w_250
+            - l_lambda_loop4_x_lambda_loop3_x * w_262
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_261
+            - l_lambda_loop4_x_lambda_loop3_x * w_260
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_259;
+        let w_265 = inverse_Theta * w_243 - l_lambda_loop3_x_Theta * w_264
+            + minus_l_lambda_loop3_y_Theta * w_263 - l_lambda_loop3_x_Theta * w_262
+            + minus_l_lambda_loop3_y_Theta * w_261 - l_lambda_loop3_x_Theta * w_260
+            + minus_l_lambda_loop3_y_Theta * w_259;
+        let w_266 = inverse_beta * w_242 + l_Theta_beta * w_265
+            + l_lambda_loop3_x_beta * w_264 + l_lambda_loop3_y_beta * w_263
+            + l_lambda_loop3_x_beta * w_262 + l_lambda_loop3_y_beta * w_261
+            + l_lambda_loop3_x_beta * w_260 + l_lambda_loop3_y_beta * w_259;
+        let w_267 = u2_x * (w_75 + Theta_dot + beta_dot);
+        let w_268 = self.da * w_267;
+        let w_269 = u2_y * (Theta_dot + w_75 + beta_dot);
+        let w_270 = self.da * w_269;
+        let w_271 = self.m2 * (w_5 * w_268 - w_7 * w_270);
+        let w_272 = self.k_2 * (u2_x * w_270 - u2_y * w_268) - l_Theta_beta * w_271;
+        let w_273 = self.d * w_267;
+        let w_274 = l_lambda_loop3_x_beta * w_271;
+        let w_275 = l_lambda_loop3_x_Theta * w_272;
+        let w_276 = w_273 + w_274 + w_275;
+        let w_277 = minus_l_lambda_loop3_y_Theta * w_272;
+        let w_278 = self.d * w_269;
+        let w_279 = l_lambda_loop3_y_beta * w_271;
+        let w_280 = w_277 - w_278 - w_279
+            - minus_l_lambda_loop3_y_lambda_loop3_x * w_276;
+        let w_281 = l_lambda_loop4_x_lambda_loop3_x * w_276;
+        let w_282 = l_lambda_loop4_x_lambda_loop3_y * w_280;
+        let w_283 = w_281 - w_273 - w_274 - w_275 - w_282;
+        let w_284 = minus_l_lambda_loop4_y_lambda_loop3_x * w_276;
+        let w_285 = l_lambda_loop4_y_lambda_loop3_y * w_280;
+        let w_286 = w_277 - w_278 - w_279 - w_284 - w_285
+            - l_lambda_loop4_y_lambda_loop4_x * w_283;
+        let w_287 = w_281 - w_273 - w_274 - w_275 - w_282
+            - l_lambda_loop6_x_lambda_loop4_x * w_283
+            - l_lambda_loop6_x_lambda_loop4_y * w_286;
+        let w_288 = inverse_lambda_loop6_y
+            * (w_277 - w_278 - w_279 - w_284 - w_285
+                - l_lambda_loop6_y_lambda_loop4_x * w_283
+                - l_lambda_loop6_y_lambda_loop4_y * w_286
+                - l_lambda_loop6_y_lambda_loop6_x * w_287);
+        let w_289 = inverse_lambda_loop6_x * w_287
+            - l_lambda_loop6_y_lambda_loop6_x * w_288;
+        let w_290 = inverse_lambda_loop4_y * w_286
+            - l_lambda_loop6_x_lambda_loop4_y * w_289
+            - l_lambda_loop6_y_lambda_loop4_y * w_288;
+        let w_291 = inverse_lambda_loop4_x * w_283
+            - l_lambda_loop4_y_lambda_loop4_x * w_290
+            - l_lambda_loop6_x_lambda_loop4_x * w_289
+            - l_lambda_loop6_y_lambda_loop4_x * w_288;
+        let w_292 = inverse_lambda_loop3_y * w_280
+            - l_lambda_loop4_x_lambda_loop3_y * w_291
+            - l_lambda_loop4_y_lambda_loop3_y * w_290
+            - l_lambda_loop4_x_lambda_loop3_y * w_289
+            - l_lambda_loop4_y_lambda_loop3_y * w_288;
+        let w_293 = minus_inverse_lambda_loop3_x * w_276
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_292
+            - l_lambda_loop4_x_lambda_loop3_x * w_291
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_290
+            - l_lambda_loop4_x_lambda_loop3_x * w_289
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_288;
+        let w_294 = inverse_Theta * w_272 - l_lambda_loop3_x_Theta * w_293
+            + minus_l_lambda_loop3_y_Theta * w_292 - l_lambda_loop3_x_Theta * w_291
+            + minus_l_lambda_loop3_y_Theta * w_290 - l_lambda_loop3_x_Theta * w_289
+            + minus_l_lambda_loop3_y_Theta * w_288;
+        let w_295 = self.m3 * (w_9 * w_10 * gamma_dot - w_10 * w_9 * gamma_dot);
+        let w_296 = minus_l_lambda_loop3_x_gamma * w_295 - u3_y * gamma_dot * self.k_28;
+        let w_297 = l_lambda_loop4_x_lambda_loop3_x * w_296;
+        let w_298 = u3_x * gamma_dot * self.k_28 + minus_l_lambda_loop3_y_gamma * w_295
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_296;
+        let w_299 = l_lambda_loop4_x_lambda_loop3_y * w_298;
+        let w_300 = w_297 + w_299;
+        let w_301 = minus_l_lambda_loop4_y_lambda_loop3_x * w_296;
+        let w_302 = l_lambda_loop4_y_lambda_loop3_y * w_298;
+        let w_303 = w_301 - w_302 + l_lambda_loop4_y_lambda_loop4_x * w_300;
+        let w_304 = l_lambda_loop6_x_lambda_loop4_x * w_300 - w_297 - w_299
+            - l_lambda_loop6_x_lambda_loop4_y * w_303;
+        let w_305 = inverse_lambda_loop6_y
+            * (w_301 - w_302 + l_lambda_loop6_y_lambda_loop4_x * w_300
+                - l_lambda_loop6_y_lambda_loop4_y * w_303
+                - l_lambda_loop6_y_lambda_loop6_x * w_304);
+        let w_306 = inverse_lambda_loop6_x * w_304
+            - l_lambda_loop6_y_lambda_loop6_x * w_305;
+        let w_307 = inverse_lambda_loop4_y * w_303
+            - l_lambda_loop6_x_lambda_loop4_y * w_306
+            - l_lambda_loop6_y_lambda_loop4_y * w_305;
+        let w_308 = inverse_lambda_loop4_x * w_300
+            + l_lambda_loop4_y_lambda_loop4_x * w_307
+            + l_lambda_loop6_x_lambda_loop4_x * w_306
+            + l_lambda_loop6_y_lambda_loop4_x * w_305;
+        let w_309 = inverse_lambda_loop3_y * w_298
+            + l_lambda_loop4_x_lambda_loop3_y * w_308
+            - l_lambda_loop4_y_lambda_loop3_y * w_307
             - l_lambda_loop4_x_lambda_loop3_y * w_306
-            - l_lambda_loop4_y_lambda_loop3_y * w_305
-            - l_lambda_loop4_x_lambda_loop3_y * w_304
-            - l_lambda_loop4_y_lambda_loop3_y * w_303;
-        let w_308 = minus_inverse_lambda_loop3_x * w_291
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_307
+            - l_lambda_loop4_y_lambda_loop3_y * w_305;
+        let w_310 = minus_l_lambda_loop3_y_lambda_loop3_x * w_309
+            - minus_inverse_lambda_loop3_x * w_296
+            + l_lambda_loop4_x_lambda_loop3_x * w_308
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_307
             - l_lambda_loop4_x_lambda_loop3_x * w_306
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_305
-            - l_lambda_loop4_x_lambda_loop3_x * w_304
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_303;
-        let w_309 = inverse_Theta * w_287 - l_lambda_loop3_x_Theta * w_308
-            + minus_l_lambda_loop3_y_Theta * w_307 - l_lambda_loop3_x_Theta * w_306
-            + minus_l_lambda_loop3_y_Theta * w_305 - l_lambda_loop3_x_Theta * w_304
-            + minus_l_lambda_loop3_y_Theta * w_303;
-        let w_310 = self.m3 * (w_10 * w_11 * gamma_dot - w_11 * w_10 * gamma_dot);
-        let w_311 = minus_l_lambda_loop3_x_gamma * w_310 - u3_y * gamma_dot * self.k_28;
-        let w_312 = l_lambda_loop4_x_lambda_loop3_x * w_311;
-        let w_313 = u3_x * gamma_dot * self.k_28 + minus_l_lambda_loop3_y_gamma * w_310
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_311;
-        let w_314 = l_lambda_loop4_x_lambda_loop3_y * w_313;
-        let w_315 = w_312 + w_314;
-        let w_316 = minus_l_lambda_loop4_y_lambda_loop3_x * w_311;
-        let w_317 = l_lambda_loop4_y_lambda_loop3_y * w_313;
-        let w_318 = w_316 - w_317 + l_lambda_loop4_y_lambda_loop4_x * w_315;
-        let w_319 = l_lambda_loop6_x_lambda_loop4_x * w_315 - w_312 - w_314
-            - l_lambda_loop6_x_lambda_loop4_y * w_318;
-        let w_320 = inverse_lambda_loop6_y
-            * (w_316 - w_317 + l_lambda_loop6_y_lambda_loop4_x * w_315
-                - l_lambda_loop6_y_lambda_loop4_y * w_318
-                - l_lambda_loop6_y_lambda_loop6_x * w_319);
-        let w_321 = inverse_lambda_loop6_x * w_319
-            - l_lambda_loop6_y_lambda_loop6_x * w_320;
-        let w_322 = inverse_lambda_loop4_y * w_318
-            - l_lambda_loop6_x_lambda_loop4_y * w_321
-            - l_lambda_loop6_y_lambda_loop4_y * w_320;
-        let w_323 = inverse_lambda_loop4_x * w_315
-            + l_lambda_loop4_y_lambda_loop4_x * w_322
-            + l_lambda_loop6_x_lambda_loop4_x * w_321
-            + l_lambda_loop6_y_lambda_loop4_x * w_320;
-        let w_324 = inverse_lambda_loop3_y * w_313
-            + l_lambda_loop4_x_lambda_loop3_y * w_323
-            - l_lambda_loop4_y_lambda_loop3_y * w_322
-            - l_lambda_loop4_x_lambda_loop3_y * w_321
-            - l_lambda_loop4_y_lambda_loop3_y * w_320;
-        let w_325 = minus_l_lambda_loop3_y_lambda_loop3_x * w_324
-            - minus_inverse_lambda_loop3_x * w_311
-            + l_lambda_loop4_x_lambda_loop3_x * w_323
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_322
-            - l_lambda_loop4_x_lambda_loop3_x * w_321
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_320;
-        let w_326 = minus_l_lambda_loop3_y_Theta * w_324 - l_lambda_loop3_x_Theta * w_325
-            + l_lambda_loop3_x_Theta * w_323 + minus_l_lambda_loop3_y_Theta * w_322
-            - l_lambda_loop3_x_Theta * w_321 + minus_l_lambda_loop3_y_Theta * w_320;
-        let w_327 = n4_x * (w_168 + Phi_dot + delta_dot);
-        let w_328 = self.k_4 * w_327;
-        let w_329 = cos_w_2 * (Phi_dot + w_168 + delta_dot);
-        let w_330 = self.k_4 * w_329;
-        let w_331 = self.k_5 * (cos_w_2 * w_328 - n4_x * w_330);
-        let w_332 = self.m4 * (w_44 * w_328 + w_46 * w_330) + l_delta_Phi * w_331;
-        let w_333 = minus_l_lambda_loop4_x_Phi * w_331 - self.ee * w_327
-            + l_lambda_loop4_x_delta * w_332;
-        let w_334 = self.ee * w_329 + minus_l_lambda_loop4_y_Phi * w_331
-            + l_lambda_loop4_y_delta * w_332 - l_lambda_loop4_y_lambda_loop4_x * w_333;
-        let w_335 = l_lambda_loop6_x_lambda_loop4_x * w_333
-            + l_lambda_loop6_x_lambda_loop4_y * w_334;
-        let w_336 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_335
-                - l_lambda_loop6_y_lambda_loop4_x * w_333
-                - l_lambda_loop6_y_lambda_loop4_y * w_334);
-        let w_337 = inverse_lambda_loop6_x * w_335
-            + l_lambda_loop6_y_lambda_loop6_x * w_336;
-        let w_338 = inverse_lambda_loop4_y * w_334
-            + l_lambda_loop6_x_lambda_loop4_y * w_337
-            - l_lambda_loop6_y_lambda_loop4_y * w_336;
-        let w_339 = inverse_lambda_loop4_x * w_333
-            - l_lambda_loop4_y_lambda_loop4_x * w_338
-            + l_lambda_loop6_x_lambda_loop4_x * w_337
-            - l_lambda_loop6_y_lambda_loop4_x * w_336;
-        let w_340 = l_lambda_loop4_x_lambda_loop3_y * w_337
-            - l_lambda_loop4_x_lambda_loop3_y * w_339
-            - l_lambda_loop4_y_lambda_loop3_y * w_338
-            - l_lambda_loop4_y_lambda_loop3_y * w_336;
-        let w_341 = minus_l_lambda_loop3_y_lambda_loop3_x * w_340
-            - l_lambda_loop4_x_lambda_loop3_x * w_339
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_338
-            + l_lambda_loop4_x_lambda_loop3_x * w_337
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_336;
-        let w_342 = minus_l_lambda_loop3_y_Theta * w_340 - l_lambda_loop3_x_Theta * w_341
-            - l_lambda_loop3_x_Theta * w_339 + minus_l_lambda_loop3_y_Theta * w_338
-            + l_lambda_loop3_x_Theta * w_337 + minus_l_lambda_loop3_y_Theta * w_336;
-        let w_343 = n4_x * (w_168 + Phi_dot);
-        let w_344 = delta_dot * (w_45 + w_46) + self.k_4 * w_343;
-        let w_345 = cos_w_2 * (Phi_dot + w_168);
-        let w_346 = self.k_4 * w_345 - delta_dot * (w_44 + w_43);
-        let w_347 = self.k_5 * (cos_w_2 * w_344 - n4_x * w_346);
-        let w_348 = self.m5 * (w_48 * w_47 * delta_dot - w_47 * w_48 * delta_dot)
-            - self.m4 * (w_44 * w_344 + w_46 * w_346) - l_delta_Phi * w_347;
-        let w_349 = minus_l_lambda_loop4_x_Phi * w_347
-            - (delta_dot * (w_45 + minus_loop4_y_by_delta) + self.ee * w_343)
-            - l_lambda_loop4_x_delta * w_348;
-        let w_350 = self.ee * w_345 - delta_dot * (w_43 + loop4_x_by_delta)
-            + minus_l_lambda_loop4_y_Phi * w_347 - l_lambda_loop4_y_delta * w_348
-            - l_lambda_loop4_y_lambda_loop4_x * w_349;
-        let w_351 = l_lambda_loop6_x_lambda_loop4_x * w_349
-            + l_lambda_loop6_x_lambda_loop4_y * w_350;
-        let w_352 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_351
-                - l_lambda_loop6_y_lambda_loop4_x * w_349
-                - l_lambda_loop6_y_lambda_loop4_y * w_350);
-        let w_353 = inverse_lambda_loop6_x * w_351
-            + l_lambda_loop6_y_lambda_loop6_x * w_352;
-        let w_354 = inverse_lambda_loop4_y * w_350
-            + l_lambda_loop6_x_lambda_loop4_y * w_353
-            - l_lambda_loop6_y_lambda_loop4_y * w_352;
-        let w_355 = inverse_lambda_loop4_x * w_349
-            - l_lambda_loop4_y_lambda_loop4_x * w_354
-            + l_lambda_loop6_x_lambda_loop4_x * w_353
-            - l_lambda_loop6_y_lambda_loop4_x * w_352;
-        let w_356 = l_lambda_loop4_x_lambda_loop3_y * w_353
-            - l_lambda_loop4_x_lambda_loop3_y * w_355
-            - l_lambda_loop4_y_lambda_loop3_y * w_354
-            - l_lambda_loop4_y_lambda_loop3_y * w_352;
-        let w_357 = minus_l_lambda_loop3_y_lambda_loop3_x * w_356
-            - l_lambda_loop4_x_lambda_loop3_x * w_355
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_354
-            + l_lambda_loop4_x_lambda_loop3_x * w_353
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_352;
-        let w_358 = minus_l_lambda_loop3_y_Theta * w_356 - l_lambda_loop3_x_Theta * w_357
-            - l_lambda_loop3_x_Theta * w_355 + minus_l_lambda_loop3_y_Theta * w_354
-            + l_lambda_loop3_x_Theta * w_353 + minus_l_lambda_loop3_y_Theta * w_352;
-        let w_359 = u6_x * (w_205 + Omega_dot + epsilon_dot);
-        let w_360 = u6_y * (Omega_dot + w_205 + epsilon_dot);
-        let w_361 = self.k_10 * w_360;
-        let w_362 = self.k_10 * w_359;
-        let w_363 = self.k_11 * (u6_x * w_361 - u6_y * w_362);
-        let w_364 = self.m6 * (w_67 * w_362 + w_69 * w_361) - l_epsilon_Omega * w_363;
-        let w_365 = self.zf * w_359 + l_lambda_loop6_x_Omega * w_363
-            + l_lambda_loop6_x_epsilon * w_364;
-        let w_366 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_363 - self.zf * w_360
-                - l_lambda_loop6_y_epsilon * w_364
-                + l_lambda_loop6_y_lambda_loop6_x * w_365);
-        let w_367 = inverse_lambda_loop6_x * w_365
-            + l_lambda_loop6_y_lambda_loop6_x * w_366;
-        let w_368 = l_lambda_loop6_x_lambda_loop4_y * w_367
-            - l_lambda_loop6_y_lambda_loop4_y * w_366;
-        let w_369 = l_lambda_loop6_x_lambda_loop4_x * w_367
-            - l_lambda_loop4_y_lambda_loop4_x * w_368
-            - l_lambda_loop6_y_lambda_loop4_x * w_366;
-        let w_370 = l_lambda_loop4_x_lambda_loop3_y * w_367
-            - l_lambda_loop4_x_lambda_loop3_y * w_369
-            - l_lambda_loop4_y_lambda_loop3_y * w_368
-            - l_lambda_loop4_y_lambda_loop3_y * w_366;
-        let w_371 = minus_l_lambda_loop3_y_lambda_loop3_x * w_370
-            - l_lambda_loop4_x_lambda_loop3_x * w_369
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_368
-            + l_lambda_loop4_x_lambda_loop3_x * w_367
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_366;
-        let w_372 = minus_l_lambda_loop3_y_Theta * w_370 - l_lambda_loop3_x_Theta * w_371
-            - l_lambda_loop3_x_Theta * w_369 + minus_l_lambda_loop3_y_Theta * w_368
-            + l_lambda_loop3_x_Theta * w_367 + minus_l_lambda_loop3_y_Theta * w_366;
-        let w_373 = u6_x * (w_205 + Omega_dot);
-        let w_374 = epsilon_dot * (w_68 + w_69) + self.k_10 * w_373;
-        let w_375 = u6_y * (Omega_dot + w_205);
-        let w_376 = epsilon_dot * (w_67 + w_66) - self.k_10 * w_375;
-        let w_377 = self.k_11 * (u6_y * w_374 + u6_x * w_376);
-        let w_378 = self.m7 * (w_70 * w_71 * epsilon_dot - w_71 * w_70 * epsilon_dot)
-            + self.m6 * (w_67 * w_374 - w_69 * w_376) + l_epsilon_Omega * w_377;
-        let w_379 = l_lambda_loop6_x_Omega * w_377
-            - (epsilon_dot * (w_68 + minus_loop6_y_by_epsilon) + self.zf * w_373)
-            - l_lambda_loop6_x_epsilon * w_378;
-        let w_380 = inverse_lambda_loop6_y
-            * (epsilon_dot * (w_66 + w_228) - self.zf * w_375
-                - minus_l_lambda_loop6_y_Omega * w_377 - l_lambda_loop6_y_epsilon * w_378
-                - l_lambda_loop6_y_lambda_loop6_x * w_379);
-        let w_381 = inverse_lambda_loop6_x * w_379
-            - l_lambda_loop6_y_lambda_loop6_x * w_380;
-        let w_382 = l_lambda_loop6_x_lambda_loop4_y * w_381
-            + l_lambda_loop6_y_lambda_loop4_y * w_380;
-        let w_383 = l_lambda_loop4_y_lambda_loop4_x * w_382
-            - l_lambda_loop6_x_lambda_loop4_x * w_381
-            - l_lambda_loop6_y_lambda_loop4_x * w_380;
-        let w_384 = l_lambda_loop4_y_lambda_loop3_y * w_382
-            - l_lambda_loop4_x_lambda_loop3_y * w_383
-            - l_lambda_loop4_x_lambda_loop3_y * w_381
-            - l_lambda_loop4_y_lambda_loop3_y * w_380;
-        let w_385 = minus_l_lambda_loop3_y_lambda_loop3_x * w_384
-            - l_lambda_loop4_x_lambda_loop3_x * w_383
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_382
-            - l_lambda_loop4_x_lambda_loop3_x * w_381
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_380;
-        let w_386 = minus_l_lambda_loop3_y_Theta * w_384 - l_lambda_loop3_x_Theta * w_385
-            - l_lambda_loop3_x_Theta * w_383 - minus_l_lambda_loop3_y_Theta * w_382
-            - l_lambda_loop3_x_Theta * w_381 + minus_l_lambda_loop3_y_Theta * w_380;
-        let w_387 = l_lambda_loop4_x_delta * w_277 + l_lambda_loop4_y_delta * w_276;
-        let w_388 = l_lambda_loop4_x_delta * w_306 + l_lambda_loop4_y_delta * w_305;
-        let w_389 = l_lambda_loop4_x_delta * w_323 - l_lambda_loop4_y_delta * w_322;
-        let w_390 = inverse_delta * w_332 + l_lambda_loop4_x_delta * w_339
-            + l_lambda_loop4_y_delta * w_338;
-        let w_391 = inverse_delta * w_348 - l_lambda_loop4_x_delta * w_355
-            - l_lambda_loop4_y_delta * w_354;
-        let w_392 = l_lambda_loop4_x_delta * w_369 + l_lambda_loop4_y_delta * w_368;
-        let w_393 = l_lambda_loop4_y_delta * w_382 - l_lambda_loop4_x_delta * w_383;
-        let w_394 = l_lambda_loop6_x_epsilon * w_275 + l_lambda_loop6_y_epsilon * w_274;
-        let w_395 = l_lambda_loop6_x_epsilon * w_304 + l_lambda_loop6_y_epsilon * w_303;
-        let w_396 = l_lambda_loop6_x_epsilon * w_321 + l_lambda_loop6_y_epsilon * w_320;
-        let w_397 = l_lambda_loop6_x_epsilon * w_337 - l_lambda_loop6_y_epsilon * w_336;
-        let w_398 = l_lambda_loop6_x_epsilon * w_353 - l_lambda_loop6_y_epsilon * w_352;
-        let w_399 = inverse_epsilon * w_364 + l_lambda_loop6_x_epsilon * w_367
-            - l_lambda_loop6_y_epsilon * w_366;
-        let w_400 = inverse_epsilon * w_378 - l_lambda_loop6_x_epsilon * w_381
-            - l_lambda_loop6_y_epsilon * w_380;
-        let abs_w_14 = w_14.abs();
-        let abs_w_15 = w_15.abs();
-        let abs_w_18 = w_18.abs();
-        let abs_w_19 = w_19.abs();
-        let abs_w_41 = w_41.abs();
-        let abs_w_51 = w_51.abs();
-        let abs_w_58 = w_58.abs();
-        let abs_w_61 = w_61.abs();
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_305;
+        let w_311 = minus_l_lambda_loop3_y_Theta * w_309 - l_lambda_loop3_x_Theta * w_310
+            + l_lambda_loop3_x_Theta * w_308 + minus_l_lambda_loop3_y_Theta * w_307
+            - l_lambda_loop3_x_Theta * w_306 + minus_l_lambda_loop3_y_Theta * w_305;
+        let w_312 = n4_x * (w_153 + Phi_dot + delta_dot);
+        let w_313 = self.k_4 * w_312;
+        let w_314 = cos_w_2 * (Phi_dot + w_153 + delta_dot);
+        let w_315 = self.k_4 * w_314;
+        let w_316 = self.k_5 * (cos_w_2 * w_313 - n4_x * w_315);
+        let w_317 = self.m4 * (w_40 * w_313 + w_42 * w_315) + l_delta_Phi * w_316;
+        let w_318 = minus_l_lambda_loop4_x_Phi * w_316 - self.ee * w_312
+            + l_lambda_loop4_x_delta * w_317;
+        let w_319 = self.ee * w_314 + minus_l_lambda_loop4_y_Phi * w_316
+            + l_lambda_loop4_y_delta * w_317 - l_lambda_loop4_y_lambda_loop4_x * w_318;
+        let w_320 = l_lambda_loop6_x_lambda_loop4_x * w_318
+            + l_lambda_loop6_x_lambda_loop4_y * w_319;
+        let w_321 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_320
+                - l_lambda_loop6_y_lambda_loop4_x * w_318
+                - l_lambda_loop6_y_lambda_loop4_y * w_319);
+        let w_322 = inverse_lambda_loop6_x * w_320
+            + l_lambda_loop6_y_lambda_loop6_x * w_321;
+        let w_323 = inverse_lambda_loop4_y * w_319
+            + l_lambda_loop6_x_lambda_loop4_y * w_322
+            - l_lambda_loop6_y_lambda_loop4_y * w_321;
+        let w_324 = inverse_lambda_loop4_x * w_318
+            - l_lambda_loop4_y_lambda_loop4_x * w_323
+            + l_lambda_loop6_x_lambda_loop4_x * w_322
+            - l_lambda_loop6_y_lambda_loop4_x * w_321;
+        let w_325 = l_lambda_loop4_x_lambda_loop3_y * w_322
+            - l_lambda_loop4_x_lambda_loop3_y * w_324
+            - l_lambda_loop4_y_lambda_loop3_y * w_323
+            - l_lambda_loop4_y_lambda_loop3_y * w_321;
+        let w_326 = minus_l_lambda_loop3_y_lambda_loop3_x * w_325
+            - l_lambda_loop4_x_lambda_loop3_x * w_324
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_323
+            + l_lambda_loop4_x_lambda_loop3_x * w_322
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_321;
+        let w_327 = minus_l_lambda_loop3_y_Theta * w_325 - l_lambda_loop3_x_Theta * w_326
+            - l_lambda_loop3_x_Theta * w_324 + minus_l_lambda_loop3_y_Theta * w_323
+            + l_lambda_loop3_x_Theta * w_322 + minus_l_lambda_loop3_y_Theta * w_321;
+        let w_328 = n4_x * (w_153 + Phi_dot);
+        let w_329 = delta_dot * (w_41 + w_42) + self.k_4 * w_328;
+        let w_330 = cos_w_2 * (Phi_dot + w_153);
+        let w_331 = self.k_4 * w_330 - delta_dot * (w_40 + w_39);
+        let w_332 = self.k_5 * (cos_w_2 * w_329 - n4_x * w_331);
+        let w_333 = self.m5 * (w_44 * w_43 * delta_dot - w_43 * w_44 * delta_dot)
+            - self.m4 * (w_40 * w_329 + w_42 * w_331) - l_delta_Phi * w_332;
+        let w_334 = minus_l_lambda_loop4_x_Phi * w_332
+            - (delta_dot * (w_41 + minus_loop4_y_by_delta) + self.ee * w_328)
+            - l_lambda_loop4_x_delta * w_333;
+        let w_335 = self.ee * w_330 - delta_dot * (w_39 + loop4_x_by_delta)
+            + minus_l_lambda_loop4_y_Phi * w_332 - l_lambda_loop4_y_delta * w_333
+            - l_lambda_loop4_y_lambda_loop4_x * w_334;
+        let w_336 = l_lambda_loop6_x_lambda_loop4_x * w_334
+            + l_lambda_loop6_x_lambda_loop4_y * w_335;
+        let w_337 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_336
+                - l_lambda_loop6_y_lambda_loop4_x * w_334
+                - l_lambda_loop6_y_lambda_loop4_y * w_335);
+        let w_338 = inverse_lambda_loop6_x * w_336
+            + l_lambda_loop6_y_lambda_loop6_x * w_337;
+        let w_339 = inverse_lambda_loop4_y * w_335
+            + l_lambda_loop6_x_lambda_loop4_y * w_338
+            - l_lambda_loop6_y_lambda_loop4_y * w_337;
+        let w_340 = inverse_lambda_loop4_x * w_334
+            - l_lambda_loop4_y_lambda_loop4_x * w_339
+            + l_lambda_loop6_x_lambda_loop4_x * w_338
+            - l_lambda_loop6_y_lambda_loop4_x * w_337;
+        let w_341 = l_lambda_loop4_x_lambda_loop3_y * w_338
+            - l_lambda_loop4_x_lambda_loop3_y * w_340
+            - l_lambda_loop4_y_lambda_loop3_y * w_339
+            - l_lambda_loop4_y_lambda_loop3_y * w_337;
+        let w_342 = minus_l_lambda_loop3_y_lambda_loop3_x * w_341
+            - l_lambda_loop4_x_lambda_loop3_x * w_340
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_339
+            + l_lambda_loop4_x_lambda_loop3_x * w_338
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_337;
+        let w_343 = minus_l_lambda_loop3_y_Theta * w_341 - l_lambda_loop3_x_Theta * w_342
+            - l_lambda_loop3_x_Theta * w_340 + minus_l_lambda_loop3_y_Theta * w_339
+            + l_lambda_loop3_x_Theta * w_338 + minus_l_lambda_loop3_y_Theta * w_337;
+        let w_344 = u6_x * (w_190 + Omega_dot + epsilon_dot);
+        let w_345 = u6_y * (Omega_dot + w_190 + epsilon_dot);
+        let w_346 = self.k_10 * w_345;
+        let w_347 = self.k_10 * w_344;
+        let w_348 = self.k_11 * (u6_x * w_346 - u6_y * w_347);
+        let w_349 = self.m6 * (w_59 * w_347 + w_61 * w_346) - l_epsilon_Omega * w_348;
+        let w_350 = self.zf * w_344 + l_lambda_loop6_x_Omega * w_348
+            + l_lambda_loop6_x_epsilon * w_349;
+        let w_351 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_348 - self.zf * w_345
+                - l_lambda_loop6_y_epsilon * w_349
+                + l_lambda_loop6_y_lambda_loop6_x * w_350);
+        let w_352 = inverse_lambda_loop6_x * w_350
+            + l_lambda_loop6_y_lambda_loop6_x * w_351;
+        let w_353 = l_lambda_loop6_x_lambda_loop4_y * w_352
+            - l_lambda_loop6_y_lambda_loop4_y * w_351;
+        let w_354 = l_lambda_loop6_x_lambda_loop4_x * w_352
+            - l_lambda_loop4_y_lambda_loop4_x * w_353
+            - l_lambda_loop6_y_lambda_loop4_x * w_351;
+        let w_355 = l_lambda_loop4_x_lambda_loop3_y * w_352
+            - l_lambda_loop4_x_lambda_loop3_y * w_354
+            - l_lambda_loop4_y_lambda_loop3_y * w_353
+            - l_lambda_loop4_y_lambda_loop3_y * w_351;
+        let w_356 = minus_l_lambda_loop3_y_lambda_loop3_x * w_355
+            - l_lambda_loop4_x_lambda_loop3_x * w_354
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_353
+            + l_lambda_loop4_x_lambda_loop3_x * w_352
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_351;
+        let w_357 = minus_l_lambda_loop3_y_Theta * w_355 - l_lambda_loop3_x_Theta * w_356
+            - l_lambda_loop3_x_Theta * w_354 + minus_l_lambda_loop3_y_Theta * w_353
+            + l_lambda_loop3_x_Theta * w_352 + minus_l_lambda_loop3_y_Theta * w_351;
+        let w_358 = u6_x * (w_190 + Omega_dot);
+        let w_359 = epsilon_dot * (w_60 + w_61) + self.k_10 * w_358;
+        let w_360 = u6_y * (Omega_dot + w_190);
+        let w_361 = epsilon_dot * (w_59 + w_58) - self.k_10 * w_360;
+        let w_362 = self.k_11 * (u6_y * w_359 + u6_x * w_361);
+        let w_363 = self.m7 * (w_62 * w_63 * epsilon_dot - w_63 * w_62 * epsilon_dot)
+            + self.m6 * (w_59 * w_359 - w_61 * w_361) + l_epsilon_Omega * w_362;
+        let w_364 = l_lambda_loop6_x_Omega * w_362
+            - (epsilon_dot * (w_60 + minus_loop6_y_by_epsilon) + self.zf * w_358)
+            - l_lambda_loop6_x_epsilon * w_363;
+        let w_365 = inverse_lambda_loop6_y
+            * (epsilon_dot * (w_58 + w_213) - self.zf * w_360
+                - minus_l_lambda_loop6_y_Omega * w_362 - l_lambda_loop6_y_epsilon * w_363
+                - l_lambda_loop6_y_lambda_loop6_x * w_364);
+        let w_366 = inverse_lambda_loop6_x * w_364
+            - l_lambda_loop6_y_lambda_loop6_x * w_365;
+        let w_367 = l_lambda_loop6_x_lambda_loop4_y * w_366
+            + l_lambda_loop6_y_lambda_loop4_y * w_365;
+        let w_368 = l_lambda_loop4_y_lambda_loop4_x * w_367
+            - l_lambda_loop6_x_lambda_loop4_x * w_366
+            - l_lambda_loop6_y_lambda_loop4_x * w_365;
+        let w_369 = l_lambda_loop4_y_lambda_loop3_y * w_367
+            - l_lambda_loop4_x_lambda_loop3_y * w_368
+            - l_lambda_loop4_x_lambda_loop3_y * w_366
+            - l_lambda_loop4_y_lambda_loop3_y * w_365;
+        let w_370 = minus_l_lambda_loop3_y_lambda_loop3_x * w_369
+            - l_lambda_loop4_x_lambda_loop3_x * w_368
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_367
+            - l_lambda_loop4_x_lambda_loop3_x * w_366
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_365;
+        let w_371 = minus_l_lambda_loop3_y_Theta * w_369 - l_lambda_loop3_x_Theta * w_370
+            - l_lambda_loop3_x_Theta * w_368 - minus_l_lambda_loop3_y_Theta * w_367
+            - l_lambda_loop3_x_Theta * w_366 + minus_l_lambda_loop3_y_Theta * w_365;
+        let w_372 = l_lambda_loop4_x_delta * w_262 + l_lambda_loop4_y_delta * w_261;
+        let w_373 = l_lambda_loop4_x_delta * w_291 + l_lambda_loop4_y_delta * w_290;
+        let w_374 = l_lambda_loop4_x_delta * w_308 - l_lambda_loop4_y_delta * w_307;
+        let w_375 = inverse_delta * w_317 + l_lambda_loop4_x_delta * w_324
+            + l_lambda_loop4_y_delta * w_323;
+        let w_376 = inverse_delta * w_333 - l_lambda_loop4_x_delta * w_340
+            - l_lambda_loop4_y_delta * w_339;
+        let w_377 = l_lambda_loop4_x_delta * w_354 + l_lambda_loop4_y_delta * w_353;
+        let w_378 = l_lambda_loop4_y_delta * w_367 - l_lambda_loop4_x_delta * w_368;
+        let w_379 = l_lambda_loop6_x_epsilon * w_260 + l_lambda_loop6_y_epsilon * w_259;
+        let w_380 = l_lambda_loop6_x_epsilon * w_289 + l_lambda_loop6_y_epsilon * w_288;
+        let w_381 = l_lambda_loop6_x_epsilon * w_306 + l_lambda_loop6_y_epsilon * w_305;
+        let w_382 = l_lambda_loop6_x_epsilon * w_322 - l_lambda_loop6_y_epsilon * w_321;
+        let w_383 = l_lambda_loop6_x_epsilon * w_338 - l_lambda_loop6_y_epsilon * w_337;
+        let w_384 = inverse_epsilon * w_349 + l_lambda_loop6_x_epsilon * w_352
+            - l_lambda_loop6_y_epsilon * w_351;
+        let w_385 = inverse_epsilon * w_363 - l_lambda_loop6_x_epsilon * w_366
+            - l_lambda_loop6_y_epsilon * w_365;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    inverse_beta * w_86 - l_Theta_beta * w_113
-                        - l_lambda_loop3_x_beta * w_112 - l_lambda_loop3_y_beta * w_111
-                        - l_lambda_loop3_x_beta * w_110 - l_lambda_loop3_y_beta * w_109
-                        - l_lambda_loop3_x_beta * w_108 - l_lambda_loop3_y_beta * w_107,
-                    inverse_beta * w_122 - l_Theta_beta * w_146
-                        - l_lambda_loop3_x_beta * w_145 - l_lambda_loop3_y_beta * w_144
-                        - l_lambda_loop3_x_beta * w_143 - l_lambda_loop3_y_beta * w_142
-                        - l_lambda_loop3_x_beta * w_141 - l_lambda_loop3_y_beta * w_140,
-                    l_lambda_loop3_x_beta * w_164 - l_Theta_beta * w_167
-                        - l_lambda_loop3_x_beta * w_166 - l_lambda_loop3_y_beta * w_165
-                        - l_lambda_loop3_y_beta * w_163 - l_lambda_loop3_x_beta * w_162
-                        - l_lambda_loop3_y_beta * w_161,
-                    l_lambda_loop3_x_beta * w_187 - l_Theta_beta * w_192
-                        - l_lambda_loop3_x_beta * w_191 - l_lambda_loop3_y_beta * w_190
-                        - l_lambda_loop3_x_beta * w_189 - l_lambda_loop3_y_beta * w_188
-                        - l_lambda_loop3_y_beta * w_186,
-                    l_lambda_loop3_x_beta * w_199 - l_Theta_beta * w_204
-                        - l_lambda_loop3_x_beta * w_203 - l_lambda_loop3_y_beta * w_202
-                        - l_lambda_loop3_x_beta * w_201 - l_lambda_loop3_y_beta * w_200
-                        - l_lambda_loop3_y_beta * w_198,
-                    l_lambda_loop3_y_beta * w_223 - l_Theta_beta * w_227
-                        - l_lambda_loop3_x_beta * w_226 - l_lambda_loop3_y_beta * w_225
-                        - l_lambda_loop3_x_beta * w_224 - l_lambda_loop3_x_beta * w_222
-                        - l_lambda_loop3_y_beta * w_221,
-                    l_lambda_loop3_y_beta * w_234 - l_Theta_beta * w_238
-                        - l_lambda_loop3_x_beta * w_237 - l_lambda_loop3_y_beta * w_236
-                        - l_lambda_loop3_x_beta * w_235 - l_lambda_loop3_x_beta * w_233
-                        - l_lambda_loop3_y_beta * w_232,
+                    inverse_beta * w_71 - l_Theta_beta * w_98
+                        - l_lambda_loop3_x_beta * w_97 - l_lambda_loop3_y_beta * w_96
+                        - l_lambda_loop3_x_beta * w_95 - l_lambda_loop3_y_beta * w_94
+                        - l_lambda_loop3_x_beta * w_93 - l_lambda_loop3_y_beta * w_92,
+                    inverse_beta * w_107 - l_Theta_beta * w_131
+                        - l_lambda_loop3_x_beta * w_130 - l_lambda_loop3_y_beta * w_129
+                        - l_lambda_loop3_x_beta * w_128 - l_lambda_loop3_y_beta * w_127
+                        - l_lambda_loop3_x_beta * w_126 - l_lambda_loop3_y_beta * w_125,
+                    l_lambda_loop3_x_beta * w_149 - l_Theta_beta * w_152
+                        - l_lambda_loop3_x_beta * w_151 - l_lambda_loop3_y_beta * w_150
+                        - l_lambda_loop3_y_beta * w_148 - l_lambda_loop3_x_beta * w_147
+                        - l_lambda_loop3_y_beta * w_146,
+                    l_lambda_loop3_x_beta * w_172 - l_Theta_beta * w_177
+                        - l_lambda_loop3_x_beta * w_176 - l_lambda_loop3_y_beta * w_175
+                        - l_lambda_loop3_x_beta * w_174 - l_lambda_loop3_y_beta * w_173
+                        - l_lambda_loop3_y_beta * w_171,
+                    l_lambda_loop3_x_beta * w_184 - l_Theta_beta * w_189
+                        - l_lambda_loop3_x_beta * w_188 - l_lambda_loop3_y_beta * w_187
+                        - l_lambda_loop3_x_beta * w_186 - l_lambda_loop3_y_beta * w_185
+                        - l_lambda_loop3_y_beta * w_183,
+                    l_lambda_loop3_y_beta * w_208 - l_Theta_beta * w_212
+                        - l_lambda_loop3_x_beta * w_211 - l_lambda_loop3_y_beta * w_210
+                        - l_lambda_loop3_x_beta * w_209 - l_lambda_loop3_x_beta * w_207
+                        - l_lambda_loop3_y_beta * w_206,
+                    l_lambda_loop3_y_beta * w_219 - l_Theta_beta * w_223
+                        - l_lambda_loop3_x_beta * w_222 - l_lambda_loop3_y_beta * w_221
+                        - l_lambda_loop3_x_beta * w_220 - l_lambda_loop3_x_beta * w_218
+                        - l_lambda_loop3_y_beta * w_217,
                 ],
-                [w_113, w_146, w_167, w_192, w_204, w_227, w_238],
+                [w_98, w_131, w_152, w_177, w_189, w_212, w_223],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_112
-                        + minus_l_lambda_loop3_y_gamma * w_111,
-                    minus_l_lambda_loop3_x_gamma * w_145
-                        + minus_l_lambda_loop3_y_gamma * w_144,
-                    inverse_gamma * w_151 + minus_l_lambda_loop3_x_gamma * w_166
-                        + minus_l_lambda_loop3_y_gamma * w_165,
-                    minus_l_lambda_loop3_x_gamma * w_191
-                        + minus_l_lambda_loop3_y_gamma * w_190,
-                    minus_l_lambda_loop3_x_gamma * w_203
-                        + minus_l_lambda_loop3_y_gamma * w_202,
-                    minus_l_lambda_loop3_x_gamma * w_226
-                        + minus_l_lambda_loop3_y_gamma * w_225,
-                    minus_l_lambda_loop3_x_gamma * w_237
-                        + minus_l_lambda_loop3_y_gamma * w_236,
+                    minus_l_lambda_loop3_x_gamma * w_97
+                        + minus_l_lambda_loop3_y_gamma * w_96,
+                    minus_l_lambda_loop3_x_gamma * w_130
+                        + minus_l_lambda_loop3_y_gamma * w_129,
+                    inverse_gamma * w_136 + minus_l_lambda_loop3_x_gamma * w_151
+                        + minus_l_lambda_loop3_y_gamma * w_150,
+                    minus_l_lambda_loop3_x_gamma * w_176
+                        + minus_l_lambda_loop3_y_gamma * w_175,
+                    minus_l_lambda_loop3_x_gamma * w_188
+                        + minus_l_lambda_loop3_y_gamma * w_187,
+                    minus_l_lambda_loop3_x_gamma * w_211
+                        + minus_l_lambda_loop3_y_gamma * w_210,
+                    minus_l_lambda_loop3_x_gamma * w_222
+                        + minus_l_lambda_loop3_y_gamma * w_221,
                 ],
                 [
-                    l_delta_Phi * w_239 + minus_l_lambda_loop4_x_Phi * w_110
-                        + minus_l_lambda_loop4_y_Phi * w_109,
-                    l_delta_Phi * w_240 + minus_l_lambda_loop4_x_Phi * w_143
-                        + minus_l_lambda_loop4_y_Phi * w_142,
-                    minus_l_lambda_loop4_y_Phi * w_163 - l_delta_Phi * w_241
-                        - minus_l_lambda_loop4_x_Phi * w_164,
-                    self.inverse_Phi * w_179 - l_delta_Phi * w_242
-                        + minus_l_lambda_loop4_x_Phi * w_189
-                        + minus_l_lambda_loop4_y_Phi * w_188,
-                    self.inverse_Phi * w_177 + l_delta_Phi * w_243
-                        + minus_l_lambda_loop4_x_Phi * w_201
-                        + minus_l_lambda_loop4_y_Phi * w_200,
-                    minus_l_lambda_loop4_x_Phi * w_224 - l_delta_Phi * w_244
-                        - minus_l_lambda_loop4_y_Phi * w_223,
-                    minus_l_lambda_loop4_x_Phi * w_235 - l_delta_Phi * w_245
-                        - minus_l_lambda_loop4_y_Phi * w_234,
+                    l_delta_Phi * w_224 + minus_l_lambda_loop4_x_Phi * w_95
+                        + minus_l_lambda_loop4_y_Phi * w_94,
+                    l_delta_Phi * w_225 + minus_l_lambda_loop4_x_Phi * w_128
+                        + minus_l_lambda_loop4_y_Phi * w_127,
+                    minus_l_lambda_loop4_y_Phi * w_148 - l_delta_Phi * w_226
+                        - minus_l_lambda_loop4_x_Phi * w_149,
+                    self.inverse_Phi * w_164 - l_delta_Phi * w_227
+                        + minus_l_lambda_loop4_x_Phi * w_174
+                        + minus_l_lambda_loop4_y_Phi * w_173,
+                    self.inverse_Phi * w_162 + l_delta_Phi * w_228
+                        + minus_l_lambda_loop4_x_Phi * w_186
+                        + minus_l_lambda_loop4_y_Phi * w_185,
+                    minus_l_lambda_loop4_x_Phi * w_209 - l_delta_Phi * w_229
+                        - minus_l_lambda_loop4_y_Phi * w_208,
+                    minus_l_lambda_loop4_x_Phi * w_220 - l_delta_Phi * w_230
+                        - minus_l_lambda_loop4_y_Phi * w_219,
                 ],
-                [-w_239, -w_240, w_241, w_242, -w_243, w_244, w_245],
+                [-w_224, -w_225, w_226, w_227, -w_228, w_229, w_230],
                 [
-                    l_epsilon_Omega * w_246 - l_lambda_loop6_x_Omega * w_108
-                        + minus_l_lambda_loop6_y_Omega * w_107,
-                    l_epsilon_Omega * w_247 - l_lambda_loop6_x_Omega * w_141
-                        + minus_l_lambda_loop6_y_Omega * w_140,
-                    l_epsilon_Omega * w_248 - l_lambda_loop6_x_Omega * w_162
-                        + minus_l_lambda_loop6_y_Omega * w_161,
-                    l_lambda_loop6_x_Omega * w_187 - l_epsilon_Omega * w_249
-                        + minus_l_lambda_loop6_y_Omega * w_186,
-                    l_lambda_loop6_x_Omega * w_199 - l_epsilon_Omega * w_250
-                        + minus_l_lambda_loop6_y_Omega * w_198,
-                    self.inverse_Omega * w_217 - l_epsilon_Omega * w_251
-                        - l_lambda_loop6_x_Omega * w_222
-                        + minus_l_lambda_loop6_y_Omega * w_221,
-                    self.inverse_Omega * w_215 - l_epsilon_Omega * w_252
-                        - l_lambda_loop6_x_Omega * w_233
-                        + minus_l_lambda_loop6_y_Omega * w_232,
+                    l_epsilon_Omega * w_231 - l_lambda_loop6_x_Omega * w_93
+                        + minus_l_lambda_loop6_y_Omega * w_92,
+                    l_epsilon_Omega * w_232 - l_lambda_loop6_x_Omega * w_126
+                        + minus_l_lambda_loop6_y_Omega * w_125,
+                    l_epsilon_Omega * w_233 - l_lambda_loop6_x_Omega * w_147
+                        + minus_l_lambda_loop6_y_Omega * w_146,
+                    l_lambda_loop6_x_Omega * w_172 - l_epsilon_Omega * w_234
+                        + minus_l_lambda_loop6_y_Omega * w_171,
+                    l_lambda_loop6_x_Omega * w_184 - l_epsilon_Omega * w_235
+                        + minus_l_lambda_loop6_y_Omega * w_183,
+                    self.inverse_Omega * w_202 - l_epsilon_Omega * w_236
+                        - l_lambda_loop6_x_Omega * w_207
+                        + minus_l_lambda_loop6_y_Omega * w_206,
+                    self.inverse_Omega * w_200 - l_epsilon_Omega * w_237
+                        - l_lambda_loop6_x_Omega * w_218
+                        + minus_l_lambda_loop6_y_Omega * w_217,
                 ],
-                [-w_246, -w_247, -w_248, w_249, w_250, w_251, w_252],
+                [-w_231, -w_232, -w_233, w_234, w_235, w_236, w_237],
             ],
             accelerations_by_speeds: [
                 [
-                    -w_281,
-                    inverse_beta * w_286 - l_Theta_beta * w_309
-                        - l_lambda_loop3_x_beta * w_308 - l_lambda_loop3_y_beta * w_307
-                        - l_lambda_loop3_x_beta * w_306 - l_lambda_loop3_y_beta * w_305
-                        - l_lambda_loop3_x_beta * w_304 - l_lambda_loop3_y_beta * w_303,
-                    l_lambda_loop3_x_beta * w_323 - l_Theta_beta * w_326
-                        - l_lambda_loop3_x_beta * w_325 - l_lambda_loop3_y_beta * w_324
-                        - l_lambda_loop3_y_beta * w_322 - l_lambda_loop3_x_beta * w_321
-                        - l_lambda_loop3_y_beta * w_320,
-                    l_lambda_loop3_x_beta * w_337 - l_Theta_beta * w_342
-                        - l_lambda_loop3_x_beta * w_341 - l_lambda_loop3_y_beta * w_340
-                        - l_lambda_loop3_x_beta * w_339 - l_lambda_loop3_y_beta * w_338
-                        - l_lambda_loop3_y_beta * w_336,
-                    l_lambda_loop3_x_beta * w_353 - l_Theta_beta * w_358
-                        - l_lambda_loop3_x_beta * w_357 - l_lambda_loop3_y_beta * w_356
-                        - l_lambda_loop3_x_beta * w_355 - l_lambda_loop3_y_beta * w_354
-                        - l_lambda_loop3_y_beta * w_352,
-                    l_lambda_loop3_x_beta * w_367 - l_Theta_beta * w_372
-                        - l_lambda_loop3_x_beta * w_371 - l_lambda_loop3_y_beta * w_370
-                        - l_lambda_loop3_x_beta * w_369 - l_lambda_loop3_y_beta * w_368
-                        - l_lambda_loop3_y_beta * w_366,
-                    l_lambda_loop3_y_beta * w_382 - l_Theta_beta * w_386
-                        - l_lambda_loop3_x_beta * w_385 - l_lambda_loop3_y_beta * w_384
-                        - l_lambda_loop3_x_beta * w_383 - l_lambda_loop3_x_beta * w_381
-                        - l_lambda_loop3_y_beta * w_380,
+                    -w_266,
+                    inverse_beta * w_271 - l_Theta_beta * w_294
+                        - l_lambda_loop3_x_beta * w_293 - l_lambda_loop3_y_beta * w_292
+                        - l_lambda_loop3_x_beta * w_291 - l_lambda_loop3_y_beta * w_290
+                        - l_lambda_loop3_x_beta * w_289 - l_lambda_loop3_y_beta * w_288,
+                    l_lambda_loop3_x_beta * w_308 - l_Theta_beta * w_311
+                        - l_lambda_loop3_x_beta * w_310 - l_lambda_loop3_y_beta * w_309
+                        - l_lambda_loop3_y_beta * w_307 - l_lambda_loop3_x_beta * w_306
+                        - l_lambda_loop3_y_beta * w_305,
+                    l_lambda_loop3_x_beta * w_322 - l_Theta_beta * w_327
+                        - l_lambda_loop3_x_beta * w_326 - l_lambda_loop3_y_beta * w_325
+                        - l_lambda_loop3_x_beta * w_324 - l_lambda_loop3_y_beta * w_323
+                        - l_lambda_loop3_y_beta * w_321,
+                    l_lambda_loop3_x_beta * w_338 - l_Theta_beta * w_343
+                        - l_lambda_loop3_x_beta * w_342 - l_lambda_loop3_y_beta * w_341
+                        - l_lambda_loop3_x_beta * w_340 - l_lambda_loop3_y_beta * w_339
+                        - l_lambda_loop3_y_beta * w_337,
+                    l_lambda_loop3_x_beta * w_352 - l_Theta_beta * w_357
+                        - l_lambda_loop3_x_beta * w_356 - l_lambda_loop3_y_beta * w_355
+                        - l_lambda_loop3_x_beta * w_354 - l_lambda_loop3_y_beta * w_353
+                        - l_lambda_loop3_y_beta * w_351,
+                    l_lambda_loop3_y_beta * w_367 - l_Theta_beta * w_371
+                        - l_lambda_loop3_x_beta * w_370 - l_lambda_loop3_y_beta * w_369
+                        - l_lambda_loop3_x_beta * w_368 - l_lambda_loop3_x_beta * w_366
+                        - l_lambda_loop3_y_beta * w_365,
                 ],
-                [w_280, w_309, w_326, w_342, w_358, w_372, w_386],
+                [w_265, w_294, w_311, w_327, w_343, w_357, w_371],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_279
-                        + minus_l_lambda_loop3_y_gamma * w_278,
-                    minus_l_lambda_loop3_x_gamma * w_308
-                        + minus_l_lambda_loop3_y_gamma * w_307,
-                    inverse_gamma * w_310 + minus_l_lambda_loop3_x_gamma * w_325
-                        + minus_l_lambda_loop3_y_gamma * w_324,
-                    minus_l_lambda_loop3_x_gamma * w_341
-                        + minus_l_lambda_loop3_y_gamma * w_340,
-                    minus_l_lambda_loop3_x_gamma * w_357
-                        + minus_l_lambda_loop3_y_gamma * w_356,
-                    minus_l_lambda_loop3_x_gamma * w_371
-                        + minus_l_lambda_loop3_y_gamma * w_370,
-                    minus_l_lambda_loop3_x_gamma * w_385
-                        + minus_l_lambda_loop3_y_gamma * w_384,
+                    minus_l_lambda_loop3_x_gamma * w_264
+                        + minus_l_lambda_loop3_y_gamma * w_263,
+                    minus_l_lambda_loop3_x_gamma * w_293
+                        + minus_l_lambda_loop3_y_gamma * w_292,
+                    inverse_gamma * w_295 + minus_l_lambda_loop3_x_gamma * w_310
+                        + minus_l_lambda_loop3_y_gamma * w_309,
+                    minus_l_lambda_loop3_x_gamma * w_326
+                        + minus_l_lambda_loop3_y_gamma * w_325,
+                    minus_l_lambda_loop3_x_gamma * w_342
+                        + minus_l_lambda_loop3_y_gamma * w_341,
+                    minus_l_lambda_loop3_x_gamma * w_356
+                        + minus_l_lambda_loop3_y_gamma * w_355,
+                    minus_l_lambda_loop3_x_gamma * w_370
+                        + minus_l_lambda_loop3_y_gamma * w_369,
                 ],
                 [
-                    l_delta_Phi * w_387 + minus_l_lambda_loop4_x_Phi * w_277
-                        + minus_l_lambda_loop4_y_Phi * w_276,
-                    l_delta_Phi * w_388 + minus_l_lambda_loop4_x_Phi * w_306
-                        + minus_l_lambda_loop4_y_Phi * w_305,
-                    minus_l_lambda_loop4_y_Phi * w_322 - l_delta_Phi * w_389
-                        - minus_l_lambda_loop4_x_Phi * w_323,
-                    self.inverse_Phi * w_331 + l_delta_Phi * w_390
-                        + minus_l_lambda_loop4_x_Phi * w_339
-                        + minus_l_lambda_loop4_y_Phi * w_338,
-                    self.inverse_Phi * w_347 - l_delta_Phi * w_391
-                        + minus_l_lambda_loop4_x_Phi * w_355
-                        + minus_l_lambda_loop4_y_Phi * w_354,
-                    l_delta_Phi * w_392 + minus_l_lambda_loop4_x_Phi * w_369
-                        + minus_l_lambda_loop4_y_Phi * w_368,
-                    minus_l_lambda_loop4_x_Phi * w_383 - l_delta_Phi * w_393
-                        - minus_l_lambda_loop4_y_Phi * w_382,
+                    l_delta_Phi * w_372 + minus_l_lambda_loop4_x_Phi * w_262
+                        + minus_l_lambda_loop4_y_Phi * w_261,
+                    l_delta_Phi * w_373 + minus_l_lambda_loop4_x_Phi * w_291
+                        + minus_l_lambda_loop4_y_Phi * w_290,
+                    minus_l_lambda_loop4_y_Phi * w_307 - l_delta_Phi * w_374
+                        - minus_l_lambda_loop4_x_Phi * w_308,
+                    self.inverse_Phi * w_316 + l_delta_Phi * w_375
+                        + minus_l_lambda_loop4_x_Phi * w_324
+                        + minus_l_lambda_loop4_y_Phi * w_323,
+                    self.inverse_Phi * w_332 - l_delta_Phi * w_376
+                        + minus_l_lambda_loop4_x_Phi * w_340
+                        + minus_l_lambda_loop4_y_Phi * w_339,
+                    l_delta_Phi * w_377 + minus_l_lambda_loop4_x_Phi * w_354
+                        + minus_l_lambda_loop4_y_Phi * w_353,
+                    minus_l_lambda_loop4_x_Phi * w_368 - l_delta_Phi * w_378
+                        - minus_l_lambda_loop4_y_Phi * w_367,
                 ],
-                [-w_387, -w_388, w_389, -w_390, w_391, -w_392, w_393],
+                [-w_372, -w_373, w_374, -w_375, w_376, -w_377, w_378],
                 [
-                    l_epsilon_Omega * w_394 - l_lambda_loop6_x_Omega * w_275
-                        + minus_l_lambda_loop6_y_Omega * w_274,
-                    l_epsilon_Omega * w_395 - l_lambda_loop6_x_Omega * w_304
-                        + minus_l_lambda_loop6_y_Omega * w_303,
-                    l_epsilon_Omega * w_396 - l_lambda_loop6_x_Omega * w_321
-                        + minus_l_lambda_loop6_y_Omega * w_320,
-                    l_lambda_loop6_x_Omega * w_337 - l_epsilon_Omega * w_397
-                        + minus_l_lambda_loop6_y_Omega * w_336,
-                    l_lambda_loop6_x_Omega * w_353 - l_epsilon_Omega * w_398
-                        + minus_l_lambda_loop6_y_Omega * w_352,
-                    self.inverse_Omega * w_363 - l_epsilon_Omega * w_399
-                        + l_lambda_loop6_x_Omega * w_367
-                        + minus_l_lambda_loop6_y_Omega * w_366,
-                    minus_l_lambda_loop6_y_Omega * w_380 - self.inverse_Omega * w_377
-                        - l_epsilon_Omega * w_400 - l_lambda_loop6_x_Omega * w_381,
+                    l_epsilon_Omega * w_379 - l_lambda_loop6_x_Omega * w_260
+                        + minus_l_lambda_loop6_y_Omega * w_259,
+                    l_epsilon_Omega * w_380 - l_lambda_loop6_x_Omega * w_289
+                        + minus_l_lambda_loop6_y_Omega * w_288,
+                    l_epsilon_Omega * w_381 - l_lambda_loop6_x_Omega * w_306
+                        + minus_l_lambda_loop6_y_Omega * w_305,
+                    l_lambda_loop6_x_Omega * w_322 - l_epsilon_Omega * w_382
+                        + minus_l_lambda_loop6_y_Omega * w_321,
+                    l_lambda_loop6_x_Omega * w_338 - l_epsilon_Omega * w_383
+                        + minus_l_lambda_loop6_y_Omega * w_337,
+                    self.inverse_Omega * w_348 - l_epsilon_Omega * w_384
+                        + l_lambda_loop6_x_Omega * w_352
+                        + minus_l_lambda_loop6_y_Omega * w_351,
+                    minus_l_lambda_loop6_y_Omega * w_365 - self.inverse_Omega * w_362
+                        - l_epsilon_Omega * w_385 - l_lambda_loop6_x_Omega * w_366,
                 ],
-                [-w_394, -w_395, -w_396, w_397, w_398, w_399, w_400],
+                [-w_379, -w_380, -w_381, w_382, w_383, w_384, w_385],
             ],
             multipliers_by_positions: [
-                [w_112, w_145, w_166, w_191, w_203, w_226, w_237],
-                [w_111, w_144, w_165, w_190, w_202, w_225, w_236],
-                [w_110, w_143, -w_164, w_189, w_201, w_224, w_235],
-                [w_109, w_142, w_163, w_188, w_200, -w_223, -w_234],
-                [w_108, w_141, w_162, -w_187, -w_199, w_222, w_233],
-                [w_107, w_140, w_161, w_186, w_198, w_221, w_232],
+                [w_97, w_130, w_151, w_176, w_188, w_211, w_222],
+                [w_96, w_129, w_150, w_175, w_187, w_210, w_221],
+                [w_95, w_128, -w_149, w_174, w_186, w_209, w_220],
+                [w_94, w_127, w_148, w_173, w_185, -w_208, -w_219],
+                [w_93, w_126, w_147, -w_172, -w_184, w_207, w_218],
+                [w_92, w_125, w_146, w_171, w_183, w_206, w_217],
             ],
             multipliers_by_speeds: [
-                [w_279, w_308, w_325, w_341, w_357, w_371, w_385],
-                [w_278, w_307, w_324, w_340, w_356, w_370, w_384],
-                [w_277, w_306, -w_323, w_339, w_355, w_369, w_383],
-                [w_276, w_305, w_322, w_338, w_354, w_368, -w_382],
-                [w_275, w_304, w_321, -w_337, -w_353, -w_367, w_381],
-                [w_274, w_303, w_320, w_336, w_352, w_366, w_380],
+                [w_264, w_293, w_310, w_326, w_342, w_356, w_370],
+                [w_263, w_292, w_309, w_325, w_341, w_355, w_369],
+                [w_262, w_291, -w_308, w_324, w_340, w_354, w_368],
+                [w_261, w_290, w_307, w_323, w_339, w_353, -w_367],
+                [w_260, w_289, w_306, -w_322, -w_338, -w_352, w_366],
+                [w_259, w_288, w_305, w_321, w_337, w_351, w_365],
             ],
-            refused: sim_kernel::pivot_is_refused(
-                mass_gamma_gamma,
-                mass_gamma_gamma.abs(),
-            ) | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.abs_mass_Phi_Phi)
-                | sim_kernel::pivot_is_refused(
-                    pivot_delta,
-                    mass_delta_delta.abs() + w_49.abs(),
-                )
+            refused: sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
+                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
+                | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
                 | sim_kernel::pivot_is_refused(
                     self.mass_Omega_Omega,
-                    self.abs_mass_Omega_Omega,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_epsilon,
-                    mass_epsilon_epsilon.abs() + w_72.abs(),
-                ) | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta.abs())
-                | sim_kernel::pivot_is_refused(
-                    pivot_Theta,
-                    self.abs_mass_Theta_Theta + w_8.abs(),
-                )
+                    self.mass_Omega_Omega,
+                ) | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
+                | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+                | sim_kernel::pivot_is_refused(pivot_Theta, self.mass_Theta_Theta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
-                    w_13.abs() + abs_w_14 + abs_w_15,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop3_y,
-                    w_17.abs() + abs_w_18 + abs_w_19 + w_16.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop4_x,
-                    w_42.abs() + w_50.abs() + abs_w_14 + abs_w_15 + abs_w_41 + abs_w_51,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop4_y,
-                    w_59.abs() + w_60.abs() + abs_w_18 + abs_w_19 + abs_w_58 + abs_w_61
-                        + w_62.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop6_x,
-                    w_65.abs() + w_73.abs() + abs_w_14 + abs_w_15 + abs_w_41 + abs_w_51
-                        + w_74.abs() + w_75.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_loop6_y,
-                    w_80.abs() + w_81.abs() + abs_w_18 + abs_w_19 + abs_w_58 + abs_w_61
-                        + w_82.abs() + w_83.abs() + w_84.abs(),
-                ),
+                    minus_pivot_lambda_loop3_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_16)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_45)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_54)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_64)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
         }
     }
 }

@@ -176,9 +176,7 @@ pub struct DoublePendulumPrepared<S = ::core::primitive::f64> {
     k_4: S,
     k_5: S,
     k_6: S,
-    abs_mass_phi1_phi1: S,
     inverse_phi1: S,
-    abs_mass_phi2_phi2: S,
     k_7: S,
     k_8: S,
     k_9: S,
@@ -187,20 +185,19 @@ pub struct DoublePendulumPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 additions, 45 multiplications, 1 division.
+    /// Operations: 45 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> DoublePendulumPrepared<S> {
         let l_squared = self.l * self.l;
         let w = self.l * l_squared;
         let mass_phi1_phi1 = S::from_f64(1.3333333333333333) * w * self.rho * self.width
             * self.thickness;
-        let mass_phi2_phi2 = w * self.rho * self.width * self.thickness
-            * S::from_f64(0.3333333333333333);
         DoublePendulumPrepared {
             l: self.l,
             mass_phi1_phi1: mass_phi1_phi1,
             k: w * self.rho * self.width * self.thickness * S::from_f64(0.5),
-            mass_phi2_phi2: mass_phi2_phi2,
+            mass_phi2_phi2: w * self.rho * self.width * self.thickness
+                * S::from_f64(0.3333333333333333),
             k_2: self.l * S::from_f64(2.0),
             k_3: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.5),
             k_4: l_squared * self.rho * self.width * self.thickness * S::from_f64(1.5)
@@ -208,9 +205,7 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
             k_5: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.25),
             k_6: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.5)
                 * self.g,
-            abs_mass_phi1_phi1: mass_phi1_phi1.abs(),
             inverse_phi1: S::from_f64(1.0) / mass_phi1_phi1,
-            abs_mass_phi2_phi2: mass_phi2_phi2.abs(),
             k_7: self.l * self.rho * self.width * self.thickness * S::from_f64(0.5)
                 * self.g,
             k_8: w * self.rho * self.width * self.thickness,
@@ -494,7 +489,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 13 additions, 30 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 11 additions, 30 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -510,8 +505,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
             - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
         let mass_phi2_phi1 = self.k * (cos_phi1 * cos_phi2 + u_x * v_x);
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
-        let w = mass_phi2_phi1 * l_phi2_phi1;
-        let pivot_phi2 = self.mass_phi2_phi2 - w;
+        let pivot_phi2 = self.mass_phi2_phi2 - mass_phi2_phi1 * l_phi2_phi1;
         let phi1_dot_squared = phi1_dot * phi1_dot;
         let phi2_ddot = S::from_f64(1.0) / pivot_phi2
             * (cos_phi2 * u_x * self.k * phi1_dot_squared
@@ -527,17 +521,13 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
                 + (u_x * phi1_dot * self.k_2 + self.l * v_x * phi2_dot) * self.k_7),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi1_phi1,
-                self.abs_mass_phi1_phi1,
-            )
-                | sim_kernel::pivot_is_refused(
-                    pivot_phi2,
-                    self.abs_mass_phi2_phi2 + w.abs(),
-                ),
+                self.mass_phi1_phi1,
+            ) | sim_kernel::pivot_is_refused(pivot_phi2, self.mass_phi2_phi2),
         }
     }
     /// The derivatives of accelerations (2 rows) and multipliers (0 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 31 additions, 70 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 29 additions, 70 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -556,8 +546,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
         let w_3 = cos_phi1 * cos_phi2 + u_x * v_x;
         let mass_phi2_phi1 = self.k * w_3;
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
-        let w_4 = mass_phi2_phi1 * l_phi2_phi1;
-        let pivot_phi2 = self.mass_phi2_phi2 - w_4;
+        let pivot_phi2 = self.mass_phi2_phi2 - mass_phi2_phi1 * l_phi2_phi1;
         let inverse_phi2 = S::from_f64(1.0) / pivot_phi2;
         let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
             - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
@@ -565,46 +554,42 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
             * (cos_phi2 * u_x * self.k * phi1_dot_squared
                 - v_x * (self.k_6 + cos_phi1 * self.k * phi1_dot_squared)
                 - rhs_phi1 * l_phi2_phi1);
-        let w_5 = cos_phi2 * u_x;
-        let w_6 = cos_phi1 * v_x;
-        let w_7 = w_5 - w_6;
-        let w_8 = self.k_8 * w_7;
-        let w_9 = S::from_f64(0.5) * phi2_ddot * w_8;
-        let w_10 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w + cos_phi1 * w_2)
-            - cos_phi1 * self.k_4 + w_9;
-        let w_11 = S::from_f64(0.5)
-            * (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_8;
-        let w_12 = inverse_phi2
-            * (self.k * w_3 * phi1_dot_squared + w_11 - l_phi2_phi1 * w_10);
-        let w_13 = self.k * w_3 * phi2_dot_squared - w_9;
-        let w_14 = inverse_phi2
-            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w + cos_phi2 * w_2) - w_11
-                - cos_phi2 * self.k_6 - l_phi2_phi1 * w_13);
-        let w_15 = inverse_phi2 * self.k_8 * phi1_dot * w_7;
-        let w_16 = self.k_8 * phi2_dot * (w_6 - w_5);
-        let w_17 = inverse_phi2 * l_phi2_phi1 * w_16;
+        let w_4 = cos_phi2 * u_x;
+        let w_5 = cos_phi1 * v_x;
+        let w_6 = w_4 - w_5;
+        let w_7 = self.k_8 * w_6;
+        let w_8 = S::from_f64(0.5) * phi2_ddot * w_7;
+        let w_9 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w + cos_phi1 * w_2)
+            - cos_phi1 * self.k_4 + w_8;
+        let w_10 = S::from_f64(0.5)
+            * (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_7;
+        let w_11 = inverse_phi2
+            * (self.k * w_3 * phi1_dot_squared + w_10 - l_phi2_phi1 * w_9);
+        let w_12 = self.k * w_3 * phi2_dot_squared - w_8;
+        let w_13 = inverse_phi2
+            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w + cos_phi2 * w_2) - w_10
+                - cos_phi2 * self.k_6 - l_phi2_phi1 * w_12);
+        let w_14 = inverse_phi2 * self.k_8 * phi1_dot * w_6;
+        let w_15 = self.k_8 * phi2_dot * (w_5 - w_4);
+        let w_16 = inverse_phi2 * l_phi2_phi1 * w_15;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_phi1 * w_10 - l_phi2_phi1 * w_12,
-                    self.inverse_phi1 * w_13 - l_phi2_phi1 * w_14,
+                    self.inverse_phi1 * w_9 - l_phi2_phi1 * w_11,
+                    self.inverse_phi1 * w_12 - l_phi2_phi1 * w_13,
                 ],
-                [w_12, w_14],
+                [w_11, w_13],
             ],
             accelerations_by_speeds: [
-                [-(l_phi2_phi1 * w_15), self.inverse_phi1 * w_16 + l_phi2_phi1 * w_17],
-                [w_15, -w_17],
+                [-(l_phi2_phi1 * w_14), self.inverse_phi1 * w_15 + l_phi2_phi1 * w_16],
+                [w_14, -w_16],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi1_phi1,
-                self.abs_mass_phi1_phi1,
-            )
-                | sim_kernel::pivot_is_refused(
-                    pivot_phi2,
-                    self.abs_mass_phi2_phi2 + w_4.abs(),
-                ),
+                self.mass_phi1_phi1,
+            ) | sim_kernel::pivot_is_refused(pivot_phi2, self.mass_phi2_phi2),
         }
     }
 }

@@ -269,11 +269,8 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
     k_7: S,
     k_8: S,
     k_9: S,
-    abs_mass_theta4_theta4: S,
     inverse_theta4: S,
-    abs_mass_theta2_theta2: S,
     inverse_theta2: S,
-    abs_mass_theta3_theta3: S,
     k_10: S,
     k_11: S,
     k_12: S,
@@ -284,7 +281,7 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> FourBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 5 additions, 37 multiplications, 2 divisions.
+    /// Operations: 2 additions, 37 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -292,7 +289,6 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let mass_theta2_theta2 = S::from_f64(0.3333333333333333) * a_squared * self.m2
             + w;
         let b_squared = self.b * self.b;
-        let mass_theta3_theta3 = S::from_f64(0.3333333333333333) * self.m3 * b_squared;
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
         let w_2 = self.a * self.m2 * S::from_f64(0.5) * self.g;
@@ -302,7 +298,7 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             mass_theta2_theta2: mass_theta2_theta2,
             b: self.b,
             k_2: self.a * self.m3 * S::from_f64(0.5) * self.b,
-            mass_theta3_theta3: mass_theta3_theta3,
+            mass_theta3_theta3: S::from_f64(0.3333333333333333) * self.m3 * b_squared,
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             T: self.T,
@@ -313,11 +309,8 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             k_7: self.m3 * self.b * S::from_f64(0.25),
             k_8: self.m3 * S::from_f64(0.5) * self.b * self.g,
             k_9: S::from_f64(0.5) * self.c * self.m4 * self.g,
-            abs_mass_theta4_theta4: mass_theta4_theta4.abs(),
             inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
-            abs_mass_theta2_theta2: mass_theta2_theta2.abs(),
             inverse_theta2: S::from_f64(1.0) / mass_theta2_theta2,
-            abs_mass_theta3_theta3: mass_theta3_theta3.abs(),
             k_10: self.m3 * S::from_f64(0.5) * self.g,
             k_11: self.a * self.m3 * self.b,
             k_12: self.m3 * b_squared * S::from_f64(0.25),
@@ -693,7 +686,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 55 additions, 88 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 41 additions, 88 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -713,8 +706,8 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
         let mass_theta3_theta2 = self.k_2 * (u2_y * u3_y + u2_x * u3_x);
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let w = mass_theta3_theta2 * l_theta3_theta2;
-        let pivot_theta3 = self.mass_theta3_theta3 - w;
+        let pivot_theta3 = self.mass_theta3_theta3
+            - mass_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let theta2_dot_squared = theta2_dot * theta2_dot;
         let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
@@ -727,10 +720,9 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
         let B_y = self.c * u4_y;
         let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let w_2 = B_y * l_lambda_closure_x_theta4;
-        let w_3 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
-        let w_4 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
-        let minus_pivot_lambda_closure_x = w_2 + w_3 + w_4;
+        let minus_pivot_lambda_closure_x = B_y * l_lambda_closure_x_theta4
+            + minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2
+            + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
         let minus_closure_y_by_theta4 = self.c * u4_x;
@@ -746,12 +738,11 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_5 = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x;
-        let w_6 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
-        let w_7 = A_x * l_lambda_closure_y_theta2;
-        let w_8 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let pivot_lambda_closure_y = w_5 - w_6 - w_7 - w_8;
+        let w = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
+            + A_x * l_lambda_closure_y_theta2
+            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
+        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
+            * minus_l_lambda_closure_y_lambda_closure_x - w;
         let minus_rhs_theta4 = u4_x * self.k_9;
         let theta4_dot_squared = theta4_dot * theta4_dot;
         let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
@@ -789,29 +780,21 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 - u4_x * self.k_9 * theta4_dot,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta4_theta4,
-                self.abs_mass_theta4_theta4,
+                self.mass_theta4_theta4,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta2_theta2,
-                    self.abs_mass_theta2_theta2,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_theta3,
-                    self.abs_mass_theta3_theta3 + w.abs(),
-                )
+                    self.mass_theta2_theta2,
+                ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
-                    w_2.abs() + w_3.abs() + w_4.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_closure_y,
-                    w_6.abs() + w_7.abs() + w_8.abs() + w_5.abs(),
-                ),
+                    minus_pivot_lambda_closure_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 143 additions, 239 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 129 additions, 239 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -844,8 +827,8 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let k_lambda_closure_x_theta3 = mass_theta3_theta2
             * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let w_4 = mass_theta3_theta2 * l_theta3_theta2;
-        let pivot_theta3 = self.mass_theta3_theta3 - w_4;
+        let pivot_theta3 = self.mass_theta3_theta3
+            - mass_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let k_lambda_closure_y_theta3 = self.b * u3_x
             - mass_theta3_theta2 * l_lambda_closure_y_theta2;
@@ -854,32 +837,30 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             + minus_closure_x_by_theta2 * l_lambda_closure_y_theta2
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let w_5 = B_y * l_lambda_closure_x_theta4;
-        let w_6 = minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let w_7 = k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
-        let minus_pivot_lambda_closure_x = w_5 + w_6 + w_7;
+        let minus_pivot_lambda_closure_x = B_y * l_lambda_closure_x_theta4
+            + minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2
+            + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_8 = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x;
-        let w_9 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4;
-        let w_10 = A_x * l_lambda_closure_y_theta2;
-        let w_11 = k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let pivot_lambda_closure_y = w_8 - w_9 - w_10 - w_11;
+        let w_4 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
+            + A_x * l_lambda_closure_y_theta2
+            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
+        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
+            * minus_l_lambda_closure_y_lambda_closure_x - w_4;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let minus_rhs_theta4 = u4_x * self.k_9;
         let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_12 = self.b * u3_x * theta3_dot_squared;
+        let w_5 = self.b * u3_x * theta3_dot_squared;
         let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
             + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
         let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
             - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
         let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
             - (self.c * u4_x * theta4_dot_squared - self.a * u2_x * theta2_dot_squared
-                - w_12) + rhs_theta2 * minus_l_lambda_closure_x_theta2
+                - w_5) + rhs_theta2 * minus_l_lambda_closure_x_theta2
             - l_lambda_closure_x_theta3 * rhs_theta3;
         let lambda_closure_y = inverse_lambda_closure_y
             * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
@@ -890,154 +871,146 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 - l_lambda_closure_y_theta3 * rhs_theta3);
         let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
             * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
-        let w_13 = u2_x * theta2_dot_squared * self.k_3 + w_12;
+        let w_6 = u2_x * theta2_dot_squared * self.k_3 + w_5;
         let theta3_ddot = inverse_theta3 * rhs_theta3
             - l_lambda_closure_x_theta3 * lambda_closure_x
             - l_lambda_closure_y_theta3 * lambda_closure_y;
-        let w_14 = u3_y * u2_x;
-        let w_15 = u2_y * u3_x;
-        let w_16 = w_14 - w_15;
-        let w_17 = self.k_11 * w_16;
-        let w_18 = S::from_f64(0.5) * theta3_ddot * w_17;
-        let w_19 = u2_y * (self.k_6 - w_2 * self.k_4 + self.a * lambda_closure_y)
-            + u2_x * (self.a * lambda_closure_x - w_13 * self.k_4) - w_18
+        let w_7 = u3_y * u2_x;
+        let w_8 = u2_y * u3_x;
+        let w_9 = w_7 - w_8;
+        let w_10 = self.k_11 * w_9;
+        let w_11 = S::from_f64(0.5) * theta3_ddot * w_10;
+        let w_12 = u2_y * (self.k_6 - w_2 * self.k_4 + self.a * lambda_closure_y)
+            + u2_x * (self.a * lambda_closure_x - w_6 * self.k_4) - w_11
             + self.k * theta2_dot_squared;
         let theta2_ddot = rhs_theta2 * self.inverse_theta2
             - l_theta3_theta2 * theta3_ddot
             + minus_l_lambda_closure_x_theta2 * lambda_closure_x
             - l_lambda_closure_y_theta2 * lambda_closure_y;
-        let w_20 = S::from_f64(0.5) * theta2_ddot * w_17;
-        let w_21 = self.k_2 * w_3 * theta2_dot_squared - w_20 - l_theta3_theta2 * w_19;
-        let w_22 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_19 - l_lambda_closure_x_theta3 * w_21;
-        let w_23 = inverse_lambda_closure_y
+        let w_13 = S::from_f64(0.5) * theta2_ddot * w_10;
+        let w_14 = self.k_2 * w_3 * theta2_dot_squared - w_13 - l_theta3_theta2 * w_12;
+        let w_15 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
+            + minus_l_lambda_closure_x_theta2 * w_12 - l_lambda_closure_x_theta3 * w_14;
+        let w_16 = inverse_lambda_closure_y
             * (self.a * (u2_y * theta2_ddot + u2_x * theta2_dot_squared)
-                - l_lambda_closure_y_theta2 * w_19 - l_lambda_closure_y_theta3 * w_21
-                + minus_l_lambda_closure_y_lambda_closure_x * w_22);
-        let w_24 = minus_l_lambda_closure_y_lambda_closure_x * w_23
-            - minus_inverse_lambda_closure_x * w_22;
-        let w_25 = inverse_theta3 * w_21 - l_lambda_closure_x_theta3 * w_24
-            - l_lambda_closure_y_theta3 * w_23;
-        let w_26 = self.k_2 * w_3 * theta3_dot_squared + w_18;
-        let w_27 = u3_y * (self.k_8 - w_2 * self.k_7 + self.b * lambda_closure_y)
-            + u3_x * (self.b * lambda_closure_x - w_13 * self.k_7)
-            + theta3_dot_squared * self.k_12 + w_20 - l_theta3_theta2 * w_26;
-        let w_28 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_26 - l_lambda_closure_x_theta3 * w_27;
-        let w_29 = inverse_lambda_closure_y
+                - l_lambda_closure_y_theta2 * w_12 - l_lambda_closure_y_theta3 * w_14
+                + minus_l_lambda_closure_y_lambda_closure_x * w_15);
+        let w_17 = minus_l_lambda_closure_y_lambda_closure_x * w_16
+            - minus_inverse_lambda_closure_x * w_15;
+        let w_18 = inverse_theta3 * w_14 - l_lambda_closure_x_theta3 * w_17
+            - l_lambda_closure_y_theta3 * w_16;
+        let w_19 = self.k_2 * w_3 * theta3_dot_squared + w_11;
+        let w_20 = u3_y * (self.k_8 - w_2 * self.k_7 + self.b * lambda_closure_y)
+            + u3_x * (self.b * lambda_closure_x - w_6 * self.k_7)
+            + theta3_dot_squared * self.k_12 + w_13 - l_theta3_theta2 * w_19;
+        let w_21 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
+            + minus_l_lambda_closure_x_theta2 * w_19 - l_lambda_closure_x_theta3 * w_20;
+        let w_22 = inverse_lambda_closure_y
             * (self.b * (u3_y * theta3_ddot + u3_x * theta3_dot_squared)
-                - l_lambda_closure_y_theta2 * w_26 - l_lambda_closure_y_theta3 * w_27
-                + minus_l_lambda_closure_y_lambda_closure_x * w_28);
-        let w_30 = minus_l_lambda_closure_y_lambda_closure_x * w_29
-            - minus_inverse_lambda_closure_x * w_28;
-        let w_31 = inverse_theta3 * w_27 - l_lambda_closure_x_theta3 * w_30
-            - l_lambda_closure_y_theta3 * w_29;
-        let w_32 = u4_y * (self.k_9 - self.c * lambda_closure_y)
+                - l_lambda_closure_y_theta2 * w_19 - l_lambda_closure_y_theta3 * w_20
+                + minus_l_lambda_closure_y_lambda_closure_x * w_21);
+        let w_23 = minus_l_lambda_closure_y_lambda_closure_x * w_22
+            - minus_inverse_lambda_closure_x * w_21;
+        let w_24 = inverse_theta3 * w_20 - l_lambda_closure_x_theta3 * w_23
+            - l_lambda_closure_y_theta3 * w_22;
+        let w_25 = u4_y * (self.k_9 - self.c * lambda_closure_y)
             - self.c * u4_x * lambda_closure_x;
         let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
             - minus_rhs_theta4 * self.inverse_theta4
             - l_lambda_closure_x_theta4 * lambda_closure_x;
-        let w_33 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_closure_x_theta4 * w_32;
-        let w_34 = inverse_lambda_closure_y
-            * (minus_l_lambda_closure_y_theta4 * w_32
+        let w_26 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
+            - l_lambda_closure_x_theta4 * w_25;
+        let w_27 = inverse_lambda_closure_y
+            * (minus_l_lambda_closure_y_theta4 * w_25
                 - self.c * (u4_y * theta4_ddot + u4_x * theta4_dot_squared)
-                + minus_l_lambda_closure_y_lambda_closure_x * w_33);
-        let w_35 = minus_l_lambda_closure_y_lambda_closure_x * w_34
-            - minus_inverse_lambda_closure_x * w_33;
-        let w_36 = l_lambda_closure_x_theta3 * w_35 + l_lambda_closure_y_theta3 * w_34;
-        let w_37 = self.k_11 * theta2_dot * (w_15 - w_14);
-        let w_38 = u2_x * theta2_dot * self.k_3 - l_lambda_closure_x_theta3 * w_37;
-        let w_39 = inverse_lambda_closure_y
-            * (u2_y * theta2_dot * self.k_3 - l_lambda_closure_y_theta3 * w_37
-                + minus_l_lambda_closure_y_lambda_closure_x * w_38);
-        let w_40 = minus_l_lambda_closure_y_lambda_closure_x * w_39
-            - minus_inverse_lambda_closure_x * w_38;
-        let w_41 = inverse_theta3 * w_37 - l_lambda_closure_x_theta3 * w_40
-            - l_lambda_closure_y_theta3 * w_39;
-        let w_42 = self.k_11 * theta3_dot * w_16;
-        let w_43 = l_theta3_theta2 * w_42;
-        let w_44 = u3_x * theta3_dot * self.k_13 + minus_l_lambda_closure_x_theta2 * w_42
-            + l_lambda_closure_x_theta3 * w_43;
-        let w_45 = inverse_lambda_closure_y
-            * (u3_y * theta3_dot * self.k_13 - l_lambda_closure_y_theta2 * w_42
-                + l_lambda_closure_y_theta3 * w_43
-                + minus_l_lambda_closure_y_lambda_closure_x * w_44);
-        let w_46 = minus_l_lambda_closure_y_lambda_closure_x * w_45
-            - minus_inverse_lambda_closure_x * w_44;
-        let w_47 = inverse_theta3 * w_43 + l_lambda_closure_x_theta3 * w_46
-            + l_lambda_closure_y_theta3 * w_45;
-        let w_48 = u4_x * theta4_dot * self.k_14;
-        let w_49 = inverse_lambda_closure_y
+                + minus_l_lambda_closure_y_lambda_closure_x * w_26);
+        let w_28 = minus_l_lambda_closure_y_lambda_closure_x * w_27
+            - minus_inverse_lambda_closure_x * w_26;
+        let w_29 = l_lambda_closure_x_theta3 * w_28 + l_lambda_closure_y_theta3 * w_27;
+        let w_30 = self.k_11 * theta2_dot * (w_8 - w_7);
+        let w_31 = u2_x * theta2_dot * self.k_3 - l_lambda_closure_x_theta3 * w_30;
+        let w_32 = inverse_lambda_closure_y
+            * (u2_y * theta2_dot * self.k_3 - l_lambda_closure_y_theta3 * w_30
+                + minus_l_lambda_closure_y_lambda_closure_x * w_31);
+        let w_33 = minus_l_lambda_closure_y_lambda_closure_x * w_32
+            - minus_inverse_lambda_closure_x * w_31;
+        let w_34 = inverse_theta3 * w_30 - l_lambda_closure_x_theta3 * w_33
+            - l_lambda_closure_y_theta3 * w_32;
+        let w_35 = self.k_11 * theta3_dot * w_9;
+        let w_36 = l_theta3_theta2 * w_35;
+        let w_37 = u3_x * theta3_dot * self.k_13 + minus_l_lambda_closure_x_theta2 * w_35
+            + l_lambda_closure_x_theta3 * w_36;
+        let w_38 = inverse_lambda_closure_y
+            * (u3_y * theta3_dot * self.k_13 - l_lambda_closure_y_theta2 * w_35
+                + l_lambda_closure_y_theta3 * w_36
+                + minus_l_lambda_closure_y_lambda_closure_x * w_37);
+        let w_39 = minus_l_lambda_closure_y_lambda_closure_x * w_38
+            - minus_inverse_lambda_closure_x * w_37;
+        let w_40 = inverse_theta3 * w_36 + l_lambda_closure_x_theta3 * w_39
+            + l_lambda_closure_y_theta3 * w_38;
+        let w_41 = u4_x * theta4_dot * self.k_14;
+        let w_42 = inverse_lambda_closure_y
             * (u4_y * theta4_dot * self.k_14
-                + minus_l_lambda_closure_y_lambda_closure_x * w_48);
-        let w_50 = minus_inverse_lambda_closure_x * w_48
-            - minus_l_lambda_closure_y_lambda_closure_x * w_49;
-        let w_51 = l_lambda_closure_y_theta3 * w_49 - l_lambda_closure_x_theta3 * w_50;
+                + minus_l_lambda_closure_y_lambda_closure_x * w_41);
+        let w_43 = minus_inverse_lambda_closure_x * w_41
+            - minus_l_lambda_closure_y_lambda_closure_x * w_42;
+        let w_44 = l_lambda_closure_y_theta3 * w_42 - l_lambda_closure_x_theta3 * w_43;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta2 * w_19 - l_theta3_theta2 * w_25
-                        + minus_l_lambda_closure_x_theta2 * w_24
-                        - l_lambda_closure_y_theta2 * w_23,
-                    self.inverse_theta2 * w_26 - l_theta3_theta2 * w_31
-                        + minus_l_lambda_closure_x_theta2 * w_30
-                        - l_lambda_closure_y_theta2 * w_29,
-                    l_theta3_theta2 * w_36 + minus_l_lambda_closure_x_theta2 * w_35
-                        - l_lambda_closure_y_theta2 * w_34,
+                    self.inverse_theta2 * w_12 - l_theta3_theta2 * w_18
+                        + minus_l_lambda_closure_x_theta2 * w_17
+                        - l_lambda_closure_y_theta2 * w_16,
+                    self.inverse_theta2 * w_19 - l_theta3_theta2 * w_24
+                        + minus_l_lambda_closure_x_theta2 * w_23
+                        - l_lambda_closure_y_theta2 * w_22,
+                    l_theta3_theta2 * w_29 + minus_l_lambda_closure_x_theta2 * w_28
+                        - l_lambda_closure_y_theta2 * w_27,
                 ],
-                [w_25, w_31, -w_36],
+                [w_18, w_24, -w_29],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_23
-                        - l_lambda_closure_x_theta4 * w_24,
-                    minus_l_lambda_closure_y_theta4 * w_29
-                        - l_lambda_closure_x_theta4 * w_30,
-                    self.inverse_theta4 * w_32 - l_lambda_closure_x_theta4 * w_35
-                        + minus_l_lambda_closure_y_theta4 * w_34,
+                    minus_l_lambda_closure_y_theta4 * w_16
+                        - l_lambda_closure_x_theta4 * w_17,
+                    minus_l_lambda_closure_y_theta4 * w_22
+                        - l_lambda_closure_x_theta4 * w_23,
+                    self.inverse_theta4 * w_25 - l_lambda_closure_x_theta4 * w_28
+                        + minus_l_lambda_closure_y_theta4 * w_27,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_closure_x_theta2 * w_40 - l_theta3_theta2 * w_41
-                        - l_lambda_closure_y_theta2 * w_39,
-                    self.inverse_theta2 * w_42 + l_theta3_theta2 * w_47
-                        + minus_l_lambda_closure_x_theta2 * w_46
-                        - l_lambda_closure_y_theta2 * w_45,
-                    minus_l_lambda_closure_x_theta2 * w_50 - l_theta3_theta2 * w_51
-                        + l_lambda_closure_y_theta2 * w_49,
+                    minus_l_lambda_closure_x_theta2 * w_33 - l_theta3_theta2 * w_34
+                        - l_lambda_closure_y_theta2 * w_32,
+                    self.inverse_theta2 * w_35 + l_theta3_theta2 * w_40
+                        + minus_l_lambda_closure_x_theta2 * w_39
+                        - l_lambda_closure_y_theta2 * w_38,
+                    minus_l_lambda_closure_x_theta2 * w_43 - l_theta3_theta2 * w_44
+                        + l_lambda_closure_y_theta2 * w_42,
                 ],
-                [w_41, -w_47, w_51],
+                [w_34, -w_40, w_44],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_39
-                        - l_lambda_closure_x_theta4 * w_40,
-                    minus_l_lambda_closure_y_theta4 * w_45
-                        - l_lambda_closure_x_theta4 * w_46,
-                    -(l_lambda_closure_x_theta4 * w_50
-                        + minus_l_lambda_closure_y_theta4 * w_49),
+                    minus_l_lambda_closure_y_theta4 * w_32
+                        - l_lambda_closure_x_theta4 * w_33,
+                    minus_l_lambda_closure_y_theta4 * w_38
+                        - l_lambda_closure_x_theta4 * w_39,
+                    -(l_lambda_closure_x_theta4 * w_43
+                        + minus_l_lambda_closure_y_theta4 * w_42),
                 ],
             ],
-            multipliers_by_positions: [[w_24, w_30, w_35], [w_23, w_29, w_34]],
-            multipliers_by_speeds: [[w_40, w_46, w_50], [w_39, w_45, -w_49]],
+            multipliers_by_positions: [[w_17, w_23, w_28], [w_16, w_22, w_27]],
+            multipliers_by_speeds: [[w_33, w_39, w_43], [w_32, w_38, -w_42]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta4_theta4,
-                self.abs_mass_theta4_theta4,
+                self.mass_theta4_theta4,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta2_theta2,
-                    self.abs_mass_theta2_theta2,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_theta3,
-                    self.abs_mass_theta3_theta3 + w_4.abs(),
-                )
+                    self.mass_theta2_theta2,
+                ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
-                    w_5.abs() + w_6.abs() + w_7.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_closure_y,
-                    w_9.abs() + w_10.abs() + w_11.abs() + w_8.abs(),
-                ),
+                    minus_pivot_lambda_closure_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_4),
         }
     }
 }

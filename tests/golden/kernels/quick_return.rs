@@ -299,11 +299,8 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     k_6: S,
     k_7: S,
     k_8: S,
-    abs_mass_alpha_alpha: S,
     inverse_alpha: S,
-    abs_mass_gamma_gamma: S,
     inverse_gamma: S,
-    abs_mass_beta_beta: S,
     k_9: S,
     k_10: S,
     k_11: S,
@@ -315,15 +312,13 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 14 additions, 31 multiplications, 2 divisions.
+    /// Operations: 11 additions, 31 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
         let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let mass_beta_beta = self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
-            + w_2;
         let w_3 = self.m5 * self.BG5 * self.BG5;
         let w_4 = self.m6 * self.BC * self.BC;
         let mass_gamma_gamma = self.J5 + w_3 + w_4;
@@ -332,7 +327,8 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             O2A: self.O2A,
             mass_alpha_alpha: mass_alpha_alpha,
             O4B: self.O4B,
-            mass_beta_beta: mass_beta_beta,
+            mass_beta_beta: self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
+                + w_2,
             BG5: self.BG5,
             BC: self.BC,
             k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
@@ -347,11 +343,8 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
             k_8: self.O2A * S::from_f64(2.0),
-            abs_mass_alpha_alpha: mass_alpha_alpha.abs(),
             inverse_alpha: inverse_mass_alpha_alpha,
-            abs_mass_gamma_gamma: mass_gamma_gamma.abs(),
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
-            abs_mass_beta_beta: mass_beta_beta.abs(),
             k_9: self.T * inverse_mass_alpha_alpha,
             k_10: w + w_2,
             k_11: w_3 + w_4,
@@ -772,7 +765,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 44 additions, 79 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 34 additions, 79 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -797,22 +790,20 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha
             + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w = mass_gamma_beta * l_beta_gamma;
-        let pivot_beta = self.mass_beta_beta - w;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_2 = guide_by_gamma * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_3 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_2 + w_3;
+        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_4 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
-        let w_5 = slot_by_alpha * l_lambda_slot_alpha;
-        let w_6 = minus_slot_by_beta * minus_l_lambda_slot_beta;
-        let pivot_lambda_slot = w_4 - w_5 - w_6;
+        let w = slot_by_alpha * l_lambda_slot_alpha
+            + minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let pivot_lambda_slot = k_lambda_slot_lambda_guide
+            * minus_l_lambda_slot_lambda_guide - w;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let beta_dot_squared = beta_dot * beta_dot;
         let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
@@ -820,8 +811,8 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
-        let w_7 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_8 = self.O2A * (sin_beta * cos_alpha * w_7 - cos_beta * sin_alpha * w_7)
+        let w_2 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_3 = self.O2A * (sin_beta * cos_alpha * w_2 - cos_beta * sin_alpha * w_2)
             + self.k_8 * beta_dot * alpha_dot
                 * (cos_beta * sin_alpha - sin_beta * cos_alpha)
             - cos_beta * self.O4O2 * beta_dot_squared;
@@ -829,7 +820,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_8 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_3 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
@@ -848,29 +839,21 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                     * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
+                self.mass_alpha_alpha,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w.abs(),
-                )
+                    self.mass_gamma_gamma,
+                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_2.abs() + w_3.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_5.abs() + w_6.abs() + w_4.abs(),
-                ),
+                    minus_pivot_lambda_guide,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 138 additions, 231 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 128 additions, 231 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -894,24 +877,22 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha + sin_beta * A_y;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_2 = mass_gamma_beta * l_beta_gamma;
-        let pivot_beta = self.mass_beta_beta - w_2;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_3 + w_4;
+        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_5 = k_lambda_slot_lambda_guide * minus_l_lambda_slot_lambda_guide;
         let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
         let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_6 = slot_by_alpha * l_lambda_slot_alpha;
-        let w_7 = minus_slot_by_beta * minus_l_lambda_slot_beta;
-        let pivot_lambda_slot = w_5 - w_6 - w_7;
+        let w_2 = slot_by_alpha * l_lambda_slot_alpha
+            + minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let pivot_lambda_slot = k_lambda_slot_lambda_guide
+            * minus_l_lambda_slot_lambda_guide - w_2;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let beta_dot_squared = beta_dot * beta_dot;
@@ -920,168 +901,160 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
-        let w_8 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_9 = cos_beta * sin_alpha;
-        let w_10 = sin_beta * cos_alpha;
-        let w_11 = self.O2A * (sin_beta * cos_alpha * w_8 - cos_beta * sin_alpha * w_8)
-            + self.k_8 * beta_dot * alpha_dot * (w_9 - w_10)
+        let w_3 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_4 = cos_beta * sin_alpha;
+        let w_5 = sin_beta * cos_alpha;
+        let w_6 = self.O2A * (sin_beta * cos_alpha * w_3 - cos_beta * sin_alpha * w_3)
+            + self.k_8 * beta_dot * alpha_dot * (w_4 - w_5)
             - cos_beta * self.O4O2 * beta_dot_squared;
-        let w_12 = self.O4B * sin_beta * beta_dot_squared;
-        let w_13 = w_12 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_lambda_guide = w_13 - rhs_gamma * l_lambda_guide_gamma
+        let w_7 = self.O4B * sin_beta * beta_dot_squared;
+        let w_8 = w_7 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_11 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_6 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_14 = w_10 - w_9;
-        let w_15 = self.O2A * w_14;
-        let w_16 = lambda_slot * w_15;
-        let w_17 = self.inverse_alpha * w_16;
-        let w_18 = alpha_dot - beta_dot;
-        let w_19 = cos_beta * cos_alpha * w_18;
-        let w_20 = sin_alpha * w_18;
-        let w_21 = self.O2A * (w_19 + sin_beta * w_20);
+        let w_9 = w_5 - w_4;
+        let w_10 = self.O2A * w_9;
+        let w_11 = lambda_slot * w_10;
+        let w_12 = self.inverse_alpha * w_11;
+        let w_13 = alpha_dot - beta_dot;
+        let w_14 = cos_beta * cos_alpha * w_13;
+        let w_15 = sin_alpha * w_13;
+        let w_16 = self.O2A * (w_14 + sin_beta * w_15);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
         let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
             + minus_l_lambda_slot_beta * lambda_slot;
         let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_22 = l_lambda_slot_alpha * w_16;
-        let w_23 = l_lambda_guide_beta * w_16;
-        let w_24 = inverse_lambda_slot
-            * (w_18 * w_21 + w_15 * (beta_ddot - alpha_ddot) + w_22
-                + minus_l_lambda_slot_beta * w_16
-                - minus_l_lambda_slot_lambda_guide * w_23);
-        let w_25 = cos_beta * A_y;
-        let w_26 = w_25 - self.O2A * sin_beta * cos_alpha;
-        let w_27 = alpha_ddot * w_15 - alpha_dot * w_21
+        let w_17 = l_lambda_slot_alpha * w_11;
+        let w_18 = l_lambda_guide_beta * w_11;
+        let w_19 = inverse_lambda_slot
+            * (w_13 * w_16 + w_10 * (beta_ddot - alpha_ddot) + w_17
+                + minus_l_lambda_slot_beta * w_11
+                - minus_l_lambda_slot_lambda_guide * w_18);
+        let w_20 = cos_beta * A_y;
+        let w_21 = w_20 - self.O2A * sin_beta * cos_alpha;
+        let w_22 = alpha_ddot * w_10 - alpha_dot * w_16
             + beta_dot
-                * (self.O2A * (w_19 + sin_beta * sin_alpha * alpha_dot)
-                    - sin_beta * A_y * beta_dot) + beta_ddot * w_26;
-        let w_28 = w_12 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_29 = self.O4B * cos_beta * beta_dot_squared;
-        let w_30 = w_29 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_31 = w_29 + cos_gamma * self.BC * gamma_dot_squared;
+                * (self.O2A * (w_14 + sin_beta * sin_alpha * alpha_dot)
+                    - sin_beta * A_y * beta_dot) + beta_ddot * w_21;
+        let w_23 = w_7 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_24 = self.O4B * cos_beta * beta_dot_squared;
+        let w_25 = w_24 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_26 = w_24 + cos_gamma * self.BC * gamma_dot_squared;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             - l_lambda_guide_gamma * lambda_guide;
-        let w_32 = sin_gamma * cos_beta;
-        let w_33 = sin_beta * cos_gamma;
-        let w_34 = w_32 - w_33;
-        let w_35 = self.k * w_34;
-        let w_36 = gamma_ddot * w_35;
-        let w_37 = sin_beta
-            * (self.O4B * lambda_guide - w_28 * self.k_2 - w_13 * self.k_3)
-            - cos_beta * (w_30 * self.k_2 + w_31 * self.k_3 + self.k_4) - w_36
-            + lambda_slot * w_26 + beta_dot_squared * self.k_10;
-        let w_38 = beta_ddot * w_35;
-        let w_39 = self.k * w * beta_dot_squared - w_38;
-        let w_40 = w_37 - l_beta_gamma * w_39;
-        let w_41 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_39 - l_lambda_guide_beta * w_40;
-        let w_42 = inverse_lambda_slot
-            * (w_27 - w_22 + minus_l_lambda_slot_beta * w_40
-                + minus_l_lambda_slot_lambda_guide * w_41);
-        let w_43 = sin_gamma
-            * (self.BC * lambda_guide - w_28 * self.k_5 - w_13 * self.k_6)
-            - cos_gamma * (w_30 * self.k_5 + w_31 * self.k_6 + self.k_7) + w_38
+        let w_27 = sin_gamma * cos_beta;
+        let w_28 = sin_beta * cos_gamma;
+        let w_29 = w_27 - w_28;
+        let w_30 = self.k * w_29;
+        let w_31 = gamma_ddot * w_30;
+        let w_32 = sin_beta
+            * (self.O4B * lambda_guide - w_23 * self.k_2 - w_8 * self.k_3)
+            - cos_beta * (w_25 * self.k_2 + w_26 * self.k_3 + self.k_4) - w_31
+            + lambda_slot * w_21 + beta_dot_squared * self.k_10;
+        let w_33 = beta_ddot * w_30;
+        let w_34 = self.k * w * beta_dot_squared - w_33;
+        let w_35 = w_32 - l_beta_gamma * w_34;
+        let w_36 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_34 - l_lambda_guide_beta * w_35;
+        let w_37 = inverse_lambda_slot
+            * (w_22 - w_17 + minus_l_lambda_slot_beta * w_35
+                + minus_l_lambda_slot_lambda_guide * w_36);
+        let w_38 = sin_gamma
+            * (self.BC * lambda_guide - w_23 * self.k_5 - w_8 * self.k_6)
+            - cos_gamma * (w_25 * self.k_5 + w_26 * self.k_6 + self.k_7) + w_33
             + gamma_dot_squared * self.k_11;
-        let w_44 = self.k * w * gamma_dot_squared + w_36 - l_beta_gamma * w_43;
-        let w_45 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_43 - l_lambda_guide_beta * w_44;
-        let w_46 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_44
-                + minus_l_lambda_slot_lambda_guide * w_45);
-        let w_47 = minus_inverse_lambda_guide * w_23
-            + minus_l_lambda_slot_lambda_guide * w_24;
-        let w_48 = inverse_beta * w_16 - l_lambda_guide_beta * w_47
-            + minus_l_lambda_slot_beta * w_24;
-        let w_49 = minus_l_lambda_slot_lambda_guide * w_42
-            - minus_inverse_lambda_guide * w_41;
-        let w_50 = inverse_beta * w_40 - l_lambda_guide_beta * w_49
-            + minus_l_lambda_slot_beta * w_42;
-        let w_51 = minus_l_lambda_slot_lambda_guide * w_46
-            - minus_inverse_lambda_guide * w_45;
-        let w_52 = inverse_beta * w_44 - l_lambda_guide_beta * w_51
-            + minus_l_lambda_slot_beta * w_46;
-        let w_53 = beta_dot - alpha_dot;
-        let w_54 = inverse_lambda_slot
-            * (self.O2A * (cos_beta * w_20 + sin_beta * cos_alpha * w_53) + w_53 * w_15);
-        let w_55 = self.k_12 * beta_dot * (w_33 - w_32);
-        let w_56 = l_beta_gamma * w_55;
-        let w_57 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_55
-            + l_lambda_guide_beta * w_56;
-        let w_58 = inverse_lambda_slot
-            * (self.O2A * (alpha_dot * w_14 - sin_beta * cos_alpha * beta_dot)
-                + beta_dot * (w_25 + w_26) + alpha_dot * w_15
-                - minus_l_lambda_slot_beta * w_56
-                + minus_l_lambda_slot_lambda_guide * w_57);
-        let w_59 = self.k_12 * gamma_dot * w_34;
-        let w_60 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_59;
-        let w_61 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_59
-                + minus_l_lambda_slot_lambda_guide * w_60);
-        let w_62 = minus_l_lambda_slot_lambda_guide * w_54;
-        let w_63 = minus_l_lambda_slot_beta * w_54 - l_lambda_guide_beta * w_62;
-        let w_64 = minus_l_lambda_slot_lambda_guide * w_58
-            - minus_inverse_lambda_guide * w_57;
-        let w_65 = minus_l_lambda_slot_beta * w_58 - inverse_beta * w_56
-            - l_lambda_guide_beta * w_64;
-        let w_66 = minus_l_lambda_slot_lambda_guide * w_61
-            - minus_inverse_lambda_guide * w_60;
-        let w_67 = inverse_beta * w_59 - l_lambda_guide_beta * w_66
-            + minus_l_lambda_slot_beta * w_61;
+        let w_39 = self.k * w * gamma_dot_squared + w_31 - l_beta_gamma * w_38;
+        let w_40 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
+        let w_41 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_39
+                + minus_l_lambda_slot_lambda_guide * w_40);
+        let w_42 = minus_inverse_lambda_guide * w_18
+            + minus_l_lambda_slot_lambda_guide * w_19;
+        let w_43 = inverse_beta * w_11 - l_lambda_guide_beta * w_42
+            + minus_l_lambda_slot_beta * w_19;
+        let w_44 = minus_l_lambda_slot_lambda_guide * w_37
+            - minus_inverse_lambda_guide * w_36;
+        let w_45 = inverse_beta * w_35 - l_lambda_guide_beta * w_44
+            + minus_l_lambda_slot_beta * w_37;
+        let w_46 = minus_l_lambda_slot_lambda_guide * w_41
+            - minus_inverse_lambda_guide * w_40;
+        let w_47 = inverse_beta * w_39 - l_lambda_guide_beta * w_46
+            + minus_l_lambda_slot_beta * w_41;
+        let w_48 = beta_dot - alpha_dot;
+        let w_49 = inverse_lambda_slot
+            * (self.O2A * (cos_beta * w_15 + sin_beta * cos_alpha * w_48) + w_48 * w_10);
+        let w_50 = self.k_12 * beta_dot * (w_28 - w_27);
+        let w_51 = l_beta_gamma * w_50;
+        let w_52 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_50
+            + l_lambda_guide_beta * w_51;
+        let w_53 = inverse_lambda_slot
+            * (self.O2A * (alpha_dot * w_9 - sin_beta * cos_alpha * beta_dot)
+                + beta_dot * (w_20 + w_21) + alpha_dot * w_10
+                - minus_l_lambda_slot_beta * w_51
+                + minus_l_lambda_slot_lambda_guide * w_52);
+        let w_54 = self.k_12 * gamma_dot * w_29;
+        let w_55 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_54;
+        let w_56 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_54
+                + minus_l_lambda_slot_lambda_guide * w_55);
+        let w_57 = minus_l_lambda_slot_lambda_guide * w_49;
+        let w_58 = minus_l_lambda_slot_beta * w_49 - l_lambda_guide_beta * w_57;
+        let w_59 = minus_l_lambda_slot_lambda_guide * w_53
+            - minus_inverse_lambda_guide * w_52;
+        let w_60 = minus_l_lambda_slot_beta * w_53 - inverse_beta * w_51
+            - l_lambda_guide_beta * w_59;
+        let w_61 = minus_l_lambda_slot_lambda_guide * w_56
+            - minus_inverse_lambda_guide * w_55;
+        let w_62 = inverse_beta * w_54 - l_lambda_guide_beta * w_61
+            + minus_l_lambda_slot_beta * w_56;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    -(w_17 + l_lambda_slot_alpha * w_24),
-                    w_17 - l_lambda_slot_alpha * w_42,
-                    -(l_lambda_slot_alpha * w_46),
+                    -(w_12 + l_lambda_slot_alpha * w_19),
+                    w_12 - l_lambda_slot_alpha * w_37,
+                    -(l_lambda_slot_alpha * w_41),
                 ],
-                [w_48, w_50, w_52],
+                [w_43, w_45, w_47],
                 [
-                    -(l_beta_gamma * w_48 + l_lambda_guide_gamma * w_47),
-                    self.inverse_gamma * w_39 - l_beta_gamma * w_50
-                        - l_lambda_guide_gamma * w_49,
-                    self.inverse_gamma * w_43 - l_beta_gamma * w_52
-                        - l_lambda_guide_gamma * w_51,
+                    -(l_beta_gamma * w_43 + l_lambda_guide_gamma * w_42),
+                    self.inverse_gamma * w_34 - l_beta_gamma * w_45
+                        - l_lambda_guide_gamma * w_44,
+                    self.inverse_gamma * w_38 - l_beta_gamma * w_47
+                        - l_lambda_guide_gamma * w_46,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    -(l_lambda_slot_alpha * w_54),
-                    -(l_lambda_slot_alpha * w_58),
-                    -(l_lambda_slot_alpha * w_61),
+                    -(l_lambda_slot_alpha * w_49),
+                    -(l_lambda_slot_alpha * w_53),
+                    -(l_lambda_slot_alpha * w_56),
                 ],
-                [w_63, w_65, w_67],
+                [w_58, w_60, w_62],
                 [
-                    -(l_beta_gamma * w_63 + l_lambda_guide_gamma * w_62),
-                    self.inverse_gamma * w_55 - l_beta_gamma * w_65
-                        - l_lambda_guide_gamma * w_64,
-                    -(l_beta_gamma * w_67 + l_lambda_guide_gamma * w_66),
+                    -(l_beta_gamma * w_58 + l_lambda_guide_gamma * w_57),
+                    self.inverse_gamma * w_50 - l_beta_gamma * w_60
+                        - l_lambda_guide_gamma * w_59,
+                    -(l_beta_gamma * w_62 + l_lambda_guide_gamma * w_61),
                 ],
             ],
-            multipliers_by_positions: [[w_47, w_49, w_51], [w_24, w_42, w_46]],
-            multipliers_by_speeds: [[w_62, w_64, w_66], [w_54, w_58, w_61]],
+            multipliers_by_positions: [[w_42, w_44, w_46], [w_19, w_37, w_41]],
+            multipliers_by_speeds: [[w_57, w_59, w_61], [w_49, w_53, w_56]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
+                self.mass_alpha_alpha,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w_2.abs(),
-                )
+                    self.mass_gamma_gamma,
+                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_3.abs() + w_4.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_6.abs() + w_7.abs() + w_5.abs(),
-                ),
+                    minus_pivot_lambda_guide,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_2),
         }
     }
 }

@@ -315,11 +315,8 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
     k_9: S,
     k_10: S,
     k_11: S,
-    abs_mass_alpha_alpha: S,
     inverse_alpha: S,
-    abs_mass_gamma_gamma: S,
     inverse_gamma: S,
-    abs_mass_beta_beta: S,
     k_12: S,
     k_13: S,
     k_14: S,
@@ -339,7 +336,7 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 14 additions, 44 multiplications, 3 divisions.
+    /// Operations: 11 additions, 44 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnRatioPrepared<S> {
         let O2A_squared = self.O2A * self.O2A;
@@ -347,8 +344,6 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let mass_beta_beta = self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
-            + w_2;
         let w_3 = self.m5 * self.BG5 * self.BG5;
         let w_4 = self.m6 * self.BC * self.BC;
         let mass_gamma_gamma = self.J5 + w_3 + w_4;
@@ -360,7 +355,8 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             mass_alpha_alpha: mass_alpha_alpha,
             O4G4: self.O4G4,
             O4B: self.O4B,
-            mass_beta_beta: mass_beta_beta,
+            mass_beta_beta: self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
+                + w_2,
             BG5: self.BG5,
             BC: self.BC,
             k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
@@ -379,11 +375,8 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             k_9: self.O4G4 * S::from_f64(3.0),
             k_10: S::from_f64(2.0) * w_5,
             k_11: O2A_squared * S::from_f64(3.0),
-            abs_mass_alpha_alpha: mass_alpha_alpha.abs(),
             inverse_alpha: inverse_mass_alpha_alpha,
-            abs_mass_gamma_gamma: mass_gamma_gamma.abs(),
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
-            abs_mass_beta_beta: mass_beta_beta.abs(),
             k_12: self.T * inverse_mass_alpha_alpha,
             k_13: S::from_f64(6.0) * O2A_squared * O2A_squared,
             k_14: w_5 * S::from_f64(12.0),
@@ -832,7 +825,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 45 additions, 82 multiplications, 13 divisions, 3 sine-cosine pairs.
+    /// Operations: 35 additions, 82 multiplications, 13 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -865,29 +858,27 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_2 = mass_gamma_beta * l_beta_gamma;
-        let pivot_beta = self.mass_beta_beta - w_2;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_3 + w_4;
+        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_5 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
-        let w_6 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
-        let w_7 = slot_by_beta * l_lambda_slot_beta;
-        let pivot_lambda_slot = w_5 - w_6 - w_7;
-        let w_8 = beta_dot * beta_dot * self.inverse_O4G4
+        let w_2 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
+            + slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
+            * l_lambda_slot_lambda_guide - w_2;
+        let w_3 = beta_dot * beta_dot * self.inverse_O4G4
             * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
                 + cos_beta * cos_beta_squared * self.k_8
                     / (sin_beta * sin_beta_squared));
-        let w_9 = alpha_dot * alpha_dot
+        let w_4 = alpha_dot * alpha_dot
             * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
-                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_8;
+                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_3;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let beta_dot_squared = beta_dot * beta_dot;
         let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
@@ -899,7 +890,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (self.T * minus_l_lambda_slot_alpha - w_9 - l_lambda_slot_beta * rhs_beta
+            * (self.T * minus_l_lambda_slot_alpha - w_4 - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
             + l_lambda_slot_lambda_guide * lambda_slot;
@@ -919,29 +910,21 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                     * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
+                self.mass_alpha_alpha,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w_2.abs(),
-                )
+                    self.mass_gamma_gamma,
+                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_3.abs() + w_4.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_6.abs() + w_7.abs() + w_5.abs(),
-                ),
+                    minus_pivot_lambda_guide,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_2),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 133 additions, 223 multiplications, 19 divisions, 3 sine-cosine pairs.
+    /// Operations: 123 additions, 223 multiplications, 19 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -968,39 +951,37 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let w_2 = mass_gamma_beta * l_beta_gamma;
-        let pivot_beta = self.mass_beta_beta - w_2;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let w_3 = guide_by_gamma * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_4 = k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_3 + w_4;
+        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_5 = minus_k_lambda_slot_lambda_guide * l_lambda_slot_lambda_guide;
         let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_6 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_6;
+        let w_2 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_2;
         let A_y_squared = A_y * A_y;
         let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_6 / A_y;
+            + w_2 / A_y;
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_7 = minus_slot_by_alpha * minus_l_lambda_slot_alpha;
-        let w_8 = slot_by_beta * l_lambda_slot_beta;
-        let pivot_lambda_slot = w_5 - w_7 - w_8;
+        let w_3 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
+            + slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
+            * l_lambda_slot_lambda_guide - w_3;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let w_9 = sin_alpha * self.k_11 / A_y_squared;
-        let w_10 = self.O2A / A_y;
-        let w_11 = A_y * A_y_squared;
-        let w_12 = cos_alpha * cos_alpha_squared * self.k_10 / w_11;
-        let w_13 = sin_beta * self.k_9 / sin_beta_squared;
-        let w_14 = self.O4G4 / sin_beta;
-        let w_15 = sin_beta * sin_beta_squared;
-        let w_16 = cos_beta * cos_beta_squared * self.k_8 / w_15;
-        let w_17 = self.inverse_O4G4 * (cos_beta * (w_13 - w_14) + w_16);
+        let w_4 = sin_alpha * self.k_11 / A_y_squared;
+        let w_5 = self.O2A / A_y;
+        let w_6 = A_y * A_y_squared;
+        let w_7 = cos_alpha * cos_alpha_squared * self.k_10 / w_6;
+        let w_8 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_9 = self.O4G4 / sin_beta;
+        let w_10 = sin_beta * sin_beta_squared;
+        let w_11 = cos_beta * cos_beta_squared * self.k_8 / w_10;
+        let w_12 = self.inverse_O4G4 * (cos_beta * (w_8 - w_9) + w_11);
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let beta_dot_squared = beta_dot * beta_dot;
         let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
@@ -1008,29 +989,29 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
             - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
             - rhs_gamma * l_beta_gamma;
-        let w_18 = self.O4B * sin_beta * beta_dot_squared;
-        let w_19 = w_18 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_lambda_guide = w_19 - rhs_gamma * l_lambda_guide_gamma
+        let w_13 = self.O4B * sin_beta * beta_dot_squared;
+        let w_14 = w_13 + sin_gamma * self.BC * gamma_dot_squared;
+        let rhs_lambda_guide = w_14 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
             * (self.T * minus_l_lambda_slot_alpha
-                - (alpha_dot * alpha_dot * (cos_alpha * (w_9 - w_10) + w_12)
-                    - beta_dot * beta_dot * w_17) - l_lambda_slot_beta * rhs_beta
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_4 - w_5) + w_7)
+                    - beta_dot * beta_dot * w_12) - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_20 = cos_alpha * (w_10 - w_9);
-        let w_21 = w_20 - w_12;
-        let w_22 = lambda_slot * w_21;
-        let w_23 = alpha_dot
-            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_11 - w_10)
+        let w_15 = cos_alpha * (w_5 - w_4);
+        let w_16 = w_15 - w_7;
+        let w_17 = lambda_slot * w_16;
+        let w_18 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_6 - w_5)
                 + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
                 + cos_alpha_squared * cos_alpha_squared * self.k_13
                     / (A_y_squared * A_y_squared));
-        let w_24 = inverse_lambda_slot
-            * (alpha_dot * w_23
-                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_21
-                + minus_l_lambda_slot_alpha * w_22);
-        let w_25 = beta_dot * self.inverse_O4G4
-            * (sin_beta * (cos_beta_squared * self.k_19 / w_15 - w_14)
+        let w_19 = inverse_lambda_slot
+            * (alpha_dot * w_18
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_16
+                + minus_l_lambda_slot_alpha * w_17);
+        let w_20 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_10 - w_9)
                 + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
                 + cos_beta_squared * cos_beta_squared * self.k_18
                     / (sin_beta_squared * sin_beta_squared));
@@ -1039,120 +1020,112 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let beta_ddot = inverse_beta * rhs_beta
             + l_lambda_guide_beta * minus_lambda_guide
             - l_lambda_slot_beta * lambda_slot;
-        let w_26 = self.inverse_O4G4 * (cos_beta * (w_14 - w_13) - w_16);
-        let w_27 = self.O4B * cos_beta * beta_dot_squared;
-        let w_28 = w_27 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_29 = w_27 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_30 = w_18 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_21 = self.inverse_O4G4 * (cos_beta * (w_9 - w_8) - w_11);
+        let w_22 = self.O4B * cos_beta * beta_dot_squared;
+        let w_23 = w_22 + self.BG5 * cos_gamma * gamma_dot_squared;
+        let w_24 = w_22 + cos_gamma * self.BC * gamma_dot_squared;
+        let w_25 = w_13 + self.BG5 * sin_gamma * gamma_dot_squared;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             + l_lambda_guide_gamma * minus_lambda_guide;
-        let w_31 = sin_gamma * cos_beta;
-        let w_32 = sin_beta * cos_gamma;
-        let w_33 = w_31 - w_32;
-        let w_34 = self.k * w_33;
-        let w_35 = gamma_ddot * w_34;
-        let w_36 = beta_dot_squared * self.k_17
-            - cos_beta * (w_28 * self.k_2 + w_29 * self.k_3 + self.k_4)
+        let w_26 = sin_gamma * cos_beta;
+        let w_27 = sin_beta * cos_gamma;
+        let w_28 = w_26 - w_27;
+        let w_29 = self.k * w_28;
+        let w_30 = gamma_ddot * w_29;
+        let w_31 = beta_dot_squared * self.k_17
+            - cos_beta * (w_23 * self.k_2 + w_24 * self.k_3 + self.k_4)
             - sin_beta
-                * (w_30 * self.k_2 + w_19 * self.k_3 + self.O4B * minus_lambda_guide)
-            - w_35 - lambda_slot * w_26;
-        let w_37 = beta_ddot * w_34;
-        let w_38 = self.k * w * beta_dot_squared - w_37;
-        let w_39 = w_36 - l_beta_gamma * w_38;
-        let w_40 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
-        let w_41 = inverse_lambda_slot
-            * (beta_dot * w_25 + beta_ddot * w_26 + l_lambda_slot_beta * w_39
-                + l_lambda_slot_lambda_guide * w_40);
-        let w_42 = w_37 - cos_gamma * (w_28 * self.k_5 + w_29 * self.k_6 + self.k_7)
+                * (w_25 * self.k_2 + w_14 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_30 - lambda_slot * w_21;
+        let w_32 = beta_ddot * w_29;
+        let w_33 = self.k * w * beta_dot_squared - w_32;
+        let w_34 = w_31 - l_beta_gamma * w_33;
+        let w_35 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_33 - l_lambda_guide_beta * w_34;
+        let w_36 = inverse_lambda_slot
+            * (beta_dot * w_20 + beta_ddot * w_21 + l_lambda_slot_beta * w_34
+                + l_lambda_slot_lambda_guide * w_35);
+        let w_37 = w_32 - cos_gamma * (w_23 * self.k_5 + w_24 * self.k_6 + self.k_7)
             - sin_gamma
-                * (w_30 * self.k_5 + w_19 * self.k_6 + self.BC * minus_lambda_guide)
+                * (w_25 * self.k_5 + w_14 * self.k_6 + self.BC * minus_lambda_guide)
             + gamma_dot_squared * self.k_22;
-        let w_43 = self.k * w * gamma_dot_squared + w_35 - l_beta_gamma * w_42;
-        let w_44 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_42 - l_lambda_guide_beta * w_43;
-        let w_45 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_43 + l_lambda_slot_lambda_guide * w_44);
-        let w_46 = l_lambda_slot_lambda_guide * w_24;
-        let w_47 = l_lambda_guide_beta * w_46 - l_lambda_slot_beta * w_24;
-        let w_48 = l_lambda_slot_lambda_guide * w_41 - minus_inverse_lambda_guide * w_40;
-        let w_49 = inverse_beta * w_39 - l_lambda_guide_beta * w_48
-            + l_lambda_slot_beta * w_41;
-        let w_50 = l_lambda_slot_lambda_guide * w_45 - minus_inverse_lambda_guide * w_44;
-        let w_51 = inverse_beta * w_43 - l_lambda_guide_beta * w_50
-            + l_lambda_slot_beta * w_45;
-        let w_52 = inverse_lambda_slot * alpha_dot * (w_20 - w_12 + w_21);
-        let w_53 = self.k_23 * beta_dot * (w_32 - w_31);
-        let w_54 = l_beta_gamma * w_53;
-        let w_55 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_53
-            + l_lambda_guide_beta * w_54;
-        let w_56 = inverse_lambda_slot
-            * (beta_dot * (w_17 - w_26) + l_lambda_slot_beta * w_54
-                - l_lambda_slot_lambda_guide * w_55);
-        let w_57 = self.k_23 * gamma_dot * w_33;
-        let w_58 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_57;
-        let w_59 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_57 + l_lambda_slot_lambda_guide * w_58);
-        let w_60 = l_lambda_slot_lambda_guide * w_52;
-        let w_61 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_52;
-        let w_62 = minus_inverse_lambda_guide * w_55 + l_lambda_slot_lambda_guide * w_56;
-        let w_63 = l_lambda_guide_beta * w_62 - inverse_beta * w_54
-            - l_lambda_slot_beta * w_56;
-        let w_64 = l_lambda_slot_lambda_guide * w_59 - minus_inverse_lambda_guide * w_58;
-        let w_65 = inverse_beta * w_57 - l_lambda_guide_beta * w_64
-            + l_lambda_slot_beta * w_59;
+        let w_38 = self.k * w * gamma_dot_squared + w_30 - l_beta_gamma * w_37;
+        let w_39 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_37 - l_lambda_guide_beta * w_38;
+        let w_40 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_38 + l_lambda_slot_lambda_guide * w_39);
+        let w_41 = l_lambda_slot_lambda_guide * w_19;
+        let w_42 = l_lambda_guide_beta * w_41 - l_lambda_slot_beta * w_19;
+        let w_43 = l_lambda_slot_lambda_guide * w_36 - minus_inverse_lambda_guide * w_35;
+        let w_44 = inverse_beta * w_34 - l_lambda_guide_beta * w_43
+            + l_lambda_slot_beta * w_36;
+        let w_45 = l_lambda_slot_lambda_guide * w_40 - minus_inverse_lambda_guide * w_39;
+        let w_46 = inverse_beta * w_38 - l_lambda_guide_beta * w_45
+            + l_lambda_slot_beta * w_40;
+        let w_47 = inverse_lambda_slot * alpha_dot * (w_15 - w_7 + w_16);
+        let w_48 = self.k_23 * beta_dot * (w_27 - w_26);
+        let w_49 = l_beta_gamma * w_48;
+        let w_50 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_48
+            + l_lambda_guide_beta * w_49;
+        let w_51 = inverse_lambda_slot
+            * (beta_dot * (w_12 - w_21) + l_lambda_slot_beta * w_49
+                - l_lambda_slot_lambda_guide * w_50);
+        let w_52 = self.k_23 * gamma_dot * w_28;
+        let w_53 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_52;
+        let w_54 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_52 + l_lambda_slot_lambda_guide * w_53);
+        let w_55 = l_lambda_slot_lambda_guide * w_47;
+        let w_56 = l_lambda_guide_beta * w_55 - l_lambda_slot_beta * w_47;
+        let w_57 = minus_inverse_lambda_guide * w_50 + l_lambda_slot_lambda_guide * w_51;
+        let w_58 = l_lambda_guide_beta * w_57 - inverse_beta * w_49
+            - l_lambda_slot_beta * w_51;
+        let w_59 = l_lambda_slot_lambda_guide * w_54 - minus_inverse_lambda_guide * w_53;
+        let w_60 = inverse_beta * w_52 - l_lambda_guide_beta * w_59
+            + l_lambda_slot_beta * w_54;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_alpha * w_22 + minus_l_lambda_slot_alpha * w_24,
-                    -(minus_l_lambda_slot_alpha * w_41),
-                    -(minus_l_lambda_slot_alpha * w_45),
+                    self.inverse_alpha * w_17 + minus_l_lambda_slot_alpha * w_19,
+                    -(minus_l_lambda_slot_alpha * w_36),
+                    -(minus_l_lambda_slot_alpha * w_40),
                 ],
-                [w_47, w_49, w_51],
+                [w_42, w_44, w_46],
                 [
-                    l_lambda_guide_gamma * w_46 - l_beta_gamma * w_47,
-                    self.inverse_gamma * w_38 - l_beta_gamma * w_49
-                        - l_lambda_guide_gamma * w_48,
-                    self.inverse_gamma * w_42 - l_beta_gamma * w_51
-                        - l_lambda_guide_gamma * w_50,
+                    l_lambda_guide_gamma * w_41 - l_beta_gamma * w_42,
+                    self.inverse_gamma * w_33 - l_beta_gamma * w_44
+                        - l_lambda_guide_gamma * w_43,
+                    self.inverse_gamma * w_37 - l_beta_gamma * w_46
+                        - l_lambda_guide_gamma * w_45,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_52,
-                    minus_l_lambda_slot_alpha * w_56,
-                    -(minus_l_lambda_slot_alpha * w_59),
+                    minus_l_lambda_slot_alpha * w_47,
+                    minus_l_lambda_slot_alpha * w_51,
+                    -(minus_l_lambda_slot_alpha * w_54),
                 ],
-                [w_61, w_63, w_65],
+                [w_56, w_58, w_60],
                 [
-                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_61,
-                    self.inverse_gamma * w_53 - l_beta_gamma * w_63
-                        + l_lambda_guide_gamma * w_62,
-                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
+                    l_lambda_guide_gamma * w_55 - l_beta_gamma * w_56,
+                    self.inverse_gamma * w_48 - l_beta_gamma * w_58
+                        + l_lambda_guide_gamma * w_57,
+                    -(l_beta_gamma * w_60 + l_lambda_guide_gamma * w_59),
                 ],
             ],
-            multipliers_by_positions: [[-w_46, w_48, w_50], [w_24, -w_41, -w_45]],
-            multipliers_by_speeds: [[-w_60, -w_62, w_64], [w_52, w_56, -w_59]],
+            multipliers_by_positions: [[-w_41, w_43, w_45], [w_19, -w_36, -w_40]],
+            multipliers_by_speeds: [[-w_55, -w_57, w_59], [w_47, w_51, -w_54]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_alpha_alpha,
-                self.abs_mass_alpha_alpha,
+                self.mass_alpha_alpha,
             )
                 | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
-                    self.abs_mass_gamma_gamma,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_beta,
-                    self.abs_mass_beta_beta + w_2.abs(),
-                )
+                    self.mass_gamma_gamma,
+                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_3.abs() + w_4.abs(),
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_slot,
-                    w_7.abs() + w_8.abs() + w_5.abs(),
-                ),
+                    minus_pivot_lambda_guide,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_3),
         }
     }
 }

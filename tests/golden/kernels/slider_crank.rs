@@ -218,9 +218,7 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
     k_8: S,
     k_9: S,
     k_10: S,
-    abs_mass_theta_theta: S,
     inverse_theta: S,
-    abs_mass_phi_phi: S,
     k_11: S,
     k_12: S,
     k_13: S,
@@ -233,7 +231,7 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SliderCrank<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 14 additions, 44 multiplications, 1 division.
+    /// Operations: 12 additions, 44 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SliderCrankPrepared<S> {
         let r_squared = self.r * self.r;
@@ -245,7 +243,6 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_4 = self.r * self.m2 * self.l * S::from_f64(0.5);
         let l_squared = self.l * self.l;
         let w_5 = self.m3 * l_squared;
-        let mass_phi_phi = S::from_f64(0.3333333333333333) * self.m2 * l_squared + w_5;
         let w_6 = self.r * self.m1 * S::from_f64(0.5) * self.g;
         let w_7 = self.r * self.m3 * self.l * S::from_f64(2.0);
         let w_8 = self.r * self.m2 * self.l;
@@ -254,7 +251,7 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
             mass_theta_theta: mass_theta_theta,
             l: self.l,
             k: w_3 + w_4,
-            mass_phi_phi: mass_phi_phi,
+            mass_phi_phi: S::from_f64(0.3333333333333333) * self.m2 * l_squared + w_5,
             T: self.T,
             k_2: self.r * S::from_f64(2.0),
             k_3: self.r * self.m3,
@@ -266,9 +263,7 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
             k_9: self.m2 * self.l * S::from_f64(0.25),
             k_10: self.m2 * self.l * S::from_f64(0.5) * self.g
                 + self.m3 * self.l * self.g,
-            abs_mass_theta_theta: mass_theta_theta.abs(),
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
-            abs_mass_phi_phi: mass_phi_phi.abs(),
             k_11: self.m2 * S::from_f64(0.5) * self.g,
             k_12: self.m3 * self.g,
             k_13: w_7 + w_8,
@@ -576,7 +571,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 28 additions, 49 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 23 additions, 49 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -592,8 +587,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
         let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let w = mass_phi_theta * l_phi_theta;
-        let pivot_phi = self.mass_phi_phi - w;
+        let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let theta_dot_squared = theta_dot * theta_dot;
         let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
@@ -602,14 +596,13 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_2 = A_x * l_lambda_guide_theta;
-        let w_3 = k_lambda_guide_phi * l_lambda_guide_phi;
-        let minus_pivot_lambda_guide = w_2 + w_3;
+        let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
+            + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
             * (self.r * sin_theta * theta_dot_squared + self.l * rod_y * phi_dot_squared
                 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let w_4 = self.l * rod_x * phi_dot;
+        let w = self.l * rod_x * phi_dot;
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
@@ -618,21 +611,21 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             ],
             multipliers: [-minus_lambda_guide],
             power: theta_dot * (self.T - cos_theta * self.k_5)
-                - (cos_theta * theta_dot * self.k_2 + w_4) * self.k_11
-                - (self.r * cos_theta * theta_dot + w_4) * self.k_12,
+                - (cos_theta * theta_dot * self.k_2 + w) * self.k_11
+                - (self.r * cos_theta * theta_dot + w) * self.k_12,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta_theta,
-                self.abs_mass_theta_theta,
-            ) | sim_kernel::pivot_is_refused(pivot_phi, self.abs_mass_phi_phi + w.abs())
+                self.mass_theta_theta,
+            ) | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_2.abs() + w_3.abs(),
+                    minus_pivot_lambda_guide,
                 ),
         }
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 71 additions, 129 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 66 additions, 129 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -650,16 +643,14 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let w_3 = self.r * sin_theta * theta_dot_squared + w;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
-        let w_4 = A_x * l_lambda_guide_theta;
         let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let w_5 = mass_phi_theta * l_phi_theta;
-        let pivot_phi = self.mass_phi_phi - w_5;
+        let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_6 = k_lambda_guide_phi * l_lambda_guide_phi;
-        let minus_pivot_lambda_guide = w_4 + w_6;
+        let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
+            + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
             + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
@@ -667,78 +658,74 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let minus_lambda_guide = minus_inverse_lambda_guide
             * (w_3 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
-        let w_7 = self.l * rod_x * phi_dot_squared;
-        let w_8 = self.r * cos_theta * theta_dot_squared + w_7;
-        let w_9 = cos_theta * theta_dot_squared * self.k_2 + w_7;
+        let w_4 = self.l * rod_x * phi_dot_squared;
+        let w_5 = self.r * cos_theta * theta_dot_squared + w_4;
+        let w_6 = cos_theta * theta_dot_squared * self.k_2 + w_4;
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let w_10 = self.k_13 * (rod_y * cos_theta - sin_theta * rod_x);
-        let w_11 = S::from_f64(0.5) * phi_ddot * w_10;
-        let w_12 = sin_theta
+        let w_7 = self.k_13 * (rod_y * cos_theta - sin_theta * rod_x);
+        let w_8 = S::from_f64(0.5) * phi_ddot * w_7;
+        let w_9 = sin_theta
             * (self.k_6 - w_2 * self.k_4 - w_3 * self.k_3 - self.r * minus_lambda_guide)
-            - cos_theta * (w_8 * self.k_3 + w_9 * self.k_4) - w_11
+            - cos_theta * (w_5 * self.k_3 + w_6 * self.k_4) - w_8
             + theta_dot_squared * self.k_14;
-        let w_13 = sin_theta * rod_y * self.k + cos_theta * rod_x * self.k_7;
+        let w_10 = sin_theta * rod_y * self.k + cos_theta * rod_x * self.k_7;
         let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
             + l_lambda_guide_theta * minus_lambda_guide;
-        let w_14 = S::from_f64(0.5) * theta_ddot * w_10;
-        let w_15 = theta_dot_squared * w_13 - w_14 - l_phi_theta * w_12;
-        let w_16 = minus_inverse_lambda_guide
+        let w_11 = S::from_f64(0.5) * theta_ddot * w_7;
+        let w_12 = theta_dot_squared * w_10 - w_11 - l_phi_theta * w_9;
+        let w_13 = minus_inverse_lambda_guide
             * (self.r * (sin_theta * theta_ddot + cos_theta * theta_dot_squared)
-                - l_lambda_guide_theta * w_12 - l_lambda_guide_phi * w_15);
-        let w_17 = inverse_phi * w_15 + l_lambda_guide_phi * w_16;
-        let w_18 = phi_dot_squared * w_13 + w_11;
-        let w_19 = rod_y
+                - l_lambda_guide_theta * w_9 - l_lambda_guide_phi * w_12);
+        let w_14 = inverse_phi * w_12 + l_lambda_guide_phi * w_13;
+        let w_15 = phi_dot_squared * w_10 + w_8;
+        let w_16 = rod_y
             * (self.k_10 - w_2 * self.k_9 - w_3 * self.k_8 - self.l * minus_lambda_guide)
-            - rod_x * (w_8 * self.k_8 + w_9 * self.k_9) + phi_dot_squared * self.k_15
-            + w_14;
-        let w_20 = w_19 - l_phi_theta * w_18;
-        let w_21 = minus_inverse_lambda_guide
+            - rod_x * (w_5 * self.k_8 + w_6 * self.k_9) + phi_dot_squared * self.k_15
+            + w_11;
+        let w_17 = w_16 - l_phi_theta * w_15;
+        let w_18 = minus_inverse_lambda_guide
             * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
-                - l_lambda_guide_theta * w_18 - l_lambda_guide_phi * w_20);
-        let w_22 = inverse_phi * w_20 + l_lambda_guide_phi * w_21;
-        let w_23 = theta_dot
+                - l_lambda_guide_theta * w_15 - l_lambda_guide_phi * w_17);
+        let w_19 = inverse_phi * w_17 + l_lambda_guide_phi * w_18;
+        let w_20 = theta_dot
             * (sin_theta * rod_x * self.k_16 - rod_y * cos_theta * self.k_13);
-        let w_24 = minus_inverse_lambda_guide
-            * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_23);
-        let w_25 = inverse_phi * w_23 + l_lambda_guide_phi * w_24;
-        let w_26 = phi_dot
+        let w_21 = minus_inverse_lambda_guide
+            * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_20);
+        let w_22 = inverse_phi * w_20 + l_lambda_guide_phi * w_21;
+        let w_23 = phi_dot
             * (rod_y * cos_theta * self.k_16 - sin_theta * rod_x * self.k_13);
-        let w_27 = l_phi_theta * w_26;
-        let w_28 = minus_inverse_lambda_guide
-            * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_26
-                + l_lambda_guide_phi * w_27);
-        let w_29 = l_lambda_guide_phi * w_28 - inverse_phi * w_27;
+        let w_24 = l_phi_theta * w_23;
+        let w_25 = minus_inverse_lambda_guide
+            * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_23
+                + l_lambda_guide_phi * w_24);
+        let w_26 = l_lambda_guide_phi * w_25 - inverse_phi * w_24;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta * w_12 - l_phi_theta * w_17
-                        + l_lambda_guide_theta * w_16,
-                    self.inverse_theta * w_18 - l_phi_theta * w_22
-                        + l_lambda_guide_theta * w_21,
+                    self.inverse_theta * w_9 - l_phi_theta * w_14
+                        + l_lambda_guide_theta * w_13,
+                    self.inverse_theta * w_15 - l_phi_theta * w_19
+                        + l_lambda_guide_theta * w_18,
                 ],
-                [w_17, w_22],
+                [w_14, w_19],
             ],
             accelerations_by_speeds: [
                 [
-                    l_lambda_guide_theta * w_24 - l_phi_theta * w_25,
-                    self.inverse_theta * w_26 - l_phi_theta * w_29
-                        + l_lambda_guide_theta * w_28,
+                    l_lambda_guide_theta * w_21 - l_phi_theta * w_22,
+                    self.inverse_theta * w_23 - l_phi_theta * w_26
+                        + l_lambda_guide_theta * w_25,
                 ],
-                [w_25, w_29],
+                [w_22, w_26],
             ],
-            multipliers_by_positions: [[-w_16, -w_21]],
-            multipliers_by_speeds: [[-w_24, -w_28]],
+            multipliers_by_positions: [[-w_13, -w_18]],
+            multipliers_by_speeds: [[-w_21, -w_25]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta_theta,
-                self.abs_mass_theta_theta,
-            )
-                | sim_kernel::pivot_is_refused(
-                    pivot_phi,
-                    self.abs_mass_phi_phi + w_5.abs(),
-                )
+                self.mass_theta_theta,
+            ) | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
-                    w_4.abs() + w_6.abs(),
+                    minus_pivot_lambda_guide,
                 ),
         }
     }
