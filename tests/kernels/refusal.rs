@@ -1,6 +1,6 @@
 //! A pivot that cancellation has taken half of its digits is refused, and the state solved by complete pivoting.
 
-use sim::{Mechanism, accelerate, mechanism};
+use sim::{accelerate, mechanism};
 
 mechanism! {
     /// Two coordinates along one line: beside `m` at their sum, the pivot of the second is what `small` leaves.
