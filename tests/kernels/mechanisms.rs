@@ -40,7 +40,7 @@ mechanism! {
     pub(crate) Functions;
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; p = 1.7; type [m] = 2; }
-    let u = sin(x)*cos(y) + tan(x/4) + asin(x/9) + acos(y/9) + atan(x*y) + atan2(y, x + 5);
+    let u = sin(x + cos(2*y)/3)*cos(y) + tan(x/4) + asin(x/9) + acos(y/9) + atan(x*y) + atan2(y, x + 5);
     let v = sqrt(x^2 + y^2 + 1) + exp(-x^2) + ln(x^2 + 3) + abs(x - 2*y) + sinh(x/3) + cosh(y/3) + tanh(x);
     let w = (x^2 + 1)^p + (y^2 + 2)^(1/3) + (x^2 + y^2 + 1)^(-3/2) + (y^2 + 1)^-2 + p^(x/5) + pi*e*x^5/type;
     bodies { point: mass m at [x + u/20, y + v/30]; }
@@ -134,7 +134,7 @@ mechanism! {
         link6: mass m at P5 + l/3*[cos(b6), sin(b6)], inertia J, angle b6;
         link7: mass m at P6 + l/3*[cos(b7), sin(b7)], inertia J, angle b7;
     }
-    loads { gravity [0, -9.81]; torque -c*dot(q3) on link3; torque c*dot(q3) on link2; force -s*(P4 - [0.5, 0.2]) at P4; }
+    loads { gravity [0, -9.81]; torque -c*dot(q3) on link3; torque c*dot(q3) on link2; force -s*(P4 - [0.5, 0.2]) at P4; force -c*dot(P5)*abs(dot(b5)) at P5; }
     constraints { level: b7 = 0.2*sin(t); rest: P7 = [0.9 + 0.1*sin(t), 0.3]; }
     initial { guess x = 0.1; guess q1 = 1.2; guess q2 = -0.7; guess q3 = -0.6; guess q4 = 0.3; guess q5 = -0.9; guess q6 = 0.4; guess q7 = 0.3; }
     outputs { angle [rad] = b6; push_x [N] = reaction(rest).x; turn [rad/s] = dot(b5); }

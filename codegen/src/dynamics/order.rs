@@ -49,8 +49,8 @@ impl Pattern {
 }
 
 /// Coordinates with the fewest neighbours first, as soon as no definition is left that they occur in; multipliers when
-/// what they constrain is gone; intermediate quantities, the last defined first, when nothing else can be done. `None` if an unknown is left
-/// without a pivot.
+/// what they constrain is gone; intermediate quantities, the last defined first, when nothing else can be done. `None`
+/// if an unknown is left without a pivot.
 pub fn order(mut pattern: Pattern) -> Option<Vec<Action>> {
     let mut left: BTreeSet<usize> = (0..pattern.kinds.len()).collect();
     // What each multiplier constrains; what elimination links it with does not count.

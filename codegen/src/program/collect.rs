@@ -69,9 +69,7 @@ fn factor(values: &mut Values, mut terms: Vec<Term>) -> Vec<(bool, Value)> {
     }
     for term in terms {
         let (above, below) = (values.product(term.factors), values.product(term.divisors));
-        let quotient = values.quotient(above, below);
-        let (negative, size) = values.signed(quotient);
-        done.push((negative != term.negative, size));
+        done.push((term.negative, values.quotient(above, below)));
     }
     done
 }

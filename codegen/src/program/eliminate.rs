@@ -65,7 +65,7 @@ enum Step {
 /// An entry under elimination: a sum that still grows.
 type Entry = Vec<(bool, Value)>;
 
-/// Rows of a symmetric matrix under elimination, each entry under both of its indices' smaller one first.
+/// A symmetric matrix under elimination, each entry once: under its indices, the smaller one first.
 pub(super) struct Matrix {
     entries: IndexMap<(usize, usize), Entry, FxBuildHasher>,
     is_multiplier: Vec<bool>,

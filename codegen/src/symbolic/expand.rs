@@ -13,15 +13,16 @@ impl Graph {
         for (term, coefficient) in &terms {
             self.multiply_out(*term, coefficient, limit, &mut expanded)?;
         }
-        let before = expanded.len();
-        if before == terms.len() {
+        if expanded.len() == terms.len() {
             return None;
         }
-        let one = self.one();
-        expanded.push((one, constant));
+        if !constant.is_zero() {
+            expanded.push((self.one(), constant));
+        }
+        let before = expanded.len();
         let sum = self.linear_combination(&expanded);
         let after = match self.node(sum) {
-            Node::Sum { terms, .. } => terms.len(),
+            Node::Sum { constant, terms } => terms.len() + usize::from(!constant.is_zero()),
             _ => 1,
         };
         (after < before).then_some(sum)
@@ -35,20 +36,10 @@ impl Graph {
         limit: usize,
         out: &mut Vec<(Expr, Number)>,
     ) -> Option<()> {
-        let sum = match self.node(term) {
-            Node::Product { factors, .. } => factors
-                .iter()
-                .position(|(base, exponent)| *exponent == 1 && matches!(self.node(*base), Node::Sum { .. })),
-            _ => None,
-        };
-        let (Some(at), Node::Product { coefficient: inner, factors }) = (sum, self.node(term).clone()) else {
+        let Some((sum, others, coefficient)) = self.split_at_sum(term, coefficient) else {
             out.push((term, coefficient.clone()));
             return (out.len() <= limit).then_some(());
         };
-        let mut others = factors.to_vec();
-        let (sum, _) = others.remove(at);
-        let others = self.product_of_powers(&others);
-        let coefficient = coefficient * &inner;
         let Node::Sum { constant, terms } = self.node(sum).clone() else { return None };
         if !constant.is_zero() {
             self.multiply_out(others, &(&coefficient * &constant), limit, out)?;
@@ -58,5 +49,18 @@ impl Graph {
             self.multiply_out(product, &(&coefficient * weight), limit, out)?;
         }
         Some(())
+    }
+
+    /// `coefficient * term` as a sum, what else is multiplied, and a number; nothing if no sum is a factor.
+    fn split_at_sum(&mut self, term: Expr, coefficient: &Number) -> Option<(Expr, Expr, Number)> {
+        let (inner, mut factors) = match self.node(term).clone() {
+            Node::Sum { .. } => return Some((term, self.one(), coefficient.clone())),
+            Node::Product { coefficient, factors } => (coefficient, factors.into_vec()),
+            _ => return None,
+        };
+        let is_sum = |base: Expr| matches!(self.node(base), Node::Sum { .. });
+        let at = factors.iter().position(|(base, exponent)| *exponent == 1 && is_sum(*base))?;
+        let (sum, _) = factors.remove(at);
+        Some((sum, self.product_of_powers(&factors), coefficient * &inner))
     }
 }

@@ -209,3 +209,43 @@ fn decimals_become_fractions() {
     assert_eq!(Number::parse_decimal("0.2"), Number::fraction(1, 5));
     assert_eq!(Number::parse_decimal("12.5e-1"), Number::fraction(5, 4));
 }
+
+/// What multiplying out makes of a text, if anything.
+fn expanded(text: &str, limit: usize) -> Option<String> {
+    let mut space = Workspace::new();
+    let expr = space.build(&read(text));
+    space.graph.expand(expr, limit).map(|expr| infix(&space.graph, expr))
+}
+
+#[test]
+fn products_are_multiplied_out_where_terms_cancel() {
+    let cases = [
+        ("constants and weights count", "(2*x + 1)*(3*y + 2) - 6*x*y", "4*x + 3*y + 2"),
+        ("so does what stands before the sum", "5*x*(y - 2) - 5*x*y", "-10*x"),
+        ("all may go", "(x + y)*z - x*z - y*z", "0"),
+        ("a divisor stays", "(x + y)*z/w - x*z/w", "y*z/w"),
+        (
+            "a sum that is left over counts by its terms",
+            "(x + 1)*(y + z + w + sin(x)) - x*y",
+            "y + z + w + sin(x) + x*z + x*w + x*sin(x)",
+        ),
+    ];
+    for (intent, text, expected) in cases {
+        assert_eq!(expanded(text, 16).as_deref(), Some(expected), "{intent}: {text}");
+    }
+}
+
+#[test]
+fn products_stay_where_nothing_is_gained() {
+    let cases = [
+        ("no terms cancel", "(x + 1)*(y + 2) - z"),
+        ("a square keeps its digits", "(x - y)^2 - x^2 - x"),
+        ("there is no sum", "(x + 1)*y"),
+    ];
+    for (intent, text) in cases {
+        assert_eq!(expanded(text, 16), None, "{intent}: {text}");
+    }
+    let five = "(x + 1)*(y + 2) - x*y";
+    assert!(expanded(five, 5).is_some());
+    assert_eq!(expanded(five, 4), None);
+}
