@@ -25,7 +25,7 @@ fn check<M: Mechanism>() {
     let name = M::DESCRIPTION.name;
     let declaration = dsl::parse(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
     let mut random = Random(11);
-    let (mut worst, mut residual, mut on_constraints, mut solved) = (0.0f64, 0.0f64, 0, 0);
+    let (mut worst, mut residual, mut on_constraints, mut solved, mut refused) = (0.0f64, 0.0f64, 0, 0, 0);
     for i in 0..STATES {
         let parameters = M::defaults().parameters();
         let mechanism = M::with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
@@ -35,6 +35,7 @@ fn check<M: Mechanism>() {
         if i % 2 == 0 && put_on_constraints(&mechanism, t, &mut q, &mut qd) {
             on_constraints += 1;
         }
+        refused += usize::from(mechanism.dynamics(t, &q, &qd).refused);
         let found = compare(&mechanism, &declaration, t, &q, &qd);
         assert!(found.worst <= TERM_TOLERANCE, "{name}: {} is off by {:e}", found.term, found.worst);
         worst = worst.max(found.worst);
@@ -48,6 +49,7 @@ fn check<M: Mechanism>() {
     );
     assert!(M::L::LEN == 0 || on_constraints > STATES / 4, "{name}: {on_constraints}");
     assert!(solved > STATES * 9 / 10, "{name}: {solved}");
+    assert!(refused < STATES / 10, "{name}: the planned elimination refuses {refused} states");
     // Elimination in a planned order: 1e-13 n, that is 450 eps n. Complete pivoting would give 1; what the order costs
     // shows where masses are small beside the constraints, as in Andrews' mechanism.
     assert!(residual <= 450.0, "{name}: {residual}");

@@ -20,6 +20,7 @@ mod intermediates;
 mod lagrange;
 pub mod order;
 mod outputs;
+mod parts;
 mod rows;
 mod sensitivity;
 mod tmt;
