@@ -1,0 +1,44 @@
+//! Bodies.
+
+use super::check;
+
+#[test]
+fn bodies() {
+    check("m at P", "m at P.x", &["5:25 a scalar stands where a vector belongs; a vector is written `[x, y]`"]);
+    check(
+        "m at P",
+        "P at P",
+        &["5:20 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"],
+    );
+    check(
+        "mass m at P",
+        "mass m",
+        &["5:20 where is the mass of `bob`? Write `mass m at P`, P being its centre of mass"],
+    );
+    check(
+        "mass m at P, angle phi",
+        "inertia m*l^2",
+        &[
+            "5:23 about which angle does `bob` turn? Write `inertia J, angle phi`",
+            "6:9 gravity acts on masses, and no body has one; write `mass m at P` in a body's line",
+        ],
+    );
+    check(
+        "mass m at P, angle phi",
+        "mass m at [l, 0]",
+        &["5:10 no coordinate moves body `bob`; leave it out, or let its position or angle depend on a coordinate"],
+    );
+    check(
+        "mass m at P",
+        "mass m*phi at P",
+        &["5:20 a mass or inertia is made of numbers and parameters; it cannot change with the motion"],
+    );
+    check("mass m at P", "mass -2 at P", &["5:20 a mass or inertia cannot be negative"]);
+    check(
+        "mass m at P",
+        "mass m at dot(P)",
+        &["5:25 the position of a mass is made of coordinates, parameters and time; `dot()` cannot stand in it"],
+    );
+    check("mass m at P", "mass m of P", &["5:22 an operator or `;` is missing before `of`"]);
+    check("mass m at P", "mass m at P, mass m at P", &["5:28 body `bob` has its mass twice"]);
+}

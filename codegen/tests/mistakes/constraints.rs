@@ -1,0 +1,56 @@
+//! Constraints and events.
+
+use super::check;
+
+#[test]
+fn constraints_and_events() {
+    check(
+        "initial {",
+        "constraints { stop: l = 1; } initial {",
+        &[
+            "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or let it depend on a coordinate",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { stop: dot(phi) = 1; } initial {",
+        &["7:21 a constraint holds between positions; `dot()` cannot stand in it"],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P = 1; } initial {",
+        &["7:21 a vector stands left and a scalar right; both sides are of one kind"],
+    );
+    check("initial {", "constraints { stop: P.y == 1; } initial {", &["7:25 an equation is written with one `=`"]);
+    check(
+        "initial {",
+        "constraints { stop: P.y = 1; stop: P.x = 1; } initial {",
+        &[
+            "7:30 two constraint rows would be called `stop`; choose another name for one of them",
+            "7:30 `stop` is defined twice; choose another name for one of them",
+            "7:15 the first definition of `stop` is here",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { P.y = 1; } initial {",
+        &["7:16 an equation has a name: `closure: left = right;`"],
+    );
+    check(
+        "initial {",
+        "constraint { stop: P.y = 1; } initial {",
+        &[
+            "7:1 `constraint` is not a block (did you mean `constraints`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`",
+        ],
+    );
+    check(
+        "initial {",
+        "kernels { jacobian; } initial {",
+        &["7:11 `jacobian` is not known here; expected one of `dynamics_jacobian`, `dynamics_sensitivity`"],
+    );
+    check(
+        "initial {",
+        "events { top: l = 1; } initial {",
+        &["7:10 event `top` never changes; let it depend on a coordinate, a speed or `t`"],
+    );
+}

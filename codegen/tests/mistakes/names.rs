@@ -1,0 +1,32 @@
+//! Names: unknown, taken, reserved.
+
+use super::check;
+
+#[test]
+fn names() {
+    check("l*[sin(phi)", "L*[sin(phi)", &["4:9 no value is called `L` (did you mean `l`?)"]);
+    check("l*[sin(phi)", "l*[sine(phi)", &["4:12 no function is called `sine` (did you mean `sin`?)"]);
+    check("l*[sin(phi)", "length*[sin(phi)", &["4:9 no value is called `length`; declared: `phi`, `l`, `m`, `g`"]);
+    check(
+        "phi [rad];",
+        "phi [rad]; phi [rad];",
+        &[
+            "2:26 `phi` is defined twice; choose another name for one of them",
+            "2:15 the first definition of `phi` is here",
+        ],
+    );
+    check(
+        "g [m/s^2] = 9.81;",
+        "g [m/s^2] = 9.81; phi = 3;",
+        &[
+            "3:55 `phi` is defined twice; choose another name for one of them",
+            "2:15 the first definition of `phi` is here",
+        ],
+    );
+    check("phi [rad];", "phi [rad]; t [s];", &["2:26 `t` is time in the language; choose another name"]);
+    check(
+        "phi [rad];",
+        "phi [rad]; phi_dot;",
+        &["2:26 `phi_dot` is the name of a rate of `phi` in files and on the command line; choose another name"],
+    );
+}

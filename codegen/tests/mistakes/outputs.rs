@@ -1,0 +1,36 @@
+//! Outputs.
+
+use super::check;
+
+#[test]
+fn outputs() {
+    check(
+        "height [m] = P.y",
+        "pull [N] = reaction(stop)",
+        &["8:31 no constraint is called `stop`; no constraint is declared"],
+    );
+    check("height [m] = P.y", "pull [N] = reaction(P.y)", &["8:31 `reaction(..)` takes the name of a constraint"]);
+    check(
+        "height [m] = P.y",
+        "height [m] = P",
+        &["8:24 output `height` is a vector; write one output for each component: `height_x = (..).x;`"],
+    );
+    check(
+        "height [m] = P.y",
+        "height [m] = P.z",
+        &["8:26 a vector of the plane has the components `.x` and `.y`, not `.z`"],
+    );
+    check("height [m] = P.y", "height [m] = phi.x", &["8:28 a scalar has no component `.x`"]);
+    check("height [m] = P.y", "height [mtr] = P.y", &["8:19 `mtr` is not a known unit"]);
+    check("height [m] = P.y", "phi [rad] = phi", &["8:11 `phi` is recorded already, under this name; choose another"]);
+    check(
+        "height [m] = P.y",
+        "third = dot(ddot(phi))",
+        &["8:23 a third derivative is not computed; `ddot` of positions is the highest"],
+    );
+    check(
+        "height [m] = P.y",
+        "h = P.y; h = P.x",
+        &["8:20 `h` is defined twice; choose another name for one of them", "8:11 the first definition of `h` is here"],
+    );
+}
