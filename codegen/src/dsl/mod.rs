@@ -4,6 +4,7 @@ mod block;
 mod declarations;
 mod expression;
 mod limits;
+mod load;
 mod parse;
 mod region;
 mod source;

@@ -128,7 +128,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
         }
         "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
-        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(block::load))).into_iter().flatten()),
+        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(super::load::load))).into_iter().flatten()),
         "constraints" => {
             d.constraints.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten())
         }

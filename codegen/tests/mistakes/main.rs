@@ -7,6 +7,7 @@
 mod blocks;
 mod bodies;
 mod constraints;
+mod elements;
 mod expressions;
 mod loads;
 mod names;
