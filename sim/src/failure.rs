@@ -123,8 +123,8 @@ pub enum What {
     },
     /// A degree of freedom without a drive, or a drive without one.
     #[error(
-        "the mechanism has {freedoms} degree(s) of freedom here, and {driven} quantities are driven or held. Each needs one: hold what is \
-             free, or drive less"
+        "each degree of freedom needs a drive or a hold, and one only: there are {freedoms} of them here, and {driven} quantities \
+             driven or held. Hold what is free, or drive less"
     )]
     NotDriven {
         /// Degrees of freedom.

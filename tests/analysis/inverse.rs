@@ -21,7 +21,7 @@ fn energy_of_slider_crank(theta: f64) -> f64 {
     let centre = [crank[0] - l / 2.0 * phi.sin() * turning, crank[1] + l / 2.0 * phi.cos() * turning];
     let piston = crank[0] - l * phi.sin() * turning;
     let kinetic = (1.0 * r * r / 3.0) * omega * omega / 2.0
-        + 2.0 / 2.0 * (centre[0] * centre[0] + centre[1] * centre[1])
+        + 0.5 * 2.0 * (centre[0] * centre[0] + centre[1] * centre[1])
         + 2.0 * l * l / 12.0 * turning * turning / 2.0
         + 1.5 / 2.0 * piston * piston;
     let height = 1.0 * r / 2.0 * theta.sin() + 2.0 * (r * theta.sin() + l / 2.0 * phi.sin()) + 1.5 * e;
@@ -61,7 +61,7 @@ fn energy_of_quick_return(alpha: f64) -> f64 {
         + (6.0 * 0.16 + 10.0) / 2.0 * turning * turning
         + 4.0 / 2.0 * (middle[0] * middle[0] + middle[1] * middle[1])
         + 6.0 / 2.0 * bar * bar
-        + 2.0 / 2.0 * slider * slider;
+        + 0.5 * 2.0 * slider * slider;
     kinetic - 1000.0 * (0.7 * beta.cos() + 0.6 * gamma.cos())
 }
 
@@ -99,12 +99,16 @@ fn moves_as_driven<M: Mechanism>(mechanism: M, drive: &str, rate: f64, second: f
     assert!((dynamics.accelerations[index] - second).abs() < 1e-10);
 }
 
-use sim::Array;
-
 #[test]
 fn forward_dynamics_under_the_torque_gives_the_prescribed_motion() {
     let fast = 7.0;
     moves_as_driven(FourBar::default(), "theta2", fast, 3.0, |torque| FourBar { T: torque, ..FourBar::default() });
-    moves_as_driven(SliderCrank::default(), "theta", fast, -11.0, |T| SliderCrank { T, ..SliderCrank::default() });
-    moves_as_driven(QuickReturn::default(), "alpha", fast, 0.5, |T| QuickReturn { T, ..QuickReturn::default() });
+    moves_as_driven(SliderCrank::default(), "theta", fast, -11.0, |torque| SliderCrank {
+        T: torque,
+        ..SliderCrank::default()
+    });
+    moves_as_driven(QuickReturn::default(), "alpha", fast, 0.5, |torque| QuickReturn {
+        T: torque,
+        ..QuickReturn::default()
+    });
 }

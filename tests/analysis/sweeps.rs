@@ -5,11 +5,17 @@ use sim::{Driven, Kinematics, Mechanism, Sweep, declared_start, kinematics, mech
 use std::f64::consts::{PI, TAU};
 
 /// Drives a coordinate or output from the declared start.
-pub fn driven<M: Mechanism>(mechanism: M, name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Kinematics<M> {
+pub(crate) fn driven<M: Mechanism>(
+    mechanism: M,
+    name: &str,
+    [from, to]: [f64; 2],
+    speed: f64,
+    steps: usize,
+) -> Kinematics<M> {
     kinematics(mechanism, &declared_start(&mechanism), &sweep::<M>(name, [from, to], speed, steps)).unwrap()
 }
 
-pub fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
+pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
     Sweep { driven: Driven::find::<M>(name).unwrap(), from, to, speed, steps, held: Vec::new() }
 }
 

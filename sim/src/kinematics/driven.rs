@@ -85,7 +85,7 @@ impl Driven {
         match self {
             Driven::Coordinate(_) => 0.0,
             Driven::Output(i) => {
-                let lifted = mechanism.on(|value| constant(value));
+                let lifted = mechanism.on(constant);
                 let moving = |value: f64, rate: f64| Dual {
                     value: Dual { value, derivative: rate },
                     derivative: Dual { value: rate, derivative: 0.0 },

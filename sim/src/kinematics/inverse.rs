@@ -7,6 +7,10 @@ use crate::trajectory::{Sample, State};
 use nalgebra::DVector;
 use sim_kernel::{Array, Mechanism};
 
+/// A determinant this small beside the product of its columns' lengths is zero: of what would be divided by it, fewer than
+/// six digits were left.
+const SINGULAR: f64 = 1e-10;
+
 /// A motion that drives prescribe.
 #[derive(Clone, Debug)]
 pub struct Prescribed<M: Mechanism> {
@@ -56,12 +60,13 @@ pub(super) fn prescribed<M: Mechanism>(
     let linear = system.linear(q, p);
     let determinant = linear.jacobian.determinant();
     let columns = M::Q::from_fn(|j| linear.jacobian.column(j).norm());
+    let is_singular = !(determinant.abs() > SINGULAR * columns.iter().product::<f64>());
     let factors = linear.jacobian.clone().lu();
     let solve = |rhs: &DVector<f64>| factors.solve(rhs).filter(|found| found.iter().all(|value| value.is_finite()));
-    let singular = || {
-        let driven = system.laws.first().map_or("nothing", |law| law.driven.quantity::<M>().name);
-        Failure::at::<M>(What::DriveSingular { driven }, time, q)
-    };
+    let singular = || system.singular(q, p);
+    if is_singular {
+        return Err(singular());
+    }
     let qd = as_array::<M>(&solve(&-linear.by_parameter).ok_or_else(singular)?);
     let mut open = -system.convective(q, &qd, p);
     let first_drive = M::Q::LEN - system.laws.len();

@@ -79,10 +79,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
         let z = DVector::from_fn(n + 1, |j, _| if j < n { q[j] } else { 0.0 });
         let along = DVector::from_fn(n + 1, |j, _| f64::from(u8::from(j == n)));
         let point = self.tangent(z, &along).filter(|point| point.tangent[n] > 1e-9);
-        point.ok_or_else(|| {
-            let what = What::DriveSingular { driven: self.system.laws[0].driven.quantity::<M>().name };
-            Failure::at::<M>(what, self.system.time(0.0), q)
-        })
+        point.ok_or_else(|| self.system.singular(q, 0.0))
     }
 
     /// The next point, at most `length` away.

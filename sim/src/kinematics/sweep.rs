@@ -2,7 +2,7 @@
 
 use super::driven::Driven;
 use super::inverse::{Prescribed, prescribed};
-use super::path::{Path, Span, Special};
+use super::path::{Path, Point, Span, Special};
 use super::system::{Law, System};
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
@@ -30,6 +30,11 @@ impl Sweep {
     /// The speed in the direction of the sweep.
     pub fn rate(&self) -> f64 {
         self.speed.abs() * (self.to - self.from).signum()
+    }
+
+    /// When the k-th position is reached.
+    fn parameter(&self, k: usize) -> f64 {
+        ((self.to - self.from) / self.speed).abs() * (k as f64 / self.steps as f64)
     }
 }
 
@@ -80,9 +85,13 @@ pub(super) fn sweep<'m, M: Mechanism>(
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
     let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.rate() }].into_iter().chain(held).collect();
     let system = system.running(laws);
-    let motion = Vec::with_capacity(sweep.steps + 1);
+    let along = system.clone();
+    let path = Path::new(&along, sweep.parameter(sweep.steps));
+    let from = path.start(&q)?;
+    let q = path.at_parameter(&q, 0.0, f64::INFINITY).unwrap_or(q);
+    let motion = vec![checked(&system, &q, 0.0)?];
     let mut swept = Swept { system, mobility, motion, branches: Vec::new(), limit: None, failure: None };
-    swept.failure = advance(&mut swept, &q, sweep).err();
+    swept.failure = advance(&mut swept, &path, from, sweep).err();
     Ok(swept)
 }
 
@@ -106,30 +115,24 @@ fn approach<'m, M: Mechanism>(
     loop {
         let (to, taken) = path.next(&from, &mut length)?;
         let span = Span::new(&from, &to, taken);
-        if path.place(&to).1 >= 1.0 {
-            if let Some(q) = path.at(&span, 1.0) {
-                return Ok((system, mobility, q));
-            }
-        }
-        if let Some((Special::Limit, q, p)) = path.special(&span) {
+        let special = path.special(&span);
+        if let Some((Special::Limit, q, p)) = special
+            && p < 1.0
+        {
             return Err(limit(&system, q, p).1);
+        }
+        if path.place(&to).1 >= 1.0 || matches!(special, Some((Special::Limit, ..))) {
+            let q = path.at(&span, 1.0).ok_or_else(|| system.singular(&path.place(&to).0, 1.0))?;
+            return Ok((system, mobility, q));
         }
         from = to;
     }
 }
 
-/// The recorded positions, one after the other, until the end or what ends the sweep.
-fn advance<M: Mechanism>(swept: &mut Swept<M>, q: &M::Q, sweep: &Sweep) -> Result<(), Failure> {
-    let end = ((sweep.to - sweep.from) / sweep.speed).abs();
+/// The recorded positions after the first, one after the other, until the end or what ends the sweep.
+fn advance<M: Mechanism>(swept: &mut Swept<M>, path: &Path<M>, mut from: Point, sweep: &Sweep) -> Result<(), Failure> {
     let system = swept.system.clone();
-    let path = Path::new(&system, end);
-    let place = |k: usize| end * (k as f64 / sweep.steps as f64);
-    let mut next = 0;
-    if let Some(q) = path.at_parameter(q, 0.0, f64::INFINITY) {
-        swept.motion.push(checked(&system, &q, 0.0)?);
-        next = 1;
-    }
-    let (mut from, mut length) = (path.start(q)?, path.first_length());
+    let (mut next, mut length) = (1, path.first_length());
     while next <= sweep.steps {
         let (to, taken) = path.next(&from, &mut length)?;
         let span = Span::new(&from, &to, taken);
@@ -138,10 +141,12 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, q: &M::Q, sweep: &Sweep) -> Resul
             Some((Special::Limit, _, p)) => *p,
             _ => path.place(&to).1,
         };
-        while next <= sweep.steps && place(next) <= reached {
-            // A position where branches cross has no speeds of its own.
-            if let Some(q) = path.at(&span, place(next)) {
-                swept.motion.push(checked(&system, &q, place(next))?);
+        while next <= sweep.steps && sweep.parameter(next) <= reached {
+            match sample(&system, path, &span, sweep.parameter(next))? {
+                Some(motion) => swept.motion.push(motion),
+                // Where branches cross the drive leaves the speeds open; a limit position is reported below.
+                None if matches!(special, Some((Special::Limit, ..))) => break,
+                None => {}
             }
             next += 1;
         }
@@ -151,7 +156,7 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, q: &M::Q, sweep: &Sweep) -> Resul
                 swept.limit = Some(position);
                 return Err(failure);
             }
-            Some((Special::Branch, positions, p)) if p <= end => {
+            Some((Special::Branch, positions, p)) if p <= sweep.parameter(sweep.steps) => {
                 swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions });
             }
             _ => {}
@@ -159,6 +164,20 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, q: &M::Q, sweep: &Sweep) -> Resul
         from = to;
     }
     Ok(())
+}
+
+/// The motion in a span at a given p; `None` where the drive does not determine it.
+fn sample<M: Mechanism>(
+    system: &System<M>,
+    path: &Path<M>,
+    span: &Span,
+    p: f64,
+) -> Result<Option<Prescribed<M>>, Failure> {
+    let Some(q) = path.at(span, p) else { return Ok(None) };
+    match checked(system, &q, p) {
+        Err(Failure { what: What::DriveSingular { .. }, .. }) => Ok(None),
+        found => found.map(Some),
+    }
 }
 
 /// The motion at a position, where all constraints hold.

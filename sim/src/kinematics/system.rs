@@ -111,6 +111,12 @@ impl<'m, M: Mechanism> System<'m, M> {
         is_met(self.mechanism, time, q, &self.mechanism.constraint_linearization(time, q))
     }
 
+    /// That the drive does not determine the motion at a position.
+    pub(super) fn singular(&self, q: &M::Q, p: f64) -> Failure {
+        let driven = self.laws.first().map_or("nothing", |law| law.driven.quantity::<M>().name);
+        Failure::at::<M>(What::DriveSingular { driven }, self.time(p), q)
+    }
+
     /// The coordinates that no drive holds directly.
     pub(super) fn dependent_columns(&self) -> impl Iterator<Item = usize> + '_ {
         (0..M::Q::LEN).filter(|j| self.laws.iter().all(|law| law.driven != Driven::Coordinate(*j)))
