@@ -25,6 +25,16 @@ struct Body {
     names: BTreeSet<String>,
 }
 
+impl Body {
+    /// One more instance, with the names that it gives.
+    fn add(&mut self, name: &str, instance: Instance) {
+        let arguments = instance.arguments.iter().filter(|argument| !argument.is_word());
+        let names = instance.body.names.iter().cloned().chain(arguments.map(|argument| plain(&argument.name)));
+        self.names.extend(names.map(|inner| format!("{name}_{inner}")));
+        self.items.push(Item::Use(instance));
+    }
+}
+
 enum Item {
     Word(TokenTree),
     Use(Instance),
@@ -35,7 +45,6 @@ struct Instance {
     prefix: String,
     arguments: Vec<Argument>,
     body: Body,
-    number: usize,
 }
 
 /// What is put in for a name.
@@ -68,7 +77,7 @@ impl Expander<'_> {
     pub(super) fn instantiate(&mut self, tokens: &[TokenTree]) -> Result<Vec<TokenTree>> {
         let body = self.prepare(tokens, "", &mut Vec::new(), MECHANISM)?;
         let mut out = Vec::new();
-        self.write(&body, &Scope::default(), MECHANISM, &mut out);
+        self.write(&body, &Scope::default(), &mut out);
         Ok(out)
     }
 
@@ -78,30 +87,19 @@ impl Expander<'_> {
         let mut at = 0;
         while at < tokens.len() {
             if is_word(tokens.get(at), "use") {
-                match instance(&tokens[at..])
-                    .and_then(|(used, length)| Ok((self.prepare_instance(used, prefix, inside)?, length)))
-                {
-                    Ok(((name, instance), length)) => {
-                        let names = instance.body.names.iter().cloned();
-                        let arguments = instance.arguments.iter().filter(|a| !a.is_word()).map(|a| plain(&a.name));
-                        body.names.extend(names.chain(arguments).map(|inner| format!("{name}_{inner}")));
-                        body.items.push(Item::Use(instance));
-                        at += length;
-                    }
-                    Err(mistake) => {
-                        self.mistakes.add(mistake);
-                        at += item_length(&tokens[at..]);
-                    }
-                }
+                let read = instance(&tokens[at..]).and_then(|(used, length)| {
+                    self.prepare_instance(used, prefix, inside).map(|(name, instance)| {
+                        body.add(&name, instance);
+                        length
+                    })
+                });
+                at += read.unwrap_or_else(|mistake| {
+                    self.mistakes.add(mistake);
+                    item_length(&tokens[at..])
+                });
                 continue;
             }
-            if let TokenTree::Ident(word) = &tokens[at]
-                && ["fragment", "const"].iter().any(|item| word == item)
-                && matches!(tokens.get(at + 1), Some(TokenTree::Ident(_)))
-            {
-                let message = format!("`{word}` stands beside the blocks of the mechanism, in nothing else");
-                return Err(Error::new(word.span(), message));
-            }
+            check_item(tokens, at)?;
             words.push(tokens[at].clone());
             body.items.push(Item::Word(tokens[at].clone()));
             at += 1;
@@ -147,7 +145,7 @@ impl Expander<'_> {
         }
         let named = fragment.arguments.into_iter().zip(arguments);
         let arguments = named.map(|(name, words)| Argument { name, words }).collect();
-        Ok((plain(&prefix), Instance { prefix: prefix_, arguments, body, number }))
+        Ok((plain(&prefix), Instance { prefix: prefix_, arguments, body }))
     }
 
     fn find(&self, name: &Ident) -> Result<&Fragment> {
@@ -157,7 +155,7 @@ impl Expander<'_> {
         })
     }
 
-    fn write(&mut self, body: &Body, scope: &Scope, number: usize, out: &mut Vec<TokenTree>) {
+    fn write(&mut self, body: &Body, scope: &Scope, out: &mut Vec<TokenTree>) {
         let words = |items: &[Item]| -> Vec<TokenTree> {
             items
                 .iter()
@@ -168,7 +166,7 @@ impl Expander<'_> {
         for items in body.items.chunk_by(|a, b| matches!((a, b), (Item::Word(_), Item::Word(_)))) {
             match items {
                 [Item::Use(instance)] => self.write_instance(instance, scope, out),
-                _ => out.extend(self.rename(&words(items), scope, number)),
+                _ => out.extend(self.rename(&words(items), scope)),
             }
         }
     }
@@ -177,7 +175,7 @@ impl Expander<'_> {
         let mut scope =
             Scope { prefix: instance.prefix.clone(), own: instance.body.names.clone(), arguments: BTreeMap::new() };
         for argument in &instance.arguments {
-            let words = self.rename(&argument.words, outer, instance.number);
+            let words = self.rename(&argument.words, outer);
             if let [TokenTree::Ident(name)] = &words[..] {
                 self.arguments.push(name.clone());
             }
@@ -199,11 +197,11 @@ impl Expander<'_> {
             };
             scope.arguments.insert(plain(&argument.name), put_in);
         }
-        self.write(&instance.body, &scope, instance.number, out);
+        self.write(&instance.body, &scope, out);
     }
 
     /// Own names with their prefix, arguments put in.
-    fn rename(&mut self, tokens: &[TokenTree], scope: &Scope, number: usize) -> Vec<TokenTree> {
+    fn rename(&mut self, tokens: &[TokenTree], scope: &Scope) -> Vec<TokenTree> {
         if scope.prefix.is_empty() {
             self.refuse_uses(tokens);
             return tokens.to_vec();
@@ -215,7 +213,7 @@ impl Expander<'_> {
                 TokenTree::Group(group) => {
                     let inner = list(group.stream());
                     self.refuse_uses(tokens);
-                    let renamed = self.rename(&inner, scope, number);
+                    let renamed = self.rename(&inner, scope);
                     out.push(regroup(group, renamed, group.span()));
                 }
                 TokenTree::Ident(name) if is_name(tokens, at) => match scope.arguments.get(&plain(name)) {
@@ -245,6 +243,17 @@ impl Expander<'_> {
                 self.mistakes.add(Error::new(misplaced.span(), "`use` stands beside blocks, not inside of one"));
             }
         }
+    }
+}
+
+/// Refuses what stands in the mechanism itself alone.
+fn check_item(tokens: &[TokenTree], at: usize) -> Result<()> {
+    match (&tokens[at], tokens.get(at + 1)) {
+        (TokenTree::Ident(word), Some(TokenTree::Ident(_))) if word == "fragment" || word == "const" => {
+            let message = format!("`{word}` stands beside the blocks of the mechanism, in nothing else");
+            Err(Error::new(word.span(), message))
+        }
+        _ => Ok(()),
     }
 }
 
