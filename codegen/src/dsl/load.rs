@@ -3,7 +3,7 @@
 use super::block::{accept_word, docs, expect_word, keyword};
 use super::expression::expression;
 use super::region::here;
-use super::{Expression, Extent, Kind, Law, Load, Region};
+use super::{Element, Expression, Extent, Kind, Law, Load, Region};
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};
 
@@ -34,7 +34,7 @@ fn force(input: ParseStream, word: &Ident) -> Result<Load> {
         return Ok(Load::Force { force, point: expression(input)? });
     }
     match extent(input)? {
-        Some(extent) => Ok(Load::Element { keyword: word.into(), law: Law::Force(force), extent }),
+        Some(extent) => Ok(made(word, Law::Force(force), extent)),
         None => Err(here(input, "expected `at`: `force [F, 0] at P;`")),
     }
 }
@@ -43,7 +43,7 @@ fn torque(input: ParseStream, word: &Ident) -> Result<Load> {
     let moment = expression(input)?;
     match extent(input)? {
         Some(Extent::Quantity(Expression { kind: Kind::Name(body), .. })) => Ok(Load::Torque { moment, body }),
-        Some(extent) => Ok(Load::Element { keyword: word.into(), law: Law::Force(moment), extent }),
+        Some(extent) => Ok(made(word, Law::Force(moment), extent)),
         None => Err(here(input, "expected `on`: `torque T on body;`")),
     }
 }
@@ -56,7 +56,7 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
     let measure = keyword(input, &["length", "rest"])?;
     let rest = expression(input)?;
     let load = element(input, word, Law::Spring(law, rest), SPRING)?;
-    let between_points = matches!(load, Load::Element { extent: Extent::Distance(..), .. });
+    let between_points = matches!(&load, Load::Element(e) if matches!(e.extent, Extent::Distance(..)));
     match (between_points, measure == "length") {
         (true, false) => {
             Err(syn::Error::new(measure.span(), format!("between points a spring has a `length`: `{SPRING}`")))
@@ -71,9 +71,13 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
 
 fn element(input: ParseStream, word: &Ident, law: Law, form: &str) -> Result<Load> {
     match extent(input)? {
-        Some(extent) => Ok(Load::Element { keyword: Region::from(word), law, extent }),
+        Some(extent) => Ok(made(word, law, extent)),
         None => Err(here(input, format!("expected `from`, `between` or `on`: `{form}`"))),
     }
+}
+
+fn made(word: &Ident, law: Law, extent: Extent) -> Load {
+    Load::Element(Box::new(Element { keyword: Region::from(word), law, extent }))
 }
 
 /// `from A to B`, `between alpha and beta`, `on x`, or nothing of these.

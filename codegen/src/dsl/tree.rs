@@ -110,14 +110,17 @@ pub enum Load {
     /// `dissipation R;`: the generalised force is -dR/dq'.
     Dissipation(Expression),
     /// `spring k, length l0 from A to B;` and its like.
-    Element {
-        /// The word it starts with.
-        keyword: Region,
-        /// What it does.
-        law: Law,
-        /// What it works along.
-        extent: Extent,
-    },
+    Element(Box<Element>),
+}
+
+/// A force along a scalar.
+pub struct Element {
+    /// The word it starts with.
+    pub keyword: Region,
+    /// What it does.
+    pub law: Law,
+    /// What it works along.
+    pub extent: Extent,
 }
 
 /// The force or torque of an element along its extent.

@@ -5,7 +5,7 @@ use super::level::{position_level, position_scalar};
 use super::loads::load_level;
 use super::value::{Value, common_dimension};
 use super::{Coordinate, Dependence, Dimension, Effort};
-use crate::dsl::{Expression, Extent, Law, Region};
+use crate::dsl::{Element, Expression, Extent, Law, Region};
 use crate::symbolic::{Differential, Expr, Number};
 
 /// How far a spring is from where it has no force, in the law of its force.
@@ -47,9 +47,9 @@ pub(super) fn quantity(expression: &Expression, i: &mut Interpreter) -> Option<E
 }
 
 /// The force of an element along its extent.
-pub(super) fn element(keyword: Region, law: &Law, extent: &Extent, i: &mut Interpreter) -> Option<Effort> {
-    let along = resolve_extent(keyword, extent, i);
-    match law {
+pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> {
+    let along = resolve_extent(element.keyword, &element.extent, i);
+    match &element.law {
         Law::Force(force) => {
             let force = load_scalar(force, i)?;
             along.map(|along| Effort { force: force.0, along: along.value })

@@ -38,13 +38,13 @@ pub(super) fn resolve_loads(
             dsl::Load::Torque { moment, body } => loads.efforts.extend(torque(moment, body, bodies, names, i)),
             dsl::Load::Potential(energy) => loads.efforts.extend(potential(energy, i)),
             dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, coordinates, i)),
-            dsl::Load::Element { keyword, law, extent } => {
-                if let Some(body) = body_instead_of_scalar(extent, names, i) {
+            dsl::Load::Element(load) => {
+                if let Some(body) = body_instead_of_scalar(&load.extent, names, i) {
                     let message = format!("`{body}` is a body; a force on it acts at a point: `force [F, 0] at P;`");
                     i.mistakes.add(Region::from(body).error(message));
                     continue;
                 }
-                loads.efforts.extend(element(*keyword, law, extent, i));
+                loads.efforts.extend(element(load, i));
             }
             dsl::Load::Gravity { keyword, acceleration } => {
                 if let Some(first) = gravity_at.replace(*keyword) {

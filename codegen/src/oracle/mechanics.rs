@@ -109,7 +109,7 @@ impl Builder<'_> {
             }
             Load::Potential(energy) => potential(energy, &mut self.positions),
             Load::Dissipation(function) => dissipation(function, &mut self.by_speeds, &self.positions),
-            Load::Element { law, extent, .. } => element(law, extent, &mut self.positions, &mut self.motion),
+            Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
                 let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());
                 let massive = bodies.iter().zip(rows).filter(|(body, _)| body.mass.is_some());
