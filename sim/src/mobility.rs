@@ -1,14 +1,18 @@
 //! Degrees of freedom, and constraints that say what others say already.
 
 use crate::failure::{Failure, What, constraint_name};
+use crate::level::between_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// What the constraints leave free at a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
-    /// How many coordinates can move independently: n less the rank of C_q.
+    /// How many speeds are independent: n less the rank of C_q, rows between speeds included.
     pub degrees_of_freedom: usize,
+    /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
+    /// between speeds alone.
+    pub configuration_freedom: usize,
     /// The constraints that depend on those before them. Their share of the reactions is not determined, and is
     /// reported as 0.
     pub dependent: Vec<&'static str>,
@@ -19,24 +23,29 @@ const DEPENDENT: f64 = 1e-7;
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    let angles = independence(mechanism, time, q);
-    let rows = || angles.iter().enumerate();
-    let dependent: Vec<_> =
-        rows().filter(|(_, sine)| !(**sine > DEPENDENT)).map(|(i, _)| constraint_name::<M>(i)).collect();
-    Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - M::L::LEN, dependent }
+    let jacobian = mechanism.constraint_jacobian(time, q);
+    let dependent = |jacobian: &M::LQ| -> Vec<usize> {
+        let sines = independence::<M>(jacobian);
+        (0..M::L::LEN).filter(|i| !(sines[*i] > DEPENDENT)).collect()
+    };
+    let (rows, of_positions) = (dependent(&jacobian), dependent(&between_positions::<M>(&jacobian)));
+    Mobility {
+        degrees_of_freedom: M::Q::LEN + rows.len() - M::L::LEN,
+        configuration_freedom: M::Q::LEN + of_positions.len() - M::L::LEN,
+        dependent: rows.into_iter().map(constraint_name::<M>).collect(),
+    }
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.
 pub(crate) fn weakest_constraint<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<(&'static str, f64)> {
-    let angles = independence(mechanism, time, q);
+    let angles = independence::<M>(&mechanism.constraint_jacobian(time, q));
     let independent = angles.iter().enumerate().filter(|(_, sine)| **sine > 0.0);
     let (row, sine) = independent.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
     Some((constraint_name::<M>(row), *sine))
 }
 
 /// For each row of C_q the sine of its angle to the space of those before it.
-fn independence<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<f64> {
-    let jacobian = mechanism.constraint_jacobian(time, q);
+fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let of_row = |i: usize| {
         let row = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());

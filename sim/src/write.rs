@@ -73,6 +73,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "end": { "asked": run.settings.end, "reached": last, "samples": samples.len() },
         "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
+        "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),

@@ -10,6 +10,7 @@ mod failure;
 mod faulty;
 mod linkages;
 mod long;
+mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;

@@ -11,6 +11,7 @@ mod level;
 mod loads;
 mod outputs;
 mod quantities;
+mod rates;
 mod resolve;
 mod scope;
 mod start;
@@ -144,12 +145,23 @@ pub struct Torque {
 pub struct Constraint {
     /// Its name; `closure_x` for a row of a vector equation.
     pub name: String,
-    /// C = left - right.
+    /// What it holds between.
+    pub level: Level,
+    /// C = left - right; for a row between speeds w = left - right, linear in q'.
     pub value: Expr,
     /// The multiplier's symbol.
     pub multiplier: Symbol,
-    /// The multiplier's unit: joules per unit of C. `1` where the constraint's own unit is not known.
+    /// The multiplier's unit: joules per unit of C, or watts per unit of a row between speeds. `1` where the constraint's own unit is not known.
     pub unit: Unit,
+}
+
+/// What a constraint holds between.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Level {
+    /// Positions: C(q, t) = 0.
+    Positions,
+    /// Speeds: w(q, q', t) = 0, whether or not it could be integrated.
+    Speeds,
 }
 
 /// A condition that comes to hold at certain times.

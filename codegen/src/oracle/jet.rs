@@ -81,6 +81,28 @@ impl Jet {
         }
     }
 
+    /// The derivative along variables that change at given `rates`, themselves jets; `None` if it is not known.
+    ///
+    /// Of what it is a jet itself only the gradient is known: u_i r_i has the derivatives u_ik r_i + u_i r_ik.
+    pub(super) fn rate(&self, rates: &[Jet]) -> Option<Jet> {
+        let variables = self.variables();
+        match self.order {
+            CONSTANT => Some(Jet::constant(Measured::ZERO, variables)),
+            2 => {
+                let mut rate = Jet::constant(self.slope(&rates.iter().map(Jet::value).collect::<Vec<_>>()), variables);
+                rate.order = 1;
+                for (i, (u_i, r)) in self.gradient.iter().zip(rates).enumerate() {
+                    for k in 0..variables {
+                        let change = self.hessian[i * variables + k] * r.value + *u_i * r.gradient[k];
+                        rate.gradient[k] = rate.gradient[k] + change;
+                    }
+                }
+                Some(rate)
+            }
+            _ => None,
+        }
+    }
+
     /// f(self), from f and its derivatives at this jet's value:
     /// gradient f' u_i, Hessian f' u_ij + f'' u_i u_j.
     pub(super) fn compose(&self, [f, f1, f2, f3]: Derivatives) -> Jet {

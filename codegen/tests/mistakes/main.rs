@@ -7,6 +7,7 @@
 mod blocks;
 mod bodies;
 mod constraints;
+mod constraints_in_speeds;
 mod expressions;
 mod loads;
 mod names;

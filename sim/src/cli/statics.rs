@@ -26,6 +26,7 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
         let said = json!({
             "model": description.name,
             "degrees_of_freedom": found.degrees_of_freedom,
+            "configuration_freedom": found.configuration_freedom,
             "redundant_constraints": found.dependent,
             "coordinates": coordinates,
             "speeds": speeds,
@@ -34,10 +35,7 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
         return print(&format!("{said:#}\n"));
     }
     let mut out = std::io::stdout().lock();
-    let freedom = match found.degrees_of_freedom {
-        1 => "1 degree of freedom".to_owned(),
-        count => format!("{count} degrees of freedom"),
-    };
+    let freedom = super::info::freedom(&found);
     let coordinates = counted(M::Q::LEN, "coordinate");
     writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
     for name in &found.dependent {
