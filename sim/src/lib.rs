@@ -13,6 +13,7 @@ mod failure;
 mod formats;
 mod integrate;
 mod interpolate;
+mod least_norm;
 mod level;
 mod mobility;
 mod motion;

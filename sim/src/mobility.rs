@@ -13,10 +13,30 @@ pub struct Mobility {
     /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
     /// between speeds alone.
     pub configuration_freedom: usize,
-    /// The constraints that depend on those before them. Their share of the reactions is not determined, and is
-    /// reported as 0.
+    /// The constraints that depend on those before them, in this position.
     pub dependent: Vec<&'static str>,
+    /// For each of them those before it that it follows from; none if it says nothing at all. How all of these share their
+    /// reactions is not determined: those of least norm are given, the smallest sum of lambda^2 in SI units.
+    pub implied_by: Vec<Vec<&'static str>>,
 }
+
+impl Mobility {
+    /// A line for each dependent constraint: from which others it follows, and what is shown of their reactions.
+    pub fn redundancies(&self) -> Vec<String> {
+        let line = |(name, others): (&&str, &Vec<&str>)| match others.is_empty() {
+            true => format!("`{name}` constrains nothing here; its reaction is shown as 0"),
+            false => format!(
+                "`{name}` is implied by `{}` at the start; their reactions are not determined one by one, and the ones of \
+                 least norm in SI units are shown",
+                others.join("`, `")
+            ),
+        };
+        self.dependent.iter().zip(&self.implied_by).map(line).collect()
+    }
+}
+
+/// A part of a constraint this small beside the whole is rounding.
+const NO_PART: f64 = 1e-7;
 
 /// A row is dependent whose distance from the space of those before it is less than this part of its length.
 const DEPENDENT: f64 = 1e-7;
@@ -32,8 +52,30 @@ pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     Mobility {
         degrees_of_freedom: M::Q::LEN + rows.len() - M::L::LEN,
         configuration_freedom: M::Q::LEN + of_positions.len() - M::L::LEN,
+        implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
         dependent: rows.into_iter().map(constraint_name::<M>).collect(),
     }
+}
+
+/// The independent constraints before a row that it is a combination of.
+fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> Vec<&'static str> {
+    let before: Vec<usize> = (0..row).filter(|i| !dependent.contains(i)).collect();
+    let direction = |i: usize| {
+        let entries = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+        let length = entries.norm();
+        if length > 0.0 { entries / length } else { entries }
+    };
+    let directions = DMatrix::from_fn(M::Q::LEN, before.len(), |j, k| direction(before[k])[j]);
+    if before.is_empty() || directions.iter().any(|entry| !entry.is_finite()) {
+        return vec![];
+    }
+    let Ok(parts) = directions.svd(true, true).solve(&direction(row), DEPENDENT) else { return vec![] };
+    before
+        .into_iter()
+        .zip(parts.iter())
+        .filter(|(_, part)| part.abs() > NO_PART)
+        .map(|(i, _)| constraint_name::<M>(i))
+        .collect()
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.

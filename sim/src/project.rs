@@ -40,7 +40,8 @@ pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usi
     let (time, q) = (state.time, &mut state.positions);
     let found = correct_positions(mechanism, time, q)?;
     let open = rates::<M>(&found.linear, &state.speeds);
-    let serves = !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
+    let serves =
+        !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
     let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
     if !factors.is_regular() && factors.dependent().count() > redundant {
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
@@ -96,7 +97,8 @@ pub fn rates<M: Mechanism>(linear: &Linearization<M>, qd: &M::Q) -> M::L {
 pub(crate) fn by_mass<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
     let (time, q) = (state.time, &mut state.positions);
     let (linear, _) = correct(mechanism, time, q, |linear, q| {
-        by_inertia(mechanism, time, q, &between_positions::<M>(&linear.jacobian), &linear.values).map(|change| (change, ()))
+        by_inertia(mechanism, time, q, &between_positions::<M>(&linear.jacobian), &linear.values)
+            .map(|change| (change, ()))
     })?;
     let change = by_inertia(mechanism, time, q, &linear.jacobian, &rates::<M>(&linear, &state.speeds))?;
     subtract(&mut state.speeds, &change);

@@ -75,6 +75,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
+        "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,

@@ -147,14 +147,16 @@ mechanism! {
     parameters { m [kg] = 3; J [kg*m^2] = 0.2; a [m] = 0.3; l [m] = 0.7; n [kg] = 0.4; v [m/s] = 0.2; c [N*s/m] = 0.5; }
     let P = [x, y];
     let across = [-sin(phi), cos(phi)];
-    let slip = inner(dot(P) - v*[sin(2*t), 0.3], across);
+    auxiliary { bx [m]; by [m]; foot [mm]; turn [rad]; }
+    let slip = inner(dot(P + [bx, by]) - v*[sin(2*t), 0.3], across);
     let G = P + a*[cos(phi), sin(phi)];
-    let tip = G + l*[cos(psi), sin(psi)];
-    bodies { sled: mass m at G, inertia J, angle phi; pole: mass n at tip, inertia J/9, angle psi; }
+    let tip = G + [foot, 0] + l*[cos(psi + turn), sin(psi + turn)];
+    bodies { sled: mass m at G, inertia J, angle phi; pole: mass n at tip, inertia J/9, angle psi + turn; }
     loads { force [1, 0.2*t] at G; force -c*dot(tip) at tip; torque sin(t) on pole; }
     constraints { blade: slip = 0; rail: tip.y + 0.1*tip.x = 0.4 + 0.05*sin(t); }
     initial { phi = 0.3; dot(phi) = 1; guess y = 100; guess psi = 0.2; }
-    outputs { side [N] = reaction(blade); rail [N] = reaction(rail); sideways [m/s] = slip; }
+    outputs { side [N] = reaction(blade); rail [N] = reaction(rail); sideways [m/s] = slip;
+        blade_x [N] = reaction(bx); blade_y [N] = reaction(by); foot [N] = reaction(foot); moment [N*m] = reaction(turn)*cos(psi); }
     drawing { line P, G, tip; ground [0, 0]; }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }

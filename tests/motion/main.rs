@@ -4,6 +4,7 @@
 
 mod andrews;
 mod assembly;
+mod auxiliary;
 mod constraints;
 mod events;
 mod failure;

@@ -51,7 +51,7 @@ fn a_knife_edge_on_an_incline_draws_a_cycloid() {
 fn chaplygins_sleigh_stops_turning() {
     let (a, omega) = (0.2, OMEGA);
     let skate = Skate { a, slope: 0.0, ..Default::default() };
-    let k = (skate.J / skate.m + a * a).sqrt();
+    let k = f64::sqrt(skate.J / skate.m + a * a);
     let c = k * omega;
     let s = |t: f64| a * c * t / (k * k);
     for stabilisation in ways() {
@@ -75,8 +75,8 @@ mechanism! {
     /// A disc with its weight off its centre, which rolls down a slope: between speeds.
     RollingDisc;
     coordinates { x [m]; y [m]; phi [rad]; }
-    parameters { r [m] = 0.3; e [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
-    bodies { disc: mass m at [x, y] + e*[sin(phi), cos(phi)], inertia J, angle phi; }
+    parameters { r [m] = 0.3; d [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
+    bodies { disc: mass m at [x, y] + d*[sin(phi), cos(phi)], inertia J, angle phi; }
     loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01*dot(phi) on disc; }
     constraints { roll: dot(x) = r*dot(phi); floor: y = r; }
     initial { x = 0; phi = 0; dot(phi) = 1; guess y = r; }
@@ -87,8 +87,8 @@ mechanism! {
     /// The same between positions.
     GearedDisc;
     coordinates { x [m]; y [m]; phi [rad]; }
-    parameters { r [m] = 0.3; e [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
-    bodies { disc: mass m at [x, y] + e*[sin(phi), cos(phi)], inertia J, angle phi; }
+    parameters { r [m] = 0.3; d [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
+    bodies { disc: mass m at [x, y] + d*[sin(phi), cos(phi)], inertia J, angle phi; }
     loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01*dot(phi) on disc; }
     constraints { roll: x = r*phi; floor: y = r; }
     initial { x = 0; phi = 0; dot(phi) = 1; guess y = r; }

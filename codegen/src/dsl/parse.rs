@@ -141,7 +141,9 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
-        "auxiliary" => d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten()),
+        "auxiliary" => {
+            d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
+        }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
     Ok(())

@@ -92,7 +92,8 @@ impl Derivatives {
     /// Jacobian and what is left without speeds for its time derivative.
     pub(super) fn of_rate(&mut self, model: &mut Model, variables: &Variables, rate: Expr) -> Differentiated {
         let graph = &mut model.graph;
-        let jacobian = variables.speeds.iter().map(|speed| Differential::partial(graph, *speed).of(graph, rate)).collect();
+        let jacobian =
+            variables.speeds.iter().map(|speed| Differential::partial(graph, *speed).of(graph, rate)).collect();
         let zero = graph.zero();
         let at_rest: Vec<(Symbol, Expr)> = variables.speeds.iter().map(|speed| (*speed, zero)).collect();
         let time_derivative = substitute(graph, &[rate], &at_rest)[0];

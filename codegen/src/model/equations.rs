@@ -2,16 +2,22 @@
 
 use super::interpret::Interpreter;
 use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
+use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::value::{Shape, Value, common_dimension};
-use super::rates::linear_in_speeds;
 use super::{Constraint, Dependence, Dimension, Event, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
 
-pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter) -> Vec<Constraint> {
+/// `conjugate` are the forces conjugate to auxiliary displacements, which are reactions too.
+pub(super) fn resolve_constraints(
+    declaration: &Declaration,
+    conjugate: &[Value],
+    i: &mut Interpreter,
+) -> Vec<Constraint> {
     let mut rows = Vec::new();
-    let mut reactions = Names::new("constraint");
+    let mut reactions =
+        Names::new(if conjugate.is_empty() { "constraint" } else { "constraint or auxiliary displacement" });
     for equation in &declaration.constraints {
         let first = rows.len();
         let sides = equation_sides(equation, i);
@@ -28,6 +34,9 @@ pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter
             _ => None,
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
+    }
+    for (auxiliary, force) in declaration.auxiliary.iter().zip(conjugate) {
+        reactions.define(&auxiliary.name, Some(force.clone()), &mut i.mistakes);
     }
     i.reactions = Some(reactions);
     rows

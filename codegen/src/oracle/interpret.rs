@@ -245,7 +245,8 @@ impl<'d> Interpreter<'d> {
         let constraints = self.declaration.constraints.iter().map(|c| &c.name);
         let index = constraints.chain(self.declaration.auxiliary.iter().map(|a| &a.name)).position(|n| n == name);
         let reaction = index.and_then(|index| reactions.get(index)).cloned();
-        reaction.ok_or_else(|| OracleError::new(format!("`{name}` is neither a constraint nor an auxiliary displacement")))
+        reaction
+            .ok_or_else(|| OracleError::new(format!("`{name}` is neither a constraint nor an auxiliary displacement")))
     }
 }
 

@@ -43,13 +43,7 @@ fn constraints_between_speeds() {
             "7:15 no speed stands in constraint row `stop_y`, though `dot()` is written; write it between positions, without `dot()`",
         ],
     );
-    constraint(
-        "stop: dot(phi) = P;",
-        &["7:21 a scalar stands left and a vector right; both sides are of one kind"],
-    );
+    constraint("stop: dot(phi) = P;", &["7:21 a scalar stands left and a vector right; both sides are of one kind"]);
     constraint("stop: reaction(stop) = dot(phi);", &["7:21 `reaction(..)` can stand only in outputs"]);
-    constraint(
-        "stop: phi_dot = 1;",
-        &["7:21 the rate of `phi` is written `dot(phi)` here"],
-    );
+    constraint("stop: phi_dot = 1;", &["7:21 the rate of `phi` is written `dot(phi)` here"]);
 }

@@ -4,6 +4,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod auxiliary;
 mod blocks;
 mod bodies;
 mod constraints;

@@ -93,8 +93,8 @@ fn as_text(facts: &Facts) -> String {
     match &facts.mobility {
         Ok(mobility) => {
             text += &format!("{size}; {}\n", freedom(mobility));
-            for name in &mobility.dependent {
-                text += &format!("constraint `{name}` says what others say already, at the start\n");
+            for line in mobility.redundancies() {
+                text += &format!("redundant: {line}\n");
             }
         }
         Err(why) => text += &format!("{size}\nnot assembled from its declared start: {why}\n"),
@@ -135,7 +135,10 @@ fn as_text(facts: &Facts) -> String {
     }
     if !d.speed_constraints.is_empty() {
         let names: Vec<&str> = d.speed_constraints.iter().map(|i| d.constraints[*i].name).collect();
-        text += &format!("  Between speeds alone: {}; their reactions have the power -lambda times left - right.\n", names.join(", "));
+        text += &format!(
+            "  Between speeds alone: {}; their reactions have the power -lambda times left - right.\n",
+            names.join(", ")
+        );
     }
     let outputs = d.outputs.iter().map(|o| [o.name.to_owned(), unit(o), o.docs.to_owned(), String::new()]);
     text += &section("Outputs", outputs.collect());

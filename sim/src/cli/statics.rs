@@ -38,8 +38,8 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
     let freedom = super::info::freedom(&found);
     let coordinates = counted(M::Q::LEN, "coordinate");
     writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
-    for name in &found.dependent {
-        writeln!(out, "redundant    `{name}` is implied by the constraints before it")?;
+    for line in found.redundancies() {
+        writeln!(out, "redundant    {line}")?;
     }
     for (c, (q, qd)) in description.coordinates.iter().zip(state.positions.iter().zip(state.speeds.iter())) {
         let (position, speed) = (q / c.position.factor, qd / c.speed.factor);
