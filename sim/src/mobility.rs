@@ -1,5 +1,6 @@
 //! Degrees of freedom, and constraints that say what others say already.
 
+use crate::conditional::is_active;
 use crate::failure::{Failure, What, constraint_name};
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
@@ -20,10 +21,10 @@ const DEPENDENT: f64 = 1e-7;
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     let angles = independence(mechanism, time, q);
-    let rows = || angles.iter().enumerate();
+    let held = || angles.iter().enumerate().filter(|(i, _)| is_active(mechanism, *i));
     let dependent: Vec<_> =
-        rows().filter(|(_, sine)| !(**sine > DEPENDENT)).map(|(i, _)| constraint_name::<M>(i)).collect();
-    Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - M::L::LEN, dependent }
+        held().filter(|(_, sine)| !(**sine > DEPENDENT)).map(|(i, _)| constraint_name::<M>(i)).collect();
+    Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - held().count(), dependent }
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.

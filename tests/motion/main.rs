@@ -8,6 +8,7 @@ mod constraints;
 mod events;
 mod failure;
 mod faulty;
+mod impacts;
 mod linkages;
 mod long;
 mod order;

@@ -71,7 +71,7 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     Ok(Let { name, value: expression(input)? })
 }
 
-fn equals(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -86,7 +86,7 @@ fn colon(input: ParseStream, advice: &str) -> Result<()> {
 }
 
 /// The word that says what a clause is, one of those expected.
-fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
+pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
     let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
     let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {list}")))?;
     if expected.iter().any(|e| word == e) {
@@ -95,7 +95,7 @@ fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
     Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {list}")))
 }
 
-fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
+pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
     let ahead = input.peek(Ident::peek_any) && input.fork().call(Ident::parse_any)? == word;
     if ahead {
         input.call(Ident::parse_any)?;
@@ -155,7 +155,17 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
     colon(input, "an equation has a name: `closure: left = right;`")?;
     let left = expression(input)?;
     equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)? })
+    Ok(Equation { name, left, right: expression(input)?, initially: None })
+}
+
+/// An equation, and whether it holds at the start if events switch it.
+pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
+    let mut equation = equation(input)?;
+    if accept_word(input, "initially")? {
+        let word = keyword(input, &["active", "released"])?;
+        equation.initially = Some(if word == "active" { Activity::Active } else { Activity::Released });
+    }
+    Ok(equation)
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

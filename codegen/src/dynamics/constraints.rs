@@ -1,4 +1,6 @@
 //! Constraints with the derivatives that the equations of motion and the projection need.
+//!
+//! The rows of a constraint that events switch are scaled by its activity, so that a released one is 0 = 0 everywhere.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::Model;
@@ -30,11 +32,14 @@ impl Constraints {
         let magnitudes = declared.into_iter().map(|value| magnitude(model, value)).collect();
         let mut constraints =
             Constraints { values, magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
-        for value in constraints.values.clone() {
+        for (i, value) in constraints.values.clone().into_iter().enumerate() {
             let row = derivatives.of_quantity(model, variables, value);
-            constraints.jacobian.push(row.jacobian);
-            constraints.time_derivative.push(row.time_derivative);
-            constraints.convective.push(row.convective);
+            let activity = model.constraints[i].activity;
+            let mut scaled = |expr: Expr| activity.map_or(expr, |activity| model.graph.mul(activity, expr));
+            constraints.values[i] = scaled(value);
+            constraints.jacobian.push(row.jacobian.into_iter().map(&mut scaled).collect());
+            constraints.time_derivative.push(scaled(row.time_derivative));
+            constraints.convective.push(scaled(row.convective));
         }
         constraints
     }

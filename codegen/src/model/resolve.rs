@@ -2,7 +2,8 @@
 
 use super::bodies::resolve_bodies;
 use super::drawing::resolve_drawing;
-use super::equations::{resolve_constraints, resolve_events};
+use super::equations::resolve_constraints;
+use super::events::{Known, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
 use super::outputs::resolve_outputs;
@@ -50,9 +51,10 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
     let loads = resolve_loads(declaration, &bodies, &body_names, i);
-    let constraints = resolve_constraints(declaration, i);
+    let (constraints, conditionals) = resolve_constraints(declaration, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
-    let events = resolve_events(declaration, i);
+    let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
+    let events = resolve_events(declaration, &known, i);
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
@@ -71,6 +73,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         forces: loads.forces,
         torques: loads.torques,
         constraints,
+        conditionals,
         events,
         outputs,
         groups,

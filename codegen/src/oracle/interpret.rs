@@ -134,6 +134,14 @@ impl<'d> Interpreter<'d> {
         self.reserved(name)
     }
 
+    /// A coordinate, by its name.
+    pub(super) fn coordinate_named(&mut self, name: &Ident) -> Result<Jet> {
+        match self.declaration.coordinates.iter().position(|c| c.name == *name) {
+            Some(index) => self.coordinate(index, name)?.scalar(),
+            None => refuse(format!("`{name}` is not a coordinate")),
+        }
+    }
+
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {
         let known = self.setting.motion.as_ref().and_then(|(coordinates, _)| coordinates.get(index));
         let known = known.cloned().map(Value::Scalar);

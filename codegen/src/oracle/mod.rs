@@ -26,7 +26,7 @@ pub use measured::Measured;
 pub use motion::{Solution, Terms};
 pub use state::State;
 
-use crate::dsl::{Declaration, Unit};
+use crate::dsl::{Activity, Declaration, Unit};
 use interpret::{Interpreter, Setting};
 use mechanics::Mechanics;
 
@@ -34,12 +34,21 @@ use mechanics::Mechanics;
 pub struct Oracle<'d> {
     declaration: &'d Declaration,
     si_factor: &'d dyn Fn(&Unit) -> f64,
+    /// Of each constraint that events switch, whether it holds.
+    active: Vec<bool>,
 }
 
 impl<'d> Oracle<'d> {
     /// An oracle for `declaration`, in which `si_factor` gives the size of each unit in SI units.
     pub fn new(declaration: &'d Declaration, si_factor: &'d dyn Fn(&Unit) -> f64) -> Oracle<'d> {
-        Oracle { declaration, si_factor }
+        let initially = declaration.constraints.iter().filter_map(|constraint| constraint.initially);
+        let active = initially.map(|activity| activity == Activity::Active).collect();
+        Oracle { declaration, si_factor, active }
+    }
+
+    /// The same where these of the constraints that events switch hold, instead of those that hold at the start.
+    pub fn with_active(self, active: Vec<bool>) -> Oracle<'d> {
+        Oracle { active, ..self }
     }
 
     /// The defaults of the parameters, in SI units.
@@ -58,7 +67,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// Where the state has not the declared lengths, or the declaration has not been checked.
     pub fn terms(&self, at: &State) -> Result<Terms> {
-        Ok(Terms::new(&self.mechanics(at)?, &at.rates()))
+        Ok(Terms::new(&self.mechanics(at)?, &at.rates(), &self.active_rows(at)?))
     }
 
     /// The accelerations and multipliers that solve the equations of motion with these terms.
@@ -74,8 +83,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn outputs(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
-        let reactions = observe::reactions(&self.mechanics(at)?.constraints, &solution.multipliers)?;
-        let setting = at.accelerated_motion(&solution.accelerations).with_reactions(reactions);
+        let setting = self.along(at, solution)?;
         observe::outputs(self.declaration, self.interpreter(setting))
     }
 
@@ -83,9 +91,18 @@ impl<'d> Oracle<'d> {
     ///
     /// # Errors
     /// As [`Oracle::terms`].
-    pub fn events(&self, at: &State) -> Result<Vec<Measured>> {
+    pub fn events(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
+        let setting = self.along(at, solution)?;
+        observe::events(self.declaration, self.interpreter(setting))
+    }
+
+    /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`].
+    pub fn event_values(&self, at: &State) -> Result<Vec<Measured>> {
         at.check(self.declaration)?;
-        observe::events(self.declaration, self.interpreter(at.motion()))
+        observe::event_values(self.declaration, self.si_factor, self.interpreter(at.motion()))
     }
 
     /// The power of loads, of constraints that time moves and of points that time moves, W.
@@ -95,7 +112,24 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn power(&self, at: &State, solution: &Solution) -> Result<Measured> {
-        Ok(observe::power(&self.mechanics(at)?, &at.rates(), solution))
+        Ok(observe::power(&self.mechanics(at)?, &at.rates(), solution, &self.active_rows(at)?))
+    }
+
+    /// The motion with its accelerations and reactions.
+    fn along(&self, at: &State, solution: &Solution) -> Result<Setting> {
+        let reactions = observe::reactions(&self.mechanics(at)?.constraints, &solution.multipliers)?;
+        Ok(at.accelerated_motion(&solution.accelerations).with_reactions(reactions))
+    }
+
+    /// For each row of the constraints whether it holds.
+    fn active_rows(&self, at: &State) -> Result<Vec<bool>> {
+        let mut switched = self.active.iter();
+        let mut rows = Vec::new();
+        for (constraint, value) in self.declaration.constraints.iter().zip(self.mechanics(at)?.constraints) {
+            let active = constraint.initially.is_none() || switched.next().copied().unwrap_or(true);
+            rows.resize(rows.len() + value.components().len(), active);
+        }
+        Ok(rows)
     }
 
     fn mechanics(&self, at: &State) -> Result<Mechanics> {

@@ -34,6 +34,8 @@ pub struct Terms {
     pub constraint_convective: Vec<Measured>,
     /// The sum of m v.v/2 + J w^2/2, J.
     pub kinetic_energy: Measured,
+    /// Whether each row of the constraints holds.
+    active: Vec<bool>,
 }
 
 /// What solves the equations of motion.
@@ -49,22 +51,33 @@ pub struct Solution {
 }
 
 impl Terms {
-    pub(super) fn new(mechanics: &Mechanics, rates: &[Measured]) -> Terms {
+    /// Rows that do not hold are zero.
+    pub(super) fn new(mechanics: &Mechanics, rates: &[Measured], active: &[bool]) -> Terms {
         let n = rates.len() - 1;
         let applied_forces = along(n, mechanics.efforts.iter().map(|effort| (effort.force, &effort.place)));
         let resisting = mechanics.rows.iter().map(|row| (row.inertia * row.place.curvature(rates), &row.place));
         let convective = along(n, resisting);
         let constraints = mechanics.constraint_rows();
+        let of_rows = |value: &dyn Fn(&Jet) -> Measured| -> Vec<Measured> {
+            let rows = constraints.iter().zip(active);
+            rows.map(|(row, active)| if *active { value(row) } else { Measured::ZERO }).collect()
+        };
+        let jacobian = constraints.iter().zip(active).map(|(row, active)| match active {
+            true => row.gradient()[..n].to_vec(),
+            false => vec![Measured::ZERO; n],
+        });
+        let jacobian = jacobian.collect();
         Terms {
             mass_matrix: mass_matrix(mechanics, n),
             generalized_forces: applied_forces.iter().zip(&convective).map(|(a, b)| *a - *b).collect(),
             applied_forces,
             convective,
-            constraints: constraints.iter().map(Jet::value).collect(),
-            constraint_jacobian: constraints.iter().map(|row| row.gradient()[..n].to_vec()).collect(),
-            constraint_time_derivative: constraints.iter().map(|row| row.gradient()[n]).collect(),
-            constraint_convective: constraints.iter().map(|row| row.curvature(rates)).collect(),
+            constraints: of_rows(&|row| row.value()),
+            constraint_jacobian: jacobian,
+            constraint_time_derivative: of_rows(&|row| row.gradient()[n]),
+            constraint_convective: of_rows(&|row| row.curvature(rates)),
             kinetic_energy: kinetic_energy(mechanics, rates),
+            active: active.to_vec(),
         }
     }
 
@@ -79,20 +92,27 @@ impl Terms {
         let mut measured =
             solution.iter().zip(magnitudes).map(|(value, magnitude)| Measured { value: *value, magnitude });
         let accelerations = measured.by_ref().take(self.mass_matrix.len()).collect();
-        Ok(Solution { accelerations, multipliers: measured.collect() })
+        let multiplier = |active: &bool| if *active { measured.next().unwrap_or_default() } else { Measured::ZERO };
+        Ok(Solution { accelerations, multipliers: self.active.iter().map(multiplier).collect() })
     }
 
-    /// [M, C_q'; C_q, 0].
+    /// [M, C_q'; C_q, 0] with the rows that hold.
     fn matrix(&self) -> Vec<Vec<Measured>> {
-        let (c, jacobian) = (self.constraints.len(), &self.constraint_jacobian);
+        let jacobian: Vec<&Vec<Measured>> = self.held(&self.constraint_jacobian).collect();
+        let c = jacobian.len();
         let upper = self.mass_matrix.iter().enumerate();
         let upper = upper.map(|(j, row)| row.iter().copied().chain(jacobian.iter().map(|row| row[j])).collect());
         let lower = jacobian.iter().map(|row| row.iter().copied().chain(vec![Measured::ZERO; c]).collect());
         upper.chain(lower).collect()
     }
 
+    /// What belongs to rows that hold.
+    fn held<'t, T>(&'t self, rows: &'t [T]) -> impl Iterator<Item = &'t T> {
+        rows.iter().zip(&self.active).filter(|(_, active)| **active).map(|(row, _)| row)
+    }
+
     fn right_hand_side(&self) -> Vec<Measured> {
-        let lower = self.constraint_convective.iter().map(|convective| -*convective);
+        let lower = self.held(&self.constraint_convective).map(|convective| -*convective);
         self.generalized_forces.iter().copied().chain(lower).collect()
     }
 }

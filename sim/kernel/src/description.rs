@@ -1,5 +1,7 @@
 //! What a mechanism says of itself: names, units, documentation, figures, drawing.
 
+use crate::event::{Conditional, Event};
+
 /// Everything about a mechanism that is known when it is built.
 #[derive(Debug)]
 pub struct Description {
@@ -17,8 +19,10 @@ pub struct Description {
     pub parameters: &'static [Quantity],
     /// Constraint rows. The unit is that of the multiplier.
     pub constraints: &'static [Quantity],
+    /// Constraints that events switch.
+    pub conditionals: &'static [Conditional],
     /// Events.
-    pub events: &'static [&'static str],
+    pub events: &'static [Event],
     /// Outputs.
     pub outputs: &'static [Quantity],
     /// Those outputs, by index, whose rates are computed: all that depend on neither accelerations nor multipliers.
