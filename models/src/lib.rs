@@ -3,6 +3,7 @@
 #![no_std]
 
 mod andrews;
+mod bouncing_ball;
 mod double_pendulum;
 mod four_bar;
 mod pendulum;
@@ -11,6 +12,7 @@ mod quick_return_ratio;
 mod slider_crank;
 
 pub use andrews::*;
+pub use bouncing_ball::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use pendulum::*;
@@ -29,7 +31,8 @@ macro_rules! all_models {
             $crate::Pendulum,
             $crate::DoublePendulum,
             $crate::FourBar,
-            $crate::SliderCrank
+            $crate::SliderCrank,
+            $crate::BouncingBall
         )
     };
 }

@@ -6,7 +6,9 @@
 
 mod blocks;
 mod bodies;
+mod conditional;
 mod constraints;
+mod events;
 mod expressions;
 mod loads;
 mod names;
