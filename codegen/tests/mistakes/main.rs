@@ -15,6 +15,7 @@ mod names;
 mod new_users;
 mod outputs;
 mod parameters;
+mod reuse;
 mod start;
 
 use proc_macro2::TokenStream;
