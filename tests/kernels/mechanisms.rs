@@ -158,8 +158,8 @@ mechanism! {
     initial { x = 0; guess a = 0.2; b = 10; }
     events {
         apart: reaction(lock) + 0.1*reaction(rod) = 0.3 falling { release lock; activate rod; }
-        knock: b - a = 0.1 rising { impact lock restitution e1*abs(dot(a)); impact rod; swap a, b; set m = 1.1*m; set b = 3; }
-        hurried: ddot(x) = 1 { set dot(b) = 30; set dot(a) = -dot(a) + t; stop after 3; }
+        knock: b - a = 0.1 rising { impact lock restitution e1*abs(dot(a)); impact rod; swap a, b; set m = 1.1*m; }
+        hurried: ddot(x) = 1 { set b = 3; set dot(b) = 30; set dot(a) = -dot(a) + t; stop after 3; }
     }
     outputs { pull [N] = reaction(rod); hold [N*m] = reaction(lock); slide [N] = reaction(rail); }
     kernels { dynamics_jacobian; dynamics_sensitivity; }

@@ -36,6 +36,25 @@ fn all_settings(end: f64) -> Vec<Settings> {
     settings
 }
 
+/// The model that is shipped: six bounces, each lower.
+#[test]
+fn the_bouncing_ball_is_the_closed_form() {
+    let run = run_with(models::BouncingBall::default(), &Settings::new(3.0)).unwrap();
+    let fall = (2.0 / G).sqrt();
+    let landings = times(&run, "landing");
+    assert!(landings.len() >= 3);
+    for (n, found) in landings.iter().enumerate() {
+        let exact = fall * (1.0 + 2.0 * (1..=n).map(|k| 0.9f64.powi(k as i32)).sum::<f64>());
+        assert!((found - exact).abs() < 1e-10, "{n}: {found} {exact}");
+    }
+    for (n, top) in run.events.iter().filter(|event| event.name == "top").enumerate() {
+        let height = top.state.positions[1] - 0.033;
+        assert!((height - 0.81f64.powi(n as i32 + 1)).abs() < 1e-10, "{n}: {height}");
+    }
+    let last = run.trajectory.samples.last().unwrap().state;
+    assert!((last.positions[0] - 0.4 * 3.0).abs() < 1e-10);
+}
+
 /// Free fall is a polynomial that every method of order 2 and more has exactly, so times have the tolerance of events, which
 /// each impact passes on to the next.
 #[test]
@@ -375,7 +394,7 @@ fn coordinates_change_names_with_their_speeds() {
     let q = -0.5 * (2f64).cos() + 0.15 * (2f64).sin();
     // 1e-10 a step.
     assert!((last.positions[0] - q).abs() < 1e-8 && (last.positions[1] - p).abs() < 1e-8, "{:?}", last.positions);
-    assert_eq!(run.energy_taken.abs() < 1e-15, true);
+    assert!(run.energy_taken.abs() < 1e-15);
 }
 
 mechanism! {
