@@ -116,7 +116,7 @@ mod declared {
                         arrows.push(load_arrow(format!("weight of {body}"), weight, point));
                     }
                 }
-                Load::Torque { .. } => {}
+                Load::Torque { .. } | Load::Potential(_) | Load::Dissipation(_) | Load::Element(_) => {}
             }
         }
         let mut row = 0;
