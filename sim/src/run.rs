@@ -1,6 +1,7 @@
 //! A whole run: assemble, integrate, locate events, record, balance.
 
 use crate::assemble::{Start, assemble};
+use crate::control::Controller;
 use crate::events::{EventSearch, Occurrence};
 use crate::failure::{Failure, What};
 use crate::integrate::{
@@ -9,7 +10,7 @@ use crate::integrate::{
 use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::{Motion, residuals};
 use crate::settings::{Method, Rows, Settings, StopAt};
-use crate::trajectory::{Sample, Trajectory};
+use crate::trajectory::{Sample, State, Trajectory};
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
@@ -57,20 +58,44 @@ impl<M: Mechanism> Run<M> {
 /// # Errors
 /// If no start can be assembled. A failure on the way does not lose the run: it stands in its trajectory.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
+    run_with(mechanism, start, settings, None)
+}
+
+/// Runs a mechanism whose inputs a controller sets.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_controlled<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    settings: &Settings,
+    controller: &mut Controller<M>,
+) -> Result<Run<M>, Failure> {
+    run_with(mechanism, start, settings, Some(controller))
+}
+
+fn run_with<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    settings: &Settings,
+    controller: Option<&mut Controller<M>>,
+) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
     check_masses(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
-    let motion = Motion::with_redundant(&mechanism, settings.stabilisation, mobility.dependent.len());
+    let redundant = mobility.dependent.len();
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
     let mut steps = Steps::default();
     let clock = Instant::now();
-    let ended = motion.prepare(&first).and_then(|()| motion.sample(first)).and_then(|sample| {
-        recorder.samples.push(sample);
-        integrate_by(settings.method, &motion, settings, sample, &mut steps, &mut recorder)
-    });
+    let mut evaluations = 0;
+    let ended = match controller {
+        None => integrate_from(&mechanism, redundant, settings, first, &mut steps, &mut recorder, &mut evaluations),
+        Some(controller) => {
+            control(controller, &mechanism, redundant, settings, first, &mut steps, &mut recorder, &mut evaluations)
+        }
+    };
     let integration_time = clock.elapsed();
-    let evaluations = motion.evaluations();
     let trajectory = Trajectory { samples: recorder.samples, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
     let energy_balance = energy_balance(&mechanism, &trajectory);
@@ -87,6 +112,55 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
         energy_balance,
         integration_time,
     })
+}
+
+/// Integrates from a state; its sample is recorded if it is the first.
+fn integrate_from<M: Mechanism>(
+    mechanism: &M,
+    redundant: usize,
+    settings: &Settings,
+    from: State<M>,
+    steps: &mut Steps,
+    recorder: &mut Recorder<M>,
+    evaluations: &mut u64,
+) -> Result<(), Failure> {
+    let motion = Motion::with_redundant(mechanism, settings.stabilisation, redundant);
+    let ended = motion.prepare(&from).and_then(|()| motion.sample(from)).and_then(|sample| {
+        recorder.begin_with(sample);
+        integrate_by(settings.method, &motion, settings, sample, steps, recorder)
+    });
+    *evaluations += motion.evaluations();
+    ended
+}
+
+/// Period after period, with the inputs that the controller sets at its start.
+#[allow(clippy::too_many_arguments)]
+fn control<M: Mechanism>(
+    controller: &mut Controller<M>,
+    mechanism: &M,
+    redundant: usize,
+    settings: &Settings,
+    first: State<M>,
+    steps: &mut Steps,
+    recorder: &mut Recorder<M>,
+    evaluations: &mut u64,
+) -> Result<(), Failure> {
+    let mut state = first;
+    for period in 1u32.. {
+        // What the controller sees is of the inputs so far.
+        let inputs = recorder.last.map_or(mechanism.inputs(), |last| last.inputs);
+        let seen =
+            Motion::with_redundant(&mechanism.with_inputs(inputs), settings.stabilisation, redundant).sample(state)?;
+        let held = mechanism.with_inputs(controller.inputs(&seen));
+        let end = (first.time + f64::from(period) * controller.period()).min(settings.end);
+        let span = settings.over(state.time, end, settings.end - first.time);
+        integrate_from(&held, redundant, &span, state, steps, recorder, evaluations)?;
+        match recorder.last {
+            Some(last) if !recorder.has_stopped && end < settings.end => state = last.state,
+            _ => break,
+        }
+    }
+    Ok(())
 }
 
 fn integrate_by<M: Mechanism>(
@@ -129,6 +203,10 @@ fn integrate_with<M: Mechanism>(
 /// Watches the steps of a run: finds events, and keeps what is to be recorded.
 struct Recorder<M: Mechanism> {
     samples: Vec<Sample<M>>,
+    /// The end of the last step.
+    last: Option<Sample<M>>,
+    /// Whether the event that ends the run has happened.
+    has_stopped: bool,
     events: EventSearch<M>,
     rows: Rows,
     stop: Option<StopAt>,
@@ -148,6 +226,8 @@ impl<M: Mechanism> Recorder<M> {
         };
         Recorder {
             samples: Vec::new(),
+            last: None,
+            has_stopped: false,
             events: EventSearch::new(begin),
             rows: settings.rows,
             stop: settings.stop,
@@ -166,7 +246,15 @@ impl<M: Mechanism> Recorder<M> {
         }
     }
 
+    /// Records the very first sample.
+    fn begin_with(&mut self, sample: Sample<M>) {
+        if self.samples.is_empty() {
+            self.samples.push(sample);
+        }
+    }
+
     fn watch<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<ControlFlow<()>, Failure> {
+        self.last = Some(*step.to);
         self.events.search(step)?;
         let stop = self.stopping_state();
         self.record(step, stop.map_or(step.to.state.time, |state| state.time))?;
@@ -175,6 +263,7 @@ impl<M: Mechanism> Recorder<M> {
         if state.time > last {
             self.samples.push(step.motion.sample(state)?);
         }
+        self.has_stopped = true;
         Ok(ControlFlow::Break(()))
     }
 

@@ -60,6 +60,7 @@ impl Table {
         let outputs: Vec<M::Outputs> = samples
             .iter()
             .map(|s| {
+                let mechanism = mechanism.with_inputs(s.inputs);
                 mechanism.outputs(s.state.time, &s.state.positions, &s.state.speeds, &s.accelerations, &s.multipliers)
             })
             .collect();

@@ -45,13 +45,15 @@ pub struct Sample<M: Mechanism> {
     pub multipliers: M::L,
     /// The power of loads and drives, in watts.
     pub power: f64,
+    /// The inputs of which all of this follows.
+    pub inputs: M::Inputs,
 }
 
 impl<M: Mechanism> Sample<M> {
-    /// A state with the solution of the equations of motion there.
-    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>) -> Sample<M> {
+    /// A state with the solution of the equations of motion there, at these inputs.
+    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>, inputs: M::Inputs) -> Sample<M> {
         let Dynamics { accelerations, multipliers, power, .. } = *dynamics;
-        Sample { state, accelerations, multipliers, power }
+        Sample { state, accelerations, multipliers, power, inputs }
     }
 
     /// How the state changes in time.

@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 10] = [
+const BLOCKS: [&str; 11] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -20,6 +20,7 @@ const BLOCKS: [&str; 10] = [
     "outputs",
     "drawing",
     "kernels",
+    "inputs",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -91,6 +92,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         outputs: vec![],
         drawing: vec![],
         kernels: None,
+        inputs: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -137,6 +139,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
         "events" => d.events.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);

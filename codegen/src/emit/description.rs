@@ -30,6 +30,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
         }
     });
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
+    let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let events = model.events.iter().map(|event| &event.name);
     let outputs = model.outputs.iter().map(|o| quantity(&o.name, &o.unit, &o.docs));
@@ -56,6 +57,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             declaration: #declaration,
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
+            inputs: &[#(#inputs),*],
             constraints: &[#(#constraints),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],

@@ -63,7 +63,7 @@ pub(super) fn types(head: &Head, equations: &EquationsOfMotion, program: &Progra
             path,
         ),
     ];
-    let prepared = prepared(head, model, program);
+    let prepared = prepared(head, model, program, path);
     quote! { #mechanism #(#records)* #prepared }
 }
 
@@ -84,15 +84,23 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         let (name, docs) = (ident(&p.name), documented(&p.docs, &p.unit));
         quote! { #(#[doc = #docs])* pub #name: S, }
     });
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, docs) = (ident(&input.name), documented(&input.docs, &input.unit));
+        quote! { #(#[doc = #docs])* pub #name: #path::Input<S>, }
+    });
+    let about = match model.inputs.is_empty() {
+        true => " The fields are its parameters, in SI units; the methods are its kernels.",
+        false => " The fields are its parameters and inputs, in SI units; the methods are its kernels.",
+    };
+    let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     quote! {
         #(#[doc = #docs])*
         ///
-        /// The fields are its parameters, in SI units; the methods are its kernels.
+        #[doc = #about]
         #(#[doc = #written])*
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#inputs)* #marker }
 
         impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
@@ -104,10 +112,15 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
 }
 
 /// What the kernels of each step need of the parameters.
-fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
+fn prepared(head: &Head, model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
     let (visibility, name) = (&head.visibility, prepared_name(model));
     let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(ident).collect();
-    let marker = fields.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, docs) = (ident(&input.name), documented(&input.docs, &input.unit));
+        quote! { #(#[doc = #docs])* pub #name: #path::Input<S>, }
+    });
+    let is_empty = fields.is_empty() && model.inputs.is_empty();
+    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     let docs = format!(
         " What the equations of motion need of the parameters of [`{0}`], from [`{0}::prepare`]; its methods are the \
          kernels of each step.",
@@ -117,8 +130,13 @@ fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
         #[doc = #docs]
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields: S,)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields: S,)* #(#inputs)* #marker }
     }
+}
+
+/// Whether the mechanism needs a field for its scalar alone.
+fn has_no_fields(model: &Model) -> bool {
+    model.parameters.is_empty() && model.inputs.is_empty()
 }
 
 fn prepared_fields(kernel: &Kernel) -> Vec<&str> {
@@ -145,7 +163,9 @@ pub(super) fn mechanism_impl(
     let description = description(equations, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData });
+    let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
+    let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
+    let (input_places, input_count): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
     let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
     quote! {
@@ -165,13 +185,14 @@ pub(super) fn mechanism_impl(
             type Drawing = [S; #drawing];
             type QP = [[S; #p]; #n];
             type LP = [[S; #p]; #m];
+            type Inputs = [#path::Input<S>; #input_count];
             type Prepared = #prepared<S>;
             type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #description;
 
             fn defaults() -> Self {
-                Self { #(#fields: S::from_f64(#defaults),)* #marker }
+                Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #marker }
             }
 
             fn parameters(&self) -> [S; #p] {
@@ -179,11 +200,23 @@ pub(super) fn mechanism_impl(
             }
 
             fn with_parameters(parameters: [S; #p]) -> Self {
-                Self { #(#fields: parameters[#places],)* #marker }
+                Self { #(#fields: parameters[#places],)* #(#inputs: #path::Input::Declared,)* #marker }
             }
 
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
-                #name { #(#fields: convert(self.#fields),)* #marker }
+                #name { #(#fields: convert(self.#fields),)* #(#inputs: self.#inputs.map(&convert),)* #marker }
+            }
+
+            fn inputs(&self) -> [#path::Input<S>; #input_count] {
+                [#(self.#inputs),*]
+            }
+
+            fn with_inputs(&self, inputs: [#path::Input<S>; #input_count]) -> Self {
+                Self { #(#inputs: inputs[#input_places],)* ..*self }
+            }
+
+            fn set_inputs(prepared: &mut Self::Prepared, inputs: [#path::Input<S>; #input_count]) {
+                #(prepared.#inputs = inputs[#input_places];)*
             }
 
             #(#forwards)*

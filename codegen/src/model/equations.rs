@@ -1,7 +1,7 @@
 //! The `constraints` and `events` blocks.
 
 use super::interpret::Interpreter;
-use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
+use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING, no_input};
 use super::scope::{Names, plain};
 use super::value::{Shape, Value, common_dimension};
 use super::{Constraint, Dependence, Dimension, Event, Unit};
@@ -56,6 +56,7 @@ fn constraint_rows(
     let place = equation.left.region.to(equation.right.region);
     let name = plain(&equation.name);
     let components = value.components();
+    no_input(place, &components, "a constraint", i)?;
     i.restrict(
         place,
         &components,
@@ -99,6 +100,9 @@ pub(super) fn resolve_events(declaration: &Declaration, i: &mut Interpreter) -> 
             i.mistakes.add(place.error("an event is an equation between scalars; take a component (`.x`, `.y`)"));
             continue;
         };
+        if no_input(place, &[value], "an event", i).is_none() {
+            continue;
+        }
         let rule = "an event is a condition on coordinates, speeds and time";
         if i.restrict(place, &[value], BEYOND_SPEED, rule).is_none() {
             continue;

@@ -6,7 +6,9 @@ use super::equations::{resolve_constraints, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
 use super::outputs::resolve_outputs;
-use super::quantities::{check_coordinates_used, resolve_coordinates, resolve_lets, resolve_parameters};
+use super::quantities::{
+    check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
+};
 use super::scope::{Names, plain};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
@@ -48,6 +50,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     let mut coordinates = resolve_coordinates(declaration, i);
     i.motion = time_derivative(&mut i.graph, time, &coordinates);
     let parameters = resolve_parameters(declaration, i);
+    let inputs = resolve_inputs(declaration, i);
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
     let loads = resolve_loads(declaration, &coordinates, &bodies, &body_names, i);
@@ -66,6 +69,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         time,
         coordinates,
         parameters,
+        inputs,
         named,
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,

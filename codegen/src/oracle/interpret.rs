@@ -3,6 +3,7 @@
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
+use super::parameters::is_plain;
 use super::value::{Value, inner};
 use crate::dsl::{Declaration, Expression, Kind, Unit};
 use syn::Ident;
@@ -17,6 +18,8 @@ pub(super) struct Setting {
     motion: Option<(Vec<Jet>, Jet)>,
     /// Whether the first variable is time along the motion, so that `dot` has a meaning.
     along_time: bool,
+    /// What each input is set to, where inputs may stand.
+    inputs: Option<Vec<Option<f64>>>,
     /// The multipliers of each constraint, where they are known.
     reactions: Option<Vec<Value>>,
 }
@@ -25,7 +28,7 @@ impl Setting {
     /// Parameters alone.
     pub(super) fn fixed(parameters: &[f64]) -> Setting {
         let parameters = constants(parameters, 0);
-        Setting { variables: 0, parameters, motion: None, along_time: false, reactions: None }
+        Setting { variables: 0, parameters, motion: None, along_time: false, inputs: None, reactions: None }
     }
 
     /// Positions: jets in the variables (q, t).
@@ -37,6 +40,7 @@ impl Setting {
             parameters: constants(parameters, variables),
             motion: Some((q, Jet::variable(time, variables - 1, variables))),
             along_time: false,
+            inputs: None,
             reactions: None,
         }
     }
@@ -48,8 +52,14 @@ impl Setting {
             parameters: constants(parameters, variables),
             motion: Some((coordinates, Jet::variable(time, 0, variables))),
             along_time: true,
+            inputs: None,
             reactions: None,
         }
+    }
+
+    /// The same with what each input is set to.
+    pub(super) fn with_inputs(self, inputs: &[Option<f64>]) -> Setting {
+        Setting { inputs: Some(inputs.to_vec()), ..self }
     }
 
     /// The same with the multipliers of each constraint, in order.
@@ -148,6 +158,9 @@ impl<'d> Interpreter<'d> {
             let known = self.setting.parameters.get(index).cloned();
             return known.map(Value::Scalar).ok_or_else(|| OracleError::new(format!("`{name}` is declared later")));
         }
+        if let Some(index) = declaration.inputs.iter().position(|input| input.name == *name) {
+            return self.input(index);
+        }
         if let Some(index) = declaration.lets[..self.visible].iter().position(|l| l.name == *name) {
             return self.defined(index);
         }
@@ -157,6 +170,21 @@ impl<'d> Interpreter<'d> {
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {
         let varies = |_| OracleError::new(format!("`{name}` varies; only parameters may stand here"));
         self.coordinate_jet(index).map(Value::Scalar).map_err(varies)
+    }
+
+    /// What an input is set to, or its declared course: plain numbers are in its unit.
+    fn input(&mut self, index: usize) -> Result<Value> {
+        let input = &self.declaration.inputs[index];
+        match self.setting.inputs.as_ref().and_then(|inputs| inputs.get(index)) {
+            Some(Some(value)) => Ok(self.constant(*value)),
+            Some(None) => {
+                let course = self.scalar(&input.value)?;
+                let unit = input.unit.as_ref().filter(|_| is_plain(&input.value));
+                let size = self.constant(unit.map_or(1.0, self.si_factor)).scalar()?;
+                Ok(Value::Scalar(&course * &size))
+            }
+            None => refuse(format!("input `{}` cannot stand here", input.name)),
+        }
     }
 
     fn defined(&mut self, index: usize) -> Result<Value> {

@@ -13,6 +13,8 @@ pub struct State<'s> {
     pub time: f64,
     /// The value of each parameter.
     pub parameters: &'s [f64],
+    /// What each input is set to; none where it follows its declared course.
+    pub inputs: &'s [Option<f64>],
     /// q \[n\].
     pub coordinates: &'s [f64],
     /// q' \[n\].
@@ -23,6 +25,7 @@ impl State<'_> {
     pub(super) fn check(&self, declaration: &Declaration) -> Result<()> {
         let lengths = [
             ("parameters", self.parameters.len(), declaration.parameters.len()),
+            ("inputs", self.inputs.len(), declaration.inputs.len()),
             ("coordinates", self.coordinates.len(), declaration.coordinates.len()),
             ("speeds", self.speeds.len(), declaration.coordinates.len()),
         ];
@@ -52,7 +55,7 @@ impl State<'_> {
         let variables = self.speeds.len() + 1;
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate();
         let coordinates = coordinates.map(|(i, (q, speed))| Jet::of_speed(*q, *speed, i, variables)).collect();
-        Setting::motion(self.time, self.parameters, coordinates, variables)
+        Setting::motion(self.time, self.parameters, coordinates, variables).with_inputs(self.inputs)
     }
 
     fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
@@ -62,6 +65,6 @@ impl State<'_> {
             Jet::of_time(Measured::given(*q), &derivatives)
         };
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates, 1)
+        Setting::motion(self.time, self.parameters, coordinates, 1).with_inputs(self.inputs)
     }
 }

@@ -74,6 +74,9 @@ fn name_fields(
     parameters.iter().for_each(|parameter| {
         names.unique(&parameter.name);
     });
+    planner.equations.model.inputs.iter().for_each(|input| {
+        names.unique(&input.name);
+    });
     let mut named: IndexMap<Value, String> = IndexMap::new();
     for value in fields {
         let name = match values.operation(value) {

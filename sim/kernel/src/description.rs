@@ -15,6 +15,8 @@ pub struct Description {
     pub coordinates: &'static [Coordinate],
     /// Parameters.
     pub parameters: &'static [Quantity],
+    /// Inputs.
+    pub inputs: &'static [Quantity],
     /// Constraint rows. The unit is that of the multiplier.
     pub constraints: &'static [Quantity],
     /// Events.

@@ -9,6 +9,7 @@ mod array;
 mod description;
 mod differentiate;
 mod dual;
+mod input;
 mod lanes;
 mod mechanism;
 mod scalar;
@@ -17,6 +18,7 @@ mod wave;
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
 pub use dual::Dual;
+pub use input::Input;
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
     ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
