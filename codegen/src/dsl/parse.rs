@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 11] = [
+const BLOCKS: [&str; 12] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -20,6 +20,7 @@ const BLOCKS: [&str; 11] = [
     "outputs",
     "drawing",
     "kernels",
+    "auxiliary",
     "inputs",
 ];
 
@@ -92,6 +93,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         outputs: vec![],
         drawing: vec![],
         kernels: None,
+        auxiliary: vec![],
         inputs: vec![],
     };
     let mut mistakes = Mistakes::default();
@@ -143,6 +145,9 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
+        }
+        "auxiliary" => {
+            d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
