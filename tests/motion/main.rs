@@ -10,6 +10,7 @@ mod elements;
 mod events;
 mod failure;
 mod faulty;
+mod inputs;
 mod linkages;
 mod long;
 mod nonholonomic;
