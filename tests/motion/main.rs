@@ -9,6 +9,7 @@ mod constraints;
 mod events;
 mod failure;
 mod faulty;
+mod joints;
 mod linkages;
 mod long;
 mod nonholonomic;

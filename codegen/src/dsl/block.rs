@@ -89,7 +89,7 @@ fn equals(input: ParseStream, advice: &str) -> Result<()> {
     Ok(())
 }
 
-fn colon(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![:]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -97,7 +97,7 @@ fn colon(input: ParseStream, advice: &str) -> Result<()> {
 }
 
 /// The word that says what a clause is, one of those expected.
-fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
+pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
     let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
     let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {list}")))?;
     if expected.iter().any(|e| word == e) {
@@ -114,7 +114,7 @@ fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
     Ok(ahead)
 }
 
-fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
+pub(super) fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
     if accept_word(input, word)? { Ok(()) } else { Err(here(input, format!("expected `{word}`: `{form}`"))) }
 }
 
@@ -122,9 +122,16 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
-    let mut body = Body { name, mass: None, inertia: None, angle: None };
+    let mut body = Body { name, mass: None, inertia: None, angle: None, free: None };
     loop {
-        let word = keyword(input, &["mass", "inertia", "angle"])?;
+        let word = keyword(input, &["mass", "inertia", "angle", "free"])?;
+        if word == "free" {
+            body.free = Some(Region::from(&word));
+            match input.parse::<Option<Token![,]>>()? {
+                Some(_) => continue,
+                None => return Ok(body),
+            }
+        }
         let value = expression(input)?;
         let twice = match word.to_string().as_str() {
             "mass" => {

@@ -10,7 +10,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 5] = ["at", "on", "along", "radius", "about"];
+const FOLLOWING_WORDS: [&str; 8] = ["at", "on", "along", "radius", "about", "to", "through", "length"];
 
 /// Words that start a clause or a line of the language.
 const LANGUAGE_WORDS: [&str; 10] =

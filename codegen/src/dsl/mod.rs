@@ -3,6 +3,9 @@
 mod block;
 mod declarations;
 mod expression;
+mod frame;
+mod free;
+mod joint;
 mod limits;
 mod parse;
 mod rates;
@@ -12,6 +15,7 @@ mod tree;
 mod unit;
 
 pub use declarations::declarations;
+pub use joint::{Guide, Joint, JointKind};
 pub use parse::{Head, parse, parse_head};
 pub use region::Region;
 pub use source::source_text;

@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 11] = [
+const BLOCKS: [&str; 12] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -21,6 +21,7 @@ const BLOCKS: [&str; 11] = [
     "drawing",
     "kernels",
     "auxiliary",
+    "joints",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -53,7 +54,9 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
-    declaration.parse2(tokens)
+    let mut declaration = declaration.parse2(tokens)?;
+    super::free::give_coordinates(&mut declaration)?;
+    super::frame::write_out(declaration)
 }
 
 fn head(input: ParseStream) -> Result<Head> {
@@ -91,6 +94,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         drawing: vec![],
         kernels: None,
         auxiliary: vec![],
+        joints: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -141,6 +145,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
+        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }

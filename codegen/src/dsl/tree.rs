@@ -31,6 +31,8 @@ pub struct Declaration {
     pub kernels: Option<Vec<OptionalKernel>>,
     /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
     pub auxiliary: Vec<Auxiliary>,
+    /// `joints { .. }`; none once they are written out as constraints.
+    pub joints: Vec<super::Joint>,
 }
 
 /// A kernel that not everyone needs.
@@ -90,6 +92,8 @@ pub struct Body {
     pub inertia: Option<Expression>,
     /// `angle phi`
     pub angle: Option<Expression>,
+    /// The word `free`: it has a place and an angle of its own.
+    pub free: Option<Region>,
 }
 
 /// One line of `loads`.

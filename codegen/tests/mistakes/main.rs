@@ -10,6 +10,7 @@ mod bodies;
 mod constraints;
 mod constraints_in_speeds;
 mod expressions;
+mod joints;
 mod loads;
 mod names;
 mod new_users;

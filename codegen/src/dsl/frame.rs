@@ -1,0 +1,232 @@
+//! Bodies as frames: points fixed on them, and joints between them, written out as ordinary expressions and equations. Later
+//! stages know neither.
+//!
+//! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
+
+use super::joint::{Guide, Joint, JointKind};
+use super::{Body, Declaration, Equation, Expression, Initial, Kind, Load, Operator, Region, Shape};
+use crate::mistakes::Mistakes;
+use crate::nearest;
+use proc_macro2::Span;
+use syn::{Ident, Result};
+
+/// Writes out all joints and all points on bodies.
+///
+/// # Errors
+/// Bodies that are not there, or have no position or no angle.
+pub(super) fn write_out(mut declaration: Declaration) -> Result<Declaration> {
+    let frames = Frames::of(&declaration)?;
+    let mut mistakes = Mistakes::default();
+    for joint in std::mem::take(&mut declaration.joints) {
+        if let Some(equations) = mistakes.note(frames.equations(joint)) {
+            declaration.constraints.extend(equations);
+        }
+    }
+    for expression in expressions(&mut declaration) {
+        mistakes.note(frames.write_out(expression));
+    }
+    mistakes.or(declaration)
+}
+
+/// Where bodies are and how they are turned.
+struct Frames {
+    bodies: Vec<Frame>,
+}
+
+struct Frame {
+    name: Ident,
+    position: Option<Expression>,
+    angle: Option<Expression>,
+}
+
+impl Frames {
+    /// Those of the bodies, each written out by those before it.
+    fn of(declaration: &Declaration) -> Result<Frames> {
+        let mut frames = Frames { bodies: Vec::new() };
+        for Body { name, mass, angle, .. } in &declaration.bodies {
+            let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).map(copy);
+            let mut frame = Frame { name: name.clone(), position, angle: angle.as_ref().map(copy) };
+            for expression in frame.position.iter_mut().chain(&mut frame.angle) {
+                frames.write_out(expression)?;
+            }
+            frames.bodies.push(frame);
+        }
+        Ok(frames)
+    }
+
+    fn find(&self, name: &Ident) -> Result<&Frame> {
+        let unknown = || {
+            let text = name.to_string();
+            let names: Vec<String> = self.bodies.iter().map(|body| body.name.to_string()).collect();
+            let near = nearest::suggestion(&text, names.iter().map(String::as_str));
+            Region::from(name).error(format!("no body above is called `{text}`{near}"))
+        };
+        self.bodies.iter().find(|body| body.name == *name).ok_or_else(unknown)
+    }
+
+    fn position(&self, body: &Ident) -> Result<Expression> {
+        let missing =
+            || Region::from(body).error(format!("body `{body}` has no place; write `mass m at P` in its line"));
+        self.find(body)?.position.as_ref().map(copy).ok_or_else(missing)
+    }
+
+    fn angle(&self, body: &Ident) -> Result<Expression> {
+        let missing = || Region::from(body).error(format!("body `{body}` has no angle; write `angle phi` in its line"));
+        self.find(body)?.angle.as_ref().map(copy).ok_or_else(missing)
+    }
+
+    /// The equations of a joint.
+    fn equations(&self, joint: Joint) -> Result<Vec<Equation>> {
+        let Joint { name, kind } = joint;
+        let at = Region::from(&name);
+        let equation = |left, right| Equation { name: name.clone(), left, right };
+        Ok(match kind {
+            JointKind::Pin(first, second) => vec![equation(first, second)],
+            JointKind::Link(first, second, length) => {
+                vec![equation(call(at, "norm", vec![difference(first, second)]), length)]
+            }
+            JointKind::Slot(point, guide) => vec![equation(across(at, point, &guide), zero(at))],
+            JointKind::Slide(body, guide) => {
+                let turned = Equation {
+                    name: Ident::new(&format!("{name}_turn"), name.span()),
+                    left: self.angle(&body)?,
+                    right: copy(&guide.along),
+                };
+                vec![equation(across(at, self.position(&body)?, &guide), zero(at)), turned]
+            }
+            JointKind::Gear([(first, r), (second, s)]) => {
+                let turned = [product(r, self.angle(&first)?), product(s, self.angle(&second)?)];
+                let [left, right] = turned;
+                vec![equation(binary(Operator::Add, left, right), zero(at))]
+            }
+            JointKind::Rack(point, guide, wheel, radius) => {
+                let way = inner(at, difference(point, guide.through), direction(at, &guide.along));
+                vec![equation(way, product(radius, self.angle(&wheel)?))]
+            }
+            JointKind::Roll(wheel, radius, along) => {
+                let speed = inner(at, call(at, "dot", vec![self.position(&wheel)?]), direction(at, &along));
+                let turning = product(radius, call(at, "dot", vec![self.angle(&wheel)?]));
+                vec![equation(binary(Operator::Add, speed, turning), zero(at))]
+            }
+        })
+    }
+
+    /// Writes out the points on bodies in an expression.
+    fn write_out(&self, expression: &mut Expression) -> Result<()> {
+        match &mut expression.kind {
+            Kind::Number { .. } | Kind::Name(_) => Ok(()),
+            Kind::Negate(part) | Kind::Component(part, _) => self.write_out(part),
+            Kind::Binary(_, left, right) => self.write_out(left).and_then(|()| self.write_out(right)),
+            Kind::Vector(parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
+            Kind::Call(function, parts) if function == "on" => {
+                let parts = std::mem::take(parts);
+                *expression = self.point(expression.region, parts)?;
+                Ok(())
+            }
+            Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
+        }
+    }
+
+    /// P + [u cos(phi) - v sin(phi), u sin(phi) + v cos(phi)].
+    fn point(&self, region: Region, parts: Vec<Expression>) -> Result<Expression> {
+        let form = || region.error("a point on a body is written `on(body, [u, v])`");
+        let [body, mut place] = <[Expression; 2]>::try_from(parts).map_err(|_| form())?;
+        self.write_out(&mut place)?;
+        let Kind::Name(body) = body.kind else { return Err(form()) };
+        let (position, angle) = (self.position(&body)?, self.angle(&body)?);
+        let of_angle = |function| call(region, function, vec![copy(&angle)]);
+        let [u, v] = ["x", "y"].map(|axis| component(&place, axis));
+        let x = binary(Operator::Subtract, product(copy(&u), of_angle("cos")), product(copy(&v), of_angle("sin")));
+        let y = binary(Operator::Add, product(u, of_angle("sin")), product(v, of_angle("cos")));
+        let arm = Expression { region, kind: Kind::Vector(vec![x, y]) };
+        let mut point = binary(Operator::Add, position, arm);
+        point.region = region;
+        Ok(point)
+    }
+}
+
+/// Every expression in which a point on a body may stand.
+fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
+    let d = declaration;
+    let mut all: Vec<&mut Expression> = d.lets.iter_mut().map(|l| &mut l.value).collect();
+    for body in &mut d.bodies {
+        all.extend(body.mass.iter_mut().flat_map(|(mass, at)| [mass].into_iter().chain(at)));
+        all.extend(body.inertia.iter_mut().chain(&mut body.angle));
+    }
+    for load in &mut d.loads {
+        match load {
+            Load::Force { force, point } => all.extend([force, point]),
+            Load::Torque { moment, .. } => all.push(moment),
+            Load::Gravity { acceleration, .. } => all.push(acceleration),
+        }
+    }
+    all.extend(d.constraints.iter_mut().chain(&mut d.events).flat_map(|e| [&mut e.left, &mut e.right]));
+    all.extend(d.initial.iter_mut().map(|Initial { value, .. }| value));
+    all.extend(d.outputs.iter_mut().flat_map(|group| &mut group.outputs).map(|output| &mut output.value));
+    for shape in &mut d.drawing {
+        match shape {
+            Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => all.extend(points),
+            Shape::Slider { at, along } => all.extend([at, along]),
+            Shape::Circle { at, radius } => all.extend([at, radius]),
+        }
+    }
+    all
+}
+
+/// The distance of a point from a line, to its left.
+fn across(at: Region, point: Expression, guide: &Guide) -> Expression {
+    let sine = call(at, "sin", vec![copy(&guide.along)]);
+    let normal =
+        vec![Expression { region: at, kind: Kind::Negate(Box::new(sine)) }, call(at, "cos", vec![copy(&guide.along)])];
+    inner(at, difference(point, copy(&guide.through)), Expression { region: at, kind: Kind::Vector(normal) })
+}
+
+fn direction(at: Region, along: &Expression) -> Expression {
+    let components = ["cos", "sin"].map(|function| call(at, function, vec![copy(along)]));
+    Expression { region: at, kind: Kind::Vector(components.into()) }
+}
+
+fn inner(at: Region, a: Expression, b: Expression) -> Expression {
+    call(at, "inner", vec![a, b])
+}
+
+fn call(region: Region, function: &str, arguments: Vec<Expression>) -> Expression {
+    Expression { region, kind: Kind::Call(Ident::new(function, Span::call_site()), arguments) }
+}
+
+fn component(vector: &Expression, axis: &str) -> Expression {
+    let name = Ident::new(axis, Span::call_site());
+    Expression { region: vector.region, kind: Kind::Component(Box::new(copy(vector)), name) }
+}
+
+fn zero(region: Region) -> Expression {
+    Expression { region, kind: Kind::Number { literal: "0".into(), unit: None } }
+}
+
+fn product(a: Expression, b: Expression) -> Expression {
+    binary(Operator::Multiply, a, b)
+}
+
+fn difference(a: Expression, b: Expression) -> Expression {
+    binary(Operator::Subtract, a, b)
+}
+
+fn binary(operator: Operator, left: Expression, right: Expression) -> Expression {
+    let region = left.region.to(right.region);
+    Expression { region, kind: Kind::Binary(operator, Box::new(left), Box::new(right)) }
+}
+
+fn copy(expression: &Expression) -> Expression {
+    let again = |parts: &[Expression]| parts.iter().map(copy).collect();
+    let boxed = |part: &Expression| Box::new(copy(part));
+    let kind = match &expression.kind {
+        Kind::Number { literal, unit } => Kind::Number { literal: literal.clone(), unit: unit.clone() },
+        Kind::Name(name) => Kind::Name(name.clone()),
+        Kind::Vector(parts) => Kind::Vector(again(parts)),
+        Kind::Negate(part) => Kind::Negate(boxed(part)),
+        Kind::Binary(operator, left, right) => Kind::Binary(*operator, boxed(left), boxed(right)),
+        Kind::Call(function, parts) => Kind::Call(function.clone(), again(parts)),
+        Kind::Component(vector, axis) => Kind::Component(boxed(vector), axis.clone()),
+    };
+    Expression { region: expression.region, kind }
+}
