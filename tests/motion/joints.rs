@@ -177,7 +177,7 @@ mechanism! {
     parameters { l [m] = 0.8; m [kg] = 0.5; g [m/s^2] = 9.81; }
     bodies { bob: mass m at [x, y]; }
     loads { gravity [0, -g]; }
-    joints { rod: link [x, y] to [0, 0] length l; }
+    joints { rod: link [x, y] to [0, 0], length l; }
     initial { x = 0.8; guess y = 0; }
     outputs { tension [N] = reaction(rod); }
 }

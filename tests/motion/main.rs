@@ -6,6 +6,7 @@ mod andrews;
 mod assembly;
 mod auxiliary;
 mod constraints;
+mod elements;
 mod events;
 mod failure;
 mod faulty;

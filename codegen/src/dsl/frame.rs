@@ -4,7 +4,9 @@
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
 use super::joint::{Guide, Joint, JointKind};
-use super::{Body, Declaration, Equation, Expression, Initial, Kind, Load, Operator, Region, Shape};
+use super::{
+    Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
+};
 use crate::mistakes::Mistakes;
 use crate::nearest;
 use proc_macro2::Span;
@@ -158,6 +160,8 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
             Load::Force { force, point } => all.extend([force, point]),
             Load::Torque { moment, .. } => all.push(moment),
             Load::Gravity { acceleration, .. } => all.push(acceleration),
+            Load::Potential(function) | Load::Dissipation(function) => all.push(function),
+            Load::Element(element) => all.extend(of_element(element)),
         }
     }
     all.extend(d.constraints.iter_mut().chain(&mut d.events).flat_map(|e| [&mut e.left, &mut e.right]));
@@ -171,6 +175,18 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
         }
     }
     all
+}
+
+fn of_element(element: &mut Element) -> Vec<&mut Expression> {
+    let law = match &mut element.law {
+        Law::Force(law) | Law::Damper(law) => vec![law],
+        Law::Spring(law, rest) => vec![law, rest],
+    };
+    let extent = match &mut element.extent {
+        Extent::Distance(a, b) | Extent::Difference(a, b) => vec![a, b],
+        Extent::Quantity(x) => vec![x],
+    };
+    law.into_iter().chain(extent).collect()
 }
 
 /// The distance of a point from a line, to its left.

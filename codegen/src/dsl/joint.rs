@@ -3,6 +3,7 @@
 use super::Expression;
 use super::block::{colon, docs, expect_word, keyword, name};
 use super::expression::expression;
+use super::region::here;
 use syn::Ident;
 use syn::parse::{ParseStream, Result};
 
@@ -18,7 +19,7 @@ pub struct Joint {
 pub enum JointKind {
     /// `pin P to Q`: the points coincide.
     Pin(Expression, Expression),
-    /// `link P to Q length l`: the points keep their distance.
+    /// `link P to Q, length l`: the points keep their distance.
     Link(Expression, Expression, Expression),
     /// `slot P through O along beta`: the point stays on a line.
     Slot(Expression, Guide),
@@ -72,10 +73,13 @@ fn pin(input: ParseStream) -> Result<JointKind> {
 }
 
 fn link(input: ParseStream) -> Result<JointKind> {
-    const FORM: &str = "link P to Q length l;";
+    const FORM: &str = "link P to Q, length l;";
     let first = expression(input)?;
     expect_word(input, "to", FORM)?;
     let second = expression(input)?;
+    if input.parse::<Option<syn::Token![,]>>()?.is_none() {
+        return Err(here(input, format!("expected `, length l`: `{FORM}`")));
+    }
     expect_word(input, "length", FORM)?;
     Ok(JointKind::Link(first, second, expression(input)?))
 }

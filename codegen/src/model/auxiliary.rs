@@ -7,10 +7,10 @@ use super::interpret::Interpreter;
 use super::quantities::{define, resolve_unit};
 use super::scope::plain;
 use super::value::Value;
-use super::{Auxiliary, Dependence, Dimension, Model};
+use super::{Auxiliary, Coordinate, Dependence, Dimension, Model};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 
 /// Whether auxiliary displacements are the number 0, or variables.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -50,6 +50,23 @@ pub(super) fn resolve_auxiliaries(
     auxiliaries
 }
 
+/// A variable that forces may work along.
+pub(super) struct Moving {
+    pub(super) position: Symbol,
+    pub(super) speed: Symbol,
+}
+
+/// The coordinates, and the auxiliary displacements where they vary.
+pub(super) fn moving(
+    displacements: Displacements,
+    coordinates: &[Coordinate],
+    auxiliaries: &[Auxiliary],
+) -> Vec<Moving> {
+    let varying = if displacements == Displacements::Variable { auxiliaries } else { &[] };
+    let varying = varying.iter().map(|a| Moving { position: a.displacement, speed: a.rate });
+    coordinates.iter().map(|c| Moving { position: c.position, speed: c.speed }).chain(varying).collect()
+}
+
 /// Refuses displacements that displace nothing: their conjugate forces would always be 0.
 pub(super) fn check_displaced(declaration: &Declaration, displaced: &Model) -> syn::Result<()> {
     let mut mistakes = Mistakes::default();
@@ -72,6 +89,6 @@ fn positions(model: &Model) -> Vec<Expr> {
         let mass = body.mass.iter().flat_map(|(_, at)| *at);
         mass.chain(body.rotation.map(|(_, angle)| angle)).collect::<Vec<_>>()
     });
-    let loads = model.forces.iter().flat_map(|force| force.at).chain(model.torques.iter().map(|torque| torque.angle));
+    let loads = model.forces.iter().flat_map(|force| force.at).chain(model.efforts.iter().map(|effort| effort.along));
     bodies.chain(loads).chain(model.constraints.iter().map(|c| c.value)).collect()
 }

@@ -1,6 +1,6 @@
 //! The whole declaration, block by block.
 
-use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
+use super::auxiliary::{Displacements, check_displaced, moving, resolve_auxiliaries};
 use super::bodies::resolve_bodies;
 use super::drawing::resolve_drawing;
 use super::equations::{resolve_constraints, resolve_events};
@@ -44,6 +44,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         graph,
         dependences,
         values: Names::new("value"),
+        local: vec![],
         reactions: None,
         outputs: declaration
             .outputs
@@ -65,7 +66,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     }
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &bodies, &body_names, i);
+    let loads = resolve_loads(declaration, &moving(displacements, &coordinates, &auxiliaries), &bodies, &body_names, i);
     let constraints = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let events = resolve_events(declaration, i);
@@ -85,7 +86,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,
         forces: loads.forces,
-        torques: loads.torques,
+        efforts: loads.efforts,
         constraints,
         events,
         outputs,

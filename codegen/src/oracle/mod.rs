@@ -9,6 +9,7 @@
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
 
 mod constraint;
+mod elements;
 mod error;
 mod function;
 mod interpret;

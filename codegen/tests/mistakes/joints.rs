@@ -14,9 +14,9 @@ fn joints() {
         "pivot: weld P to [0, 1];",
         &["7:17 `weld` is not known here; expected one of `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `roll`"],
     );
-    joint("pivot: pin P and [0, 1];", &["7:23 an operator or `;` is missing before `and`"]);
+    joint("pivot: pin P and [0, 1];", &["7:23 expected `to`: `pin P to Q;`"]);
     joint("pivot: pin P;", &["7:22 expected `to`: `pin P to Q;`"]);
-    joint("pivot: link P to [0, 1];", &["7:33 expected `length`: `link P to Q length l;`"]);
+    joint("pivot: link P to [0, 1];", &["7:33 expected `, length l`: `link P to Q, length l;`"]);
     joint("pivot: slot P along 1;", &["7:24 expected `through`: `slot P through O along beta;`"]);
     joint(
         "pin P to [0, 1];",

@@ -9,6 +9,7 @@ mod blocks;
 mod bodies;
 mod constraints;
 mod constraints_in_speeds;
+mod elements;
 mod expressions;
 mod joints;
 mod loads;
@@ -16,6 +17,7 @@ mod names;
 mod new_users;
 mod outputs;
 mod parameters;
+mod reuse;
 mod start;
 
 use proc_macro2::TokenStream;
