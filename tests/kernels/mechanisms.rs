@@ -141,6 +141,42 @@ mechanism! {
 }
 
 mechanism! {
+    /// A cart with a pendulum and a wheel, and every load along a scalar: ends that move in time, laws of stretch and rate.
+    pub(crate) Sprung;
+    coordinates { x [m]; a [rad]; b [rad]; }
+    parameters {
+        M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; J [kg*m^2] = 0.05; k [N/m] = 40; k3 [N/m^3] = 300; l0 [m] = 0.5; c [N*s/m] = 1.5;
+        kt [N*m/rad] = 3; ct [N*m*s] = 0.2; b0 [deg] = 20; w [1/s] = 4;
+    }
+    let O = [x, 0.1*sin(w*t)];
+    let P = O + l*[sin(a), -cos(a)];
+    let anchor = [1.2 + 0.1*cos(w*t), 0.9];
+    bodies { cart: mass M at O; bob: mass m at P, inertia J, angle a; wheel: inertia J, angle b; }
+    loads {
+        gravity [0, -9.81];
+        potential k*x^2/2 + 0.3*cos(b - 2*a)*exp(-x^2) + 0.1*x*sin(w*t);
+        dissipation c/2*inner(dot(P), dot(P)) + ct/2*dot(a - b)^2 + 0.02*abs(dot(b))^3;
+        spring k, length l0 from anchor to P;
+        spring k, length 0 from [0.3, -2] to P;
+        spring k*stretch + k3*stretch^3 + 0.2*rate, length l0 + 0.05*sin(t) from O to [2, 1.5];
+        spring kt, rest b0 between a and b;
+        spring kt*sin(stretch), rest b0 on b;
+        damper c from anchor to P;
+        damper c*rate + 0.1*rate*abs(rate) from O to [0, 1];
+        damper ct between a and b;
+        damper ct*tanh(rate) on a + b;
+        force 3*sin(w*t) on x - l*a;
+        force 2 - dot(x) from O to anchor;
+        torque 0.4 between a and b;
+        torque 0.2*cos(t) on b;
+        torque ct on wheel;
+    }
+    initial { x = 0.2; a = 0.4; b = -0.3; dot(x) = 0.5; }
+    outputs { height [m] = P.y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
     /// A sled with a pole on a blade, on ice that drifts, its tip on a line: constraints between positions and between speeds.
     pub(crate) Sled;
     coordinates { x [m]; y [mm]; phi [rad]; psi [rad]; }
@@ -152,7 +188,10 @@ mechanism! {
     let G = P + a*[cos(phi), sin(phi)];
     let tip = G + [foot, 0] + l*[cos(psi + turn), sin(psi + turn)];
     bodies { sled: mass m at G, inertia J, angle phi; pole: mass n at tip, inertia J/9, angle psi + turn; }
-    loads { force [1, 0.2*t] at G; force -c*dot(tip) at tip; torque sin(t) on pole; }
+    loads {
+        force [1, 0.2*t] at G; force -c*dot(tip) at tip; torque sin(t) on pole;
+        dissipation c*inner(dot(tip), dot(tip)); spring 20 [N/m], length l from [0, 1] to tip;
+    }
     constraints { blade: slip = 0; rail: tip.y + 0.1*tip.x = 0.4 + 0.05*sin(t); }
     initial { phi = 0.3; dot(phi) = 1; guess y = 100; guess psi = 0.2; }
     outputs { side [N] = reaction(blade); rail [N] = reaction(rail); sideways [m/s] = slip;
@@ -211,42 +250,6 @@ mechanism! {
     initial { turn = 0.2; guess wheel_phi = -0.1; guess bar_x = 0.4; }
     outputs { pull [N] = reaction(lift); cut [N] = reaction(cut); tip [m] = on(bar, [0.5, 0]).y; }
     drawing { line on(bar, [-0.5, 0]), on(bar, [0.5, 0]); circle on(wheel, [0, 0]) radius r; }
-}
-
-mechanism! {
-    /// A cart with a pendulum and a wheel, and every load along a scalar: ends that move in time, laws of stretch and rate.
-    pub(crate) Sprung;
-    coordinates { x [m]; a [rad]; b [rad]; }
-    parameters {
-        M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; J [kg*m^2] = 0.05; k [N/m] = 40; k3 [N/m^3] = 300; l0 [m] = 0.5; c [N*s/m] = 1.5;
-        kt [N*m/rad] = 3; ct [N*m*s] = 0.2; b0 [deg] = 20; w [1/s] = 4;
-    }
-    let O = [x, 0.1*sin(w*t)];
-    let P = O + l*[sin(a), -cos(a)];
-    let anchor = [1.2 + 0.1*cos(w*t), 0.9];
-    bodies { cart: mass M at O; bob: mass m at P, inertia J, angle a; wheel: inertia J, angle b; }
-    loads {
-        gravity [0, -9.81];
-        potential k*x^2/2 + 0.3*cos(b - 2*a)*exp(-x^2) + 0.1*x*sin(w*t);
-        dissipation c/2*inner(dot(P), dot(P)) + ct/2*dot(a - b)^2 + 0.02*abs(dot(b))^3;
-        spring k, length l0 from anchor to P;
-        spring k, length 0 from [0.3, -2] to P;
-        spring k*stretch + k3*stretch^3 + 0.2*rate, length l0 + 0.05*sin(t) from O to [2, 1.5];
-        spring kt, rest b0 between a and b;
-        spring kt*sin(stretch), rest b0 on b;
-        damper c from anchor to P;
-        damper c*rate + 0.1*rate*abs(rate) from O to [0, 1];
-        damper ct between a and b;
-        damper ct*tanh(rate) on a + b;
-        force 3*sin(w*t) on x - l*a;
-        force 2 - dot(x) from O to anchor;
-        torque 0.4 between a and b;
-        torque 0.2*cos(t) on b;
-        torque ct on wheel;
-    }
-    initial { x = 0.2; a = 0.4; b = -0.3; dot(x) = 0.5; }
-    outputs { height [m] = P.y; }
-    kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 /// Calls a macro with the types of all mechanisms, the shipped ones first.

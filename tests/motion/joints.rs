@@ -135,7 +135,7 @@ mechanism! {
         ground: slot on(disc, [0, 0]) through r*[-sin(down), cos(down)] along down;
         contact: roll disc radius r along down;
     }
-    initial { guess disc_y = 0.2; disc_phi = 0; }
+    initial { disc_x = -r*sin(down); guess disc_y = 0.2; disc_phi = 0; }
     outputs { way [m] = inner(on(disc, [0, 0]), [cos(down), sin(down)]); grip [N] = reaction(contact); load [N] = reaction(ground); }
 }
 

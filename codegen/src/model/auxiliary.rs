@@ -7,10 +7,10 @@ use super::interpret::Interpreter;
 use super::quantities::{define, resolve_unit};
 use super::scope::plain;
 use super::value::Value;
-use super::{Auxiliary, Coordinate, Dependence, Dimension, Model};
+use super::{Auxiliary, Dependence, Dimension, Model};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::Expr;
 
 /// Whether auxiliary displacements are the number 0, or variables.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -48,23 +48,6 @@ pub(super) fn resolve_auxiliaries(
         auxiliaries.push((auxiliary, force));
     }
     auxiliaries
-}
-
-/// A variable that forces may work along.
-pub(super) struct Moving {
-    pub(super) position: Symbol,
-    pub(super) speed: Symbol,
-}
-
-/// The coordinates, and the auxiliary displacements where they vary.
-pub(super) fn moving(
-    displacements: Displacements,
-    coordinates: &[Coordinate],
-    auxiliaries: &[Auxiliary],
-) -> Vec<Moving> {
-    let varying = if displacements == Displacements::Variable { auxiliaries } else { &[] };
-    let varying = varying.iter().map(|a| Moving { position: a.displacement, speed: a.rate });
-    coordinates.iter().map(|c| Moving { position: c.position, speed: c.speed }).chain(varying).collect()
 }
 
 /// Refuses displacements that displace nothing: their conjugate forces would always be 0.

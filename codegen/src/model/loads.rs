@@ -1,13 +1,12 @@
 //! The `loads` block.
 
-use super::auxiliary::Moving;
 use super::elements::{dissipation, element, potential, quantity};
 use super::interpret::Interpreter;
 use super::level::{BEYOND_SPEED, position_level};
 use super::scope::{Names, plain};
 use super::{Body, Effort, Force, Point};
 use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
 
 #[derive(Default)]
@@ -19,7 +18,7 @@ pub(super) struct Loads {
 
 pub(super) fn resolve_loads(
     declaration: &Declaration,
-    moving: &[Moving],
+    moving: &[(Symbol, Symbol)],
     bodies: &[Option<Body>],
     names: &Names<usize>,
     i: &mut Interpreter,

@@ -1,6 +1,6 @@
 //! The whole declaration, block by block.
 
-use super::auxiliary::{Displacements, check_displaced, moving, resolve_auxiliaries};
+use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
 use super::bodies::resolve_bodies;
 use super::drawing::resolve_drawing;
 use super::equations::{resolve_constraints, resolve_events};
@@ -61,12 +61,14 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let parameters = resolve_parameters(declaration, i);
     let auxiliaries = resolve_auxiliaries(declaration, displacements, i);
     let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
+    let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
     if displacements == Displacements::Variable {
         i.motion = time_derivative(&mut i.graph, time, &coordinates, &auxiliaries);
+        moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
     }
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &moving(displacements, &coordinates, &auxiliaries), &bodies, &body_names, i);
+    let loads = resolve_loads(declaration, &moving, &bodies, &body_names, i);
     let constraints = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let events = resolve_events(declaration, i);

@@ -28,7 +28,7 @@ pub(super) struct Setting {
 enum Rates {
     /// Nothing: there is no motion.
     None,
-    /// The first variable is time along the motion.
+    /// The one variable is time along the motion.
     AlongTime,
     /// The variables change at these rates, of which those of coordinates are variables themselves.
     Of(Vec<Jet>),
@@ -78,21 +78,16 @@ impl Setting {
         }
     }
 
-    /// Quantities along the motion: jets of `coordinates` as functions of time, the first of some variables.
-    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>, variables: usize) -> Setting {
+    /// Quantities along the motion: jets in time alone, of `coordinates` as functions of time.
+    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>) -> Setting {
         Setting {
-            variables,
-            parameters: constants(parameters, variables),
-            motion: Some((coordinates, Jet::variable(time, 0, variables))),
+            variables: 1,
+            parameters: constants(parameters, 1),
+            motion: Some((coordinates, Jet::variable(time, 0, 1))),
             auxiliaries: vec![],
             rates: Rates::AlongTime,
             reactions: None,
         }
-    }
-
-    /// The same with auxiliary displacements that vary.
-    pub(super) fn with_auxiliaries(self, auxiliaries: Vec<Jet>) -> Setting {
-        Setting { auxiliaries, ..self }
     }
 
     /// The same with the multipliers of each constraint, in order, and the forces conjugate to auxiliary displacements.
@@ -172,10 +167,14 @@ impl<'d> Interpreter<'d> {
         value
     }
 
-    /// Coordinate number `index`; after the coordinates come the auxiliary displacements.
-    pub(super) fn coordinate_jet(&self, index: usize) -> Result<Jet> {
-        let known = self.setting.motion.as_ref();
-        let known = known.and_then(|(coordinates, _)| coordinates.iter().chain(&self.setting.auxiliaries).nth(index));
+    /// Everything that moves: coordinates, and auxiliary displacements where they are variables.
+    pub(super) fn moving(&self) -> Vec<Jet> {
+        let coordinates = self.setting.motion.iter().flat_map(|(coordinates, _)| coordinates);
+        coordinates.chain(&self.setting.auxiliaries).cloned().collect()
+    }
+
+    fn coordinate_jet(&self, index: usize) -> Result<Jet> {
+        let known = self.setting.motion.as_ref().and_then(|(coordinates, _)| coordinates.get(index));
         known.cloned().ok_or_else(|| OracleError::new("coordinates are not known here"))
     }
 

@@ -45,17 +45,6 @@ impl Jet {
         jet
     }
 
-    /// A coordinate along the motion with each speed changed by a variable of its own: q + (q' + e_index) s, in the
-    /// variables (s, e).
-    pub(super) fn of_speed(value: f64, speed: f64, index: usize, variables: usize) -> Jet {
-        let mut jet = Jet::constant(Measured::given(value), variables);
-        jet.gradient[0] = Measured::given(speed);
-        jet.hessian[index + 1] = Measured::given(1.0);
-        jet.hessian[(index + 1) * variables] = Measured::given(1.0);
-        jet.order = 1;
-        jet
-    }
-
     pub(super) fn value(&self) -> Measured {
         self.value
     }

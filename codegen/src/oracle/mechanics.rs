@@ -51,7 +51,7 @@ impl Mechanics {
             fixed: interpreter(Setting::fixed(at.parameters)),
             positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries)),
             motion: interpreter(at.motion()),
-            by_speeds: interpreter(at.motion_by_speeds(auxiliaries)),
+            speeds: interpreter(Setting::speeds(at, auxiliaries)),
         };
         let bodies = declaration.bodies.iter().map(|body| builder.body(body)).collect::<Result<Vec<_>>>()?;
         let mut efforts = Vec::new();
@@ -84,7 +84,7 @@ struct Builder<'d> {
     fixed: Interpreter<'d>,
     positions: Interpreter<'d>,
     motion: Interpreter<'d>,
-    by_speeds: Interpreter<'d>,
+    speeds: Interpreter<'d>,
 }
 
 impl Builder<'_> {
@@ -121,7 +121,7 @@ impl Builder<'_> {
                 Ok(vec![Effort { force, place }])
             }
             Load::Potential(energy) => potential(energy, &mut self.positions),
-            Load::Dissipation(function) => dissipation(function, &mut self.by_speeds, &self.positions),
+            Load::Dissipation(function) => dissipation(function, &mut self.speeds, &self.positions),
             Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
                 let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());

@@ -47,16 +47,6 @@ impl State<'_> {
         self.along(|i| accelerations.get(i).copied())
     }
 
-    /// Along the motion, in time and a change of each speed, and of the rates of auxiliary displacements.
-    pub(super) fn motion_by_speeds(&self, auxiliaries: usize) -> Setting {
-        let n = self.speeds.len();
-        let variables = n + 1 + auxiliaries;
-        let coordinates = self.coordinates.iter().zip(self.speeds).enumerate();
-        let coordinates = coordinates.map(|(i, (q, speed))| Jet::of_speed(*q, *speed, i, variables)).collect();
-        let displacements = (n..n + auxiliaries).map(|i| Jet::of_speed(0.0, 0.0, i, variables)).collect();
-        Setting::motion(self.time, self.parameters, coordinates, variables).with_auxiliaries(displacements)
-    }
-
     fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
         let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
             let derivatives: Vec<Measured> =
@@ -64,6 +54,6 @@ impl State<'_> {
             Jet::of_time(Measured::given(*q), &derivatives)
         };
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates, 1)
+        Setting::motion(self.time, self.parameters, coordinates)
     }
 }
