@@ -3,13 +3,13 @@
 //!
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
-use super::joint::{Guide, Joint, JointKind};
+use super::joint::{Joint, JointKind};
+use super::made::{across, binary, call, component, difference, direction, inner, product, zero};
 use super::{
     Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
-use proc_macro2::Span;
 use syn::{Ident, Result};
 
 /// Writes out all joints and all points on bodies.
@@ -46,8 +46,8 @@ impl Frames {
     fn of(declaration: &Declaration) -> Result<Frames> {
         let mut frames = Frames { bodies: Vec::new() };
         for Body { name, mass, angle, .. } in &declaration.bodies {
-            let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).map(copy);
-            let mut frame = Frame { name: name.clone(), position, angle: angle.as_ref().map(copy) };
+            let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).cloned();
+            let mut frame = Frame { name: name.clone(), position, angle: angle.clone() };
             for expression in frame.position.iter_mut().chain(&mut frame.angle) {
                 frames.write_out(expression)?;
             }
@@ -69,12 +69,12 @@ impl Frames {
     fn position(&self, body: &Ident) -> Result<Expression> {
         let missing =
             || Region::from(body).error(format!("body `{body}` has no place; write `mass m at P` in its line"));
-        self.find(body)?.position.as_ref().map(copy).ok_or_else(missing)
+        self.find(body)?.position.clone().ok_or_else(missing)
     }
 
     fn angle(&self, body: &Ident) -> Result<Expression> {
         let missing = || Region::from(body).error(format!("body `{body}` has no angle; write `angle phi` in its line"));
-        self.find(body)?.angle.as_ref().map(copy).ok_or_else(missing)
+        self.find(body)?.angle.clone().ok_or_else(missing)
     }
 
     /// The equations of a joint.
@@ -92,7 +92,7 @@ impl Frames {
                 let turned = Equation {
                     name: Ident::new(&format!("{name}_turn"), name.span()),
                     left: self.angle(&body)?,
-                    right: copy(&guide.along),
+                    right: guide.along.clone(),
                 };
                 vec![equation(across(at, self.position(&body)?, &guide), zero(at)), turned]
             }
@@ -136,9 +136,9 @@ impl Frames {
         self.write_out(&mut place)?;
         let Kind::Name(body) = body.kind else { return Err(form()) };
         let (position, angle) = (self.position(&body)?, self.angle(&body)?);
-        let of_angle = |function| call(region, function, vec![copy(&angle)]);
+        let of_angle = |function| call(region, function, vec![angle.clone()]);
         let [u, v] = ["x", "y"].map(|axis| component(&place, axis));
-        let x = binary(Operator::Subtract, product(copy(&u), of_angle("cos")), product(copy(&v), of_angle("sin")));
+        let x = binary(Operator::Subtract, product(u.clone(), of_angle("cos")), product(v.clone(), of_angle("sin")));
         let y = binary(Operator::Add, product(u, of_angle("sin")), product(v, of_angle("cos")));
         let arm = Expression { region, kind: Kind::Vector(vec![x, y]) };
         let mut point = binary(Operator::Add, position, arm);
@@ -187,62 +187,4 @@ fn of_element(element: &mut Element) -> Vec<&mut Expression> {
         Extent::Quantity(x) => vec![x],
     };
     law.into_iter().chain(extent).collect()
-}
-
-/// The distance of a point from a line, to its left.
-fn across(at: Region, point: Expression, guide: &Guide) -> Expression {
-    let sine = call(at, "sin", vec![copy(&guide.along)]);
-    let normal =
-        vec![Expression { region: at, kind: Kind::Negate(Box::new(sine)) }, call(at, "cos", vec![copy(&guide.along)])];
-    inner(at, difference(point, copy(&guide.through)), Expression { region: at, kind: Kind::Vector(normal) })
-}
-
-fn direction(at: Region, along: &Expression) -> Expression {
-    let components = ["cos", "sin"].map(|function| call(at, function, vec![copy(along)]));
-    Expression { region: at, kind: Kind::Vector(components.into()) }
-}
-
-fn inner(at: Region, a: Expression, b: Expression) -> Expression {
-    call(at, "inner", vec![a, b])
-}
-
-fn call(region: Region, function: &str, arguments: Vec<Expression>) -> Expression {
-    Expression { region, kind: Kind::Call(Ident::new(function, Span::call_site()), arguments) }
-}
-
-fn component(vector: &Expression, axis: &str) -> Expression {
-    let name = Ident::new(axis, Span::call_site());
-    Expression { region: vector.region, kind: Kind::Component(Box::new(copy(vector)), name) }
-}
-
-fn zero(region: Region) -> Expression {
-    Expression { region, kind: Kind::Number { literal: "0".into(), unit: None } }
-}
-
-fn product(a: Expression, b: Expression) -> Expression {
-    binary(Operator::Multiply, a, b)
-}
-
-fn difference(a: Expression, b: Expression) -> Expression {
-    binary(Operator::Subtract, a, b)
-}
-
-fn binary(operator: Operator, left: Expression, right: Expression) -> Expression {
-    let region = left.region.to(right.region);
-    Expression { region, kind: Kind::Binary(operator, Box::new(left), Box::new(right)) }
-}
-
-fn copy(expression: &Expression) -> Expression {
-    let again = |parts: &[Expression]| parts.iter().map(copy).collect();
-    let boxed = |part: &Expression| Box::new(copy(part));
-    let kind = match &expression.kind {
-        Kind::Number { literal, unit } => Kind::Number { literal: literal.clone(), unit: unit.clone() },
-        Kind::Name(name) => Kind::Name(name.clone()),
-        Kind::Vector(parts) => Kind::Vector(again(parts)),
-        Kind::Negate(part) => Kind::Negate(boxed(part)),
-        Kind::Binary(operator, left, right) => Kind::Binary(*operator, boxed(left), boxed(right)),
-        Kind::Call(function, parts) => Kind::Call(function.clone(), again(parts)),
-        Kind::Component(vector, axis) => Kind::Component(boxed(vector), axis.clone()),
-    };
-    Expression { region: expression.region, kind }
 }

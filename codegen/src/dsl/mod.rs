@@ -8,6 +8,7 @@ mod free;
 mod joint;
 mod limits;
 mod load;
+mod made;
 mod parse;
 mod rates;
 mod region;

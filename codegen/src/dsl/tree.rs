@@ -235,6 +235,7 @@ pub enum Shape {
 }
 
 /// A scalar or vector expression.
+#[derive(Clone)]
 pub struct Expression {
     /// Where it stands.
     pub region: Region,
@@ -260,6 +261,7 @@ impl Expression {
 }
 
 /// What an expression is.
+#[derive(Clone)]
 pub enum Kind {
     /// `0.2` or `75 [rpm]`
     Number {
