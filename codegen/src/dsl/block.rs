@@ -82,7 +82,7 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     Ok(Let { name, value: expression(input)? })
 }
 
-fn equals(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -156,7 +156,22 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
     colon(input, "an equation has a name: `closure: left = right;`")?;
     let left = expression(input)?;
     equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)? })
+    Ok(Equation { name, left, right: expression(input)?, initially: None })
+}
+
+/// An equation, and whether it holds at the start if events switch it.
+pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
+    let equation = equation(input)?;
+    Ok(Equation { initially: initially(input)?, ..equation })
+}
+
+/// `initially active`, or `initially released`.
+pub(super) fn initially(input: ParseStream) -> Result<Option<Activity>> {
+    if !accept_word(input, "initially")? {
+        return Ok(None);
+    }
+    let word = keyword(input, &["active", "released"])?;
+    Ok(Some(if word == "active" { Activity::Active } else { Activity::Released }))
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

@@ -6,7 +6,7 @@
 use super::joint::{Joint, JointKind};
 use super::made::{across, binary, call, component, difference, direction, inner, product, zero};
 use super::{
-    Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
+    Action, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
@@ -79,9 +79,9 @@ impl Frames {
 
     /// The equations of a joint.
     fn equations(&self, joint: Joint) -> Result<Vec<Equation>> {
-        let Joint { name, kind } = joint;
+        let Joint { name, kind, initially } = joint;
         let at = Region::from(&name);
-        let equation = |left, right| Equation { name: name.clone(), left, right };
+        let equation = |left, right| Equation { name: name.clone(), left, right, initially };
         Ok(match kind {
             JointKind::Pin(first, second) => vec![equation(first, second)],
             JointKind::Link(first, second, length) => {
@@ -93,6 +93,7 @@ impl Frames {
                     name: Ident::new(&format!("{name}_turn"), name.span()),
                     left: self.angle(&body)?,
                     right: guide.along.clone(),
+                    initially,
                 };
                 vec![equation(across(at, self.position(&body)?, &guide), zero(at)), turned]
             }
@@ -164,7 +165,11 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
             Load::Element(element) => all.extend(of_element(element)),
         }
     }
-    all.extend(d.constraints.iter_mut().chain(&mut d.events).flat_map(|e| [&mut e.left, &mut e.right]));
+    all.extend(d.constraints.iter_mut().flat_map(|e| [&mut e.left, &mut e.right]));
+    for event in &mut d.events {
+        all.extend([&mut event.condition.left, &mut event.condition.right]);
+        all.extend(event.actions.iter_mut().filter_map(of_action));
+    }
     all.extend(d.initial.iter_mut().map(|Initial { value, .. }| value));
     all.extend(d.outputs.iter_mut().flat_map(|group| &mut group.outputs).map(|output| &mut output.value));
     for shape in &mut d.drawing {
@@ -175,6 +180,14 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
         }
     }
     all
+}
+
+fn of_action(action: &mut Action) -> Option<&mut Expression> {
+    match action {
+        Action::Set { value, .. } => Some(value),
+        Action::Impact { restitution, .. } => restitution.as_mut(),
+        Action::Record | Action::Stop { .. } | Action::Swap(..) | Action::Switch { .. } => None,
+    }
 }
 
 fn of_element(element: &mut Element) -> Vec<&mut Expression> {

@@ -1,9 +1,9 @@
 //! Lines of the `joints` block: the joints of planar linkages by name.
 
-use super::Expression;
-use super::block::{colon, docs, expect_word, keyword, name};
+use super::block::{colon, docs, expect_word, initially, keyword, name};
 use super::expression::expression;
 use super::region::here;
+use super::{Activity, Expression};
 use syn::Ident;
 use syn::parse::{ParseStream, Result};
 
@@ -13,6 +13,8 @@ pub struct Joint {
     pub name: Ident,
     /// What it is.
     pub kind: JointKind,
+    /// `initially released`, on a joint that events switch.
+    pub initially: Option<Activity>,
 }
 
 /// A kind of joint, with what it joins.
@@ -59,7 +61,7 @@ pub(super) fn joint(input: ParseStream) -> Result<Joint> {
         "rack" => rack(input)?,
         _ => roll(input)?,
     };
-    Ok(Joint { name, kind })
+    Ok(Joint { name, kind, initially: initially(input)? })
 }
 
 fn body(input: ParseStream) -> Result<Ident> {
