@@ -12,6 +12,7 @@ mod failure;
 mod faulty;
 mod impacts;
 mod inputs;
+mod joints;
 mod linkages;
 mod long;
 mod nonholonomic;
