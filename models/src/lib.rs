@@ -5,18 +5,30 @@
 mod andrews;
 mod double_pendulum;
 mod four_bar;
+mod four_bars;
+mod hanging_chain;
 mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
+mod scotch_yoke;
+mod six_bar;
 mod slider_crank;
+mod spring_follower;
+mod whitworth;
 
 pub use andrews::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
+pub use four_bars::*;
+pub use hanging_chain::*;
 pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+pub use scotch_yoke::*;
+pub use six_bar::*;
 pub use slider_crank::*;
+pub use spring_follower::*;
+pub use whitworth::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
 #[macro_export]
@@ -29,7 +41,13 @@ macro_rules! all_models {
             $crate::Pendulum,
             $crate::DoublePendulum,
             $crate::FourBar,
-            $crate::SliderCrank
+            $crate::SliderCrank,
+            $crate::ScotchYoke,
+            $crate::Whitworth,
+            $crate::SixBar,
+            $crate::HangingChain,
+            $crate::FourBars,
+            $crate::SpringFollower
         )
     };
 }

@@ -4,6 +4,7 @@
 
 mod andrews;
 mod assembly;
+mod chains;
 mod constraints;
 mod events;
 mod failure;
@@ -13,7 +14,9 @@ mod long;
 mod order;
 mod pendulum;
 mod quick_return;
+mod six_bar;
 mod statics;
 mod stiff;
 mod units;
 mod verification;
+mod yokes;
