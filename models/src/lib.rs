@@ -6,12 +6,14 @@ mod andrews;
 mod double_pendulum;
 mod four_bar;
 mod four_bars;
+mod half_car;
 mod hanging_chain;
 mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
 mod scotch_yoke;
 mod six_bar;
+mod skate;
 mod slider_crank;
 mod spring_follower;
 mod whitworth;
@@ -20,12 +22,14 @@ pub use andrews::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use four_bars::*;
+pub use half_car::*;
 pub use hanging_chain::*;
 pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
 pub use scotch_yoke::*;
 pub use six_bar::*;
+pub use skate::*;
 pub use slider_crank::*;
 pub use spring_follower::*;
 pub use whitworth::*;
@@ -47,7 +51,9 @@ macro_rules! all_models {
             $crate::SixBar,
             $crate::HangingChain,
             $crate::FourBars,
-            $crate::SpringFollower
+            $crate::SpringFollower,
+            $crate::HalfCar,
+            $crate::Skate
         )
     };
 }

@@ -35,8 +35,6 @@ mechanism! {
     let A = r*[cos(w*t), sin(w*t)];
     let yoke = [0, A.y];
     let P = [0, y];
-    let spring = k*(l0 - (y - A.y));
-    let damper = -c*dot(y - A.y);
 
     bodies {
         pin: mass m_pin at A;
@@ -45,8 +43,8 @@ mechanism! {
 
     loads {
         gravity [0, -g];
-        force [0, spring + damper] at P;
-        force [0, -spring - damper] at A;
+        spring k, rest l0 between A.y and y;
+        damper c between A.y and y;
     }
 
     initial {
@@ -69,9 +67,9 @@ mechanism! {
         }
         forces "Forces on the follower" {
             /// spring
-            spring_force [N] = spring;
+            spring_force [N] = k*(l0 - (y - A.y));
             /// damper
-            damper_force [N] = damper;
+            damper_force [N] = -c*dot(y - A.y);
         }
     }
 

@@ -4,13 +4,17 @@
 
 mod andrews;
 mod assembly;
+mod auxiliary;
 mod chains;
 mod constraints;
+mod elements;
 mod events;
 mod failure;
 mod faulty;
+mod half_car;
 mod linkages;
 mod long;
+mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;
