@@ -3,6 +3,7 @@
 #![no_std]
 
 mod andrews;
+mod bouncing_ball;
 mod double_pendulum;
 mod four_bar;
 mod four_bars;
@@ -19,6 +20,7 @@ mod spring_follower;
 mod whitworth;
 
 pub use andrews::*;
+pub use bouncing_ball::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use four_bars::*;
@@ -53,7 +55,8 @@ macro_rules! all_models {
             $crate::FourBars,
             $crate::SpringFollower,
             $crate::HalfCar,
-            $crate::Skate
+            $crate::Skate,
+            $crate::BouncingBall
         )
     };
 }

@@ -12,6 +12,7 @@ mod events;
 mod failure;
 mod faulty;
 mod half_car;
+mod impacts;
 mod linkages;
 mod long;
 mod nonholonomic;
