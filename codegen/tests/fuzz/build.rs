@@ -47,12 +47,12 @@ fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
     print("time_derivative", vector(&mechanism.constraint_time_derivative(t, q)));
     print("constraint_convective", vector(&mechanism.constraint_convective(t, q, qd)));
     print("energy", [mechanism.kinetic_energy(t, q, qd)]);
-    print("events", vector(&mechanism.events(t, q, qd)));
     let solved = mechanism.dynamics(t, q, qd);
     print("refused", [if solved.refused { 1.0 } else { 0.0 }]);
     print("accelerations", vector(&solved.accelerations));
     print("multipliers", vector(&solved.multipliers));
     print("power", [solved.power]);
+    print("events", vector(&mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers)));
     print("outputs", vector(&mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers)));
     println!();
 }

@@ -89,12 +89,12 @@ fn compare(declaration: &dsl::Declaration, state: &State, found: &[(String, Vec<
     term("time_derivative", &terms.constraint_time_derivative);
     term("constraint_convective", &terms.constraint_convective);
     term("energy", &[terms.kinetic_energy]);
-    term("events", &oracle.events(&at).unwrap());
     if values("refused")[0] != 0.0 {
         return (worst.0, worst.1, false);
     }
     let given = |name: &str| values(name).iter().map(|value| Measured::given(*value)).collect::<Vec<_>>();
     let solution = Solution { accelerations: given("accelerations"), multipliers: given("multipliers") };
+    term("events", &oracle.events(&at, &solution).unwrap());
     term("outputs", &oracle.outputs(&at, &solution).unwrap());
     term("power", &[oracle.power(&at, &solution).unwrap()]);
     let residual = residual(&terms, values("accelerations"), values("multipliers"));

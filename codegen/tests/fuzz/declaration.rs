@@ -40,6 +40,7 @@ impl Writer {
         if self.random.once_in(2) {
             text += &self.fragment();
         }
+        text += "auxiliary { cut; }\n";
         text += &self.bodies();
         text += &self.loads();
         let constraints = self.constraints();
@@ -104,7 +105,7 @@ impl Writer {
         for i in 0..self.random.below(3) {
             let (mass, inertia) = (self.random.pick(&["p1", "p2*p3", "2"]), self.random.pick(&["p2", "0", "p1^2/12"]));
             let (at, angle) = (self.vector(2), self.scalar(2));
-            text += &format!("body{i}: mass {mass} at {at}, inertia {inertia}, angle {angle};\n");
+            text += &format!("body{i}: mass {mass} at {at} + [cut, 0], inertia {inertia}, angle {angle};\n");
         }
         text + "}\n"
     }
@@ -118,7 +119,23 @@ impl Writer {
         if self.random.once_in(2) {
             text += &format!("torque {} on own0;\n", self.rate(2));
         }
+        for _ in 0..self.random.below(3) {
+            text += &self.element();
+        }
         text + "}\n"
+    }
+
+    /// Springs, dampers, potentials: a line.
+    fn element(&mut self) -> String {
+        let coordinate = self.random.pick(&self.coordinates).clone();
+        match self.random.below(6) {
+            0 => format!("spring p1, rest {} on {};\n", self.scalar(0), self.scalar(2)),
+            1 => format!("spring p2*stretch^3, rest 0.3 between {} and {coordinate};\n", self.scalar(1)),
+            2 => format!("spring p1, length 0.4 from {} to [9 + {coordinate}, 7];\n", self.vector(1)),
+            3 => format!("damper p3*rate*abs(rate) on {};\n", self.scalar(2)),
+            4 => format!("potential {};\n", self.scalar(2)),
+            _ => format!("dissipation p2/2*dot({})^2;\n", self.scalar(1)),
+        }
     }
 
     /// The block, and the names of scalar constraints.
@@ -130,11 +147,17 @@ impl Writer {
             let coordinate = self.coordinates[i].clone();
             text += &format!("c{i}: {coordinate} + {}/4 = {}/3;\n", self.scalar(1), self.scalar(2));
         }
+        // Held between speeds, where a coordinate is left.
+        if count + 1 < self.coordinates.len() && self.random.once_in(3) {
+            let (last, first) = (self.coordinates[self.coordinates.len() - 1].clone(), self.coordinates[0].clone());
+            text += &format!("rolling: dot({last}) + {}*dot({first})/5 = {};\n", self.scalar(1), self.scalar(1));
+        }
         (text + "}\n", (0..count).map(|i| format!("c{i}")).collect())
     }
 
     fn outputs(&mut self, constraints: &[String]) -> String {
-        let mut text = format!("outputs {{ rate = {}; second = ddot({}); ", self.rate(2), self.scalar(2));
+        let mut text =
+            format!("outputs {{ rate = {}; second = ddot({}); force = reaction(cut); ", self.rate(2), self.scalar(2));
         for constraint in constraints {
             text += &format!("r_{constraint} = reaction({constraint})*{}; ", self.scalar(0));
         }
