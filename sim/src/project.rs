@@ -40,7 +40,7 @@ pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usi
     let found = correct_positions(mechanism, time, q)?;
     let open = rates::<M>(&found.linear, &state.speeds);
     let serves = found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
-    let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
+    let factors = if serves { found.factors } else { factorise_again::<M>(&found.linear, time, q)? };
     if !factors.is_regular() && factors.dependent().count() > redundant {
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
         return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
@@ -134,9 +134,8 @@ fn correct<M: Mechanism, T>(
 ) -> Result<(Linearization<M>, T), Failure> {
     let mut linear = mechanism.constraint_linearization(time, q);
     for _ in 0..MOST_CORRECTIONS {
-        if let Some((row, value)) = largest(linear.values.iter()).filter(|(_, value)| !value.is_finite()) {
-            let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
-            return Err(Failure::at::<M>(What::NotFinite { quantity }, time, q));
+        if !linear.values.iter().all(|value| value.is_finite()) {
+            return Err(not_finite::<M>(&linear.values, time, q));
         }
         let (correction, last) = change(&linear, q)?;
         subtract(q, &correction);
@@ -153,6 +152,13 @@ fn correct<M: Mechanism, T>(
     Err(Failure::at::<M>(what, time, q))
 }
 
+#[cold]
+fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
+    let (row, value) = largest(values.iter()).unwrap_or((0, f64::NAN));
+    let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
+    Failure::at::<M>(What::NotFinite { quantity }, time, q)
+}
+
 /// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
 /// what it leaves of C is of its second order.
 #[inline]
@@ -162,7 +168,7 @@ fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bo
 }
 
 /// The factors of C_q C_q'.
-#[inline]
+#[inline(always)]
 fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
     let jacobian = &linear.jacobian;
     let gram = M::LL::from_fn(|i| M::L::from_fn(|j| if j <= i { inner(&jacobian[i], &jacobian[j]) } else { 0.0 }));
@@ -170,6 +176,11 @@ fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Re
         let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
         Failure::at::<M>(What::NotFinite { quantity }, time, q)
     })
+}
+
+#[inline(never)]
+fn factorise_again<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    factorise::<M>(linear, time, q)
 }
 
 /// C_q' (C_q C_q')^-1 r.

@@ -19,6 +19,19 @@ pub struct Tableau {
     pub error: ErrorEstimate,
 }
 
+impl Tableau {
+    /// How many stages the step itself weighs.
+    #[inline]
+    pub(super) const fn stages_of_step(&self) -> usize {
+        let (mut stages, mut i) = (0, 0);
+        while i < self.b.len() {
+            stages = if self.b[i].0 >= stages { self.b[i].0 + 1 } else { stages };
+            i += 1;
+        }
+        stages
+    }
+}
+
 /// How the error of a step is estimated, from weights of its stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ErrorEstimate {
