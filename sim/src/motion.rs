@@ -55,7 +55,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     ///
     /// # Errors
     /// As [`accelerate`], and as the solution of the constraints.
-    #[inline]
+    #[inline(always)]
     pub fn sample(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
         self.evaluations.set(self.evaluations.get() + 1);
         if self.stabilisation == Stabilisation::Partitioning {

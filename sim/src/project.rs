@@ -171,7 +171,12 @@ fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bo
 #[inline(always)]
 fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
     let jacobian = &linear.jacobian;
-    let gram = M::LL::from_fn(|i| M::L::from_fn(|j| if j <= i { inner(&jacobian[i], &jacobian[j]) } else { 0.0 }));
+    let mut gram = M::LL::filled(M::L::filled(0.0));
+    for i in 0..M::L::LEN {
+        for j in 0..=i {
+            gram[i][j] = inner(&jacobian[i], &jacobian[j]);
+        }
+    }
     Definite::new(gram).map_err(|undefined| {
         let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
         Failure::at::<M>(What::NotFinite { quantity }, time, q)

@@ -61,8 +61,14 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         self.stages[0] = from.rates();
         // The last stage of an embedded pair serves its estimate alone.
         let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
+        if needed == 4 {
+            self.evaluate(motion, start, h, 1, (tableau.a[1], tableau.c[1]))?;
+            self.evaluate(motion, start, h, 2, (tableau.a[2], tableau.c[2]))?;
+            self.evaluate(motion, start, h, 3, (tableau.a[3], tableau.c[3]))?;
+        } else {
         for stage in 1..needed {
             self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))?;
+        }
         }
         let end = start.changed(time, h, &self.combined(tableau.b));
         if !end.is_finite() {

@@ -25,6 +25,7 @@ use crate::settings::{Stepping, Tolerance};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
 use sim_kernel::{Array, Mechanism};
+use std::mem::swap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -113,17 +114,19 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let (begin, mut from) = (start.state.time, start);
+    let begin = start.state.time;
+    // Both ends of a step stay where they are, and the next one starts where the last ended.
+    let (mut from, mut to) = (&mut { start }, &mut { start });
     for step in 1..=count {
-        check_interrupt(course, &from)?;
+        check_interrupt(course, from)?;
         // From the start each time, so that times do not accumulate rounding.
         let time = begin + (course.end - begin) * (step as f64 / count as f64);
-        let (to, _) = attempt(motion, method, &from, time, None)?;
+        attempt(motion, method, from, time, None, to)?;
         steps.accepted += 1;
-        if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
+        if watch(&mut Step { motion, method, from, to })?.is_break() {
             return Ok(());
         }
-        from = to;
+        swap(&mut from, &mut to);
     }
     Ok(())
 }
@@ -137,27 +140,26 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let mut from = start;
+    let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);
-    let mut h = initial_step(motion, &from, course.end - from.state.time, order, tolerance)?;
+    let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
     while from.state.time < course.end {
-        check_interrupt(course, &from)?;
+        check_interrupt(course, from)?;
         let now = from.state.time;
         // The last step is not followed by a tiny one.
         let time = if now + 1.01 * h >= course.end { course.end } else { now + h };
-        let made = attempt(motion, method, &from, time, Some(tolerance));
-        match made {
-            Ok((to, error)) if error <= 1.0 => {
+        match attempt(motion, method, from, time, Some(tolerance), to) {
+            Ok(error) if error <= 1.0 => {
                 steps.accepted += 1;
-                if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
+                if watch(&mut Step { motion, method, from, to })?.is_break() {
                     return Ok(());
                 }
                 h = (time - now) * controller.accepted(error);
-                from = to;
+                swap(&mut from, &mut to);
             }
             refused => {
                 steps.rejected += 1;
-                h = (time - now) * controller.rejected(refused.as_ref().ok().map(|(_, error)| *error));
+                h = (time - now) * controller.rejected(refused.as_ref().ok().copied());
                 if h < 16.0 * f64::EPSILON * now.abs().max(1e-3 * course.end) {
                     return Err(too_small(motion, &from.state, h, refused.err()));
                 }
@@ -187,7 +189,7 @@ fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
     (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
 }
 
-/// One step, with its end on the constraints and the estimate of its error.
+/// One step, with its end on the constraints; gives the estimate of its error.
 #[inline]
 fn attempt<M: Mechanism, A: Advance<M>>(
     motion: &Motion<M>,
@@ -195,16 +197,22 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     from: &Sample<M>,
     time: f64,
     tolerance: Option<&Tolerance>,
-) -> Result<(Sample<M>, f64), Failure> {
+    to: &mut Sample<M>,
+) -> Result<f64, Failure> {
     motion.prepare(&from.state)?;
     let Attempt { mut end, error } = method.step(motion, from, time, tolerance)?;
     if !(error <= 1.0) {
-        return Ok((*from, error));
+        return Ok(error);
     }
+    let Some(tolerance) = tolerance else {
+        motion.keep(&mut end)?;
+        *to = motion.sample(end)?;
+        return Ok(error);
+    };
     let before = end;
     motion.keep(&mut end)?;
-    let moved = tolerance.map_or(0.0, |tolerance| tolerance.norm(&before, &end, &difference(&before, &end)));
-    Ok((motion.sample(end)?, error.max(moved / MOST_MOVED)))
+    *to = motion.sample(end)?;
+    Ok(error.max(tolerance.norm(&before, &end, &difference(&before, &end)) / MOST_MOVED))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {
