@@ -52,7 +52,9 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
-    declaration.parse2(tokens)
+    let ordinary = super::reuse::expand(tokens)?;
+    super::limits::check(ordinary.clone())?;
+    declaration.parse2(ordinary)
 }
 
 fn head(input: ParseStream) -> Result<Head> {

@@ -13,6 +13,7 @@ mod names;
 mod new_users;
 mod outputs;
 mod parameters;
+mod reuse;
 mod start;
 
 use proc_macro2::TokenStream;
