@@ -26,14 +26,6 @@ pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - M::L::LEN, dependent }
 }
 
-/// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.
-pub(crate) fn weakest_constraint<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<(&'static str, f64)> {
-    let angles = independence(mechanism, time, q);
-    let independent = angles.iter().enumerate().filter(|(_, sine)| **sine > 0.0);
-    let (row, sine) = independent.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some((constraint_name::<M>(row), *sine))
-}
-
 /// For each row of C_q the sine of its angle to the space of those before it.
 fn independence<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<f64> {
     let jacobian = mechanism.constraint_jacobian(time, q);

@@ -9,6 +9,7 @@ use crate::motion::by_inertia;
 use crate::solve::Definite;
 use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
+use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
@@ -33,8 +34,20 @@ type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
 /// As those, and [`What::SingularPosition`] where more constraints depend on others.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usize) -> Result<(), Failure> {
+    project_measured(mechanism, state, redundant, &Cell::new(M::L::filled(0.0))).map(|_| ())
+}
+
+/// The same; gives 1/s^2, where s is the smallest sine between a row of C_q and those before it, of those that are
+/// independent. Rows count relative to the longest that they have been, of which it keeps the squares.
+#[inline]
+pub(crate) fn project_measured<M: Mechanism>(
+    mechanism: &M,
+    state: &mut State<M>,
+    redundant: usize,
+    longest: &Cell<M::L>,
+) -> Result<f64, Failure> {
     if M::L::LEN == 0 {
-        return Ok(());
+        return Ok(0.0);
     }
     let (time, q) = (state.time, &mut state.positions);
     let found = correct_positions(mechanism, time, q)?;
@@ -45,7 +58,15 @@ pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usi
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
         return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
     }
-    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)
+    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)?;
+    let (mut squares, mut closeness) = (longest.get(), 0.0f64);
+    for row in 0..M::L::LEN {
+        let (square, inverse_pivot) = factors.row(row);
+        squares[row] = squares[row].max(square);
+        closeness = closeness.max(squares[row] * inverse_pivot);
+    }
+    longest.set(squares);
+    Ok(closeness)
 }
 
 /// Corrects positions until |C_i| <= max(1e-12, 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|)), once at

@@ -61,6 +61,12 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     });
     let events: Vec<Value> =
         run.events.iter().map(|event| json!({ "name": event.name, "time": event.state.time })).collect();
+    let singularities: Vec<Value> = run
+        .steps
+        .singularities
+        .iter()
+        .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
+        .collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -74,6 +80,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
         "redundant_constraints": run.mobility.dependent,
+        "singularities": singularities,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,

@@ -95,6 +95,10 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
 }
 
 impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
+    fn gap(&self) -> f64 {
+        self.tableau.gap()
+    }
+
     fn control_order(&self) -> Option<f64> {
         (self.tableau.error != ErrorEstimate::None).then_some(self.tableau.order as f64)
     }

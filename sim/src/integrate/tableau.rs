@@ -30,6 +30,18 @@ impl Tableau {
         }
         stages
     }
+
+    /// The middle of the widest gap between nodes, the last of several.
+    pub(super) fn gap(&self) -> f64 {
+        let mut widest = (0.0, 0.5);
+        for begin in self.c {
+            let end = self.c.iter().copied().filter(|end| end > begin).fold(1.0, f64::min);
+            if end - begin >= widest.0 {
+                widest = (end - begin, (begin + end) / 2.0);
+            }
+        }
+        widest.1
+    }
 }
 
 /// How the error of a step is estimated, from weights of its stages.
