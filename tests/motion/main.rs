@@ -4,15 +4,19 @@
 
 mod andrews;
 mod assembly;
+mod auxiliary;
 mod constraints;
+mod elements;
 mod events;
 mod failure;
 mod faulty;
 mod linkages;
 mod long;
+mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;
+mod singular;
 mod statics;
 mod stiff;
 mod units;
