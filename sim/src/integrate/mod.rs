@@ -123,6 +123,8 @@ impl Steps {
 /// When and how far to integrate.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
+    /// Where equal steps are counted from, in seconds.
+    pub begin: f64,
     /// The end, in seconds.
     pub end: f64,
     /// How long the steps are.
@@ -163,7 +165,7 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let begin = start.state.time;
+    let begin = course.begin;
     // Both ends of a step stay where they are, and the next one starts where the last ended.
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let length = (course.end - begin) / count as f64;
@@ -172,7 +174,7 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
         // From the start each time, so that times do not accumulate rounding.
         let goal = begin + (course.end - begin) * (step as f64 / count as f64);
         // A step over a singular position may end near one of these times or beyond it, which is then left out.
-        let rest = if step < count { 0.1 * length } else { 0.0 };
+        let rest = if step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
             let is_near = may_be_ahead(sines);
