@@ -21,6 +21,7 @@ mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;
+mod singular;
 mod six_bar;
 mod statics;
 mod stiff;

@@ -161,6 +161,10 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
+    for passed in run.steps.singularities.iter().take(8) {
+        let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
+        rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
+    }
     if M::L::LEN > 0 {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((
