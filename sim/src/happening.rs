@@ -57,5 +57,7 @@ pub(crate) fn impulses<M: Mechanism>(event: &Occurrence<M>) -> Vec<(&'static str
     let Some(change) = &event.change else { return Vec::new() };
     let rows = const { &M::DESCRIPTION }.constraints.iter().zip(change.impulses.iter());
     let unit = |unit: &str| if unit == "1" { "s".to_owned() } else { format!("{unit}*s") };
-    rows.filter(|(_, impulse)| **impulse != 0.0).map(|(c, impulse)| (c.name, impulse / c.factor, unit(c.unit))).collect()
+    rows.filter(|(_, impulse)| **impulse != 0.0)
+        .map(|(c, impulse)| (c.name, impulse / c.factor, unit(c.unit)))
+        .collect()
 }

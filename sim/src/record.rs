@@ -6,7 +6,7 @@ use crate::failure::{Failure, What};
 use crate::integrate::{Advance, Step};
 use crate::motion::Motion;
 use crate::onset::Onset;
-use crate::settings::{Rows, Settings, StopAt, Stepping};
+use crate::settings::{Rows, Settings, Stepping, StopAt};
 use crate::trajectory::{Phase, Sample, State};
 use sim_kernel::event::{self, Direction, Event};
 use sim_kernel::{Array, Mechanism};
@@ -269,4 +269,3 @@ impl<M: Mechanism> Recorder<M> {
         Ok(())
     }
 }
-

@@ -226,7 +226,8 @@ fn a_block_leaves_its_table_where_the_reaction_vanishes() {
         let change = landing.change.unwrap();
         assert!((change.impulses[0] - 0.7 * hits).abs() < 1e-8, "{}", change.impulses[0]);
         // In flight the multiplier is nothing at all.
-        let flying = run.trajectory.samples.iter().filter(|s| s.state.time > lift + 1e-6 && s.state.time < above - 1e-6);
+        let flying =
+            run.trajectory.samples.iter().filter(|s| s.state.time > lift + 1e-6 && s.state.time < above - 1e-6);
         assert!(flying.map(|sample| sample.multipliers[0]).all(|lambda| lambda == 0.0));
         assert!(run.energy_balance < 1e-6, "{:e}", run.energy_balance);
     }
@@ -265,7 +266,11 @@ fn a_string_goes_slack_and_taut() {
         let middle = (inside + outside) / 2.0;
         *(if out(middle) < 0.0 { &mut inside } else { &mut outside }) = middle;
     }
-    let run = run_with(Stone::default(), &Settings { rows: sim::Rows::Steps, ..Settings::adaptive(Method::Dop853, 1.2, 1e-12) }).unwrap();
+    let run = run_with(
+        Stone::default(),
+        &Settings { rows: sim::Rows::Steps, ..Settings::adaptive(Method::Dop853, 1.2, 1e-12) },
+    )
+    .unwrap();
     assert_eq!(run.trajectory.failure, None);
     let (slack, taut) = (&run.events[0], &run.events[1]);
     assert_eq!((slack.name, taut.name), ("slack", "taut"));
@@ -305,13 +310,16 @@ fn a_knee_at_its_stop_obeys_the_impulsive_equations() {
     let change = knock.change.unwrap();
     let [a, b] = knock.state.positions;
     let (m, n, l, k, inertia, e) = (1.2, 0.7, 0.5, 0.4, 0.03, 0.3);
-    let mass = [[m * l * l / 4.0 + inertia + n * l * l, n * l * k * (a - b).cos()], [n * l * k * (a - b).cos(), n * k * k]];
+    let mass =
+        [[m * l * l / 4.0 + inertia + n * l * l, n * l * k * (a - b).cos()], [n * l * k * (a - b).cos(), n * k * k]];
     let determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[1][0];
     // M^-1 C_q' for C_q = [-1, 1].
     let along = [(-mass[1][1] - mass[0][1]) / determinant, (mass[0][0] + mass[1][0]) / determinant];
     let [va, vb] = knock.state.speeds;
     let impulse = (1.0 + e) * (vb - va) / (along[1] - along[0]);
-    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}");
+    let near = |found: f64, expected: f64| {
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}")
+    };
     near(change.impulses[0], impulse);
     near(change.state.speeds[0], va - along[0] * impulse);
     near(change.state.speeds[1], vb - along[1] * impulse);
@@ -353,7 +361,9 @@ fn a_rimless_wheel_walks_its_limit_cycle() {
     let inertia = j + m * l * l;
     let eta = (j + m * l * l * (2.0 * alpha).cos()) / inertia;
     let gain = 4.0 * m * G * l * alpha.sin() * slope.sin() / inertia;
-    for settings in [Settings::new(12.0), Settings { stabilisation: Stabilisation::Partitioning, ..Settings::new(12.0) }] {
+    for settings in
+        [Settings::new(12.0), Settings { stabilisation: Stabilisation::Partitioning, ..Settings::new(12.0) }]
+    {
         let run = run_with(Rimless::default(), &settings).unwrap();
         assert_eq!(run.trajectory.failure, None);
         let mut before = 1.4f64;

@@ -86,7 +86,10 @@ fn set(input: ParseStream) -> Result<Action> {
         syn::parenthesized!(content in input);
         let coordinate: Ident = name(&content, "a coordinate: `set dot(alpha) = ..;`")?;
         if !content.is_empty() {
-            return Err(here(&content, "the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression"));
+            return Err(here(
+                &content,
+                "the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression",
+            ));
         }
         (coordinate, true)
     } else {

@@ -85,7 +85,8 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         quote! { #(#[doc = #docs])* pub #name: S, }
     });
     let activities = model.conditionals.iter().map(|c| {
-        let (field, docs) = (ident(&c.field), format!(" Whether constraint `{}` holds: 1, or 0 where it is released.", c.name));
+        let (field, docs) =
+            (ident(&c.field), format!(" Whether constraint `{}` holds: 1, or 0 where it is released.", c.name));
         quote! { #[doc = #docs] pub #field: S, }
     });
     let is_empty = model.parameters.is_empty() && model.conditionals.is_empty();
@@ -153,7 +154,16 @@ pub(super) fn mechanism_impl(
     let (activities, starts): (Vec<_>, Vec<_>) = model
         .conditionals
         .iter()
-        .map(|c| (ident(&c.field), if c.initially_active { quote! { S::from_f64(1.0) } } else { quote! { S::from_f64(0.0) } }))
+        .map(|c| {
+            (
+                ident(&c.field),
+                if c.initially_active {
+                    quote! { S::from_f64(1.0) }
+                } else {
+                    quote! { S::from_f64(0.0) }
+                },
+            )
+        })
         .unzip();
     let switched = switched(model);
     let (conditionals, values) = (size(activities.len()), size(kernel_len(program, "event_values")));

@@ -49,7 +49,8 @@ fn conditional(
     let name = plain(&equation.name);
     let field = format!("{name}_activity");
     if let Some(parameter) = declaration.parameters.iter().find(|p| plain(&p.name) == field) {
-        let message = format!("`{field}` is the field that says whether constraint `{name}` holds; choose another name");
+        let message =
+            format!("`{field}` is the field that says whether constraint `{name}` holds; choose another name");
         i.mistakes.add(Region::from(&parameter.name).error(message));
     }
     let symbol = i.graph.symbol(&field);

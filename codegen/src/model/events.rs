@@ -92,12 +92,7 @@ fn told(target: Target, known: &Known) -> String {
 }
 
 /// One action, with where it stands; nothing for `record`, which is what happens anyway.
-fn step(
-    action: &Action,
-    declaration: &Declaration,
-    known: &Known,
-    i: &mut Interpreter,
-) -> Option<(EventStep, Region)> {
+fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Interpreter) -> Option<(EventStep, Region)> {
     match action {
         Action::Record => None,
         Action::Stop { after, place } => Some((EventStep::Stop(*after), *place)),
@@ -189,7 +184,10 @@ fn conditional(name: &Ident, declaration: &Declaration, known: &Known, i: &mut I
         );
         return i.refuse(name.into(), message);
     }
-    let near = nearest::suggestion(&text, declaration.constraints.iter().map(|c| plain(&c.name)).collect::<Vec<_>>().iter().map(String::as_str));
+    let near = nearest::suggestion(
+        &text,
+        declaration.constraints.iter().map(|c| plain(&c.name)).collect::<Vec<_>>().iter().map(String::as_str),
+    );
     i.refuse(name.into(), format!("no constraint is called `{text}`{near}"))
 }
 
@@ -209,7 +207,10 @@ fn coefficient(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
     i.restrict(expression.region, &[value], FORCES, rule)?;
     let is_number = i.dependences.of(&i.graph, value) == Dependence::NONE;
     if is_number && evaluate(&i.graph, &[value], |_| f64::NAN)[0] < 0.0 {
-        return i.refuse(expression.region, "a coefficient of restitution is not negative: 0 for no rebound, 1 for a full one");
+        return i.refuse(
+            expression.region,
+            "a coefficient of restitution is not negative: 0 for no rebound, 1 for a full one",
+        );
     }
     Some(value)
 }

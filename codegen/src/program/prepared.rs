@@ -55,9 +55,8 @@ fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Valu
     let computed = operands.filter(|value| values.is_parametric(*value) && is_computed(*value));
     let mut fields: BTreeSet<Value> = computed.collect();
     let leaves = fields.iter().map(|value| (*value, Tree::Constant(0.0))).collect();
-    let is_parameter = |value: &Value| {
-        matches!(values.operation(*value), Operation::Input(Input::Parameter(_) | Input::Activity(_)))
-    };
+    let is_parameter =
+        |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_) | Input::Activity(_)));
     fields.extend(values.reachable(roots, &leaves).into_iter().filter(is_parameter));
     name_fields(planner, lowering, motion, fields)
 }

@@ -25,9 +25,7 @@ fn what_holds_at_the_start() {
     check(
         "parameters {",
         "constraints { stop: phi = 1 initially released; } parameters { stop_activity = 1;",
-        &[
-            "3:64 `stop_activity` is the field that says whether constraint `stop` holds; choose another name",
-        ],
+        &["3:64 `stop_activity` is the field that says whether constraint `stop` holds; choose another name"],
     );
 }
 
@@ -43,11 +41,7 @@ fn what_events_switch_and_hit() {
         "hit: phi = 1 { activate stopp; }",
         &["8:33 no constraint is called `stopp` (did you mean `stop`?)"],
     );
-    switched(
-        released,
-        "hit: phi = 1 { activate; }",
-        &["8:32 expected the name of a constraint: `activate contact;`"],
-    );
+    switched(released, "hit: phi = 1 { activate; }", &["8:32 expected the name of a constraint: `activate contact;`"]);
     switched(
         released,
         "hit: phi = 1 { release stop; activate stop; }",
@@ -71,8 +65,6 @@ fn what_events_switch_and_hit() {
     switched(
         released,
         "hit: phi = 1 { impact stop restitution P; }",
-        &[
-            "8:48 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`",
-        ],
+        &["8:48 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"],
     );
 }

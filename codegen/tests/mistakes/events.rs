@@ -11,15 +11,10 @@ fn events(block: &str, expected: &[&str]) {
 fn conditions_and_directions() {
     events(
         "top: phi = 0 upwards;",
-        &[
-            "7:23 expected `;` at the end of this line, or `rising`, `falling`, `{ .. }` with what happens then",
-        ],
+        &["7:23 expected `;` at the end of this line, or `rising`, `falling`, `{ .. }` with what happens then"],
     );
     events("top: P = 0 rising;", &["7:15 a vector stands left and a scalar right; both sides are of one kind"]);
-    events(
-        "top: P = [0, 0] rising;",
-        &["7:15 an event is an equation between scalars; take a component (`.x`, `.y`)"],
-    );
+    events("top: P = [0, 0] rising;", &["7:15 an event is an equation between scalars; take a component (`.x`, `.y`)"]);
     events(
         "top: l = 1 rising { stop; }",
         &["7:10 event `top` never changes; let it depend on a coordinate, a speed, a reaction or `t`"],
@@ -46,9 +41,7 @@ fn actions() {
     );
     events(
         "top: phi = 0 { set height = 1; }",
-        &[
-            "7:29 no coordinate or parameter is called `height`; coordinates, their speeds and parameters are set",
-        ],
+        &["7:29 no coordinate or parameter is called `height`; coordinates, their speeds and parameters are set"],
     );
     events(
         "top: phi = 0 { set phi_dot = 1; }",
@@ -56,10 +49,7 @@ fn actions() {
             "7:29 no coordinate or parameter is called `phi_dot` (write `set dot(phi) = ..;`); coordinates, their speeds and parameters are set",
         ],
     );
-    events(
-        "top: phi = 0 { set dot(m) = 1; }",
-        &["7:33 `m` is a parameter and has no speed: `set m = ..;`"],
-    );
+    events("top: phi = 0 { set dot(m) = 1; }", &["7:33 `m` is a parameter and has no speed: `set m = ..;`"]);
     events(
         "top: phi = 0 { set dot(P.x) = 1; }",
         &["7:34 the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression"],
@@ -74,8 +64,5 @@ fn actions() {
     );
     events("top: phi = 0 { swap phi; }", &["7:33 two coordinates are swapped: `swap q1, q2;`"]);
     events("top: phi = 0 { swap phi, m; }", &["7:35 no coordinate is called `m`"]);
-    events(
-        "top: phi = 0 { swap phi, phi; }",
-        &["7:35 a coordinate is swapped with another one, not with itself"],
-    );
+    events("top: phi = 0 { swap phi, phi; }", &["7:35 a coordinate is swapped with another one, not with itself"]);
 }

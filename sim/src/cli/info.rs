@@ -186,9 +186,8 @@ fn equations(description: &Description) -> Vec<(String, String)> {
         Some(Activity::Active) => ", initially active",
         Some(Activity::Released) => ", initially released",
     };
-    let equation = |c: &codegen::dsl::Equation| {
-        format!("{} = {}{}", printed(&c.left), printed(&c.right), switched(c.initially))
-    };
+    let equation =
+        |c: &codegen::dsl::Equation| format!("{} = {}{}", printed(&c.left), printed(&c.right), switched(c.initially));
     constraints.iter().map(|c| (c.name.to_string(), equation(c))).collect()
 }
 

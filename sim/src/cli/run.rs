@@ -120,11 +120,14 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
     match run.period() {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
-        None if description.events.iter().any(|event| event.name == "period") => rows.push(("period", "not reached".into())),
+        None if description.events.iter().any(|event| event.name == "period") => {
+            rows.push(("period", "not reached".into()))
+        }
         None => {}
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
-        let impulses = impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let impulses =
+            impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
         let more: String = impulses.collect();
         rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
     }
