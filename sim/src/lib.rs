@@ -17,6 +17,8 @@ mod happening;
 mod integrate;
 mod interpolate;
 mod kinematics;
+mod least_norm;
+mod level;
 mod mobility;
 mod motion;
 mod onset;

@@ -4,13 +4,16 @@
 
 mod andrews;
 mod assembly;
+mod auxiliary;
 mod constraints;
+mod elements;
 mod events;
 mod failure;
 mod faulty;
 mod impacts;
 mod linkages;
 mod long;
+mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;

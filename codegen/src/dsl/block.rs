@@ -50,6 +50,17 @@ pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
     Ok(Coordinate { docs, name, unit })
 }
 
+/// A displacement that is zero: `bx [m];`
+pub(super) fn auxiliary(input: ParseStream) -> Result<Auxiliary> {
+    docs(input)?;
+    let name = name(input, "an auxiliary displacement: `bx [m];`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.peek(Token![=]) {
+        return Err(here(input, format!("an auxiliary displacement is always zero; write `{name} [m];`")));
+    }
+    Ok(Auxiliary { name, unit })
+}
+
 pub(super) fn parameter(input: ParseStream) -> Result<Parameter> {
     let docs = docs(input)?;
     let name = name(input, "a parameter: `m [kg] = 0.5;`")?;
@@ -103,7 +114,7 @@ pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
     Ok(ahead)
 }
 
-fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
+pub(super) fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
     if accept_word(input, word)? { Ok(()) } else { Err(here(input, format!("expected `{word}`: `{form}`"))) }
 }
 
@@ -129,23 +140,6 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
         if input.parse::<Option<Token![,]>>()?.is_none() {
             return Ok(body);
         }
-    }
-}
-
-pub(super) fn load(input: ParseStream) -> Result<Load> {
-    docs(input)?;
-    let word = keyword(input, &["force", "torque", "gravity"])?;
-    let value = expression(input)?;
-    match word.to_string().as_str() {
-        "force" => {
-            expect_word(input, "at", "force [F, 0] at P;")?;
-            Ok(Load::Force { force: value, point: expression(input)? })
-        }
-        "torque" => {
-            expect_word(input, "on", "torque T on body;")?;
-            Ok(Load::Torque { moment: value, body: name(input, "the name of a body")? })
-        }
-        _ => Ok(Load::Gravity { keyword: (&word).into(), acceleration: value }),
     }
 }
 

@@ -10,12 +10,41 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 9] =
-    ["at", "on", "along", "radius", "about", "initially", "rising", "falling", "restitution"];
+const FOLLOWING_WORDS: [&str; 13] = [
+    "at",
+    "on",
+    "along",
+    "radius",
+    "about",
+    "from",
+    "to",
+    "between",
+    "and",
+    "initially",
+    "rising",
+    "falling",
+    "restitution",
+];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 10] =
-    ["mass", "inertia", "angle", "guess", "dot", "force", "torque", "gravity", "line", "slider"];
+const LANGUAGE_WORDS: [&str; 16] = [
+    "mass",
+    "inertia",
+    "angle",
+    "guess",
+    "dot",
+    "force",
+    "torque",
+    "gravity",
+    "line",
+    "slider",
+    "length",
+    "rest",
+    "spring",
+    "damper",
+    "potential",
+    "dissipation",
+];
 
 /// What to write instead of words that users would try after an equation.
 const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";

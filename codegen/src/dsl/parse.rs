@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 10] = [
+const BLOCKS: [&str; 11] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -21,6 +21,7 @@ const BLOCKS: [&str; 10] = [
     "outputs",
     "drawing",
     "kernels",
+    "auxiliary",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -92,6 +93,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         outputs: vec![],
         drawing: vec![],
         kernels: None,
+        auxiliary: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -131,7 +133,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
         }
         "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
-        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(block::load))).into_iter().flatten()),
+        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(super::load::load))).into_iter().flatten()),
         "constraints" => {
             d.constraints.extend(mistakes.note(lines(&content, ended(block::constraint))).into_iter().flatten())
         }
@@ -141,6 +143,9 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
+        }
+        "auxiliary" => {
+            d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }

@@ -2,7 +2,7 @@
 
 use super::{kebab_case, size};
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Direction, Event, EventStep, Model, Shape, Start, Target, Unit};
+use crate::model::{Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -31,6 +31,8 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     });
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
+    let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
+    let speed_constraints = between_speeds.map(|(i, _)| size(i));
     let conditionals = model.conditionals.iter().map(|c| {
         let (name, first, len, active) = (&c.name, size(c.rows.start), size(c.rows.len()), c.initially_active);
         quote! { #path::event::Conditional { name: #name, first_row: #first, rows: #len, initially_active: #active } }
@@ -61,6 +63,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
             constraints: &[#(#constraints),*],
+            speed_constraints: &[#(#speed_constraints),*],
             conditionals: &[#(#conditionals),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],

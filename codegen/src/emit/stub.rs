@@ -66,6 +66,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
+                speed_constraints: &[],
                 conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
             };
 

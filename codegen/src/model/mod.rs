@@ -1,10 +1,12 @@
 //! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
+mod auxiliary;
 mod bodies;
 mod dependence;
 mod dimension;
 mod drawing;
+mod elements;
 mod equations;
 mod events;
 mod interpret;
@@ -12,6 +14,7 @@ mod level;
 mod loads;
 mod outputs;
 mod quantities;
+mod rates;
 mod resolve;
 mod scope;
 mod start;
@@ -50,8 +53,8 @@ pub struct Model {
     pub gravity: Option<Point>,
     /// Forces at points.
     pub forces: Vec<Force>,
-    /// Torques about angles.
-    pub torques: Vec<Torque>,
+    /// Efforts along scalars: torques about angles, springs, dampers, potentials.
+    pub efforts: Vec<Effort>,
     /// Constraints, one row each, in the order of declaration.
     pub constraints: Vec<Constraint>,
     /// Constraints that events switch, in the order of declaration.
@@ -68,6 +71,10 @@ pub struct Model {
     pub wants_jacobian: Option<bool>,
     /// Whether those with respect to the parameters are.
     pub wants_sensitivity: bool,
+    /// Auxiliary displacements, which are zero here.
+    pub auxiliaries: Vec<Auxiliary>,
+    /// The same model, in a graph of its own, with auxiliary displacements as variables; none where there are none.
+    pub displaced: Option<Box<Model>>,
 }
 
 /// A scalar for each axis of the plane.
@@ -136,23 +143,26 @@ pub struct Force {
     pub at: Point,
 }
 
-/// A torque about an angle.
-pub struct Torque {
-    /// The moment.
-    pub moment: Expr,
-    /// The angle it turns.
-    pub angle: Expr,
+/// What does the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a distance;
+/// of a potential V, -1 along V itself.
+pub struct Effort {
+    /// The generalised force.
+    pub force: Expr,
+    /// The scalar that it is conjugate to.
+    pub along: Expr,
 }
 
 /// One constraint row, C = 0.
 pub struct Constraint {
     /// Its name; `closure_x` for a row of a vector equation.
     pub name: String,
-    /// C = left - right.
+    /// What it holds between.
+    pub level: Level,
+    /// C = left - right; for a row between speeds w = left - right, linear in q'.
     pub value: Expr,
     /// The multiplier's symbol.
     pub multiplier: Symbol,
-    /// The multiplier's unit: joules per unit of C. `1` where the constraint's own unit is not known.
+    /// The multiplier's unit: joules per unit of C, or watts per unit of a row between speeds. `1` where the constraint's own unit is not known.
     pub unit: Unit,
     /// 1 while it holds and 0 while it does not, if events switch it.
     pub activity: Option<Expr>,
@@ -170,6 +180,27 @@ pub struct Conditional {
     pub rows: std::ops::Range<usize>,
     /// Whether it holds at the start.
     pub initially_active: bool,
+}
+
+/// What a constraint holds between.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Level {
+    /// Positions: C(q, t) = 0.
+    Positions,
+    /// Speeds: w(q, q', t) = 0, whether or not it could be integrated.
+    Speeds,
+}
+
+/// A displacement that is zero, and whose conjugate force is wanted.
+pub struct Auxiliary {
+    /// Its name.
+    pub name: String,
+    /// s, where it is a variable.
+    pub displacement: Symbol,
+    /// s', where it is one.
+    pub rate: Symbol,
+    /// What stands for the conjugate force in outputs.
+    pub reaction: Symbol,
 }
 
 /// A condition that comes to hold at certain times.
@@ -248,7 +279,7 @@ pub enum Shape {
 impl Model {
     /// The total time derivative, as long as no acceleration occurs in what is differentiated.
     pub fn time_derivative(&mut self) -> Differential {
-        time_derivative(&mut self.graph, self.time, &self.coordinates)
+        time_derivative(&mut self.graph, self.time, &self.coordinates, &[])
     }
 
     /// The speeds as expressions.
@@ -267,11 +298,19 @@ impl Model {
     }
 }
 
-fn time_derivative(graph: &mut Graph, time: Symbol, coordinates: &[Coordinate]) -> Differential {
+fn time_derivative(
+    graph: &mut Graph,
+    time: Symbol,
+    coordinates: &[Coordinate],
+    auxiliaries: &[Auxiliary],
+) -> Differential {
     let mut rates = vec![(time, graph.one())];
     for c in coordinates {
         rates.push((c.position, graph.variable(c.speed)));
         rates.push((c.speed, graph.variable(c.acceleration)));
+    }
+    for a in auxiliaries {
+        rates.push((a.displacement, graph.variable(a.rate)));
     }
     Differential::along(rates)
 }

@@ -70,13 +70,35 @@ impl Jet {
         rows.zip(direction).map(|(row, d)| *d * inner(row, direction)).sum()
     }
 
-    /// The time derivative of a function of time; `None` if it is not known.
+    /// The derivative by time, which is the first variable; `None` if it is not known.
     pub(super) fn dot(&self) -> Option<Jet> {
         let variables = self.variables();
-        match (self.order, &self.gradient[..], &self.hessian[..]) {
-            (CONSTANT, ..) => Some(Jet::constant(Measured::ZERO, variables)),
-            (1, [first], _) => Some(Jet::of_time(*first, &[])),
-            (2, [first], [second]) => Some(Jet::of_time(*first, &[*second])),
+        if self.is_constant() {
+            return Some(Jet::constant(Measured::ZERO, variables));
+        }
+        let order = self.order.checked_sub(1)?;
+        let (value, gradient) = (*self.gradient.first()?, self.hessian[..variables].to_vec());
+        Some(Jet { gradient, order, ..Jet::constant(value, variables) })
+    }
+
+    /// The derivative along variables that change at given `rates`, themselves jets; `None` if it is not known.
+    ///
+    /// Of what it is a jet itself only the gradient is known: u_i r_i has the derivatives u_ik r_i + u_i r_ik.
+    pub(super) fn rate(&self, rates: &[Jet]) -> Option<Jet> {
+        let variables = self.variables();
+        match self.order {
+            CONSTANT => Some(Jet::constant(Measured::ZERO, variables)),
+            2 => {
+                let mut rate = Jet::constant(self.slope(&rates.iter().map(Jet::value).collect::<Vec<_>>()), variables);
+                rate.order = 1;
+                for (i, (u_i, r)) in self.gradient.iter().zip(rates).enumerate() {
+                    for k in 0..variables {
+                        let change = self.hessian[i * variables + k] * r.value + *u_i * r.gradient[k];
+                        rate.gradient[k] = rate.gradient[k] + change;
+                    }
+                }
+                Some(rate)
+            }
             _ => None,
         }
     }

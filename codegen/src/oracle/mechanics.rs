@@ -1,6 +1,8 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
 
-use super::error::{OracleError, Result, refuse};
+use super::constraint::{self, Constraint, constraints};
+use super::elements::{dissipation, element, potential};
+use super::error::{OracleError, Result};
 use super::interpret::{Interpreter, Setting};
 use super::jet::Jet;
 use super::measured::Measured;
@@ -31,31 +33,49 @@ pub(super) struct Mechanics {
     pub(super) rows: Vec<Row>,
     /// All loads.
     pub(super) efforts: Vec<Effort>,
-    /// left - right of each constraint.
-    pub(super) constraints: Vec<Value>,
+    /// All constraints.
+    pub(super) constraints: Vec<Constraint>,
+    /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
+    pub(super) rates: Vec<Measured>,
+    /// How many coordinates there are.
+    pub(super) coordinates: usize,
+    /// How many auxiliary displacements there are.
+    pub(super) auxiliaries: usize,
 }
 
 impl Mechanics {
-    pub(super) fn new(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f64, at: &State) -> Result<Mechanics> {
+    pub(super) fn new(
+        declaration: &Declaration,
+        si_factor: &dyn Fn(&Unit) -> f64,
+        at: &State,
+        active: &[bool],
+    ) -> Result<Mechanics> {
+        let auxiliaries = declaration.auxiliary.len();
         let interpreter = |setting| Interpreter::new(declaration, si_factor, setting);
         let mut builder = Builder {
             fixed: interpreter(Setting::fixed(at.parameters)),
-            positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates)),
+            positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries)),
             motion: interpreter(at.motion()),
+            speeds: interpreter(Setting::speeds(at, auxiliaries)),
         };
         let bodies = declaration.bodies.iter().map(|body| builder.body(body)).collect::<Result<Vec<_>>>()?;
         let mut efforts = Vec::new();
         for load in &declaration.loads {
             efforts.extend(builder.load(load, &declaration.bodies, &bodies)?);
         }
-        let mut constraint = |equation| difference(&mut builder.positions, equation);
-        let constraints = declaration.constraints.iter().map(&mut constraint).collect::<Result<Vec<_>>>()?;
-        Ok(Mechanics { rows: bodies.into_iter().flatten().collect(), efforts, constraints })
+        Ok(Mechanics {
+            rows: bodies.into_iter().flatten().collect(),
+            efforts,
+            constraints: constraints(declaration, si_factor, at, active)?,
+            rates: at.rates(auxiliaries),
+            coordinates: at.coordinates.len(),
+            auxiliaries,
+        })
     }
 
     /// All rows of the constraints: a vector has two, x and y.
-    pub(super) fn constraint_rows(&self) -> Vec<Jet> {
-        self.constraints.iter().flat_map(|constraint| constraint.clone().components()).collect()
+    pub(super) fn constraint_rows(&self) -> Vec<constraint::Row> {
+        self.constraints.iter().flat_map(|constraint| constraint.rows.clone()).collect()
     }
 }
 
@@ -69,6 +89,7 @@ struct Builder<'d> {
     fixed: Interpreter<'d>,
     positions: Interpreter<'d>,
     motion: Interpreter<'d>,
+    speeds: Interpreter<'d>,
 }
 
 impl Builder<'_> {
@@ -97,13 +118,16 @@ impl Builder<'_> {
                 Ok(force.iter().zip(place).map(|(force, place)| Effort { force: force.value(), place }).collect())
             }
             Load::Torque { moment, body } => {
-                let Some(body) = bodies.iter().find(|b| b.name == *body) else {
-                    return refuse(format!("`{body}` is not a body"));
-                };
                 let force = self.motion.scalar(moment)?.value();
-                let place = self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?;
+                let place = match bodies.iter().find(|b| b.name == *body) {
+                    Some(body) => self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?,
+                    None => self.positions.named(body)?.scalar()?,
+                };
                 Ok(vec![Effort { force, place }])
             }
+            Load::Potential(energy) => potential(energy, &mut self.positions),
+            Load::Dissipation(function) => dissipation(function, &mut self.speeds, &self.positions),
+            Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
                 let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());
                 let massive = bodies.iter().zip(rows).filter(|(body, _)| body.mass.is_some());

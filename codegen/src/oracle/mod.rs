@@ -8,6 +8,8 @@
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
 
+mod constraint;
+mod elements;
 mod error;
 mod function;
 mod interpret;
@@ -67,7 +69,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// Where the state has not the declared lengths, or the declaration has not been checked.
     pub fn terms(&self, at: &State) -> Result<Terms> {
-        Ok(Terms::new(&self.mechanics(at)?, &at.rates(), &self.active_rows(at)?))
+        Ok(Terms::new(&self.mechanics(at)?))
     }
 
     /// The accelerations and multipliers that solve the equations of motion with these terms.
@@ -112,29 +114,18 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn power(&self, at: &State, solution: &Solution) -> Result<Measured> {
-        Ok(observe::power(&self.mechanics(at)?, &at.rates(), solution, &self.active_rows(at)?))
+        Ok(observe::power(&self.mechanics(at)?, solution))
     }
 
     /// The motion with its accelerations and reactions.
     fn along(&self, at: &State, solution: &Solution) -> Result<Setting> {
-        let reactions = observe::reactions(&self.mechanics(at)?.constraints, &solution.multipliers)?;
+        let reactions = observe::reactions(&self.mechanics(at)?, solution)?;
         Ok(at.accelerated_motion(&solution.accelerations).with_reactions(reactions))
-    }
-
-    /// For each row of the constraints whether it holds.
-    fn active_rows(&self, at: &State) -> Result<Vec<bool>> {
-        let mut switched = self.active.iter();
-        let mut rows = Vec::new();
-        for (constraint, value) in self.declaration.constraints.iter().zip(self.mechanics(at)?.constraints) {
-            let active = constraint.initially.is_none() || switched.next().copied().unwrap_or(true);
-            rows.resize(rows.len() + value.components().len(), active);
-        }
-        Ok(rows)
     }
 
     fn mechanics(&self, at: &State) -> Result<Mechanics> {
         at.check(self.declaration)?;
-        Mechanics::new(self.declaration, self.si_factor, at)
+        Mechanics::new(self.declaration, self.si_factor, at, &self.active)
     }
 
     fn interpreter(&self, setting: Setting) -> Interpreter<'d> {

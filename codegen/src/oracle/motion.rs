@@ -24,9 +24,9 @@ pub struct Terms {
     pub convective: Vec<Measured>,
     /// `applied_forces` - `convective` \[n\]: the whole of the right-hand side.
     pub generalized_forces: Vec<Measured>,
-    /// C = left - right \[c\].
+    /// C = left - right \[c\]; zero for rows between speeds.
     pub constraints: Vec<Measured>,
-    /// C_q \[c by n\].
+    /// C_q \[c by n\]; for a row w = 0 between speeds w_q', and below w less w_q' q', and w' without accelerations.
     pub constraint_jacobian: Vec<Vec<Measured>>,
     /// C_t \[c\].
     pub constraint_time_derivative: Vec<Measured>,
@@ -52,32 +52,23 @@ pub struct Solution {
 
 impl Terms {
     /// Rows that do not hold are zero.
-    pub(super) fn new(mechanics: &Mechanics, rates: &[Measured], active: &[bool]) -> Terms {
-        let n = rates.len() - 1;
+    pub(super) fn new(mechanics: &Mechanics) -> Terms {
+        let (n, rates) = (mechanics.coordinates, &mechanics.rates);
         let applied_forces = along(n, mechanics.efforts.iter().map(|effort| (effort.force, &effort.place)));
         let resisting = mechanics.rows.iter().map(|row| (row.inertia * row.place.curvature(rates), &row.place));
         let convective = along(n, resisting);
         let constraints = mechanics.constraint_rows();
-        let of_rows = |value: &dyn Fn(&Jet) -> Measured| -> Vec<Measured> {
-            let rows = constraints.iter().zip(active);
-            rows.map(|(row, active)| if *active { value(row) } else { Measured::ZERO }).collect()
-        };
-        let jacobian = constraints.iter().zip(active).map(|(row, active)| match active {
-            true => row.gradient()[..n].to_vec(),
-            false => vec![Measured::ZERO; n],
-        });
-        let jacobian = jacobian.collect();
         Terms {
             mass_matrix: mass_matrix(mechanics, n),
             generalized_forces: applied_forces.iter().zip(&convective).map(|(a, b)| *a - *b).collect(),
             applied_forces,
             convective,
-            constraints: of_rows(&|row| row.value()),
-            constraint_jacobian: jacobian,
-            constraint_time_derivative: of_rows(&|row| row.gradient()[n]),
-            constraint_convective: of_rows(&|row| row.curvature(rates)),
+            constraints: constraints.iter().map(|row| row.value).collect(),
+            constraint_jacobian: constraints.iter().map(|row| row.jacobian.clone()).collect(),
+            constraint_time_derivative: constraints.iter().map(|row| row.time_derivative).collect(),
+            constraint_convective: constraints.iter().map(|row| row.convective).collect(),
             kinetic_energy: kinetic_energy(mechanics, rates),
-            active: active.to_vec(),
+            active: constraints.iter().map(|row| row.active).collect(),
         }
     }
 

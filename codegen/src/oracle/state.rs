@@ -32,9 +32,9 @@ impl State<'_> {
         }
     }
 
-    /// (q', 1): how the variables (q, t) of a position change in time.
-    pub(super) fn rates(&self) -> Vec<Measured> {
-        self.speeds.iter().copied().chain([1.0]).map(Measured::given).collect()
+    /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
+    pub(super) fn rates(&self, auxiliaries: usize) -> Vec<Measured> {
+        self.speeds.iter().copied().chain([1.0]).chain(vec![0.0; auxiliaries]).map(Measured::given).collect()
     }
 
     /// Along the motion, as far as q and q' tell.

@@ -14,7 +14,11 @@ fn what_holds_at_the_start() {
         "",
         &["7:39 `open` is not known here; expected one of `active`, `released`"],
     );
-    switched("stop: phi = 1 released;", "", &["7:29 a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`"]);
+    switched(
+        "stop: phi = 1 released;",
+        "",
+        &["7:29 a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`"],
+    );
     switched(
         "stop: l = 1 initially released;",
         "",

@@ -4,10 +4,13 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod auxiliary;
 mod blocks;
 mod bodies;
 mod conditional;
 mod constraints;
+mod constraints_in_speeds;
+mod elements;
 mod events;
 mod expressions;
 mod loads;

@@ -19,6 +19,8 @@ pub struct Description {
     pub parameters: &'static [Quantity],
     /// Constraint rows. The unit is that of the multiplier.
     pub constraints: &'static [Quantity],
+    /// Those constraint rows, by index, that hold between speeds alone: positions are not corrected by them.
+    pub speed_constraints: &'static [usize],
     /// Constraints that events switch.
     pub conditionals: &'static [Conditional],
     /// Events.

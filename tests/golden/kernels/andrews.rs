@@ -3487,6 +3487,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

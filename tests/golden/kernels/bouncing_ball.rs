@@ -578,6 +578,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[
             sim_kernel::event::Conditional {
                 name: "floor",

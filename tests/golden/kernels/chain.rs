@@ -955,6 +955,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -704,6 +704,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

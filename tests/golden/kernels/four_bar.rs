@@ -1184,6 +1184,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -479,6 +479,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -1276,6 +1276,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -1347,6 +1347,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

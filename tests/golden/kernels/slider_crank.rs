@@ -866,6 +866,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {
