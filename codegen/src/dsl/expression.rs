@@ -47,6 +47,24 @@ const LANGUAGE_WORDS: [&str; 16] = [
     "dissipation",
 ];
 
+/// What to write instead of words that users would try after an equation.
+const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";
+const SWITCHED: &str =
+    "a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`";
+const ADVICE: [(&str, &str); 11] = [
+    ("up", DIRECTION),
+    ("down", DIRECTION),
+    ("upwards", DIRECTION),
+    ("downwards", DIRECTION),
+    ("increasing", DIRECTION),
+    ("decreasing", DIRECTION),
+    ("crossing", DIRECTION),
+    ("active", SWITCHED),
+    ("inactive", SWITCHED),
+    ("released", SWITCHED),
+    ("when", SWITCHED),
+];
+
 /// Reads one expression.
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     let sum = sum(input)?;
@@ -231,6 +249,9 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     }
     if word.span().start().line > left.region.end().end().line {
         return Err(syn::Error::new(word.span(), format!("`;` is missing at the end of the line above `{word}`")));
+    }
+    if let Some((_, advice)) = ADVICE.iter().find(|(tried, _)| word == tried) {
+        return Err(syn::Error::new(word.span(), *advice));
     }
     if LANGUAGE_WORDS.iter().any(|known| word == known) {
         return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));
