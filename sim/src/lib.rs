@@ -51,8 +51,8 @@ pub use integrate::{
 };
 pub use interpolate::hermite;
 pub use kinematics::{
-    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
-    kinematics,
+    DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
+    dead_points, inverse_dynamics, kinematics,
 };
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};

@@ -1,5 +1,6 @@
 //! A run as files.
 
+use crate::kinematics::dead_points;
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
@@ -61,6 +62,8 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     });
     let events: Vec<Value> =
         run.events.iter().map(|event| json!({ "name": event.name, "time": event.state.time })).collect();
+    let dead_points: Vec<Value> =
+        dead_points(run).iter().map(|point| json!({ "of": point.of, "time": point.state.time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -77,6 +80,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,
+        "dead_points": dead_points,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
     })

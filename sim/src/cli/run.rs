@@ -6,7 +6,7 @@ use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
-use crate::{Run, Start, Stepping, Table, What, declared_start, run, summary};
+use crate::{Run, Start, Stepping, Table, What, dead_points, declared_start, run, summary};
 use sim_kernel::{Array, Description, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -124,6 +124,10 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
         rows.push(("event", format!("{} at {:.12} s", event.name, event.state.time)));
+    }
+    for point in dead_points(run).iter().take(8) {
+        let (of, time) = (point.of.join(", "), point.state.time);
+        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
     }
     let dependent = &run.mobility.dependent;
     if !dependent.is_empty() {

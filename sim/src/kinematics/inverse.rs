@@ -9,7 +9,7 @@ use sim_kernel::{Array, Mechanism};
 
 /// A determinant this small beside the product of its columns' lengths is zero: of what would be divided by it, fewer than
 /// six digits were left.
-const SINGULAR: f64 = 1e-10;
+pub(super) const SINGULAR: f64 = 1e-10;
 
 /// A motion that drives prescribe.
 #[derive(Clone, Debug)]

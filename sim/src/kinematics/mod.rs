@@ -1,5 +1,6 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
+mod dead_points;
 mod driven;
 mod extremes;
 mod inverse;
@@ -14,6 +15,7 @@ use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
 use sim_kernel::{Array, Mechanism};
 
+pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
 pub use extremes::{Extreme, Extremes, Range, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};
