@@ -7,6 +7,7 @@ mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod dyads;
 mod equilibrium;
 mod events;
 mod failure;
@@ -39,8 +40,9 @@ mod documents {
     struct ComingFrom;
 }
 
-pub use assemble::{Start, assemble, declared_start};
+pub use assemble::{Start, assemble, branches, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
+pub use dyads::{Branches, Form, Loop};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};

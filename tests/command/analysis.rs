@@ -53,3 +53,15 @@ fn what_is_wrong_with_a_sweep_is_said() {
         assert!(!output.status.success() && stderr(&output).contains(message), "{words:?}: {}", stderr(&output));
     }
 }
+
+#[test]
+fn branches_are_listed() {
+    let output = sim(&["assemble", "four-bar", "--branches"]);
+    let text = stdout(&output);
+    assert!(output.status.success() && text.contains("closure_x, closure_y closes theta3, theta4: RRR dyad"), "{text}");
+    assert!(text.contains("branch 1") && text.contains("branch 2") && !text.contains("branch 3"), "{text}");
+    let said: Value = serde_json::from_str(&stdout(&sim(&["assemble", "four-bar", "--branches", "--json"]))).unwrap();
+    assert_eq!(said["branches"].as_array().unwrap().len(), 2);
+    let apart = sim(&["assemble", "four-bar", "--branches", "--set", "d=2"]);
+    assert!(stdout(&apart).contains("do not reach"), "{}", stdout(&apart));
+}

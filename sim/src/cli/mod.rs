@@ -33,7 +33,7 @@ mod statics;
 mod stored;
 mod verify;
 
-use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
+use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use kinematics::KinematicsArguments;
@@ -49,7 +49,7 @@ pub struct Entry {
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
     verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
-    assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    assemble: fn(&AssembleArguments, Voice) -> Result<(), Stop>,
     equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
     kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
 }
@@ -121,7 +121,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
         Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.start.model)?.assemble)(&arguments, voice),
         Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
         Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
