@@ -33,6 +33,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         graph,
         dependences,
         values: Names::new("value"),
+        local: vec![],
         reactions: None,
         outputs: declaration
             .outputs
@@ -49,7 +50,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     let parameters = resolve_parameters(declaration, i);
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &bodies, &body_names, i);
+    let loads = resolve_loads(declaration, &coordinates, &bodies, &body_names, i);
     let constraints = resolve_constraints(declaration, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let events = resolve_events(declaration, i);
@@ -69,7 +70,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,
         forces: loads.forces,
-        torques: loads.torques,
+        efforts: loads.efforts,
         constraints,
         events,
         outputs,
