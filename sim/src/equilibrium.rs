@@ -2,6 +2,7 @@
 
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
+use crate::linearize::linearize;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
 use crate::trajectory::State;
@@ -56,7 +57,7 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     if !(largest <= 1e-8) {
         return Err(Failure::at::<M>(What::NoEquilibrium { acceleration: largest }, state.time, &state.positions));
     }
-    let eigenvalues = eigenvalues(&motion, &state)?;
+    let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
     Ok(Equilibrium { state, multipliers: sample.multipliers, eigenvalues })
 }
 
@@ -79,32 +80,4 @@ fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMa
     let constraints = motion.mechanism().constraint_jacobian(state.time, &state.positions);
     let n = M::Q::LEN;
     Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
-}
-
-/// Of y'' = N'(A N y + B N y'), where the columns of N span the motions that the constraints leave, and A and B
-/// are d(q'')/dq and d(q'')/dq'.
-fn eigenvalues<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<Vec<Complex<f64>>, Failure> {
-    let (by_positions, by_speeds) = motion.jacobian(&motion.sample(*state)?)?;
-    let n = M::Q::LEN;
-    let free = free_directions(&motion.mechanism().constraint_jacobian(state.time, &state.positions), n);
-    let reduced = |matrix: &M::QQ| free.transpose() * DMatrix::from_fn(n, n, |i, j| matrix[i][j]) * &free;
-    let (a, b, f) = (reduced(&by_positions), reduced(&by_speeds), free.ncols());
-    let system = DMatrix::from_fn(2 * f, 2 * f, |i, j| match (i < f, j < f) {
-        (true, _) => f64::from(u8::from(j == i + f)),
-        (false, true) => a[(i - f, j)],
-        (false, false) => b[(i - f, j - f)],
-    });
-    let mut eigenvalues: Vec<Complex<f64>> = system.complex_eigenvalues().iter().copied().collect();
-    eigenvalues
-        .sort_by(|a, b| a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re)));
-    Ok(eigenvalues)
-}
-
-/// An orthonormal basis of the null space of C_q, by columns.
-fn free_directions<LQ: Array<Q>, Q: Array<f64>>(jacobian: &LQ, n: usize) -> DMatrix<f64> {
-    let gram = DMatrix::from_fn(n, n, |i, j| jacobian.iter().map(|row| row[i] * row[j]).sum::<f64>());
-    let eigen = gram.symmetric_eigen();
-    let largest: f64 = eigen.eigenvalues.amax();
-    let null: Vec<_> = (0..n).filter(|i| eigen.eigenvalues[*i] <= 1e-14 * largest.max(f64::MIN_POSITIVE)).collect();
-    eigen.eigenvectors.select_columns(&null)
 }

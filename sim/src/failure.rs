@@ -140,6 +140,14 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
+    /// A parameter that constraints depend on cannot be an input.
+    #[error(
+        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
+    )]
+    NotAnInput {
+        /// Its name.
+        parameter: &'static str,
+    },
     /// The branch of the motion could not be followed.
     #[error(
         "the motion could not be followed further while `{driven}` was driven: steps have become too small. A constraint may leave its \

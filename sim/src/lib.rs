@@ -15,6 +15,7 @@ mod formats;
 mod integrate;
 mod interpolate;
 mod kinematics;
+mod linearize;
 mod mobility;
 mod motion;
 mod partition;
@@ -56,6 +57,7 @@ pub use kinematics::{
     DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
     dead_points, inverse_dynamics, kinematics,
 };
+pub use linearize::{Linearization, Mode, linearize};
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};

@@ -32,6 +32,11 @@ impl Partition {
         Ok(())
     }
 
+    /// The dependent coordinates, by index.
+    pub(crate) fn dependent(&self) -> &[usize] {
+        &self.dependent
+    }
+
     /// Makes the dependent coordinates and speeds follow from the independent ones.
     pub(crate) fn follow<M: Mechanism>(&self, mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
         if M::L::LEN == 0 {

@@ -5,6 +5,9 @@ mod numpy;
 #[cfg(feature = "parquet")]
 mod parquet;
 
+#[cfg(feature = "cli")]
+pub(crate) use numpy::write_matrices;
+
 use crate::table::Table;
 use crate::write::{WriteError, write_csv};
 use std::path::{Path, PathBuf};
