@@ -2,6 +2,7 @@
 
 use crate::dyads::{Branches, close_loops, nearest};
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::level::between_positions;
 use crate::project::{is_met, project_positions, rates};
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
@@ -76,7 +77,8 @@ fn correct_positions<M: Mechanism>(mechanism: &M, start: &Start<M>, mut q: M::Q)
             return polish(mechanism, start, q);
         }
         let residual = DVector::from_iterator(M::L::LEN, linear.values.iter().copied());
-        let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.position_given, residual) else { break };
+        let by_positions = between_positions::<M>(&linear.jacobian);
+        let Some(step) = least_norm_solution::<M>(&by_positions, &start.position_given, residual) else { break };
         let current = norm(&linear.values);
         let mut scale = 1.0;
         let accepted = loop {

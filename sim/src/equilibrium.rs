@@ -2,6 +2,7 @@
 
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
+use crate::level::between_positions;
 use crate::linearize::linearize;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
@@ -77,7 +78,7 @@ fn residual_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DVe
 
 fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMatrix<f64>, Failure> {
     let (by_positions, _) = motion.jacobian(&motion.sample(*state)?)?;
-    let constraints = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+    let constraints = between_positions::<M>(&motion.mechanism().constraint_jacobian(state.time, &state.positions));
     let n = M::Q::LEN;
     Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
 }

@@ -140,6 +140,15 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
+    /// Constraints between speeds do not tell where a drive leads.
+    #[error(
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+             Use `run`, with a load that drives it"
+    )]
+    NotHolonomic {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// A parameter that constraints depend on cannot be an input.
     #[error(
         "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"

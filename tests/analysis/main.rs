@@ -5,4 +5,6 @@
 mod dyads;
 mod inverse;
 mod limits;
+mod linear;
+mod sections;
 mod sweeps;

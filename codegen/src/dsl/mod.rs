@@ -6,6 +6,7 @@ mod expression;
 mod limits;
 mod load;
 mod parse;
+mod rates;
 mod region;
 mod reuse;
 mod source;

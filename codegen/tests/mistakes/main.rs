@@ -4,9 +4,11 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod auxiliary;
 mod blocks;
 mod bodies;
 mod constraints;
+mod constraints_in_speeds;
 mod elements;
 mod expressions;
 mod loads;

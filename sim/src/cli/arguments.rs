@@ -1,6 +1,8 @@
 //! What can be said on the command line.
 
 use super::kinematics::KinematicsArguments;
+use super::linearize::LinearizeArguments;
+use super::poincare::PoincareArguments;
 use super::settings::SettingsArguments;
 use crate::Format;
 use clap::{Args, Parser, Subcommand};
@@ -52,6 +54,10 @@ pub(super) enum Command {
     Equilibrium(StartArguments),
     /// Drives a mechanism through a range: positions, velocities, reactions, driving torque, strokes, limit positions.
     Kinematics(Box<KinematicsArguments>),
+    /// Linearises a mechanism about a state: matrices for a controller, eigenvalues, modes.
+    Linearize(LinearizeArguments),
+    /// Takes the states of a motion each time an event happens, and finds its period.
+    Poincare(Box<PoincareArguments>),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.

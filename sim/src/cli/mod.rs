@@ -21,9 +21,11 @@ mod files;
 mod generate;
 mod info;
 mod kinematics;
+mod linearize;
 mod list;
 mod new;
 mod plot;
+mod poincare;
 mod progress;
 mod quantity;
 mod run;
@@ -37,6 +39,8 @@ use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArgume
 use clap::Parser;
 use codegen::nearest;
 use kinematics::KinematicsArguments;
+use linearize::LinearizeArguments;
+use poincare::PoincareArguments;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
 use std::io::Write;
@@ -52,6 +56,8 @@ pub struct Entry {
     assemble: fn(&AssembleArguments, Voice) -> Result<(), Stop>,
     equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
     kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
+    linearize: fn(&LinearizeArguments, Voice) -> Result<(), Stop>,
+    poincare: fn(&PoincareArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -64,6 +70,8 @@ pub fn entry<M: Mechanism>() -> Entry {
         assemble: statics::assemble_command::<M>,
         equilibrium: statics::equilibrium_command::<M>,
         kinematics: kinematics::kinematics_command::<M>,
+        linearize: linearize::linearize_command::<M>,
+        poincare: poincare::poincare_command::<M>,
     }
 }
 
@@ -124,6 +132,8 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Assemble(arguments) => (find(mechanisms, &arguments.start.model)?.assemble)(&arguments, voice),
         Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
         Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
+        Command::Linearize(arguments) => (find(mechanisms, &arguments.start.model)?.linearize)(&arguments, voice),
+        Command::Poincare(arguments) => (find(mechanisms, &arguments.start.model)?.poincare)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),

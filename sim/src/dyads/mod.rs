@@ -12,6 +12,7 @@ pub use close::Form;
 
 use crate::assemble::Start;
 use crate::failure::constraint_name;
+use crate::level::between_positions;
 use crate::project::is_met;
 use sim_kernel::{Array, Mechanism};
 
@@ -89,7 +90,8 @@ fn is_closed<M: Mechanism>(mechanism: &M, q: &M::Q) -> bool {
 /// Which constraint depends on which coordinate: where C_q is exactly zero at several positions it does not.
 fn dependence<M: Mechanism>(mechanism: &M, q: &M::Q) -> Vec<Vec<bool>> {
     let moved = |k: usize| M::Q::from_fn(|j| q[j] + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64);
-    let jacobians: Vec<M::LQ> = (0..3).map(|k| mechanism.constraint_jacobian(0.0, &moved(k))).collect();
+    let jacobians: Vec<M::LQ> =
+        (0..3).map(|k| between_positions::<M>(&mechanism.constraint_jacobian(0.0, &moved(k)))).collect();
     let depends = |i: usize, j: usize| jacobians.iter().any(|jacobian| jacobian[i][j] != 0.0);
     (0..M::L::LEN).map(|i| (0..M::Q::LEN).map(|j| depends(i, j)).collect()).collect()
 }

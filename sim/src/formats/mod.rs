@@ -1,12 +1,9 @@
 //! Tables as files, in the formats that other programs read.
 
 mod lines;
-mod numpy;
+pub(crate) mod numpy;
 #[cfg(feature = "parquet")]
 mod parquet;
-
-#[cfg(feature = "cli")]
-pub(crate) use numpy::write_matrices;
 
 use crate::table::Table;
 use crate::write::{WriteError, write_csv};

@@ -4,6 +4,7 @@ use super::driven::Driven;
 use super::inverse::SINGULAR;
 use super::system::{Law, System};
 use crate::interpolate::hermite;
+use crate::level::has_speed_rows;
 use crate::root::find_root;
 use crate::run::Run;
 use crate::trajectory::State;
@@ -22,7 +23,8 @@ pub struct DeadPoint<M: Mechanism> {
 
 /// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
 /// degrees of freedom: where det C_qd changes its sign between two rows, with C_qd the columns of the constraint
-/// Jacobian of all other coordinates. None where the declaration gives fewer.
+/// Jacobian of all other coordinates. None where the declaration gives fewer, or where constraints
+/// hold between speeds.
 pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     let Some((independent, system)) = independent(run) else { return Vec::new() };
     let determinant = |state: &State<M>| {
@@ -54,7 +56,7 @@ fn independent<M: Mechanism>(run: &Run<M>) -> Option<(Vec<&'static str>, System<
     let coordinates = M::DESCRIPTION.coordinates;
     let given = (0..M::Q::LEN).filter(|i| coordinates[*i].start == Start::Given);
     let chosen: Vec<usize> = given.take(run.mobility.degrees_of_freedom).collect();
-    if M::L::LEN == 0 {
+    if M::L::LEN == 0 || has_speed_rows::<M>() {
         return None;
     }
     let law = |i: &usize| Law { driven: Driven::Coordinate(*i), start: 0.0, rate: 0.0 };

@@ -80,7 +80,7 @@ pub(super) fn prescribed<M: Mechanism>(
         return Err(Failure::at::<M>(What::NotFinite { quantity: "a load".into() }, time, q));
     }
     let multipliers = linear.jacobian.transpose().lu().solve(&rest).ok_or_else(singular)?;
-    let (lambda, reactions) = system.split(&multipliers);
+    let (lambda, reactions) = system.split(&multipliers, q, p);
     let forces: Vec<f64> = reactions.iter().map(|reaction| -reaction).collect();
     let driving: f64 = forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
     let power = mechanism.power(time, q, &qd, &qdd, &lambda) + driving;

@@ -137,7 +137,7 @@ pub(super) fn output_slope<M: Mechanism>(
     output: usize,
 ) -> f64 {
     fn slope<M: Mechanism<Dual>>(mechanism: &M, time: f64, of: [&dyn Fn(usize) -> Dual; 4], output: usize) -> f64 {
-        let [q, qd, qdd] = [of[0], of[1], of[2]].map(|entry| M::Q::from_fn(entry));
+        let [q, qd, qdd] = [of[0], of[1], of[2]].map(M::Q::from_fn);
         mechanism.outputs(Dual::from_f64(time), &q, &qd, &qdd, &M::L::from_fn(of[3]))[output].derivative
     }
     let dual = |value: f64, derivative: f64| Dual { value, derivative };

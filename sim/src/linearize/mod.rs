@@ -15,7 +15,7 @@ pub use modes::Mode;
 
 /// x' = A x + B u, y = C x + D u about a state, in SI units.
 ///
-/// x are the changes of the independent coordinates and, after them, of their speeds; u changes of parameters that stand
+/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of parameters that stand
 /// for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
 /// alone; eigenvalues away from an equilibrium are those of an instant.
 #[derive(Clone, Debug)]
@@ -25,13 +25,15 @@ pub struct Linearization<M: Mechanism> {
     /// The independent coordinates, by index: those whose values the declaration gives at the start, if they determine the
     /// others here, else those that pivoting chooses.
     pub independent: Vec<usize>,
+    /// The independent speeds, likewise: of the same coordinates, unless constraints hold between speeds alone.
+    pub independent_speeds: Vec<usize>,
     /// The parameters that are inputs, by index.
     pub inputs: Vec<usize>,
-    /// A, 2 f x 2 f with f degrees of freedom.
+    /// A, h + f square with h independent coordinates and f independent speeds.
     pub a: DMatrix<f64>,
-    /// B, 2 f x inputs.
+    /// B, h + f x inputs.
     pub b: DMatrix<f64>,
-    /// C, outputs x 2 f.
+    /// C, outputs x h + f.
     pub c: DMatrix<f64>,
     /// D, outputs x inputs.
     pub d: DMatrix<f64>,
@@ -56,29 +58,31 @@ pub fn linearize<M: Mechanism>(mechanism: &M, state: &State<M>, inputs: &[usize]
     }
     let derivatives = Derivatives::at(mechanism, state, inputs)?;
     let reduction = Reduction::at(mechanism, state);
-    let f = reduction.independent.len();
+    let h = reduction.independent.len();
+    let size = h + reduction.independent_speeds.len();
     // Each column: how the state, with accelerations and multipliers, changes with one entry of x or u.
-    let columns: Vec<Change> = (0..2 * f).map(|k| derivatives.follow(reduction.change(k))).collect();
+    let columns: Vec<Change> = (0..size).map(|k| derivatives.follow(reduction.change(k))).collect();
     let forced: Vec<Change> = (0..inputs.len()).map(|k| derivatives.forced(k)).collect();
-    let rate = |change: &Change, i: usize| match i < f {
+    let rate = |change: &Change, i: usize| match i < h {
         true => change.speeds[reduction.independent[i]],
-        false => change.accelerations[reduction.independent[i - f]],
+        false => change.accelerations[reduction.independent_speeds[i - h]],
     };
     let slope = |change: &Change, i: usize, input: Option<usize>| {
         output_slope(mechanism, state, &derivatives, change, input, i)
     };
     let outputs = M::Outputs::LEN;
-    let a = DMatrix::from_fn(2 * f, 2 * f, |i, k| rate(&columns[k], i));
+    let a = DMatrix::from_fn(size, size, |i, k| rate(&columns[k], i));
     let eigenvalues = modes::eigenvalues(&a);
     Ok(Linearization {
         state: *state,
-        b: DMatrix::from_fn(2 * f, inputs.len(), |i, k| rate(&forced[k], i)),
-        c: DMatrix::from_fn(outputs, 2 * f, |i, k| slope(&columns[k], i, None)),
+        b: DMatrix::from_fn(size, inputs.len(), |i, k| rate(&forced[k], i)),
+        c: DMatrix::from_fn(outputs, size, |i, k| slope(&columns[k], i, None)),
         d: DMatrix::from_fn(outputs, inputs.len(), |i, k| slope(&forced[k], i, Some(inputs[k]))),
         modes: modes::modes(&a, &eigenvalues, |x| reduction.positions(x)),
         a,
         eigenvalues,
         independent: reduction.independent,
+        independent_speeds: reduction.independent_speeds,
         inputs: inputs.to_vec(),
     })
 }

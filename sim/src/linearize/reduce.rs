@@ -1,85 +1,135 @@
 //! From changes of the independent coordinates and speeds to those of all.
 
-use super::Change;
+use crate::level::between_positions;
 use crate::mobility::mobility;
 use crate::partition::Partition;
 use crate::trajectory::State;
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD};
 use sim_kernel::{Array, ConstraintLinearization, Dual, Mechanism, Start};
 
 /// The given coordinates are taken as independent ones if the columns of the others are this far from singular.
 const REGULAR: f64 = 1e-3;
 
-/// dq = N dq_i, dq' = N dq_i' + S dq_i.
+/// dq = H dq_i, dq' = N dq_i' + S dq_i. Where constraints hold between speeds alone there are more independent coordinates
+/// than independent speeds; elsewhere H is N.
 pub(super) struct Reduction {
+    /// The independent coordinates, h of them.
     pub(super) independent: Vec<usize>,
+    /// The independent speeds, f of them.
+    pub(super) independent_speeds: Vec<usize>,
+    /// H, n x h.
+    by_positions: DMatrix<f64>,
+    /// S, n x h.
+    speeds_by_positions: DMatrix<f64>,
     /// N, n x f.
-    positions: DMatrix<f64>,
-    /// S, n x f.
-    speeds: DMatrix<f64>,
+    by_speeds: DMatrix<f64>,
 }
 
 impl Reduction {
     pub(super) fn at<M: Mechanism>(mechanism: &M, state: &State<M>) -> Reduction {
-        let (n, m) = (M::Q::LEN, M::L::LEN);
-        let jacobian = mechanism.constraint_jacobian(state.time, &state.positions);
-        let jacobian = DMatrix::from_fn(m, n, |i, j| jacobian[i][j]);
-        let independent = choose(mechanism, state, &jacobian);
-        let dependent: Vec<usize> = (0..n).filter(|j| !independent.contains(j)).collect();
-        // Rows that depend on others agree with them: least squares solves them all.
-        let of_dependent = jacobian.select_columns(&dependent).svd(true, true);
-        let follow = |by_independent: DMatrix<f64>| match dependent.is_empty() {
-            true => DMatrix::zeros(0, independent.len()),
-            false => of_dependent
-                .solve(&-by_independent, 1e-12)
-                .unwrap_or_else(|_| DMatrix::zeros(dependent.len(), independent.len())),
-        };
-        let spread = |own: f64, others: DMatrix<f64>| {
-            let mut all = DMatrix::zeros(n, independent.len());
-            independent.iter().enumerate().for_each(|(k, j)| all[(*j, k)] = own);
-            dependent.iter().enumerate().for_each(|(k, j)| all.set_row(*j, &others.row(k)));
-            all
-        };
-        let positions = spread(1.0, follow(jacobian.select_columns(&independent)));
-        let speeds = spread(0.0, follow(rates_by_positions(mechanism, state) * &positions));
-        Reduction { independent, positions, speeds }
+        let all = mechanism.constraint_jacobian(state.time, &state.positions);
+        let [of_positions, of_speeds] = [between_positions::<M>(&all), all].map(|rows| matrix::<M>(&rows));
+        let chosen = chosen(mechanism, state);
+        let freedoms = mobility(mechanism, state.time, &state.positions);
+        let [moves, rates] = [
+            Split::new(&of_positions, freedoms.configuration_freedom, &chosen[0]),
+            Split::new(&of_speeds, freedoms.degrees_of_freedom, &chosen[1]),
+        ];
+        let by_positions = moves.spread(1.0, &moves.columns(&of_positions));
+        let bent = rates_by_positions(mechanism, state) * &by_positions;
+        Reduction {
+            speeds_by_positions: rates.spread(0.0, &bent),
+            by_speeds: rates.spread(1.0, &rates.columns(&of_speeds)),
+            by_positions,
+            independent: moves.independent,
+            independent_speeds: rates.independent,
+        }
     }
 
     /// The change of positions and speeds with entry k of x.
     pub(super) fn change(&self, k: usize) -> (DVector<f64>, DVector<f64>) {
-        let f = self.independent.len();
-        match k < f {
-            true => (self.positions.column(k).into(), self.speeds.column(k).into()),
-            false => (DVector::zeros(self.positions.nrows()), self.positions.column(k - f).into()),
+        let h = self.independent.len();
+        match k < h {
+            true => (self.by_positions.column(k).into(), self.speeds_by_positions.column(k).into()),
+            false => (DVector::zeros(self.by_positions.nrows()), self.by_speeds.column(k - h).into()),
         }
     }
 
     /// The change of all coordinates in a mode.
     pub(super) fn positions(&self, x: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-        let f = self.independent.len();
-        self.positions.map(|entry| Complex::new(entry, 0.0)) * x.rows(0, f)
+        self.by_positions.map(|entry| Complex::new(entry, 0.0)) * x.rows(0, self.independent.len())
     }
 }
 
-/// The coordinates that are given at the start, if they determine the others well, else what pivoting chooses.
-fn choose<M: Mechanism>(mechanism: &M, state: &State<M>, jacobian: &DMatrix<f64>) -> Vec<usize> {
-    let n = M::Q::LEN;
-    if M::L::LEN == 0 {
-        return (0..n).collect();
+/// Independent and dependent columns of a constraint Jacobian.
+struct Split {
+    independent: Vec<usize>,
+    dependent: Vec<usize>,
+    /// Of the dependent columns, if there are any.
+    factors: Option<SVD<f64, Dyn, Dyn>>,
+}
+
+impl Split {
+    /// The columns that are given at the start are independent if the others are regular, else those that pivoting chose.
+    fn new(jacobian: &DMatrix<f64>, freedoms: usize, chosen: &Given) -> Split {
+        let n = jacobian.ncols();
+        let rest = |taken: &[usize]| (0..n).filter(|j| !taken.contains(j)).collect::<Vec<usize>>();
+        let given: Vec<usize> = chosen.given.iter().copied().take(freedoms).collect();
+        let is_regular = |dependent: &DMatrix<f64>| {
+            let values = dependent.singular_values();
+            values.iter().take(dependent.ncols()).all(|value| *value > REGULAR * values.max())
+        };
+        if jacobian.is_empty() || freedoms == n {
+            return Split { independent: rest(&[]), dependent: Vec::new(), factors: None };
+        }
+        let independent = if given.len() == freedoms && is_regular(&jacobian.select_columns(&rest(&given))) {
+            given
+        } else {
+            rest(&chosen.dependent)
+        };
+        let dependent = rest(&independent);
+        let factors = (!dependent.is_empty()).then(|| jacobian.select_columns(&dependent).svd(true, true));
+        Split { independent, dependent, factors }
     }
-    let freedoms = mobility(mechanism, state.time, &state.positions).degrees_of_freedom;
-    let given = (0..n).filter(|j| M::DESCRIPTION.coordinates[*j].start == Start::Given);
-    let given: Vec<usize> = given.take(freedoms).collect();
-    let others: Vec<usize> = (0..n).filter(|j| !given.contains(j)).collect();
-    let values = jacobian.select_columns(&others).singular_values();
-    if given.len() == freedoms && values.iter().take(n - freedoms).all(|value| *value > REGULAR * values.max()) {
-        return given;
+
+    fn columns(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+        jacobian.select_columns(&self.independent)
     }
+
+    /// The change of all with each column: `own` times a unit vector of the independent ones, and the others so that
+    /// J_d x_d = -rates. Rows that depend on others agree with them, and least squares solves them all.
+    fn spread(&self, own: f64, rates: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut all = DMatrix::zeros(self.independent.len() + self.dependent.len(), rates.ncols());
+        if own != 0.0 {
+            self.independent.iter().enumerate().for_each(|(k, j)| all[(*j, k)] = own);
+        }
+        if let Some(Ok(others)) = self.factors.as_ref().map(|factors| factors.solve(&-rates, 1e-12)) {
+            self.dependent.iter().enumerate().for_each(|(k, j)| all.set_row(*j, &others.row(k)));
+        }
+        all
+    }
+}
+
+/// Coordinates or speeds that the declaration gives at the start, and those that pivoting takes for dependent.
+struct Given {
+    given: Vec<usize>,
+    dependent: Vec<usize>,
+}
+
+fn chosen<M: Mechanism>(mechanism: &M, state: &State<M>) -> [Given; 2] {
+    let coordinates = M::DESCRIPTION.coordinates;
+    let given: Vec<usize> = (0..M::Q::LEN).filter(|j| coordinates[*j].start == Start::Given).collect();
     let mut partition = Partition::default();
-    match partition.renew(mechanism, state) {
-        Ok(()) => (0..n).filter(|j| !partition.dependent().contains(j)).collect(),
-        Err(_) => given,
-    }
+    // What pivoting cannot choose, because nothing is independent, is not asked for either.
+    let chosen = partition.renew(mechanism, state).is_ok();
+    partition.dependent::<M>().map(|dependent| {
+        let dependent = if chosen { dependent.to_vec() } else { Vec::new() };
+        Given { given: given.clone(), dependent }
+    })
+}
+
+fn matrix<M: Mechanism>(rows: &M::LQ) -> DMatrix<f64> {
+    DMatrix::from_fn(M::L::LEN, M::Q::LEN, |i, j| rows[i][j])
 }
 
 /// (C_q q' + C_t)_q, m x n, by dual numbers.
