@@ -140,14 +140,22 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
-    /// Where a constraint holds between speeds alone, positions are no function of what is driven.
+    /// Constraints between speeds do not tell where a drive leads.
     #[error(
-        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on the way that it takes, and no sweep shows \
-             that; run its motion instead"
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+             Use `run`, with a load that drives it"
     )]
-    PathDependent {
+    NotHolonomic {
         /// The constraint.
         constraint: &'static str,
+    },
+    /// A parameter that constraints depend on cannot be an input.
+    #[error(
+        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
+    )]
+    NotAnInput {
+        /// Its name.
+        parameter: &'static str,
     },
     /// The branch of the motion could not be followed.
     #[error(

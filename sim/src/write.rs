@@ -2,6 +2,7 @@
 
 use crate::events::Occurrence;
 use crate::happening::{crossing, does, impulses};
+use crate::kinematics::dead_points;
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
@@ -68,6 +69,8 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         .iter()
         .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
         .collect();
+    let dead_points: Vec<Value> =
+        dead_points(run).iter().map(|point| json!({ "of": point.of, "time": point.state.time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -87,6 +90,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,
+        "dead_points": dead_points,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
         "energy_taken_by_events": run.energy_taken,

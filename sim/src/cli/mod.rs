@@ -22,9 +22,11 @@ mod generate;
 mod info;
 mod json;
 mod kinematics;
+mod linearize;
 mod list;
 mod new;
 mod plot;
+mod poincare;
 mod progress;
 mod quantity;
 mod run;
@@ -34,10 +36,12 @@ mod statics;
 mod stored;
 mod verify;
 
-use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
+use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use kinematics::KinematicsArguments;
+use linearize::LinearizeArguments;
+use poincare::PoincareArguments;
 use run_file::RunFile;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
@@ -51,9 +55,11 @@ pub struct Entry {
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
     verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
-    assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    assemble: fn(&AssembleArguments, Voice) -> Result<(), Stop>,
     equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
     kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
+    linearize: fn(&LinearizeArguments, Voice) -> Result<(), Stop>,
+    poincare: fn(&PoincareArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -66,6 +72,8 @@ pub fn entry<M: Mechanism>() -> Entry {
         assemble: statics::assemble_command::<M>,
         equilibrium: statics::equilibrium_command::<M>,
         kinematics: kinematics::kinematics_command::<M>,
+        linearize: linearize::linearize_command::<M>,
+        poincare: poincare::poincare_command::<M>,
     }
 }
 
@@ -131,9 +139,11 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
         Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.start.model)?.assemble)(&arguments, voice),
         Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
         Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
+        Command::Linearize(arguments) => (find(mechanisms, &arguments.start.model)?.linearize)(&arguments, voice),
+        Command::Poincare(arguments) => (find(mechanisms, &arguments.start.model)?.poincare)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),
