@@ -140,6 +140,15 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
+    /// Where a constraint holds between speeds alone, positions are no function of what is driven.
+    #[error(
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on the way that it takes, and no sweep shows \
+             that; run its motion instead"
+    )]
+    PathDependent {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// The branch of the motion could not be followed.
     #[error(
         "the motion could not be followed further while `{driven}` was driven: steps have become too small. A constraint may leave its \

@@ -177,6 +177,38 @@ mechanism! {
 }
 
 mechanism! {
+    /// A cart with two pendulums and a motor between them, pulled by an actuator, with every kind of input.
+    pub(crate) Actuated;
+    coordinates { x [m]; a [rad]; b [rad]; }
+    parameters { M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; k [N/m] = 30; size [N] = 4; }
+    inputs {
+        /// Torque of the motor.
+        tau [N*m] = 0;
+        pull [N] = size*sin(3*t)^2;
+        shift [mm] = 20;
+        gain = 1 + t;
+    }
+    let O = [x, 0];
+    let P = O + l*[sin(a), -cos(a)];
+    let Q = P + l*[sin(b), -cos(b)];
+    let drag = gain*dot(P);
+    bodies { cart: mass M at O; bob: mass m at P; tip: mass m at Q, angle b; }
+    loads {
+        gravity [0, -9.81];
+        torque tau between a and b;
+        force pull from [2, 1] to Q;
+        spring k, length 0.5 + shift from [-1, 0] to O;
+        force -drag at P;
+        torque tau^2/10*cos(b) on tip;
+        dissipation gain*dot(x)^2;
+    }
+    initial { x = 0.1; a = 0.3; b = -0.2; }
+    events { turn: dot(a) = 0; }
+    outputs { power [W] = tau*dot(b - a); stretched [m] = x + shift; acceleration [m/s^2] = ddot(x) + gain; height [m] = Q.y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
     /// A sled with a pole on a blade, on ice that drifts, its tip on a line: constraints between positions and between speeds.
     pub(crate) Sled;
     coordinates { x [m]; y [mm]; phi [rad]; psi [rad]; }
@@ -229,6 +261,30 @@ mechanism! {
 }
 
 mechanism! {
+    /// A motor that lifts a bar by a gear and a rack, the bar in a slot and on a link: bodies and joints.
+    pub(crate) Hoist;
+    coordinates { turn [rad]; }
+    parameters { m [kg] = 2; J [kg*m^2] = 0.1; r [m] = 0.1; s [m] = 0.25; l [m] = 0.9; T [N*m] = 3; g [m/s^2] = 9.81; }
+    auxiliary { cut [m]; }
+    bodies {
+        motor: inertia J, angle turn;
+        wheel: free, mass 2*m, inertia 3*J;
+        bar: free, mass m, inertia J/3;
+        weight: mass m/3 at on(bar, [0.5 [m] + cut, 0.1 [m]]);
+    }
+    loads { gravity [0, -g]; torque T*cos(t) on motor; force [0.1*t, 1] at on(wheel, [r, s]); }
+    joints {
+        axle: pin on(wheel, [0, 0]) to [0.3, 0.1*sin(t)];
+        mesh: gear motor radius r to wheel radius s;
+        lift: rack on(bar, [0, -0.2]) through on(wheel, [0, 0]) along 1.2 on wheel radius r;
+        rest: slot on(bar, [0.3, 0]) through [0.5, 0] along 0.1*t;
+    }
+    initial { turn = 0.2; guess wheel_phi = -0.1; guess bar_x = 0.4; }
+    outputs { pull [N] = reaction(lift); cut [N] = reaction(cut); tip [m] = on(bar, [0.5, 0]).y; }
+    drawing { line on(bar, [-0.5, 0]), on(bar, [0.5, 0]); circle on(wheel, [0, 0]) radius r; }
+}
+
+mechanism! {
     /// A cart with a pendulum; a rod that time drives, a pin and a stop come and go.
     pub(crate) Switched;
     coordinates { x [m]; a [rad]; b [deg]; }
@@ -278,10 +334,12 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Rod,
             crate::mechanisms::Chain,
             crate::mechanisms::Arm,
-            crate::mechanisms::Sprung,
             crate::mechanisms::Sled,
             crate::mechanisms::Snake,
-            crate::mechanisms::Switched
+            crate::mechanisms::Hoist,
+            crate::mechanisms::Sprung,
+            crate::mechanisms::Switched,
+            crate::mechanisms::Actuated
         )
     };
 }
@@ -292,6 +350,9 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Switched).to_vec()]
-        .concat()
+    [
+        tests::shipped(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated).to_vec(),
+    ]
+    .concat()
 }

@@ -13,6 +13,8 @@ mod failure;
 mod faulty;
 mod half_car;
 mod impacts;
+mod inputs;
+mod joints;
 mod linkages;
 mod long;
 mod nonholonomic;

@@ -10,7 +10,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 13] = [
+const FOLLOWING_WORDS: [&str; 14] = [
     "at",
     "on",
     "along",
@@ -20,6 +20,7 @@ const FOLLOWING_WORDS: [&str; 13] = [
     "to",
     "between",
     "and",
+    "through",
     "initially",
     "rising",
     "falling",

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 11] = [
+const BLOCKS: [&str; 13] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -22,6 +22,8 @@ const BLOCKS: [&str; 11] = [
     "drawing",
     "kernels",
     "auxiliary",
+    "inputs",
+    "joints",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -56,7 +58,9 @@ pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
     let ordinary = super::reuse::expand(tokens)?;
     super::limits::check(ordinary.clone())?;
-    declaration.parse2(ordinary)
+    let mut declaration = declaration.parse2(ordinary)?;
+    super::free::give_coordinates(&mut declaration)?;
+    super::frame::write_out(declaration)
 }
 
 fn head(input: ParseStream) -> Result<Head> {
@@ -94,6 +98,8 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         drawing: vec![],
         kernels: None,
         auxiliary: vec![],
+        inputs: vec![],
+        joints: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -140,10 +146,12 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
         "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
+        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }

@@ -11,6 +11,8 @@ pub struct Declaration {
     pub coordinates: Vec<Coordinate>,
     /// `parameters { .. }`
     pub parameters: Vec<Parameter>,
+    /// `inputs { .. }`: each with its declared course.
+    pub inputs: Vec<Parameter>,
     /// `let name = expression;`, in order.
     pub lets: Vec<Let>,
     /// `bodies { .. }`
@@ -31,6 +33,8 @@ pub struct Declaration {
     pub kernels: Option<Vec<OptionalKernel>>,
     /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
     pub auxiliary: Vec<Auxiliary>,
+    /// `joints { .. }`; none once they are written out as constraints.
+    pub joints: Vec<super::Joint>,
 }
 
 /// A kernel that not everyone needs.
@@ -60,7 +64,7 @@ pub struct Auxiliary {
     pub unit: Option<Unit>,
 }
 
-/// `m3 [kg] = 0.5;`
+/// `m3 [kg] = 0.5;`: a parameter, or an input.
 pub struct Parameter {
     /// Documentation.
     pub docs: String,
@@ -68,7 +72,7 @@ pub struct Parameter {
     pub name: Ident,
     /// Its unit, in which a plain number is read.
     pub unit: Option<Unit>,
-    /// Its default.
+    /// Its default, or the declared course of an input.
     pub value: Expression,
 }
 
@@ -90,6 +94,8 @@ pub struct Body {
     pub inertia: Option<Expression>,
     /// `angle phi`
     pub angle: Option<Expression>,
+    /// The word `free`: it has a place and an angle of its own.
+    pub free: Option<Region>,
 }
 
 /// One line of `loads`.
@@ -299,6 +305,7 @@ pub enum Shape {
 }
 
 /// A scalar or vector expression.
+#[derive(Clone)]
 pub struct Expression {
     /// Where it stands.
     pub region: Region,
@@ -324,6 +331,7 @@ impl Expression {
 }
 
 /// What an expression is.
+#[derive(Clone)]
 pub enum Kind {
     /// `0.2` or `75 [rpm]`
     Number {

@@ -1,7 +1,7 @@
 //! The `constraints` block.
 
 use super::interpret::Interpreter;
-use super::level::BEYOND_POSITION;
+use super::level::{BEYOND_POSITION, no_input};
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::value::{Shape, Value, common_dimension};
@@ -38,7 +38,11 @@ pub(super) fn resolve_constraints(
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
     }
-    for (auxiliary, force) in declaration.auxiliary.iter().zip(conjugate) {
+    for (k, (auxiliary, force)) in declaration.auxiliary.iter().zip(conjugate).enumerate() {
+        // Two of one name are a mistake that is known.
+        if declaration.auxiliary[..k].iter().any(|other| other.name == auxiliary.name) {
+            continue;
+        }
         reactions.define(&auxiliary.name, Some(force.clone()), &mut i.mistakes);
     }
     i.reactions = Some(reactions);
@@ -95,6 +99,7 @@ fn constraint_rows(
     let place = equation.left.region.to(equation.right.region);
     let name = plain(&equation.name);
     let components = value.components();
+    no_input(place, &components, "a constraint", i)?;
     match level {
         Level::Positions => {
             i.restrict(place, &components, BEYOND_POSITION, "a constraint holds between positions or speeds")?;

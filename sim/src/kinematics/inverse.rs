@@ -3,6 +3,7 @@
 use super::driven::Driven;
 use super::system::{Law, System};
 use crate::failure::{Failure, What};
+use crate::least_norm::least_norm;
 use crate::trajectory::{Sample, State};
 use nalgebra::DVector;
 use sim_kernel::{Array, Mechanism};
@@ -80,12 +81,16 @@ pub(super) fn prescribed<M: Mechanism>(
         return Err(Failure::at::<M>(What::NotFinite { quantity: "a load".into() }, time, q));
     }
     let multipliers = linear.jacobian.transpose().lu().solve(&rest).ok_or_else(singular)?;
-    let (lambda, reactions) = system.split(&multipliers);
+    let (mut lambda, reactions) = system.split(&multipliers);
+    let rank = M::Q::LEN - system.laws.len();
+    if rank < M::L::LEN {
+        lambda = least_norm::<M>(mechanism.constraint_jacobian(time, q), &lambda, rank);
+    }
     let forces: Vec<f64> = reactions.iter().map(|reaction| -reaction).collect();
     let driving: f64 = forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
     let power = mechanism.power(time, q, &qd, &qdd, &lambda) + driving;
     let state = State { time, positions: *q, speeds: qd, work: 0.0 };
-    let sample = Sample { state, accelerations: qdd, multipliers: lambda, power };
+    let sample = Sample { state, accelerations: qdd, multipliers: lambda, power, inputs: mechanism.inputs() };
     Ok(Prescribed { sample, forces, determinant, columns })
 }
 
