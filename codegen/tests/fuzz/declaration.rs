@@ -40,7 +40,7 @@ impl Writer {
         if self.random.once_in(2) {
             text += &self.fragment();
         }
-        text += "auxiliary { cut; }\n";
+        text += "auxiliary { cut; } inputs { drive = sin(p1*t)/2; }\n";
         text += &self.bodies();
         text += &self.loads();
         let constraints = self.constraints();
@@ -111,7 +111,7 @@ impl Writer {
     }
 
     fn loads(&mut self) -> String {
-        let mut text = String::from("loads { gravity [0, -9.81];\n");
+        let mut text = String::from("loads { gravity [0, -9.81]; force drive on q_1;\n");
         for _ in 0..self.random.below(3) {
             let (x, y, at) = (self.rate(2), self.scalar(2), self.vector(1));
             text += &format!("force [{x}, {y}] at {at};\n");
