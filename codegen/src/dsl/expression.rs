@@ -2,6 +2,7 @@
 //!
 //! Rust's own expression parser would put `^` below `+`.
 
+use super::choice;
 use super::region::here;
 use super::unit::{optional_unit, unbracketed_unit};
 use super::{Expression, Kind, Operator, Region};
@@ -10,10 +11,11 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 9] = ["at", "on", "along", "radius", "about", "from", "to", "between", "and"];
+const FOLLOWING_WORDS: [&str; 11] =
+    ["then", "else", "at", "on", "along", "radius", "about", "from", "to", "between", "and"];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 16] = [
+const LANGUAGE_WORDS: [&str; 18] = [
     "mass",
     "inertia",
     "angle",
@@ -30,11 +32,19 @@ const LANGUAGE_WORDS: [&str; 16] = [
     "damper",
     "potential",
     "dissipation",
+    "friction",
+    "smooth",
 ];
 
 /// Reads one expression.
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {
+    if choice::starts(input) {
+        return choice::choice(input);
+    }
     let sum = sum(input)?;
+    if input.peek(Token![<]) || input.peek(Token![>]) {
+        return Err(here(input, "a comparison stands in a choice: `if a > b then x else y`"));
+    }
     if input.peek(Token![%]) {
         return Err(here(input, "there is no operator `%`"));
     }
@@ -44,7 +54,7 @@ pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     Ok(sum)
 }
 
-fn sum(input: ParseStream) -> Result<Expression> {
+pub(super) fn sum(input: ParseStream) -> Result<Expression> {
     let mut left = product(input)?;
     loop {
         let operator = match () {
@@ -128,6 +138,12 @@ fn atom(input: ParseStream) -> Result<Expression> {
         let bracket = syn::bracketed!(content in input);
         let region = Region::from(bracket.span.open()).to(bracket.span.close().into());
         return Ok(Expression { region, kind: Kind::Vector(list(&content, "`]`")?) });
+    }
+    if choice::starts(input) {
+        return Err(here(
+            input,
+            "a choice inside of an operation stands in parentheses: `a + (if b > c then x else y)`",
+        ));
     }
     if input.peek(Ident::peek_any) {
         let name = Ident::parse_any(input)?;
