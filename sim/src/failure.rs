@@ -64,8 +64,8 @@ pub enum What {
     },
     /// Constraints that are independent elsewhere depend on each other here.
     #[error(
-        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here, and \
-             from here there may be more than one way to go on. Equal steps may pass it (`--method rk4 --steps N`); or change a length \
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here. It \
+             comes to rest or turns back here, or more than one way leads on, and the equations do not say which. Change a length \
              or the start a little"
     )]
     SingularPosition {
@@ -140,6 +140,23 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
+    /// Constraints between speeds do not tell where a drive leads.
+    #[error(
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+             Use `run`, with a load that drives it"
+    )]
+    NotHolonomic {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// A parameter that constraints depend on cannot be an input.
+    #[error(
+        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
+    )]
+    NotAnInput {
+        /// Its name.
+        parameter: &'static str,
+    },
     /// The branch of the motion could not be followed.
     #[error(
         "the motion could not be followed further while `{driven}` was driven: steps have become too small. A constraint may leave its \
@@ -180,6 +197,44 @@ pub enum What {
         event: &'static str,
         /// How often it happened.
         count: usize,
+    },
+    /// Events happen again and again, at times that accumulate.
+    #[error(
+        "event `{event}` chatters: what it does makes it happen again at once, for the {count}. time. The times of its \
+             occurrences accumulate here, and no motion goes on beyond this point. Let it stop the run (`stop`), hold what it \
+             hits (`activate`), or change the condition"
+    )]
+    Accumulating {
+        /// Its name.
+        event: &'static str,
+        /// How often it has happened.
+        count: usize,
+    },
+    /// An event lets a constraint hold, or moves coordinates, where the constraint is open.
+    #[error(
+        "event `{event}` leaves constraint `{constraint}` open by {residual:.3e}: where a constraint comes to hold the positions \
+             must satisfy it already, and so must coordinates that are set"
+    )]
+    EventOpens {
+        /// The event.
+        event: &'static str,
+        /// The constraint.
+        constraint: &'static str,
+        /// C there.
+        residual: f64,
+    },
+    /// A coefficient of restitution that is none.
+    #[error(
+        "event `{event}`: the coefficient of restitution with `{constraint}` is {coefficient}, and must be a number that is not \
+             negative"
+    )]
+    Restitution {
+        /// The event.
+        event: &'static str,
+        /// The constraint that is hit.
+        constraint: &'static str,
+        /// The coefficient.
+        coefficient: f64,
     },
     /// Something failed where an event was looked for.
     #[error("while event `{event}` was looked for: {what}")]

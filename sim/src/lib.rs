@@ -3,28 +3,37 @@
 //!
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
+mod act;
 mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod conditional;
 mod control;
+mod dyads;
 mod equilibrium;
 mod events;
 mod failure;
 mod formats;
+mod happening;
 mod integrate;
 mod interpolate;
 mod kinematics;
 mod least_norm;
 mod level;
+mod linearize;
 mod mobility;
 mod motion;
+mod onset;
 mod partition;
+mod poincare;
 mod project;
+mod record;
 mod root;
 mod run;
 mod settings;
 pub mod show;
+mod singular;
 mod solve;
 mod table;
 mod trajectory;
@@ -42,9 +51,12 @@ mod documents {
     struct ComingFrom;
 }
 
-pub use assemble::{Start, assemble, declared_start};
+pub use act::{Change, act};
+pub use assemble::{Start, assemble, branches, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
+pub use conditional::is_active;
 pub use control::Controller;
+pub use dyads::{Branches, Form, Loop};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
@@ -55,16 +67,19 @@ pub use integrate::{
 };
 pub use interpolate::hermite;
 pub use kinematics::{
-    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
-    kinematics,
+    DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
+    dead_points, inverse_dynamics, kinematics,
 };
+pub use linearize::{Linearization, Mode, linearize};
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
+pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Input, Lanes, Mechanism, Scalar, mechanism};
+pub use singular::Singularity;
 pub use table::{Column, Table};
-pub use trajectory::{Rates, Sample, State, Trajectory};
+pub use trajectory::{Phase, Rates, Sample, State, Trajectory};
 pub use vector::{Vectors, Work};
 pub use write::{WriteError, summary, write_csv, write_json};

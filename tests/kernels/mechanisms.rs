@@ -260,6 +260,55 @@ mechanism! {
     outputs { height [m] = P7.y; pull [N] = reaction(blade); }
 }
 
+mechanism! {
+    /// A motor that lifts a bar by a gear and a rack, the bar in a slot and on a link: bodies and joints.
+    pub(crate) Hoist;
+    coordinates { turn [rad]; }
+    parameters { m [kg] = 2; J [kg*m^2] = 0.1; r [m] = 0.1; s [m] = 0.25; l [m] = 0.9; T [N*m] = 3; g [m/s^2] = 9.81; }
+    auxiliary { cut [m]; }
+    bodies {
+        motor: inertia J, angle turn;
+        wheel: free, mass 2*m, inertia 3*J;
+        bar: free, mass m, inertia J/3;
+        weight: mass m/3 at on(bar, [0.5 [m] + cut, 0.1 [m]]);
+    }
+    loads { gravity [0, -g]; torque T*cos(t) on motor; force [0.1*t, 1] at on(wheel, [r, s]); }
+    joints {
+        axle: pin on(wheel, [0, 0]) to [0.3, 0.1*sin(t)];
+        mesh: gear motor radius r to wheel radius s;
+        lift: rack on(bar, [0, -0.2]) through on(wheel, [0, 0]) along 1.2 on wheel radius r;
+        rest: slot on(bar, [0.3, 0]) through [0.5, 0] along 0.1*t;
+    }
+    initial { turn = 0.2; guess wheel_phi = -0.1; guess bar_x = 0.4; }
+    outputs { pull [N] = reaction(lift); cut [N] = reaction(cut); tip [m] = on(bar, [0.5, 0]).y; }
+    drawing { line on(bar, [-0.5, 0]), on(bar, [0.5, 0]); circle on(wheel, [0, 0]) radius r; }
+}
+
+mechanism! {
+    /// A cart with a pendulum; a rod that time drives, a pin and a stop come and go.
+    pub(crate) Switched;
+    coordinates { x [m]; a [rad]; b [deg]; }
+    parameters { M [kg] = 3; m [kg] = 1; l [m] = 0.8; k [m] = 0.6; J [kg*m^2] = 0.05; g [m/s^2] = 9.81; e1 = 0.4; }
+    let O = [x, 0.1*sin(2*t)];
+    let A = O + l*[sin(a), -cos(a)];
+    let B = A + k*[sin(b), -cos(b)];
+    bodies { cart: mass M at O; first: mass m at A, inertia J, angle a; second: mass m at B, inertia J, angle b; }
+    loads { gravity [0, -g]; force [-2*x - dot(x), 0] at O; torque -0.1*dot(b - a) on second; }
+    constraints {
+        rod: norm(B - [0.2, 0.3*cos(t)]) = 1.1 + 0.05*sin(3*t) initially released;
+        rail: x + 0.1*a = 0.2*sin(t);
+        lock: b = a + 0.1 initially active;
+    }
+    initial { x = 0; guess a = 0.2; b = 10; }
+    events {
+        apart: reaction(lock) + 0.1*reaction(rod) = 0.3 falling { release lock; activate rod; }
+        knock: b - a = 0.1 rising { impact lock restitution e1*abs(dot(a)); impact rod; swap a, b; set m = 1.1*m; }
+        hurried: ddot(x) = 1 { set b = 3; set dot(b) = 30; set dot(a) = -dot(a) + t; stop after 3; }
+    }
+    outputs { pull [N] = reaction(rod); hold [N*m] = reaction(lock); slide [N] = reaction(rail); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -272,15 +321,25 @@ macro_rules! all_mechanisms {
             models::FourBar,
             models::Skate,
             models::SliderCrank,
+            models::ScotchYoke,
+            models::Whitworth,
+            models::SixBar,
+            models::HangingChain,
+            models::FourBars,
+            models::SpringFollower,
+            models::HalfCar,
+            models::CartPole,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
             crate::mechanisms::Rod,
             crate::mechanisms::Chain,
             crate::mechanisms::Arm,
-            crate::mechanisms::Sprung,
             crate::mechanisms::Sled,
             crate::mechanisms::Snake,
+            crate::mechanisms::Hoist,
+            crate::mechanisms::Sprung,
+            crate::mechanisms::Switched,
             crate::mechanisms::Actuated
         )
     };
@@ -292,6 +351,9 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Actuated).to_vec()]
-        .concat()
+    [
+        tests::shipped(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated).to_vec(),
+    ]
+    .concat()
 }

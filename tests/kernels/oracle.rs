@@ -29,6 +29,10 @@ fn check<M: Mechanism>() {
     for i in 0..STATES {
         let parameters = M::defaults().parameters();
         let mechanism = M::with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
+        let mechanism = match M::Activities::LEN {
+            0 => mechanism,
+            _ => mechanism.with_activities(M::Activities::from_fn(|_| random.between(0.0, 2.0).floor())),
+        };
         // Every third state follows the declared courses of the inputs.
         let held = |random: &mut Random| Input::Held(random.between(-2.0, 2.0));
         let inputs = M::Inputs::from_fn(|_| if i % 3 == 0 { Input::Declared } else { held(&mut random) });
@@ -97,7 +101,8 @@ impl Found {
 
 fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
-    let oracle = Oracle::new(declaration, &si_factor);
+    let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
+    let oracle = Oracle::new(declaration, &si_factor).with_active(active);
     let parameters = mechanism.parameters();
     let inputs: Vec<Option<f64>> = mechanism.inputs().iter().map(|input| input.held()).collect();
     let (parameters, coordinates, speeds) = (parameters.as_ref(), q.as_ref(), qd.as_ref());
@@ -119,7 +124,6 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
         &terms.constraint_convective,
     );
     found.term("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
-    found.term("events", mechanism.events(t, q, qd).as_ref(), &oracle.events(&at).unwrap());
     let linear = mechanism.constraint_linearization(t, q);
     let linear_jacobian = matrix(linear.jacobian.iter().map(|row| row.as_ref().to_vec()).collect());
     found.term("linearised C", linear.values.as_ref(), &terms.constraints);
@@ -131,6 +135,12 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
         accelerations: given(solved.accelerations.as_ref()),
         multipliers: given(solved.multipliers.as_ref()),
     };
+    let events = mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers);
+    found.term("events", events.as_ref(), &oracle.events(&at, &solution).unwrap());
+    found.term("what events set", mechanism.event_values(t, q, qd).as_ref(), &oracle.event_values(&at).unwrap());
+    for (row, lambda) in solved.multipliers.iter().enumerate() {
+        assert!(sim::is_active(mechanism, row) || *lambda == 0.0, "a released row has the multiplier {lambda}");
+    }
     let outputs = mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers);
     found.term("outputs", outputs.as_ref(), &oracle.outputs(&at, &solution).unwrap());
     found.term("power", &[solved.power], &[oracle.power(&at, &solution).unwrap()]);

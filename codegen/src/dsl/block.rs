@@ -93,14 +93,14 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     Ok(Let { name, value: expression(input)? })
 }
 
-fn equals(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(here(input, advice));
     }
     Ok(())
 }
 
-fn colon(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![:]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -133,9 +133,16 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
-    let mut body = Body { name, mass: None, inertia: None, angle: None };
+    let mut body = Body { name, mass: None, inertia: None, angle: None, free: None };
     loop {
-        let word = keyword(input, &["mass", "inertia", "angle"])?;
+        let word = keyword(input, &["mass", "inertia", "angle", "free"])?;
+        if word == "free" {
+            body.free = Some(Region::from(&word));
+            match input.parse::<Option<Token![,]>>()? {
+                Some(_) => continue,
+                None => return Ok(body),
+            }
+        }
         let value = expression(input)?;
         let twice = match word.to_string().as_str() {
             "mass" => {
@@ -160,7 +167,22 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
     colon(input, "an equation has a name: `closure: left = right;`")?;
     let left = expression(input)?;
     equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)? })
+    Ok(Equation { name, left, right: expression(input)?, initially: None })
+}
+
+/// An equation, and whether it holds at the start if events switch it.
+pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
+    let equation = equation(input)?;
+    Ok(Equation { initially: initially(input)?, ..equation })
+}
+
+/// `initially active`, or `initially released`.
+pub(super) fn initially(input: ParseStream) -> Result<Option<Activity>> {
+    if !accept_word(input, "initially")? {
+        return Ok(None);
+    }
+    let word = keyword(input, &["active", "released"])?;
+    Ok(Some(if word == "active" { Activity::Active } else { Activity::Released }))
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

@@ -11,8 +11,24 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 11] =
-    ["then", "else", "at", "on", "along", "radius", "about", "from", "to", "between", "and"];
+const FOLLOWING_WORDS: [&str; 16] = [
+    "at",
+    "on",
+    "along",
+    "radius",
+    "about",
+    "from",
+    "to",
+    "between",
+    "and",
+    "through",
+    "initially",
+    "rising",
+    "falling",
+    "restitution",
+    "then",
+    "else",
+];
 
 /// Words that start a clause or a line of the language.
 const LANGUAGE_WORDS: [&str; 18] = [
@@ -34,6 +50,24 @@ const LANGUAGE_WORDS: [&str; 18] = [
     "dissipation",
     "friction",
     "smooth",
+];
+
+/// What to write instead of words that users would try after an equation.
+const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";
+const SWITCHED: &str =
+    "a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`";
+const ADVICE: [(&str, &str); 11] = [
+    ("up", DIRECTION),
+    ("down", DIRECTION),
+    ("upwards", DIRECTION),
+    ("downwards", DIRECTION),
+    ("increasing", DIRECTION),
+    ("decreasing", DIRECTION),
+    ("crossing", DIRECTION),
+    ("active", SWITCHED),
+    ("inactive", SWITCHED),
+    ("released", SWITCHED),
+    ("when", SWITCHED),
 ];
 
 /// Reads one expression.
@@ -232,6 +266,9 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     }
     if word.span().start().line > left.region.end().end().line {
         return Err(syn::Error::new(word.span(), format!("`;` is missing at the end of the line above `{word}`")));
+    }
+    if let Some((_, advice)) = ADVICE.iter().find(|(tried, _)| word == tried) {
+        return Err(syn::Error::new(word.span(), *advice));
     }
     if LANGUAGE_WORDS.iter().any(|known| word == known) {
         return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));

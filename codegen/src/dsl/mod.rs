@@ -3,9 +3,14 @@
 mod block;
 mod choice;
 mod declarations;
+mod event;
 mod expression;
+mod frame;
+mod free;
+mod joint;
 mod limits;
 mod load;
+mod made;
 mod parse;
 mod rates;
 mod region;
@@ -15,6 +20,7 @@ mod tree;
 mod unit;
 
 pub use declarations::declarations;
+pub use joint::{Guide, Joint, JointKind};
 pub use parse::{Head, parse, parse_head};
 pub use region::Region;
 pub use reuse::attributed;

@@ -1,6 +1,7 @@
 //! The frame of a declaration: its head and its blocks. A mistake in one line does not hide the next.
 
 use super::block;
+use super::event;
 use super::region::here;
 use super::*;
 use crate::mistakes::Mistakes;
@@ -9,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 12] = [
+const BLOCKS: [&str; 13] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -22,6 +23,7 @@ const BLOCKS: [&str; 12] = [
     "kernels",
     "auxiliary",
     "inputs",
+    "joints",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -56,7 +58,9 @@ pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
     let ordinary = super::reuse::expand(tokens)?;
     super::limits::check(ordinary.clone())?;
-    declaration.parse2(ordinary)
+    let mut declaration = declaration.parse2(ordinary)?;
+    super::free::give_coordinates(&mut declaration)?;
+    super::frame::write_out(declaration)
 }
 
 fn head(input: ParseStream) -> Result<Head> {
@@ -95,6 +99,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         kernels: None,
         auxiliary: vec![],
         inputs: vec![],
+        joints: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -136,16 +141,17 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
         "loads" => d.loads.extend(mistakes.note(lines(&content, ended(super::load::load))).into_iter().flatten()),
         "constraints" => {
-            d.constraints.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten())
+            d.constraints.extend(mistakes.note(lines(&content, ended(block::constraint))).into_iter().flatten())
         }
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
-        "events" => d.events.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten()),
+        "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
         "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
+        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }

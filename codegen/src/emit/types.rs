@@ -84,6 +84,11 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         let (name, docs) = (ident(&p.name), documented(&p.docs, &p.unit));
         quote! { #(#[doc = #docs])* pub #name: S, }
     });
+    let activities = model.conditionals.iter().map(|c| {
+        let (field, docs) =
+            (ident(&c.field), format!(" Whether constraint `{}` holds: 1, or 0 where it is released.", c.name));
+        quote! { #[doc = #docs] pub #field: S, }
+    });
     let inputs = model.inputs.iter().map(|input| {
         let (name, docs) = (ident(&input.name), documented(&input.docs, &input.unit));
         quote! { #(#[doc = #docs])* pub #name: #path::Input<S>, }
@@ -100,7 +105,7 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         #(#[doc = #written])*
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#inputs)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#inputs)* #(#activities)* #marker }
 
         impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
@@ -136,7 +141,7 @@ fn prepared(head: &Head, model: &Model, program: &Program, path: &TokenStream) -
 
 /// Whether the mechanism needs a field for its scalar alone.
 fn has_no_fields(model: &Model) -> bool {
-    model.parameters.is_empty() && model.inputs.is_empty()
+    model.parameters.is_empty() && model.inputs.is_empty() && model.conditionals.is_empty()
 }
 
 fn prepared_fields(kernel: &Kernel) -> Vec<&str> {
@@ -163,6 +168,22 @@ pub(super) fn mechanism_impl(
     let description = description(equations, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
+    let (activities, starts): (Vec<_>, Vec<_>) = model
+        .conditionals
+        .iter()
+        .map(|c| {
+            (
+                ident(&c.field),
+                if c.initially_active {
+                    quote! { S::from_f64(1.0) }
+                } else {
+                    quote! { S::from_f64(0.0) }
+                },
+            )
+        })
+        .unzip();
+    let switched = switched(model);
+    let (conditionals, values) = (size(activities.len()), size(kernel_len(program, "event_values")));
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
     let (input_places, input_count): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
@@ -182,6 +203,8 @@ pub(super) fn mechanism_impl(
             type Outputs = [S; #outputs];
             type OutputRates = [S; #rates];
             type Events = [S; #events];
+            type EventValues = [S; #values];
+            type Activities = [S; #conditionals];
             type Drawing = [S; #drawing];
             type QP = [[S; #p]; #n];
             type LP = [[S; #p]; #m];
@@ -192,7 +215,7 @@ pub(super) fn mechanism_impl(
             const DESCRIPTION: #path::Description = #description;
 
             fn defaults() -> Self {
-                Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #marker }
+                Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
             }
 
             fn parameters(&self) -> [S; #p] {
@@ -200,11 +223,11 @@ pub(super) fn mechanism_impl(
             }
 
             fn with_parameters(parameters: [S; #p]) -> Self {
-                Self { #(#fields: parameters[#places],)* #(#inputs: #path::Input::Declared,)* #marker }
+                Self { #(#fields: parameters[#places],)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
             }
 
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
-                #name { #(#fields: convert(self.#fields),)* #(#inputs: self.#inputs.map(&convert),)* #marker }
+                #name { #(#fields: convert(self.#fields),)* #(#inputs: self.#inputs.map(&convert),)* #(#activities: convert(self.#activities),)* #marker }
             }
 
             fn inputs(&self) -> [#path::Input<S>; #input_count] {
@@ -219,9 +242,28 @@ pub(super) fn mechanism_impl(
                 #(prepared.#inputs = inputs[#input_places];)*
             }
 
+            #switched
+
             #(#forwards)*
         }
     }
+}
+
+/// How activities are read and changed, if there are any.
+fn switched(model: &Model) -> Option<TokenStream> {
+    let fields: Vec<Ident> = model.conditionals.iter().map(|c| ident(&c.field)).collect();
+    let (len, places) = (size(fields.len()), (0..fields.len()).map(size));
+    (!fields.is_empty()).then(|| {
+        quote! {
+            fn activities(&self) -> [S; #len] {
+                [#(self.#fields),*]
+            }
+
+            fn with_activities(self, activities: [S; #len]) -> Self {
+                Self { #(#fields: activities[#places],)* ..self }
+            }
+        }
+    })
 }
 
 fn kernel_len(program: &Program, name: &str) -> usize {

@@ -22,8 +22,8 @@ pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effo
     Some(Effort { force: i.graph.integer(-1), along })
 }
 
-/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein, Poole, Safko: Classical Mechanics, 3rd ed.,
-/// (1.69)).
+/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein,
+/// Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
 pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i: &mut Interpreter) -> Vec<Effort> {
     let value = i.scalar(function).and_then(|value| load_level(function, [value], i));
     let Some([value]) = value else { return vec![] };

@@ -10,8 +10,8 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 /// Functions of the language that are not functions of the engine.
-pub(super) const OTHER_FUNCTIONS: [&str; 9] =
-    ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction"];
+pub(super) const OTHER_FUNCTIONS: [&str; 10] =
+    ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {

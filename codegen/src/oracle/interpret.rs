@@ -179,7 +179,6 @@ impl<'d> Interpreter<'d> {
         value
     }
 
-    /// Coordinate number `index`.
     /// Everything that moves: coordinates, and auxiliary displacements where they are variables.
     pub(super) fn moving(&self) -> Vec<Jet> {
         let coordinates = self.setting.motion.iter().flat_map(|(coordinates, _)| coordinates);
@@ -215,6 +214,14 @@ impl<'d> Interpreter<'d> {
             return self.defined(index);
         }
         self.reserved(name)
+    }
+
+    /// A coordinate, by its name.
+    pub(super) fn coordinate_named(&mut self, name: &Ident) -> Result<Jet> {
+        match self.declaration.coordinates.iter().position(|c| c.name == *name) {
+            Some(index) => self.coordinate(index, name)?.scalar(),
+            None => refuse(format!("`{name}` is not a coordinate")),
+        }
     }
 
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {

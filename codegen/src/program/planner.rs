@@ -37,6 +37,7 @@ impl<'a> Planner<'a> {
         let mut inputs = FxHashMap::default();
         inputs.insert(model.time, Input::Time);
         inputs.extend(model.parameters.iter().enumerate().map(|(i, p)| (p.symbol, Input::Parameter(i))));
+        inputs.extend(model.conditionals.iter().enumerate().map(|(i, c)| (c.symbol, Input::Activity(i))));
         for (i, c) in model.coordinates.iter().enumerate() {
             let levels = [
                 (c.position, Input::Position(i)),
@@ -129,6 +130,9 @@ impl<'a> Planner<'a> {
         enter(Input::Time, Tree::Name("t".to_owned()));
         for (i, parameter) in model.parameters.iter().enumerate() {
             enter(Input::Parameter(i), Tree::Field(parameter.name.clone()));
+        }
+        for (i, conditional) in model.conditionals.iter().enumerate() {
+            enter(Input::Activity(i), Tree::Field(conditional.field.clone()));
         }
         for (i, held) in model.inputs.iter().enumerate() {
             enter(Input::Held(i), Tree::Field(held.name.clone()));

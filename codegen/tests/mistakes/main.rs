@@ -7,10 +7,13 @@
 mod auxiliary;
 mod blocks;
 mod bodies;
+mod conditional;
 mod constraints;
 mod constraints_in_speeds;
 mod elements;
+mod events;
 mod expressions;
+mod joints;
 mod loads;
 mod names;
 mod new_users;
