@@ -6,7 +6,7 @@ use super::loads::load_level;
 use super::value::{Value, common_dimension};
 use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
-use crate::symbolic::{Differential, Expr, Number, Symbol};
+use crate::symbolic::{Differential, Expr, Function, Number, Symbol};
 
 /// How far a spring is from where it has no force, in the law of its force.
 const STRETCH: &str = "stretch";
@@ -55,6 +55,7 @@ pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> 
             along.map(|along| Effort { force: force.0, along: along.value })
         }
         Law::Spring(law, rest) => spring(law, rest, along, i),
+        Law::Friction(force, smooth) => friction(force, smooth, along, i),
         Law::Damper(law) => damper(law, along, i),
     }
 }
@@ -156,6 +157,22 @@ fn damper(law: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option
     let along = along?;
     let words = vec![rate_word(&along, i)];
     let force = law_of_force(law, words, i)?;
+    Some(Effort { force: i.graph.neg(force), along: along.value })
+}
+
+/// -F tanh(x'/v0): Coulomb's friction, but for speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models for
+/// sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
+fn friction(force: &Expression, smooth: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+    let (size, speed) = (load_scalar(force, i), load_scalar(smooth, i));
+    let ((size, _), (speed, _), along) = (size?, speed?, along?);
+    if i.graph.is_zero(speed) {
+        let message = "the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated";
+        return i.refuse(smooth.region, message);
+    }
+    let rate = rate_of(&along, i);
+    let ratio = i.graph.div(rate, speed);
+    let part = i.graph.call(Function::Tanh, ratio);
+    let force = i.graph.mul(size, part);
     Some(Effort { force: i.graph.neg(force), along: along.value })
 }
 

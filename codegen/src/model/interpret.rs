@@ -87,6 +87,7 @@ impl Interpreter {
             Kind::Binary(operator, left, right) => self.binary(*operator, left, right),
             Kind::Call(function, arguments) => self.call(region, function, arguments),
             Kind::Component(vector, name) => self.component(vector, name),
+            Kind::If(choice) => self.choice(choice),
         }?;
         self.check_constants(region, &value.components())?;
         Some(value)
@@ -269,7 +270,7 @@ impl Interpreter {
 
     fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
         let text = plain(name);
-        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text && *f != Function::Sign) {
+        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text) {
             let [argument] = self.arguments(region, &text, arguments, ["x"])?;
             let (x, dimension) = self.scalar_value(argument)?;
             let dimension = if function == Function::Abs { dimension } else { Some(Dimension::none()) };
@@ -287,6 +288,8 @@ impl Interpreter {
                 let (y, x) = (self.scalar(y), self.scalar(x));
                 Some(Value::scalar(self.graph.atan2(y?, x?), Some(Dimension::none())))
             }
+            "min" => self.extreme(region, &text, arguments, Graph::min),
+            "max" => self.extreme(region, &text, arguments, Graph::max),
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
                 let (a, dimension) = self.point_value(a)?;
