@@ -11,7 +11,7 @@ mechanism! {
     parameters { m [kg] = 2; J [kg*m^2] = 0.3; g [m/s^2] = 9.81; c [N*s/m] = 0.4; }
     let P = r*[cos(phi), sin(phi)];
     bodies { rod: inertia J, angle phi; bead: mass m at P; }
-    loads { gravity [0, -g]; force -c*dot(P) at P; torque 0.1*sin(t) on rod; }
+    loads { gravity [0, -g]; force -c*dot(P) at P; torque 0.1 [N*m]*sin(1 [rad/s]*t) on rod; }
     initial { r = 0.5; phi = 0.1; dot(phi) = 3; }
     outputs { speed [m/s] = norm(dot(P)); radial [m/s^2] = ddot(r) - r*dot(phi)^2; }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
@@ -22,24 +22,25 @@ mechanism! {
     pub(crate) Cart;
     coordinates { x [m]; a [rad]; b [rad]; }
     parameters { M [kg] = 3; m [kg] = 1; n [kg] = 0.5; l [m] = 0.8; k [m] = 0.6; J [kg*m^2] = 0.05; g [m/s^2] = 9.81; w [1/s] = 2; }
-    let O = [x, 0.1*sin(w*t)];
+    let O = [x, 0.1 [m]*sin(w*t)];
     let A = O + l*[sin(a), -cos(a)];
     let B = A + k*[sin(b), -cos(b)];
     bodies { cart: mass M at O; first: mass m at A, inertia J, angle a; second: mass n at B, inertia J*k/l, angle b - a/3; }
-    loads { gravity [0.1*t, -g]; force [-2*x - dot(x)*abs(dot(x)), 0] at O; torque -0.1*dot(b - a) on second; }
-    constraints { leash: norm(B - [0.2, 0.3*cos(w*t)]) = 1.1 + 0.05*sin(3*t); }
+    loads { gravity [0.1 [m/s^3]*t, -g]; force [-2 [N/m]*x - 1 [kg/m]*dot(x)*abs(dot(x)), 0] at O; torque -0.1 [N*m*s]*dot(b - a) on second; }
+    constraints { leash: norm(B - [0.2 [m], 0.3 [m]*cos(w*t)]) = 1.1 [m] + 0.05 [m]*sin(3 [rad/s]*t); }
     initial { x = 0.1; guess a = 0.2; b = 0.3; dot(x) = 0.4; dot(a) = 0.2; }
-    events { low: B.y = -1; }
+    events { low: B.y = -1 [m]; }
     outputs { tip [m] = B.x; tip_speed [m/s] = dot(B.x); tip_acceleration [m/s^2] = ddot(B.x); leash_force [N] = reaction(leash); }
-    drawing { line O, A, B; ground [0, 0]; slider O along 0; circle B radius 0.05; point A; }
+    drawing { line O, A, B; ground [0, 0]; slider O along 0; circle B radius 0.05 [m]; point A; }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
 mechanism! {
-    /// Every function of the language, and powers of every kind, in one potential-like load and one position.
+    /// Every function of the language, and powers of every kind, in one potential-like load and one position: of numbers
+    /// without units.
     pub(crate) Functions;
-    coordinates { x [m]; y [m]; }
-    parameters { m [kg] = 1; p = 1.7; type [m] = 2; }
+    coordinates { x; y; }
+    parameters { m = 1; p = 1.7; type = 2; }
     let u = sin(x + cos(2*y)/3)*cos(y) + tan(x/4) + asin(x/9) + acos(y/9) + atan(x*y) + atan2(y, x + 5);
     let v = sqrt(x^2 + y^2 + 1) + exp(-x^2) + ln(x^2 + 3) + abs(x - 2*y) + sinh(x/3) + cosh(y/3) + tanh(x);
     let w = (x^2 + 1)^p + (y^2 + 2)^(1/3) + (x^2 + y^2 + 1)^(-3/2) + (y^2 + 1)^-2 + p^(x/5) + pi*e*x^5/type;
@@ -55,10 +56,10 @@ mechanism! {
     /// A rod in absolute coordinates with its pin as a constraint between vectors, and names that are Rust's.
     pub(crate) Rod;
     coordinates { x [mm]; q [mm]; phi [deg]; }
-    parameters { l [mm] = 600; m [g] = 500; J = 0.015; r#fn [N] = 3; t0 = 2; }
+    parameters { l [mm] = 600; m [g] = 500; J [kg*m^2] = 0.015; r#fn [N] = 3; t0 = 2; }
     let G = [x, q];
     bodies { rod: mass m at G, inertia J, angle phi; }
-    loads { gravity [0, -9.81]; force [r#fn, 0] at G + l/2*[cos(phi), sin(phi)]; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [r#fn, 0] at G + l/2*[cos(phi), sin(phi)]; }
     constraints { pin: G - l/2*[cos(phi), sin(phi)] = [0, 0]; }
     initial { phi = 30; guess x = 300; guess q = 100; dot(phi) = 60 [rpm]; }
     outputs { pin_x [kN] = reaction(pin).x; pin_y [N] = reaction(pin).y; }
@@ -70,7 +71,7 @@ mechanism! {
     pub(crate) Chain;
     coordinates { a1 [rad]; a2 [rad]; a3 [rad]; a4 [rad]; a5 [rad]; a6 [rad]; a7 [rad]; a8 [rad]; }
     parameters { m [kg] = 0.3; l [m] = 0.4; J [kg*m^2] = 0.01; k [N*s/m] = 0.2; w [1/s] = 3; }
-    let P0 = 0.1*[sin(w*t), cos(2*w*t)];
+    let P0 = 0.1 [m]*[sin(w*t), cos(2*w*t)];
     let G1 = P0 + 0.5*l*[sin(a1), -cos(a1)];
     let P1 = P0 + l*[sin(a1), -cos(a1)];
     let G2 = P1 + 0.5*l*[sin(a2), -cos(a2)];
@@ -97,8 +98,8 @@ mechanism! {
         rod7: mass m at G7, inertia J, angle a7;
         rod8: mass m at G8, inertia J, angle a8;
     }
-    loads { gravity [0, -9.81]; force -k*dot(P5) at P5; force [sin(t), 2] at P8; torque 0.1*a2 on rod3; }
-    constraints { line: P8.x + 0.2*P8.y = 0.3*sin(t); }
+    loads { gravity [0, -9.81 [m/s^2]]; force -k*dot(P5) at P5; force 1 [N]*[sin(1 [rad/s]*t), 2] at P8; torque 0.1 [N*m]*a2 on rod3; }
+    constraints { line: P8.x + 0.2*P8.y = 0.3 [m]*sin(1 [rad/s]*t); }
     initial { guess a1 = -0.15; guess a2 = 0.0; guess a3 = 0.15; guess a4 = 0.3; guess a5 = 0.45; guess a6 = 0.6; guess a7 = 0.75; guess a8 = 0.9; }
     outputs { height [m] = P8.y; climb [m/s] = dot(P8.y); pull [N] = reaction(line); lift [m/s^2] = ddot(P6.x); }
     drawing { line P0, P1, P2, P3, P4, P5, P6, P7, P8; }
@@ -109,7 +110,7 @@ mechanism! {
     pub(crate) Arm;
     coordinates { x [m]; q1 [rad]; q2 [rad]; q3 [rad]; q4 [rad]; q5 [rad]; q6 [rad]; q7 [rad]; }
     parameters { m [kg] = 0.5; l [m] = 0.3; J [kg*m^2] = 0.02; c [N*m*s] = 0.05; s [N/m] = 20; }
-    let P0 = [x, 0.05*t^2];
+    let P0 = [x, 0.05 [m/s^2]*t^2];
     let b1 = q1;
     let P1 = P0 + l*[cos(b1), sin(b1)];
     let b2 = b1 + q2;
@@ -134,8 +135,8 @@ mechanism! {
         link6: mass m at P5 + l/3*[cos(b6), sin(b6)], inertia J, angle b6;
         link7: mass m at P6 + l/3*[cos(b7), sin(b7)], inertia J, angle b7;
     }
-    loads { gravity [0, -9.81]; torque -c*dot(q3) on link3; torque c*dot(q3) on link2; force -s*(P4 - [0.5, 0.2]) at P4; force -c*dot(P5)*abs(dot(b5)) at P5; }
-    constraints { level: b7 = 0.2*sin(t); rest: P7 = [0.9 + 0.1*sin(t), 0.3]; }
+    loads { gravity [0, -9.81 [m/s^2]]; torque -c*dot(q3) on link3; torque c*dot(q3) on link2; force -s*(P4 - [0.5, 0.2]*1 [m]) at P4; force -0.05 [kg]*dot(P5)*abs(dot(b5)) at P5; }
+    constraints { level: b7 = 0.2*sin(1 [rad/s]*t); rest: P7 = [0.9 [m] + 0.1 [m]*sin(1 [rad/s]*t), 0.3 [m]]; }
     initial { guess x = 0.1; guess q1 = 1.2; guess q2 = -0.7; guess q3 = -0.6; guess q4 = 0.3; guess q5 = -0.9; guess q6 = 0.4; guess q7 = 0.3; }
     outputs { angle [rad] = b6; push_x [N] = reaction(rest).x; turn [rad/s] = dot(b5); }
 }

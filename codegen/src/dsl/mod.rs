@@ -5,6 +5,7 @@ mod declarations;
 mod expression;
 mod limits;
 mod parse;
+mod print;
 mod region;
 mod source;
 mod tree;

@@ -3,7 +3,7 @@
 use super::interpret::Interpreter;
 use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
 use super::scope::{Names, plain};
-use super::value::{Shape, Value, common_dimension};
+use super::value::{Shape, Value};
 use super::{Constraint, Dependence, Dimension, Event, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
@@ -35,7 +35,6 @@ pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter
 fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
     let (left, right) = (i.value(&equation.left), i.value(&equation.right));
     let (left, right) = (left?, right?);
-    let dimension = common_dimension(left.dimension.clone(), right.dimension.clone());
     let shape = match (left.shape, right.shape) {
         (Shape::Scalar(l), Shape::Scalar(r)) => Shape::Scalar(i.graph.sub(l, r)),
         (Shape::Vector([lx, ly]), Shape::Vector([rx, ry])) => Shape::Vector([i.graph.sub(lx, rx), i.graph.sub(ly, ry)]),
@@ -44,6 +43,8 @@ fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value
             return i.refuse(equation.left.region.to(equation.right.region), message);
         }
     };
+    let rule = "both sides of an equation are of one dimension";
+    let dimension = i.common_dimension(left.measured(&equation.left), right.measured(&equation.right), rule)?;
     Some(Value { shape, dimension })
 }
 

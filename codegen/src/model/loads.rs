@@ -1,9 +1,9 @@
 //! The `loads` block.
 
 use super::interpret::Interpreter;
-use super::level::{BEYOND_SPEED, position_level};
+use super::level::{self, BEYOND_SPEED};
 use super::scope::Names;
-use super::{Body, Force, Point, Torque};
+use super::{Body, Dimension, Force, Point, Torque};
 use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::Expr;
 
@@ -25,15 +25,17 @@ pub(super) fn resolve_loads(
     for load in &declaration.loads {
         match load {
             dsl::Load::Force { force, point } => {
-                let (value, at) = (i.point(force), i.point(point));
+                let value = i.point_of(force, &Dimension::force(), "a force");
                 let value = value.and_then(|value| load_level(force, value, i));
-                let at = at.and_then(|at| position_level(point, at, "the point of a force", i));
+                let at = level::position(point, "the point of a force", i);
                 if let (Some(force), Some(at)) = (value, at) {
                     loads.forces.push(Force { force, at });
                 }
             }
             dsl::Load::Torque { moment, body } => {
-                let value = i.scalar(moment).and_then(|value| load_level(moment, [value], i));
+                let value = i
+                    .scalar_of(moment, &Dimension::energy(), "a torque")
+                    .and_then(|value| load_level(moment, [value], i));
                 let body_at = names.find(body, &mut i.mistakes);
                 let (Some([value]), Some(at)) = (value, body_at) else { continue };
                 let Some(found) = &bodies[at] else { continue };
@@ -50,7 +52,8 @@ pub(super) fn resolve_loads(
                     mistake.combine(first.error("it is first declared here"));
                     i.mistakes.add(mistake);
                 }
-                let value = i.point(acceleration).and_then(|value| load_level(acceleration, value, i));
+                let value = i.point_of(acceleration, &Dimension::acceleration(), "gravity");
+                let value = value.and_then(|value| load_level(acceleration, value, i));
                 loads.gravity = value.or(loads.gravity);
                 let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
                 if massless && !declaration.bodies.is_empty() {

@@ -6,9 +6,11 @@ mod dependence;
 mod dimension;
 mod drawing;
 mod equations;
+mod homogeneity;
 mod interpret;
 mod level;
 mod loads;
+mod origin;
 mod outputs;
 mod quantities;
 mod resolve;
@@ -148,7 +150,8 @@ pub struct Constraint {
     pub value: Expr,
     /// The multiplier's symbol.
     pub multiplier: Symbol,
-    /// The multiplier's unit: joules per unit of C. `1` where the constraint's own unit is not known.
+    /// The multiplier's unit, joules per unit of C: `N` for a constraint between lengths, `N*m` for one between angles
+    /// or other pure numbers. `1` where the constraint's own unit is not known.
     pub unit: Unit,
 }
 

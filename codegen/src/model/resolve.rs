@@ -5,6 +5,7 @@ use super::drawing::resolve_drawing;
 use super::equations::{resolve_constraints, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
+use super::origin::Origins;
 use super::outputs::resolve_outputs;
 use super::quantities::{check_coordinates_used, resolve_coordinates, resolve_lets, resolve_parameters};
 use super::scope::{Names, plain};
@@ -33,6 +34,8 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         graph,
         dependences,
         values: Names::new("value"),
+        origins: Origins::default(),
+        with_units: has_units(declaration),
         reactions: None,
         outputs: declaration
             .outputs
@@ -78,4 +81,12 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
+}
+
+/// Whether anything is declared with a unit. A declaration without any is not checked for them.
+fn has_units(declaration: &Declaration) -> bool {
+    let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
+    declaration.coordinates.iter().any(|c| c.unit.is_some())
+        || declaration.parameters.iter().any(|p| p.unit.is_some())
+        || outputs.into_iter().any(|output| output.unit.is_some())
 }

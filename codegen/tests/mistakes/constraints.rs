@@ -6,25 +6,25 @@ use super::check;
 fn constraints_and_events() {
     check(
         "initial {",
-        "constraints { stop: l = 1; } initial {",
+        "constraints { stop: l = 1 [m]; } initial {",
         &[
             "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or let it depend on a coordinate",
         ],
     );
     check(
         "initial {",
-        "constraints { stop: dot(phi) = 1; } initial {",
+        "constraints { stop: dot(phi) = 1 [rad/s]; } initial {",
         &["7:21 a constraint holds between positions; `dot()` cannot stand in it"],
     );
     check(
         "initial {",
-        "constraints { stop: P = 1; } initial {",
+        "constraints { stop: P = 1 [m]; } initial {",
         &["7:21 a vector stands left and a scalar right; both sides are of one kind"],
     );
     check("initial {", "constraints { stop: P.y == 1; } initial {", &["7:25 an equation is written with one `=`"]);
     check(
         "initial {",
-        "constraints { stop: P.y = 1; stop: P.x = 1; } initial {",
+        "constraints { stop: P.y = l; stop: P.x = l; } initial {",
         &[
             "7:30 two constraint rows would be called `stop`; choose another name for one of them",
             "7:30 `stop` is defined twice; choose another name for one of them",
@@ -50,7 +50,7 @@ fn constraints_and_events() {
     );
     check(
         "initial {",
-        "events { top: l = 1; } initial {",
+        "events { top: l = 1 [m]; } initial {",
         &["7:10 event `top` never changes; let it depend on a coordinate, a speed or `t`"],
     );
 }

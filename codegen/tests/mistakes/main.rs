@@ -14,6 +14,7 @@ mod new_users;
 mod outputs;
 mod parameters;
 mod start;
+mod units;
 
 use proc_macro2::TokenStream;
 use quote::quote;
