@@ -24,8 +24,7 @@ use quote::{ToTokens, quote};
 /// # Errors
 /// All mistakes of the first stage that finds any, each at the user's own word.
 pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
-    let declaration = dsl::parse(tokens.clone())?;
-    let model = model::resolve(&declaration)?;
+    let (declaration, model) = resolved(tokens.clone())?;
     let mut equations = dynamics::derive_cheapest(model);
     let program = program::plan(&mut equations);
     let text = dsl::source_text(tokens);
@@ -64,7 +63,16 @@ pub fn generate_text(text: &str, path: &str) -> syn::Result<String> {
 /// # Errors
 /// As [`generate`].
 pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion> {
-    Ok(dynamics::derive(model::resolve(&dsl::parse(tokens)?)?))
+    Ok(dynamics::derive(resolved(tokens)?.1))
+}
+
+/// The first two stages.
+fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Model)> {
+    dsl::attributed(tokens, |tokens| {
+        let declaration = dsl::parse(tokens)?;
+        let model = model::resolve(&declaration)?;
+        Ok((declaration, model))
+    })
 }
 
 /// The equations of motion of a declaration's text, to be read.

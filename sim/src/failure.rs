@@ -101,6 +101,54 @@ pub enum What {
         /// The largest acceleration, in SI units.
         acceleration: f64,
     },
+    /// The driven quantity cannot be moved further.
+    #[error(
+        "`{driven}` cannot go beyond {value}: the mechanism is in a limit position (dead point) there. End the range before it, \
+             or drive another quantity through it"
+    )]
+    LimitPosition {
+        /// What is driven.
+        driven: &'static str,
+        /// Where it has to turn back, with its unit.
+        value: String,
+    },
+    /// The drive does not determine the motion.
+    #[error(
+        "driving `{driven}` does not determine the motion here: the mechanism is in a dead point of it, or branches of its motion \
+             cross. Begin elsewhere, or drive another quantity"
+    )]
+    DriveSingular {
+        /// What is driven.
+        driven: &'static str,
+    },
+    /// A degree of freedom without a drive, or a drive without one.
+    #[error(
+        "each degree of freedom needs a drive or a hold, and one only: there are {freedoms} of them here, and {driven} quantities \
+             driven or held. Hold what is free, or drive less"
+    )]
+    NotDriven {
+        /// Degrees of freedom.
+        freedoms: usize,
+        /// Driven and held quantities.
+        driven: usize,
+    },
+    /// An output that is no function of positions cannot be driven.
+    #[error(
+        "output `{output}` depends on speeds, accelerations or reactions and cannot be driven; only a function of positions can"
+    )]
+    NotOfPositions {
+        /// Its name.
+        output: &'static str,
+    },
+    /// The branch of the motion could not be followed.
+    #[error(
+        "the motion could not be followed further while `{driven}` was driven: steps have become too small. A constraint may leave its \
+             domain here, or several branches of the motion meet"
+    )]
+    NotFollowed {
+        /// What is driven.
+        driven: &'static str,
+    },
     /// The samples would not fit in memory.
     #[error("{rows} rows do not fit in memory; record fewer")]
     TooManyRows {

@@ -13,6 +13,7 @@ mod failure;
 mod formats;
 mod integrate;
 mod interpolate;
+mod kinematics;
 mod mobility;
 mod motion;
 mod partition;
@@ -49,6 +50,10 @@ pub use integrate::{
     Step, Steps, Tableau, Weight, integrate,
 };
 pub use interpolate::hermite;
+pub use kinematics::{
+    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
+    kinematics,
+};
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};

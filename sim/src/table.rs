@@ -2,6 +2,7 @@
 
 use crate::trajectory::{Sample, Trajectory};
 use sim_kernel::Mechanism;
+use std::borrow::Cow;
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,7 +10,7 @@ pub struct Column {
     /// Its name.
     pub name: String,
     /// The unit its values are in.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// Its values, one for each sample.
     pub values: Vec<f64>,
 }
@@ -37,7 +38,7 @@ impl Table {
         let samples = &trajectory.samples;
         let column = |name: String, unit: &'static str, factor: f64, value: &dyn Fn(&Sample<M>) -> f64| Column {
             name,
-            unit,
+            unit: unit.into(),
             values: samples.iter().map(|sample| value(sample) / factor).collect(),
         };
         let mut columns = vec![column("t".into(), "s", 1.0, &|s| s.state.time)];
@@ -64,9 +65,16 @@ impl Table {
             .collect();
         for (i, o) in description.outputs.iter().enumerate() {
             let values = outputs.iter().map(|output| output[i] / o.factor).collect();
-            columns.push(Column { name: o.name.into(), unit: o.unit, values });
+            columns.push(Column { name: o.name.into(), unit: o.unit.into(), values });
         }
         Table { columns, first_output }
+    }
+
+    /// Puts columns of the same length before the outputs.
+    pub(crate) fn insert_before_outputs(&mut self, columns: Vec<Column>) {
+        let added = columns.len();
+        self.columns.splice(self.first_output..self.first_output, columns);
+        self.first_output += added;
     }
 
     /// A table of columns of one length, time first, that are no outputs.

@@ -2,6 +2,8 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod analysis;
+
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

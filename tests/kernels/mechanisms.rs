@@ -141,6 +141,42 @@ mechanism! {
     outputs { angle [rad] = b6; push_x [N] = reaction(rest).x; turn [rad/s] = dot(b5); }
 }
 
+mechanism! {
+    /// A cart with a pendulum and a wheel, and every load along a scalar: ends that move in time, laws of stretch and rate.
+    pub(crate) Sprung;
+    coordinates { x [m]; a [rad]; b [rad]; }
+    parameters {
+        M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; J [kg*m^2] = 0.05; k [N/m] = 40; k3 [N/m^3] = 300; l0 [m] = 0.5; c [N*s/m] = 1.5;
+        kt [N*m/rad] = 3; ct [N*m*s] = 0.2; b0 [deg] = 20; w [1/s] = 4;
+    }
+    let O = [x, 0.1 [m]*sin(w*t)];
+    let P = O + l*[sin(a), -cos(a)];
+    let anchor = [1.2 [m] + 0.1 [m]*cos(w*t), 0.9 [m]];
+    bodies { cart: mass M at O; bob: mass m at P, inertia J, angle a; wheel: inertia J, angle b; }
+    loads {
+        gravity [0, -9.81 [m/s^2]];
+        potential k*x^2/2 + 0.3 [J]*cos(b - 2*a)*exp(-(x/1 [m])^2) + 0.1 [N]*x*sin(w*t);
+        dissipation c/2*inner(dot(P), dot(P)) + ct/2*dot(a - b)^2 + 0.02 [N*m*s^2]*abs(dot(b))^3;
+        spring k, length l0 from anchor to P;
+        spring k, length 0 from [0.3 [m], -2 [m]] to P;
+        spring k*stretch + k3*stretch^3 + 0.2 [N*s/m]*rate, length l0 + 0.05 [m]*sin(1 [rad/s]*t) from O to [2 [m], 1.5 [m]];
+        spring kt, rest b0 between a and b;
+        spring kt*sin(stretch), rest b0 on b;
+        damper c from anchor to P;
+        damper c*rate + 0.1 [N*s^2/m^2]*rate*abs(rate) from O to [0, 1 [m]];
+        damper ct between a and b;
+        damper ct*1 [rad/s]*tanh(rate/1 [rad/s]) on a + b;
+        force 3 [N]*sin(w*t) on x - l*a;
+        force 2 [N] - 1 [N*s/m]*dot(x) from O to anchor;
+        torque 0.4 [N*m] between a and b;
+        torque 0.2 [N*m]*cos(1 [rad/s]*t) on b;
+        torque ct*1 [rad/s] on wheel;
+    }
+    initial { x = 0.2; a = 0.4; b = -0.3; dot(x) = 0.5; }
+    outputs { height [m] = P.y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -157,7 +193,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Functions,
             crate::mechanisms::Rod,
             crate::mechanisms::Chain,
-            crate::mechanisms::Arm
+            crate::mechanisms::Arm,
+            crate::mechanisms::Sprung
         )
     };
 }
@@ -168,5 +205,5 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm).to_vec()].concat()
+    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung).to_vec()].concat()
 }

@@ -5,6 +5,7 @@
 mod andrews;
 mod assembly;
 mod constraints;
+mod elements;
 mod events;
 mod failure;
 mod faulty;

@@ -149,6 +149,24 @@ impl Browser {
         self.settle();
     }
 
+    /// Moves two fingers from two places to two others.
+    pub(crate) fn pinch(&mut self, from: [(f64, f64); 2], to: [(f64, f64); 2]) {
+        let mut touch = |kind: &str, points: &[(f64, f64)]| {
+            let points: Vec<Value> =
+                points.iter().enumerate().map(|(id, (x, y))| json!({ "x": x, "y": y, "id": id })).collect();
+            self.call("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points }));
+        };
+        touch("touchStart", &from);
+        for step in 1..=4 {
+            let share = f64::from(step) / 4.0;
+            let between =
+                |i: usize| (from[i].0 + share * (to[i].0 - from[i].0), from[i].1 + share * (to[i].1 - from[i].1));
+            touch("touchMove", &[between(0), between(1)]);
+        }
+        touch("touchEnd", &[]);
+        self.settle();
+    }
+
     /// Presses a key.
     pub(crate) fn key(&mut self, key: &str) {
         let text = if key.chars().count() == 1 { key } else { "" };

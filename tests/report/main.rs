@@ -150,6 +150,16 @@ fn what_a_reader_does_has_its_effect() {
     browser.key("0");
     assert_eq!(browser.evaluate("report.plots[0].chart.scales.x.max"), 2.0);
 
+    // Two fingers three times as far apart show a third of the time, about its middle.
+    let at = |browser: &mut Browser, share: f64| browser.place(".u-over", share);
+    let from = [at(&mut browser, 0.4), at(&mut browser, 0.6)];
+    let to = [at(&mut browser, 0.2), at(&mut browser, 0.8)];
+    browser.pinch(from, to);
+    let range = browser.evaluate("[report.plots[0].chart.scales.x.min, report.plots[0].chart.scales.x.max]");
+    let (low, high) = (range[0].as_f64().unwrap(), range[1].as_f64().unwrap());
+    assert!((low - 2.0 / 3.0).abs() < 0.03 && (high - 4.0 / 3.0).abs() < 0.03, "{range}");
+    browser.key("0");
+
     // Hidden parts, traces and forces change the drawing, one by one.
     let mut before = browser.evaluate(PIXELS);
     for menu in ["parts", "traces", "forces"] {

@@ -86,7 +86,7 @@ fn colon(input: ParseStream, advice: &str) -> Result<()> {
 }
 
 /// The word that says what a clause is, one of those expected.
-fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
+pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
     let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
     let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {list}")))?;
     if expected.iter().any(|e| word == e) {
@@ -95,7 +95,7 @@ fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
     Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {list}")))
 }
 
-fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
+pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
     let ahead = input.peek(Ident::peek_any) && input.fork().call(Ident::parse_any)? == word;
     if ahead {
         input.call(Ident::parse_any)?;
@@ -103,7 +103,7 @@ fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
     Ok(ahead)
 }
 
-fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
+pub(super) fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
     if accept_word(input, word)? { Ok(()) } else { Err(here(input, format!("expected `{word}`: `{form}`"))) }
 }
 
@@ -129,23 +129,6 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
         if input.parse::<Option<Token![,]>>()?.is_none() {
             return Ok(body);
         }
-    }
-}
-
-pub(super) fn load(input: ParseStream) -> Result<Load> {
-    docs(input)?;
-    let word = keyword(input, &["force", "torque", "gravity"])?;
-    let value = expression(input)?;
-    match word.to_string().as_str() {
-        "force" => {
-            expect_word(input, "at", "force [F, 0] at P;")?;
-            Ok(Load::Force { force: value, point: expression(input)? })
-        }
-        "torque" => {
-            expect_word(input, "on", "torque T on body;")?;
-            Ok(Load::Torque { moment: value, body: name(input, "the name of a body")? })
-        }
-        _ => Ok(Load::Gravity { keyword: (&word).into(), acceleration: value }),
     }
 }
 

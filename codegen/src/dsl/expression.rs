@@ -10,11 +10,27 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 5] = ["at", "on", "along", "radius", "about"];
+const FOLLOWING_WORDS: [&str; 9] = ["at", "on", "along", "radius", "about", "from", "to", "between", "and"];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 10] =
-    ["mass", "inertia", "angle", "guess", "dot", "force", "torque", "gravity", "line", "slider"];
+const LANGUAGE_WORDS: [&str; 16] = [
+    "mass",
+    "inertia",
+    "angle",
+    "guess",
+    "dot",
+    "force",
+    "torque",
+    "gravity",
+    "line",
+    "slider",
+    "length",
+    "rest",
+    "spring",
+    "damper",
+    "potential",
+    "dissipation",
+];
 
 /// Reads one expression.
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {

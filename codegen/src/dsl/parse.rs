@@ -52,7 +52,9 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
-    declaration.parse2(tokens)
+    let ordinary = super::reuse::expand(tokens)?;
+    super::limits::check(ordinary.clone())?;
+    declaration.parse2(ordinary)
 }
 
 fn head(input: ParseStream) -> Result<Head> {
@@ -128,7 +130,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
         }
         "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
-        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(block::load))).into_iter().flatten()),
+        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(super::load::load))).into_iter().flatten()),
         "constraints" => {
             d.constraints.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten())
         }

@@ -95,7 +95,7 @@ pub enum Load {
     Torque {
         /// The moment, positive as the body's angle.
         moment: Expression,
-        /// The body's name.
+        /// The body's name, or that of an angle.
         body: Ident,
     },
     /// `gravity [0, -9.81];`
@@ -105,6 +105,42 @@ pub enum Load {
         /// The acceleration of free fall.
         acceleration: Expression,
     },
+    /// `potential V;`: the generalised force is -dV/dq.
+    Potential(Expression),
+    /// `dissipation R;`: the generalised force is -dR/dq'.
+    Dissipation(Expression),
+    /// `spring k, length l0 from A to B;` and its like.
+    Element(Box<Element>),
+}
+
+/// A force along a scalar.
+pub struct Element {
+    /// The word it starts with.
+    pub keyword: Region,
+    /// What it does.
+    pub law: Law,
+    /// What it works along.
+    pub extent: Extent,
+}
+
+/// The force or torque of an element along its extent.
+pub enum Law {
+    /// `force F ..`, positive where it lets the extent grow.
+    Force(Expression),
+    /// `spring k, length l0 ..` or `spring k, rest l0 ..`: a stiffness, or the force where `stretch` or `rate` stands in it.
+    Spring(Expression, Expression),
+    /// `damper c ..`: a coefficient, or the force where `rate` stands in it.
+    Damper(Expression),
+}
+
+/// What an element works along.
+pub enum Extent {
+    /// `from A to B`: the distance of two points.
+    Distance(Expression, Expression),
+    /// `between alpha and beta`: beta - alpha.
+    Difference(Expression, Expression),
+    /// `on x`: a scalar.
+    Quantity(Expression),
 }
 
 /// `slot: left = right;`
@@ -190,6 +226,23 @@ pub struct Expression {
     pub region: Region,
     /// What it is.
     pub kind: Kind,
+}
+
+impl Expression {
+    /// The expressions that this one is made of, in order.
+    pub fn parts(&self) -> Vec<&Expression> {
+        match &self.kind {
+            Kind::Number { .. } | Kind::Name(_) => vec![],
+            Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().collect(),
+            Kind::Negate(part) | Kind::Component(part, _) => vec![part],
+            Kind::Binary(_, left, right) => vec![left, right],
+        }
+    }
+
+    /// Whether a name occurs.
+    pub fn mentions(&self, word: &str) -> bool {
+        matches!(&self.kind, Kind::Name(name) if name == word) || self.parts().iter().any(|part| part.mentions(word))
+    }
 }
 
 /// What an expression is.

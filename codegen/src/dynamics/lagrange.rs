@@ -62,7 +62,7 @@ fn kinetic_energy(model: &mut Model, rate: &mut Differential) -> Expr {
 fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
     let mut works: Vec<(Expr, Expr)> = Vec::new();
     works.extend(model.forces.iter().flat_map(|force| force.force.into_iter().zip(force.at)));
-    works.extend(model.torques.iter().map(|torque| (torque.moment, torque.angle)));
+    works.extend(model.efforts.iter().map(|effort| (effort.force, effort.along)));
     if let Some(gravity) = model.gravity {
         for (mass, at) in model.bodies.iter().filter_map(|body| body.mass) {
             works.extend((0..2).map(|axis| (model.graph.mul(mass, gravity[axis]), at[axis])));

@@ -34,12 +34,12 @@ fn body_rows(model: &mut Model) -> Vec<LoadRow> {
     rows
 }
 
-/// Enters forces and torques at the rows they act along, or at rows of their own.
+/// Enters loads at the rows they act along, or at rows of their own.
 fn add_loads(model: &mut Model, rows: &mut Vec<LoadRow>) {
     let zero = model.graph.zero();
-    let torques = model.torques.iter().map(|torque| (torque.angle, torque.moment));
+    let efforts = model.efforts.iter().map(|effort| (effort.along, effort.force));
     let forces = model.forces.iter().flat_map(|force| force.at.into_iter().zip(force.force));
-    for (position, force) in torques.chain(forces) {
+    for (position, force) in efforts.chain(forces) {
         match rows.iter_mut().find(|row| row.position == position) {
             Some(row) => row.forces.push(force),
             None => rows.push(LoadRow { position, inertia: zero, forces: vec![force] }),

@@ -19,6 +19,8 @@ pub(super) struct Interpreter {
     pub(super) origins: Origins,
     /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
     pub(super) with_units: bool,
+    /// Words that have a meaning in one expression alone.
+    pub(super) local: Vec<(&'static str, Value)>,
     /// The multipliers of each constraint; absent until constraints are resolved.
     pub(super) reactions: Option<Names<Value>>,
     /// Names of the outputs, which are no values.
@@ -128,6 +130,9 @@ impl Interpreter {
             "e" => return Some(Value::scalar(self.graph.constant(Constant::E), Some(Dimension::none()))),
             "t" => return Some(Value::scalar(self.time, Some(Dimension::time()))),
             _ => {}
+        }
+        if let Some((_, value)) = self.local.iter().find(|(word, _)| *word == text) {
+            return Some(value.clone());
         }
         if scope::functions().any(|function| function == text) {
             return self.refuse(name.into(), format!("`{text}` is a function; call it: `{text}(..)`"));
@@ -341,7 +346,7 @@ impl Interpreter {
         }
     }
 
-    fn inner(&mut self, a: Point, b: Point) -> Expr {
+    pub(super) fn inner(&mut self, a: Point, b: Point) -> Expr {
         let products = [self.graph.mul(a[0], b[0]), self.graph.mul(a[1], b[1])];
         self.graph.sum(&products)
     }
@@ -352,7 +357,7 @@ impl Interpreter {
         self.rate_of(expression.region, value)
     }
 
-    fn rate_of(&mut self, region: Region, value: Value) -> Option<Value> {
+    pub(super) fn rate_of(&mut self, region: Region, value: Value) -> Option<Value> {
         let components = value.components();
         self.restrict(
             region,

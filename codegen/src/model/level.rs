@@ -13,7 +13,7 @@ pub(super) const BEYOND_POSITION: Dependence =
 
 pub(super) const BEYOND_SPEED: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
 
-fn position_level(expression: &Expression, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
+pub(super) fn position_level(expression: &Expression, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
     let rule = format!("{what} is made of coordinates, parameters and time; `dot()` cannot stand in it");
     i.restrict(expression.region, values, BEYOND_POSITION, &rule)
 }
@@ -36,7 +36,12 @@ pub(super) fn position(expression: &Expression, what: &str, i: &mut Interpreter)
     Some(point)
 }
 
-fn position_scalar(expression: &Expression, needed: &Dimension, what: &str, i: &mut Interpreter) -> Option<Expr> {
+pub(super) fn position_scalar(
+    expression: &Expression,
+    needed: &Dimension,
+    what: &str,
+    i: &mut Interpreter,
+) -> Option<Expr> {
     let (value, dimension) = i.scalar_value(expression)?;
     position_level(expression, &[value], what, i)?;
     i.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);

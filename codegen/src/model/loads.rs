@@ -1,21 +1,24 @@
 //! The `loads` block.
 
+use super::elements::{dissipation, element, potential, turned};
 use super::interpret::Interpreter;
 use super::level::{self, BEYOND_SPEED};
-use super::scope::Names;
-use super::{Body, Dimension, Force, Point, Torque};
-use crate::dsl::{self, Declaration, Expression, Region};
+use super::scope::{Names, plain};
+use super::{Body, Coordinate, Dimension, Effort, Force, Point};
+use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
 use crate::symbolic::Expr;
+use syn::Ident;
 
 #[derive(Default)]
 pub(super) struct Loads {
     pub(super) gravity: Option<Point>,
     pub(super) forces: Vec<Force>,
-    pub(super) torques: Vec<Torque>,
+    pub(super) efforts: Vec<Effort>,
 }
 
 pub(super) fn resolve_loads(
     declaration: &Declaration,
+    coordinates: &[Coordinate],
     bodies: &[Option<Body>],
     names: &Names<usize>,
     i: &mut Interpreter,
@@ -32,19 +35,16 @@ pub(super) fn resolve_loads(
                     loads.forces.push(Force { force, at });
                 }
             }
-            dsl::Load::Torque { moment, body } => {
-                let value = i
-                    .scalar_of(moment, &Dimension::energy(), "a torque")
-                    .and_then(|value| load_level(moment, [value], i));
-                let body_at = names.find(body, &mut i.mistakes);
-                let (Some([value]), Some(at)) = (value, body_at) else { continue };
-                let Some(found) = &bodies[at] else { continue };
-                match found.rotation {
-                    Some((_, angle)) => loads.torques.push(Torque { moment: value, angle }),
-                    None => i.mistakes.add(Region::from(body).error(format!(
-                        "a torque turns an angle, and body `{body}` has none; write `angle phi` in its line"
-                    ))),
+            dsl::Load::Torque { moment, body } => loads.efforts.extend(torque(moment, body, bodies, names, i)),
+            dsl::Load::Potential(energy) => loads.efforts.extend(potential(energy, i)),
+            dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, coordinates, i)),
+            dsl::Load::Element(load) => {
+                if let Some(body) = body_instead_of_scalar(&load.extent, names, i) {
+                    let message = format!("`{body}` is a body; a force on it acts at a point: `force [F, 0] at P;`");
+                    i.mistakes.add(Region::from(body).error(message));
+                    continue;
                 }
+                loads.efforts.extend(element(load, i));
             }
             dsl::Load::Gravity { keyword, acceleration } => {
                 if let Some(first) = gravity_at.replace(*keyword) {
@@ -68,7 +68,48 @@ pub(super) fn resolve_loads(
     loads
 }
 
-fn load_level<const N: usize>(expression: &Expression, values: [Expr; N], i: &mut Interpreter) -> Option<[Expr; N]> {
+/// A torque on a body, about its angle; or, where no body is called so, on an angle itself.
+fn torque(
+    moment: &Expression,
+    on: &Ident,
+    bodies: &[Option<Body>],
+    names: &Names<usize>,
+    i: &mut Interpreter,
+) -> Option<Effort> {
+    let value = i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, [value], i));
+    let is_body = names.get_region(&plain(on)).is_some() || i.values.get_region(&plain(on)).is_none();
+    let along = if is_body { angle_of(on, bodies, names, i) } else { turned(&named(on), i) };
+    let ([force], along) = (value?, along?);
+    Some(Effort { force, along })
+}
+
+/// The body that `on` names, if that is no scalar too.
+fn body_instead_of_scalar<'e>(extent: &'e Extent, names: &Names<usize>, i: &Interpreter) -> Option<&'e Ident> {
+    let Extent::Quantity(Expression { kind: Kind::Name(name), .. }) = extent else { return None };
+    let text = plain(name);
+    (names.get_region(&text).is_some() && i.values.get_region(&text).is_none()).then_some(name)
+}
+
+fn angle_of(body: &Ident, bodies: &[Option<Body>], names: &Names<usize>, i: &mut Interpreter) -> Option<Expr> {
+    let at = names.find(body, &mut i.mistakes)?;
+    match bodies[at].as_ref()?.rotation {
+        Some((_, angle)) => Some(angle),
+        None => i.refuse(
+            body.into(),
+            format!("a torque turns an angle, and body `{body}` has none; write `angle phi` in its line"),
+        ),
+    }
+}
+
+fn named(name: &Ident) -> Expression {
+    Expression { region: name.into(), kind: Kind::Name(name.clone()) }
+}
+
+pub(super) fn load_level<const N: usize>(
+    expression: &Expression,
+    values: [Expr; N],
+    i: &mut Interpreter,
+) -> Option<[Expr; N]> {
     i.restrict(
         expression.region,
         &values,

@@ -5,6 +5,7 @@ mod bodies;
 mod dependence;
 mod dimension;
 mod drawing;
+mod elements;
 mod equations;
 mod homogeneity;
 mod interpret;
@@ -50,8 +51,8 @@ pub struct Model {
     pub gravity: Option<Point>,
     /// Forces at points.
     pub forces: Vec<Force>,
-    /// Torques about angles.
-    pub torques: Vec<Torque>,
+    /// Efforts along scalars: torques about angles, springs, dampers, potentials.
+    pub efforts: Vec<Effort>,
     /// Constraints, one row each, in the order of declaration.
     pub constraints: Vec<Constraint>,
     /// Conditions whose crossings are looked for.
@@ -134,12 +135,13 @@ pub struct Force {
     pub at: Point,
 }
 
-/// A torque about an angle.
-pub struct Torque {
-    /// The moment.
-    pub moment: Expr,
-    /// The angle it turns.
-    pub angle: Expr,
+/// What does the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a distance;
+/// of a potential V, -1 along V itself.
+pub struct Effort {
+    /// The generalised force.
+    pub force: Expr,
+    /// The scalar that it is conjugate to.
+    pub along: Expr,
 }
 
 /// One constraint row, C = 0.

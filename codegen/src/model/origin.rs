@@ -2,6 +2,7 @@
 
 use super::interpret::Interpreter;
 use super::scope::plain;
+use super::value::Value;
 use super::{Dimension, Unit};
 use crate::dsl::{Expression, Kind, Operator};
 use indexmap::IndexMap;
@@ -65,7 +66,7 @@ impl Interpreter {
         let is = self.describe(expression, dimension);
         let lacking = match dimension.is_none() {
             true => self.lacking(expression, dimension, needed.si_unit()),
-            false => factor_without_unit(expression, &needed.over(dimension)),
+            false => factor_without_unit(expression, needed, dimension),
         };
         let (place, advice) = lacking.unwrap_or((expression, String::new()));
         place.region.error(format!("{claim}, and {is}{advice}"))
@@ -164,11 +165,16 @@ impl Interpreter {
             (_, Some(unit)) => unit,
             (Kind::Name(name), None) => match plain(name).as_str() {
                 "t" => "s".to_owned(),
-                name => self.values.get(name)?.dimension.as_ref()?.si_unit(),
+                name => self.value_named(name)?.dimension.as_ref()?.si_unit(),
             },
             _ => self.reaction_of(part)?.1.si_unit(),
         };
         Some(if unit == "1" { format!("{part} without a unit") } else { format!("{part} [{unit}]") })
+    }
+
+    fn value_named(&self, name: &str) -> Option<&Value> {
+        let local = self.local.iter().find(|(word, _)| *word == name).map(|(_, value)| value);
+        local.or_else(|| self.values.get(name))
     }
 
     /// The constraint whose reaction an expression is, but for sign and component, and the dimension of that reaction.
@@ -204,15 +210,23 @@ impl Interpreter {
 }
 
 /// In a product of other dimension than needed, its first factor if that is a number: its unit may be missing.
-fn factor_without_unit<'e>(product: &'e Expression, missing: &Dimension) -> Option<(&'e Expression, String)> {
-    let Kind::Binary(Operator::Multiply, ..) = &product.kind else {
-        return match &product.kind {
-            Kind::Negate(operand) => factor_without_unit(operand, missing),
-            _ => None,
-        };
-    };
-    let (number, literal) = bare_number(product)?;
-    Some((number, format!("; if a unit is missing, write `{literal} [{}]`", missing.si_unit())))
+fn factor_without_unit<'e>(
+    product: &'e Expression,
+    needed: &Dimension,
+    dimension: &Dimension,
+) -> Option<(&'e Expression, String)> {
+    match &product.kind {
+        Kind::Negate(operand) => factor_without_unit(operand, needed, dimension),
+        Kind::Binary(Operator::Multiply, ..) => {
+            let (number, literal) = bare_number(product)?;
+            let unit = match needed.is_none() && *dimension == Dimension::time() {
+                true => "rad/s".to_owned(),
+                false => needed.over(dimension).si_unit(),
+            };
+            Some((number, format!("; if a unit is missing, write `{literal} [{unit}]`")))
+        }
+        _ => None,
+    }
 }
 
 /// The name that an expression is, but for its sign or its component.

@@ -36,6 +36,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         values: Names::new("value"),
         origins: Origins::default(),
         with_units: has_units(declaration),
+        local: vec![],
         reactions: None,
         outputs: declaration
             .outputs
@@ -52,7 +53,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     let parameters = resolve_parameters(declaration, i);
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &bodies, &body_names, i);
+    let loads = resolve_loads(declaration, &coordinates, &bodies, &body_names, i);
     let constraints = resolve_constraints(declaration, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let events = resolve_events(declaration, i);
@@ -72,7 +73,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,
         forces: loads.forces,
-        torques: loads.torques,
+        efforts: loads.efforts,
         constraints,
         events,
         outputs,

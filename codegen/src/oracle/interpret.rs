@@ -15,7 +15,7 @@ pub(super) struct Setting {
     parameters: Vec<Jet>,
     /// The coordinates and the time; `None` where only parameters are known.
     motion: Option<(Vec<Jet>, Jet)>,
-    /// Whether the one variable is time along the motion, so that `dot` has a meaning.
+    /// Whether the first variable is time along the motion, so that `dot` has a meaning.
     along_time: bool,
     /// The multipliers of each constraint, where they are known.
     reactions: Option<Vec<Value>>,
@@ -41,12 +41,12 @@ impl Setting {
         }
     }
 
-    /// Quantities along the motion: jets in time alone, of `coordinates` as functions of time.
-    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>) -> Setting {
+    /// Quantities along the motion: jets of `coordinates` as functions of time, the first of some variables.
+    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>, variables: usize) -> Setting {
         Setting {
-            variables: 1,
-            parameters: constants(parameters, 1),
-            motion: Some((coordinates, Jet::variable(time, 0, 1))),
+            variables,
+            parameters: constants(parameters, variables),
+            motion: Some((coordinates, Jet::variable(time, 0, variables))),
             along_time: true,
             reactions: None,
         }
@@ -68,7 +68,9 @@ pub(super) struct Interpreter<'d> {
     si_factor: &'d dyn Fn(&Unit) -> f64,
     setting: Setting,
     /// What each `let` named, once it was needed.
-    named: Vec<Option<Value>>,
+    definitions: Vec<Option<Value>>,
+    /// Words that have a meaning in one expression alone.
+    local: Vec<(&'static str, Jet)>,
     /// How many of the `let`s can be seen: a `let` sees only those above it.
     visible: usize,
 }
@@ -80,7 +82,7 @@ impl<'d> Interpreter<'d> {
         setting: Setting,
     ) -> Interpreter<'d> {
         let visible = declaration.lets.len();
-        Interpreter { declaration, si_factor, setting, named: vec![None; visible], visible }
+        Interpreter { declaration, si_factor, setting, definitions: vec![None; visible], local: vec![], visible }
     }
 
     pub(super) fn scalar(&mut self, expression: &Expression) -> Result<Jet> {
@@ -94,7 +96,7 @@ impl<'d> Interpreter<'d> {
     pub(super) fn value(&mut self, expression: &Expression) -> Result<Value> {
         match &expression.kind {
             Kind::Number { literal, unit } => self.number(literal, unit.as_ref()),
-            Kind::Name(name) => self.name(name),
+            Kind::Name(name) => self.named(name),
             Kind::Vector(components) => self.components(components),
             Kind::Negate(operand) => Ok(self.value(operand)?.negate()),
             Kind::Binary(operator, left, right) => self.value(left)?.combine(*operator, self.value(right)?),
@@ -119,8 +121,26 @@ impl<'d> Interpreter<'d> {
         }
     }
 
-    fn name(&mut self, name: &Ident) -> Result<Value> {
+    /// A scalar in which some words have a meaning of their own.
+    pub(super) fn scalar_with(&mut self, expression: &Expression, words: Vec<(&'static str, Jet)>) -> Result<Jet> {
+        self.local = words;
+        let value = self.scalar(expression);
+        self.local.clear();
+        value
+    }
+
+    /// Coordinate number `index`.
+    pub(super) fn coordinate_jet(&self, index: usize) -> Result<Jet> {
+        let known = self.setting.motion.as_ref().and_then(|(coordinates, _)| coordinates.get(index));
+        known.cloned().ok_or_else(|| OracleError::new("coordinates are not known here"))
+    }
+
+    /// What a name stands for.
+    pub(super) fn named(&mut self, name: &Ident) -> Result<Value> {
         let declaration = self.declaration;
+        if let Some((_, value)) = self.local.iter().find(|(word, _)| name == word) {
+            return Ok(Value::Scalar(value.clone()));
+        }
         if let Some(index) = declaration.coordinates.iter().position(|c| c.name == *name) {
             return self.coordinate(index, name);
         }
@@ -135,20 +155,19 @@ impl<'d> Interpreter<'d> {
     }
 
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {
-        let known = self.setting.motion.as_ref().and_then(|(coordinates, _)| coordinates.get(index));
-        let known = known.cloned().map(Value::Scalar);
-        known.ok_or_else(|| OracleError::new(format!("`{name}` varies; only parameters may stand here")))
+        let varies = |_| OracleError::new(format!("`{name}` varies; only parameters may stand here"));
+        self.coordinate_jet(index).map(Value::Scalar).map_err(varies)
     }
 
     fn defined(&mut self, index: usize) -> Result<Value> {
-        if let Some(Some(value)) = self.named.get(index) {
+        if let Some(Some(value)) = self.definitions.get(index) {
             return Ok(value.clone());
         }
         let visible = std::mem::replace(&mut self.visible, index);
         let value = self.value(&self.declaration.lets[index].value);
         self.visible = visible;
         let value = value?;
-        self.named[index] = Some(value.clone());
+        self.definitions[index] = Some(value.clone());
         Ok(value)
     }
 

@@ -45,6 +45,17 @@ impl Jet {
         jet
     }
 
+    /// A coordinate along the motion with each speed changed by a variable of its own: q + (q' + e_index) s, in the
+    /// variables (s, e).
+    pub(super) fn of_speed(value: f64, speed: f64, index: usize, variables: usize) -> Jet {
+        let mut jet = Jet::constant(Measured::given(value), variables);
+        jet.gradient[0] = Measured::given(speed);
+        jet.hessian[index + 1] = Measured::given(1.0);
+        jet.hessian[(index + 1) * variables] = Measured::given(1.0);
+        jet.order = 1;
+        jet
+    }
+
     pub(super) fn value(&self) -> Measured {
         self.value
     }
@@ -70,15 +81,15 @@ impl Jet {
         rows.zip(direction).map(|(row, d)| *d * inner(row, direction)).sum()
     }
 
-    /// The time derivative of a function of time; `None` if it is not known.
+    /// The derivative by time, which is the first variable; `None` if it is not known.
     pub(super) fn dot(&self) -> Option<Jet> {
         let variables = self.variables();
-        match (self.order, &self.gradient[..], &self.hessian[..]) {
-            (CONSTANT, ..) => Some(Jet::constant(Measured::ZERO, variables)),
-            (1, [first], _) => Some(Jet::of_time(*first, &[])),
-            (2, [first], [second]) => Some(Jet::of_time(*first, &[*second])),
-            _ => None,
+        if self.is_constant() {
+            return Some(Jet::constant(Measured::ZERO, variables));
         }
+        let order = self.order.checked_sub(1)?;
+        let (value, gradient) = (*self.gradient.first()?, self.hessian[..variables].to_vec());
+        Some(Jet { gradient, order, ..Jet::constant(value, variables) })
     }
 
     /// f(self), from f and its derivatives at this jet's value:

@@ -1,6 +1,7 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
 
-use super::error::{OracleError, Result, refuse};
+use super::elements::{dissipation, element, potential};
+use super::error::{OracleError, Result};
 use super::interpret::{Interpreter, Setting};
 use super::jet::Jet;
 use super::measured::Measured;
@@ -42,6 +43,7 @@ impl Mechanics {
             fixed: interpreter(Setting::fixed(at.parameters)),
             positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates)),
             motion: interpreter(at.motion()),
+            by_speeds: interpreter(at.motion_by_speeds()),
         };
         let bodies = declaration.bodies.iter().map(|body| builder.body(body)).collect::<Result<Vec<_>>>()?;
         let mut efforts = Vec::new();
@@ -69,6 +71,7 @@ struct Builder<'d> {
     fixed: Interpreter<'d>,
     positions: Interpreter<'d>,
     motion: Interpreter<'d>,
+    by_speeds: Interpreter<'d>,
 }
 
 impl Builder<'_> {
@@ -97,13 +100,16 @@ impl Builder<'_> {
                 Ok(force.iter().zip(place).map(|(force, place)| Effort { force: force.value(), place }).collect())
             }
             Load::Torque { moment, body } => {
-                let Some(body) = bodies.iter().find(|b| b.name == *body) else {
-                    return refuse(format!("`{body}` is not a body"));
-                };
                 let force = self.motion.scalar(moment)?.value();
-                let place = self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?;
+                let place = match bodies.iter().find(|b| b.name == *body) {
+                    Some(body) => self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?,
+                    None => self.positions.named(body)?.scalar()?,
+                };
                 Ok(vec![Effort { force, place }])
             }
+            Load::Potential(energy) => potential(energy, &mut self.positions),
+            Load::Dissipation(function) => dissipation(function, &mut self.by_speeds, &self.positions),
+            Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
                 let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());
                 let massive = bodies.iter().zip(rows).filter(|(body, _)| body.mass.is_some());

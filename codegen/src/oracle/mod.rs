@@ -8,6 +8,7 @@
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
 
+mod elements;
 mod error;
 mod function;
 mod interpret;

@@ -47,6 +47,14 @@ impl State<'_> {
         self.along(|i| accelerations.get(i).copied())
     }
 
+    /// Along the motion, in time and a change of each speed.
+    pub(super) fn motion_by_speeds(&self) -> Setting {
+        let variables = self.speeds.len() + 1;
+        let coordinates = self.coordinates.iter().zip(self.speeds).enumerate();
+        let coordinates = coordinates.map(|(i, (q, speed))| Jet::of_speed(*q, *speed, i, variables)).collect();
+        Setting::motion(self.time, self.parameters, coordinates, variables)
+    }
+
     fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
         let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
             let derivatives: Vec<Measured> =
@@ -54,6 +62,6 @@ impl State<'_> {
             Jet::of_time(Measured::given(*q), &derivatives)
         };
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates)
+        Setting::motion(self.time, self.parameters, coordinates, 1)
     }
 }

@@ -108,11 +108,8 @@ pub(crate) fn expression(random: &mut Random, of: Dimension, depth: u32) -> Expr
         (&["atan2(", ", ", ")"], |_, other| vec![other, other]),
         (&["p^tanh(", ")"], |d, _| vec![d]),
     ];
-    let (texts, parts) = if of == Dimension::NONE && random.integer(0, 2) == 0 {
-        *random.pick(&PURE)
-    } else {
-        *random.pick(&EVERY)
-    };
+    let (texts, parts) =
+        if of == Dimension::NONE && random.integer(0, 2) == 0 { *random.pick(&PURE) } else { *random.pick(&EVERY) };
     let other = random.dimension();
     let parts = parts(of, other).into_iter().map(|of| expression(random, of, depth - 1)).collect();
     Expression { of, node: Node::Compound(texts.to_vec(), parts) }

@@ -87,7 +87,9 @@ fn scales(expression: &Expression, of: Dimension, with_units: bool, seed: u64) -
 
 /// What may be wrong with an expression whose units are not.
 fn is_of_numbers(mistake: &str) -> bool {
-    ["division by zero", "not a finite real number", "outside the range", "third derivative"].iter().any(|known| mistake.contains(known))
+    ["division by zero", "not a finite real number", "outside the range", "third derivative"]
+        .iter()
+        .any(|known| mistake.contains(known))
 }
 
 #[test]

@@ -17,7 +17,9 @@ fn loads() {
     check(
         "gravity [0, -g]",
         "gravitation [0, -g]",
-        &["6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`"],
+        &[
+            "6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`",
+        ],
     );
     check("gravity [0, -g]", "torque 3 [N*m] on bop", &["6:27 no body is called `bop` (did you mean `bob`?)"]);
     check(

@@ -7,12 +7,14 @@
 mod blocks;
 mod bodies;
 mod constraints;
+mod elements;
 mod expressions;
 mod loads;
 mod names;
 mod new_users;
 mod outputs;
 mod parameters;
+mod reuse;
 mod start;
 mod units;
 

@@ -270,6 +270,114 @@ fn loads() {
     );
 }
 
+/// Loads along scalars.
+#[test]
+fn elements() {
+    check(
+        "gravity [0, -g];",
+        "spring 3, length l from [2*l, 0] to P;",
+        &["6:16 the stiffness of a spring along a length is in [N/m], and `3` is a pure number; write `3 [N/m]`"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g, length l from [2*l, 0] to P;",
+        &["6:16 the stiffness of a spring along a length is in [N/m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g/l, length phi from [2*l, 0] to P;",
+        &[
+            "6:30 where a spring is at rest along a length is in [m], and `phi` is in [rad]",
+            "2:15 `phi` is declared in [rad] here",
+        ],
+    );
+    check("gravity [0, -g];", "spring m*g*l, rest 0.1 on phi;", &[]);
+    check(
+        "gravity [0, -g];",
+        "spring m*g, rest 0.1 on phi;",
+        &["6:16 the stiffness of a spring along an angle is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*stretch, length 0 from [2*l, 0] to P;",
+        &["6:16 the force of a spring along a length is in [N], and `m*stretch` is in [kg*m] (m [kg], stretch [m])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2 from [2*l, 0] to P;",
+        &[
+            "6:16 the coefficient of a damper along a length is in [N*s/m], and `0.2` is a pure number; write `0.2 [N*s/m]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2*dot(phi) from [2*l, 0] to P;",
+        &[
+            "6:16 the coefficient of a damper along a length is in [N*s/m], and `0.2*dot(phi)` is in [1/s] (phi [rad]); if a unit is missing, write `0.2 [kg]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2*abs(rate)*rate from [2*l, 0] to P;",
+        &[
+            "6:16 the force of a damper along a length is in [N], and `0.2*abs(rate)*rate` is in [m^2/s^2] (rate [m/s]); if a unit is missing, write `0.2 [kg/m]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper m*g*l between phi and 2*phi;",
+        &[
+            "6:16 the coefficient of a damper along an angle is in [N*m*s], and `m*g*l` is in [N*m] (m [kg], g [m/s^2], l [m])",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper m*g between phi and l;",
+        &[
+            "6:36 `phi` is in [rad] and `l` is in [m]; an element works between quantities of one dimension",
+            "2:15 `phi` is declared in [rad] here",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g/l, length l from [2, 0] to P;",
+        &["6:38 the end of an element is in [m], and `[2, 0]` is a pure number; write `2 [m]`"],
+    );
+    check(
+        "gravity [0, -g];",
+        "potential m*g*phi;",
+        &["6:19 a potential energy is in [N*m], and `m*g*phi` is in [N] (m [kg], g [m/s^2], phi [rad])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "potential -9.81*m*P.y;",
+        &[
+            "6:20 a potential energy is in [N*m], and `-9.81*m*P.y` is in [kg*m] (m [kg], P [m]); if a unit is missing, write `9.81 [m/s^2]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "dissipation m*dot(phi)^2;",
+        &["6:21 a dissipation function is in [W], and `m*dot(phi)^2` is in [N/m] (m [kg], phi [rad])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "force m*g on phi;",
+        &["6:15 a force along an angle is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "torque m*g on l;",
+        &[
+            "6:16 a torque is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])",
+            "6:23 what a torque turns is in [rad] or [deg] or a pure number, and `l` is in [m]",
+            "3:14 `l` is declared in [m] here",
+            "6:23 no coordinate changes what this works along, so it moves nothing; leave it out",
+        ],
+    );
+}
+
 /// Bodies.
 #[test]
 fn bodies() {

@@ -7,7 +7,8 @@ function number(value, digits = 6) {
   if (!Number.isFinite(value)) return "\u2013";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+  const whole = Math.abs(Number(value.toPrecision(digits))) >= 10 ** (digits - 1);
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : whole ? Number(value.toPrecision(digits)).toFixed(0) : value.toPrecision(digits);
   return text.replace("e+", "e").replaceAll("-", MINUS);
 }
 

@@ -107,6 +107,7 @@ class PlotCard {
       pressed = null;
     });
     over.addEventListener("dblclick", () => zoomTo(null));
+    pinchable(over);
   }
 
   fit() {

@@ -1,5 +1,6 @@
 //! What can be said on the command line.
 
+use super::kinematics::KinematicsArguments;
 use super::settings::SettingsArguments;
 use crate::Format;
 use clap::{Args, Parser, Subcommand};
@@ -49,6 +50,8 @@ pub(super) enum Command {
     Assemble(StartArguments),
     /// Finds the equilibrium near the start and the eigenvalues of small motions about it.
     Equilibrium(StartArguments),
+    /// Drives a mechanism through a range: positions, velocities, reactions, driving torque, strokes, limit positions.
+    Kinematics(Box<KinematicsArguments>),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.
@@ -234,7 +237,7 @@ pub(super) struct RunArguments {
     pub(super) no_report: bool,
 }
 
-fn format(name: &str) -> Result<Format, String> {
+pub(super) fn format(name: &str) -> Result<Format, String> {
     let names = || Format::ALL.iter().map(|format| format.name());
     let found = Format::ALL.iter().copied().find(|format| format.name() == name);
     found.ok_or_else(|| match name {

@@ -20,6 +20,7 @@ mod compare;
 mod files;
 mod generate;
 mod info;
+mod kinematics;
 mod list;
 mod new;
 mod plot;
@@ -35,6 +36,7 @@ mod verify;
 use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
+use kinematics::KinematicsArguments;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
 use std::io::Write;
@@ -49,6 +51,7 @@ pub struct Entry {
     verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
     assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
     equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -60,6 +63,7 @@ pub fn entry<M: Mechanism>() -> Entry {
         verify: verify::verify_command::<M>,
         assemble: statics::assemble_command::<M>,
         equilibrium: statics::equilibrium_command::<M>,
+        kinematics: kinematics::kinematics_command::<M>,
     }
 }
 
@@ -119,6 +123,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
         Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
         Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
+        Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),

@@ -33,7 +33,8 @@ mod tests {
 
     #[test]
     fn rows_are_objects() {
-        let column = |name: &str, values: &[f64]| Column { name: name.into(), unit: "s", values: values.to_vec() };
+        let column =
+            |name: &str, values: &[f64]| Column { name: name.into(), unit: "s".into(), values: values.to_vec() };
         let table = Table::from_columns(vec![column("t", &[0.0, 0.1]), column("x", &[1e-300, f64::NAN])]);
         let mut text = Vec::new();
         rows(&table, &mut text).unwrap();

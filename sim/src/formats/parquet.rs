@@ -25,7 +25,7 @@ pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), Write
         let columns: Result<Vec<_>> = columns.collect();
         let schema = Arc::new(Type::group_type_builder("trajectory").with_fields(columns?).build()?);
         let unit = |name: &str, unit: &str| KeyValue::new(format!("unit:{name}"), unit.to_owned());
-        let units = table.columns.iter().map(|column| unit(&column.name, column.unit)).collect();
+        let units = table.columns.iter().map(|column| unit(&column.name, &column.unit)).collect();
         let properties = WriterProperties::builder().set_key_value_metadata(Some(units)).build();
         let mut writer = SerializedFileWriter::new(file, schema, Arc::new(properties))?;
         let mut rows = writer.next_row_group()?;
@@ -51,7 +51,11 @@ mod tests {
     #[test]
     fn columns_read_back_to_the_bit() {
         let path = std::env::temp_dir().join(format!("linkwright-{}.parquet", std::process::id()));
-        let column = |name: &str, unit, values: &[f64]| Column { name: name.into(), unit, values: values.to_vec() };
+        let column = |name: &str, unit: &'static str, values: &[f64]| Column {
+            name: name.into(),
+            unit: unit.into(),
+            values: values.to_vec(),
+        };
         let table = Table::from_columns(vec![
             column("t", "s", &[0.0, 0.1, 0.2]),
             column("x", "mm", &[1e-300, -0.0, std::f64::consts::PI]),

@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
-const POSES: usize = 6;
+pub(super) const POSES: usize = 6;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
 
@@ -21,7 +21,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    fn add(&mut self, name: &str, result: Result<(), ShowError>) {
+    pub(super) fn add(&mut self, name: &str, result: Result<(), ShowError>) {
         match result {
             Ok(()) => self.names.push(name.to_owned()),
             Err(failure) => self.failures.push(failure),
@@ -32,6 +32,21 @@ impl Figures {
 /// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
 pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let description = const { &M::DESCRIPTION };
+    let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
+    if !description.drawing.is_empty() {
+        figures.add("mechanism", draw_mechanism(&run.mechanism, &chosen(run), directory, size));
+    }
+    figures
+}
+
+/// A figure for each group of outputs, over an abscissa with its label.
+pub(super) fn draw_outputs(
+    description: &Description,
+    table: &Table,
+    (x_label, x): (&str, &[f64]),
+    directory: &Path,
+    size: Size,
+) -> Figures {
     let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
     let mut figures = Figures::default();
     for (figure, indices) in groups(description) {
@@ -44,12 +59,8 @@ pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size
             group.iter().zip(&labels).map(|((column, _), label)| Curve { label, values: column.values.clone() });
         let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
         let y_label = y_label(figure.name, &columns, &labels);
-        let (x_label, x, curves) = ("time [s]", table.times(), curves.collect());
-        let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves };
+        let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
         figures.add(figure.name, panels(&[shown], size, directory, figure.name));
-    }
-    if !description.drawing.is_empty() {
-        figures.add("mechanism", draw_mechanism(run, directory, size));
     }
     figures
 }
@@ -81,12 +92,17 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     format!("{what} {}", units.join(", "))
 }
 
-/// The mechanism at equal times through its period, or where its positions differ most.
-fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path, size: Size) -> Result<(), ShowError> {
+/// The mechanism at several samples.
+pub(super) fn draw_mechanism<M: Mechanism>(
+    mechanism: &M,
+    samples: &[&Sample<M>],
+    directory: &Path,
+    size: Size,
+) -> Result<(), ShowError> {
     let description = const { &M::DESCRIPTION };
-    let drawn: Vec<(f64, M::Drawing)> = chosen(run)
-        .into_iter()
-        .map(|sample| (sample.state.time, run.mechanism.drawing(sample.state.time, &sample.state.positions)))
+    let drawn: Vec<(f64, M::Drawing)> = samples
+        .iter()
+        .map(|sample| (sample.state.time, mechanism.drawing(sample.state.time, &sample.state.positions)))
         .collect();
     let poses: Vec<Pose> =
         drawn.iter().map(|(time, numbers)| Pose { numbers: numbers.as_ref(), time: *time }).collect();
@@ -97,7 +113,7 @@ fn draw_mechanism<M: Mechanism>(run: &Run<M>, directory: &Path, size: Size) -> R
     mechanism_of_size(&title, description.drawing, &poses, size, directory, "mechanism")
 }
 
-/// The samples that are drawn, in the order of time.
+/// The samples at equal times through the period, or where positions differ most, in the order of time.
 fn chosen<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
     let samples = &run.trajectory.samples;
     let Some(period) = run.period() else { return most_different(run) };

@@ -20,6 +20,7 @@ mod png;
 mod report;
 mod scene;
 mod svg;
+mod sweep;
 mod symbols;
 mod text;
 mod ticks;
@@ -36,6 +37,9 @@ pub use figures::{Figures, figures};
 #[cfg(feature = "cli")]
 pub(crate) use names::printed;
 pub use report::{About, report};
+#[cfg(feature = "cli")]
+pub(crate) use sweep::SWEEP_FIGURES;
+pub use sweep::sweep_figures;
 pub use text::typeset;
 
 /// A curve of a plot.

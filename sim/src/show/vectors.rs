@@ -98,21 +98,25 @@ mod declared {
     /// Adds what an arrow needs to the outputs.
     type Make<'d> = Box<dyn FnOnce(&mut Vec<Output>) -> Source + 'd>;
 
-    /// Every force that is a load; every constraint between vectors where its left side is; every other at the points
+    /// Every force that is a load, and every weight; every constraint between vectors where its left side is; every other at the points
     /// named in it that are drawn, where its virtual work is that of a force.
     fn arrows(declaration: &Declaration, rows: usize) -> Vec<(Vector, Make<'static>)> {
         let mut arrows: Vec<(Vector, Make<'static>)> = Vec::new();
         for load in &declaration.loads {
-            if let Load::Force { force, point } = load {
-                let place = crate::show::names::printed(point);
-                let about = format!("force {} at {place}", crate::show::names::printed(force));
-                let (force, point) = (copy(force), copy(point));
-                let make = move |outputs: &mut Vec<Output>| {
-                    let first = outputs.len();
-                    outputs.extend(components(&point).into_iter().chain(components(&force)).map(output));
-                    Source::Load(first)
-                };
-                arrows.push((Vector { label: String::new(), about, kind: "load" }, Box::new(make)));
+            match load {
+                Load::Force { force, point } => {
+                    let [force_text, place] = [force, point].map(crate::show::names::printed);
+                    arrows.push(load_arrow(format!("force {force_text} at {place}"), copy(force), point));
+                }
+                Load::Gravity { acceleration, .. } => {
+                    let masses = declaration.bodies.iter().filter_map(|body| Some((&body.name, body.mass.as_ref()?)));
+                    for (body, (mass, point)) in masses {
+                        let Some(point) = point else { continue };
+                        let weight = binary(Operator::Multiply, copy(mass), copy(acceleration));
+                        arrows.push(load_arrow(format!("weight of {body}"), weight, point));
+                    }
+                }
+                Load::Torque { .. } => {}
             }
         }
         let mut row = 0;
@@ -146,6 +150,16 @@ mod declared {
         }
         // What cannot be counted here is better not drawn.
         if row == rows { arrows } else { Vec::new() }
+    }
+
+    fn load_arrow(about: String, force: Expression, point: &Expression) -> (Vector, Make<'static>) {
+        let point = copy(point);
+        let make = move |outputs: &mut Vec<Output>| {
+            let first = outputs.len();
+            outputs.extend(components(&point).into_iter().chain(components(&force)).map(output));
+            Source::Load(first)
+        };
+        (Vector { label: String::new(), about, kind: "load" }, Box::new(make))
     }
 
     /// C with the point moved forwards, minus C with it moved back.

@@ -41,7 +41,7 @@ pub(super) fn data<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     json!({
         "times": doubles(rows.iter().map(|row| table.times()[*row])),
         "columns": columns.iter().map(|Labelled { column, label }| json!({
-            "name": column.name, "label": typeset(label), "unit": printed_unit(column.unit), "values": pick(&column.values),
+            "name": column.name, "label": typeset(label), "unit": printed_unit(&column.unit), "values": pick(&column.values),
         })).collect::<Vec<_>>(),
         "figures": open.iter().map(figure).collect::<Vec<_>>(),
         "more": closed.iter().map(figure).collect::<Vec<_>>(),
@@ -151,7 +151,7 @@ fn energy<M: Mechanism>(run: &Run<M>) -> [Labelled; 3] {
     let start = kinetic.first().zip(work.first()).map_or(0.0, |(kinetic, work)| kinetic - work);
     let change = kinetic.iter().zip(&work).map(|(kinetic, work)| kinetic - work - start).collect();
     let column = |name: &str, label: &str, values| {
-        let column = Column { name: name.into(), unit: "J", values };
+        let column = Column { name: name.into(), unit: "J".into(), values };
         Labelled { column, label: label.into() }
     };
     [

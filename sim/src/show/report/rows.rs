@@ -58,7 +58,7 @@ mod tests {
         let mut values: Vec<f64> = (0..samples).map(|i| (i as f64 * 1e-3).sin()).collect();
         values[samples / 3] = 9.0;
         values[samples / 2] = f64::NAN;
-        Column { name: "wave".into(), unit: "m", values }
+        Column { name: "wave".into(), unit: "m".into(), values }
     }
 
     #[test]

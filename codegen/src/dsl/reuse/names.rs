@@ -1,0 +1,66 @@
+//! Which names a part of a declaration gives.
+
+use super::words::*;
+use proc_macro2::{Delimiter, Ident, TokenTree};
+use std::collections::BTreeMap;
+use syn::{Error, Result};
+
+/// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one.
+const NAMING: [&str; 5] = ["coordinates", "parameters", "inputs", "auxiliary", "outputs"];
+
+/// Words that say what a line or a clause is, and those with a meaning everywhere.
+const WORDS: [&str; 26] = [
+    "mass", "inertia", "angle", "at", "on", "along", "radius", "about", "force", "torque", "gravity", "guess", "line",
+    "slider", "ground", "point", "circle", "t", "pi", "e", "let", "use", "as", "repeat", "in", "sum",
+];
+
+/// Refuses a name that could be taken for a word of the language.
+pub(super) fn check_free(name: &Ident) -> Result<()> {
+    if !WORDS.contains(&plain(name).as_str()) {
+        return Ok(());
+    }
+    let message = format!("`{name}` is a word of the language, which an index or a name in a fragment cannot be");
+    Err(Error::new(name.span(), message))
+}
+
+/// The names given by items that no longer hold repetitions or uses.
+pub(super) fn declared(tokens: &[TokenTree]) -> BTreeMap<String, Ident> {
+    let mut names = BTreeMap::new();
+    for (at, token) in tokens.iter().enumerate() {
+        match (token, tokens.get(at + 1)) {
+            (TokenTree::Ident(word), Some(TokenTree::Ident(name))) if word == "let" => add(name, &mut names),
+            (TokenTree::Ident(block), Some(TokenTree::Group(lines))) if lines.delimiter() == Delimiter::Brace => {
+                let names_lead = NAMING.iter().any(|naming| block == naming);
+                in_block(&list(lines.stream()), names_lead, &mut names);
+            }
+            _ => {}
+        }
+    }
+    names
+}
+
+fn add(name: &Ident, names: &mut BTreeMap<String, Ident>) {
+    names.entry(plain(name)).or_insert_with(|| name.clone());
+}
+
+fn in_block(tokens: &[TokenTree], names_lead: bool, names: &mut BTreeMap<String, Ident>) {
+    let mut starts = true;
+    let mut at = 0;
+    while at < tokens.len() {
+        if starts && is_punct(tokens.get(at), '#') {
+            at += 2;
+            continue;
+        }
+        if let (true, TokenTree::Ident(name)) = (starts, &tokens[at])
+            && (names_lead || is_punct(tokens.get(at + 1), ':'))
+        {
+            add(name, names);
+        }
+        starts = is_punct(tokens.get(at), ';');
+        if let Some(inner) = group(tokens.get(at), Delimiter::Brace) {
+            in_block(&list(inner.stream()), names_lead, names);
+            starts = true;
+        }
+        at += 1;
+    }
+}

@@ -1,0 +1,232 @@
+//! Loads along scalars: potentials, dissipation functions, springs, dampers.
+
+use super::homogeneity::Measured;
+use super::interpret::Interpreter;
+use super::level::{self, position_level, position_scalar};
+use super::loads::load_level;
+use super::value::Value;
+use super::{Coordinate, Dependence, Dimension, Effort};
+use crate::dsl::{Element, Expression, Extent, Law, Region};
+use crate::symbolic::{Differential, Expr, Number};
+
+/// How far a spring is from where it has no force, in the law of its force.
+const STRETCH: &str = "stretch";
+/// How fast its extent grows, in the law of a spring or damper.
+const RATE: &str = "rate";
+
+/// -dV/dq: -1 along V.
+pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effort> {
+    let along = position_scalar(energy, &Dimension::energy(), "a potential energy", i)?;
+    if !i.dependences.of(&i.graph, along).meets(Dependence::COORDINATE) {
+        return i.refuse(energy.region, "no coordinate stands in this potential energy, so no force comes of it");
+    }
+    Some(Effort { force: i.graph.integer(-1), along })
+}
+
+/// -dR/dq' along each coordinate (Rayleigh's dissipation function; Goldstein, Poole, Safko: Classical Mechanics, 3rd ed.,
+/// (1.69)).
+pub(super) fn dissipation(function: &Expression, coordinates: &[Coordinate], i: &mut Interpreter) -> Vec<Effort> {
+    let power = Some(Dimension::energy().over(&Dimension::time()));
+    let Some(value) = load_scalar(function, power, "a dissipation function", i) else { return vec![] };
+    if !i.dependences.of(&i.graph, value).meets(Dependence::SPEED) {
+        let message = "no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`";
+        i.mistakes.add(function.region.error(message));
+    }
+    let along = coordinates.iter().map(|c| {
+        let slope = Differential::partial(&mut i.graph, c.speed).of(&mut i.graph, value);
+        Effort { force: i.graph.neg(slope), along: i.graph.variable(c.position) }
+    });
+    let along: Vec<Effort> = along.collect();
+    along.into_iter().filter(|effort| !i.graph.is_zero(effort.force)).collect()
+}
+
+/// An angle that a torque works along.
+pub(super) fn turned(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
+    let along = level::angle(expression, "what a torque turns", i)?;
+    check_moves(expression.region, along, i)?;
+    Some(along)
+}
+
+/// The force of an element along its extent.
+pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> {
+    let along = resolve_extent(element.keyword, &element.extent, i);
+    match &element.law {
+        Law::Force(force) => {
+            let (needed, what) = needed("a force", along.as_ref(), Along::force);
+            let force = load_scalar(force, needed, &what, i)?;
+            along.map(|along| Effort { force, along: along.value })
+        }
+        Law::Spring(law, rest) => spring(law, rest, along, i),
+        Law::Damper(law) => damper(law, along, i),
+    }
+}
+
+/// What an element works along.
+struct Along {
+    value: Expr,
+    /// Its square, where that needs no root.
+    square: Option<Expr>,
+    dimension: Option<Dimension>,
+}
+
+impl Along {
+    /// The dimension of a force along it: work per extent.
+    fn force(&self) -> Option<Dimension> {
+        Some(Dimension::energy().over(self.dimension.as_ref()?))
+    }
+
+    fn stiffness(&self) -> Option<Dimension> {
+        Some(self.force()?.over(self.dimension.as_ref()?))
+    }
+
+    fn damping(&self) -> Option<Dimension> {
+        Some(self.stiffness()?.times(&Dimension::time()))
+    }
+}
+
+/// What the dimension of a part of an element must be, and the part in words: "a force along a length".
+fn needed(
+    part: &str,
+    along: Option<&Along>,
+    dimension: fn(&Along) -> Option<Dimension>,
+) -> (Option<Dimension>, String) {
+    let extent = match along.and_then(|along| along.dimension.as_ref()) {
+        Some(extent) if extent.is_none() => "an angle".to_owned(),
+        Some(extent) if *extent == Dimension::length() => "a length".to_owned(),
+        Some(extent) => format!("[{}]", extent.si_unit()),
+        None => return (None, part.to_owned()),
+    };
+    (along.and_then(dimension), format!("{part} along {extent}"))
+}
+
+fn resolve_extent(keyword: Region, extent: &Extent, i: &mut Interpreter) -> Option<Along> {
+    let along = match extent {
+        Extent::Distance(from, to) => distance(from, to, i),
+        Extent::Difference(from, to) => {
+            let (a, b) = (position(from, i), position(to, i));
+            let ((a, of_a), (b, of_b)) = (a?, b?);
+            let from = Measured { expression: from, dimension: &of_a };
+            let to = Measured { expression: to, dimension: &of_b };
+            let dimension = i.common_dimension(from, to, "an element works between quantities of one dimension")?;
+            Some(Along { value: i.graph.sub(b, a), square: None, dimension })
+        }
+        Extent::Quantity(x) => position(x, i).map(|(value, dimension)| Along { value, square: None, dimension }),
+    }?;
+    check_moves(keyword, along.value, i)?;
+    Some(along)
+}
+
+fn distance(from: &Expression, to: &Expression, i: &mut Interpreter) -> Option<Along> {
+    const WHAT: &str = "the end of an element";
+    let (a, b) = (level::position(from, WHAT, i), level::position(to, WHAT, i));
+    let (a, b) = (a?, b?);
+    let way = [i.graph.sub(b[0], a[0]), i.graph.sub(b[1], a[1])];
+    let square = i.inner(way, way);
+    let dimension = Some(Dimension::length()).filter(|_| i.with_units);
+    Some(Along { value: i.graph.sqrt(square), square: Some(square), dimension })
+}
+
+fn position(expression: &Expression, i: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
+    let (value, dimension) = i.scalar_value(expression)?;
+    position_level(expression, &[value], "what an element works along", i)?;
+    Some((value, dimension))
+}
+
+fn check_moves(place: Region, along: Expr, i: &mut Interpreter) -> Option<()> {
+    match i.dependences.of(&i.graph, along).meets(Dependence::COORDINATE) {
+        true => Some(()),
+        false => i.refuse(place, "no coordinate changes what this works along, so it moves nothing; leave it out"),
+    }
+}
+
+fn load_scalar(expression: &Expression, needed: Option<Dimension>, what: &str, i: &mut Interpreter) -> Option<Expr> {
+    let (value, dimension) = i.scalar_value(expression)?;
+    load_level(expression, [value], i)?;
+    if let Some(needed) = needed {
+        i.expect_in_place(Measured { expression, dimension: &dimension }, &needed, what);
+    }
+    Some(value)
+}
+
+/// -k (x - x0), or minus the force that is given for a stretch of x - x0.
+fn spring(law: &Expression, rest: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+    let (needed_rest, what) = needed("where a spring is at rest", along.as_ref(), |along| along.dimension.clone());
+    let rest = load_scalar(rest, needed_rest, &what, i);
+    if !law.mentions(STRETCH) && !law.mentions(RATE) {
+        let (needed, what) = needed("the stiffness of a spring", along.as_ref(), Along::stiffness);
+        let stiffness = load_scalar(law, needed, &what, i);
+        let (stiffness, rest, along) = (stiffness?, rest?, along?);
+        return Some(linear_spring(stiffness, rest, &along, i));
+    }
+    let (rest, along) = (rest?, along?);
+    let stretch = Value::scalar(i.graph.sub(along.value, rest), along.dimension.clone());
+    let words = vec![(STRETCH, stretch), rate_word(&along, i)];
+    let force = law_of_force(law, words, needed("the force of a spring", Some(&along), Along::force), i)?;
+    Some(Effort { force: i.graph.neg(force), along: along.value })
+}
+
+/// Without free length it pulls by the way between its ends, which has no direction to be divided by: -k/2 along x^2.
+fn linear_spring(stiffness: Expr, rest: Expr, along: &Along, i: &mut Interpreter) -> Effort {
+    match along.square {
+        Some(square) if i.graph.is_zero(rest) => {
+            Effort { force: i.graph.scale(&-&Number::HALF, stiffness), along: square }
+        }
+        _ => {
+            let stretch = i.graph.sub(along.value, rest);
+            let pull = i.graph.mul(stiffness, stretch);
+            Effort { force: i.graph.neg(pull), along: along.value }
+        }
+    }
+}
+
+/// -c x', or minus the force that is given for a rate of x'.
+fn damper(law: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+    if law.mentions(STRETCH) && i.values.get_region(STRETCH).is_none() {
+        return i.refuse(law.region, "a damper has no free length to be stretched from; its force depends on `rate`");
+    }
+    if !law.mentions(RATE) {
+        let (needed, what) = needed("the coefficient of a damper", along.as_ref(), Along::damping);
+        let coefficient = load_scalar(law, needed, &what, i);
+        let (coefficient, along) = (coefficient?, along?);
+        let rate = rate_of(&along, i);
+        let force = i.graph.mul(coefficient, rate);
+        return Some(Effort { force: i.graph.neg(force), along: along.value });
+    }
+    let along = along?;
+    let words = vec![rate_word(&along, i)];
+    let force = law_of_force(law, words, needed("the force of a damper", Some(&along), Along::force), i)?;
+    Some(Effort { force: i.graph.neg(force), along: along.value })
+}
+
+fn rate_of(along: &Along, i: &mut Interpreter) -> Expr {
+    let Interpreter { graph, motion, .. } = i;
+    motion.of(graph, along.value)
+}
+
+fn rate_word(along: &Along, i: &mut Interpreter) -> (&'static str, Value) {
+    let dimension = along.dimension.as_ref().map(|d| d.over(&Dimension::time()));
+    (RATE, Value::scalar(rate_of(along, i), dimension))
+}
+
+/// A law with the words that stand in it alone.
+fn law_of_force(
+    law: &Expression,
+    words: Vec<(&'static str, Value)>,
+    (needed, what): (Option<Dimension>, String),
+    i: &mut Interpreter,
+) -> Option<Expr> {
+    for (word, _) in &words {
+        if law.mentions(word)
+            && let Some(own) = i.values.get_region(word)
+        {
+            let mut mistake = law.region.error(format!("in the law of an element `{word}` is its own {word}"));
+            mistake.combine(own.error(format!("choose another name than `{word}` for this")));
+            i.mistakes.add(mistake);
+            return None;
+        }
+    }
+    i.local = words;
+    let force = load_scalar(law, needed, &what, i);
+    i.local.clear();
+    force
+}

@@ -1,0 +1,77 @@
+//! Loads along scalars: potentials, dissipation functions, springs, dampers.
+
+use super::error::{OracleError, Result};
+use super::interpret::Interpreter;
+use super::jet::Jet;
+use super::measured::Measured;
+use super::mechanics::Effort;
+use super::value::inner;
+use crate::dsl::{Expression, Extent, Law};
+
+/// -V_q: a force of -1 along V.
+pub(super) fn potential(energy: &Expression, positions: &mut Interpreter) -> Result<Vec<Effort>> {
+    Ok(vec![Effort { force: Measured::given(-1.0), place: positions.scalar(energy)? }])
+}
+
+/// -dR/dq' along each coordinate; `by_speeds` has time and the change of each speed as variables.
+pub(super) fn dissipation(
+    function: &Expression,
+    by_speeds: &mut Interpreter,
+    positions: &Interpreter,
+) -> Result<Vec<Effort>> {
+    let function = by_speeds.scalar(function)?;
+    let slopes = function.gradient()[1..].iter().enumerate();
+    slopes.map(|(i, slope)| Ok(Effort { force: -*slope, place: positions.coordinate_jet(i)? })).collect()
+}
+
+/// An element's force, on both of its ends.
+pub(super) fn element(
+    law: &Law,
+    extent: &Extent,
+    positions: &mut Interpreter,
+    motion: &mut Interpreter,
+) -> Result<Vec<Effort>> {
+    match extent {
+        Extent::Distance(from, to) => {
+            let way = way(from, to, motion)?;
+            let length = inner(&way, &way).call("sqrt").ok_or_else(|| OracleError::new("no length"))?;
+            let force = force(law, &length, motion)?;
+            // The force on B as a vector: its size along the unit vector from A to B.
+            let vector = way.map(|component| (&(&force * &component) / &length).value());
+            let places = self::way(from, to, positions)?;
+            Ok(vector.into_iter().zip(places).map(|(force, place)| Effort { force, place }).collect())
+        }
+        Extent::Difference(from, to) => {
+            let along = &motion.scalar(to)? - &motion.scalar(from)?;
+            let place = &positions.scalar(to)? - &positions.scalar(from)?;
+            Ok(vec![Effort { force: force(law, &along, motion)?.value(), place }])
+        }
+        Extent::Quantity(x) => {
+            let along = motion.scalar(x)?;
+            Ok(vec![Effort { force: force(law, &along, motion)?.value(), place: positions.scalar(x)? }])
+        }
+    }
+}
+
+/// B - A.
+fn way(from: &Expression, to: &Expression, interpreter: &mut Interpreter) -> Result<[Jet; 2]> {
+    let ([ax, ay], [bx, by]) = (interpreter.vector(from)?, interpreter.vector(to)?);
+    Ok([&bx - &ax, &by - &ay])
+}
+
+/// The force that lets `along` grow.
+fn force(law: &Law, along: &Jet, motion: &mut Interpreter) -> Result<Jet> {
+    let rate = along.dot().ok_or_else(|| OracleError::new("a rate that is not known here"))?;
+    match law {
+        Law::Force(force) => motion.scalar(force),
+        Law::Spring(law, rest) => {
+            let stretch = along - &motion.scalar(rest)?;
+            if law.mentions("stretch") || law.mentions("rate") {
+                return Ok(-&motion.scalar_with(law, vec![("stretch", stretch), ("rate", rate)])?);
+            }
+            Ok(-&(&motion.scalar(law)? * &stretch))
+        }
+        Law::Damper(law) if law.mentions("rate") => Ok(-&motion.scalar_with(law, vec![("rate", rate)])?),
+        Law::Damper(coefficient) => Ok(-&(&motion.scalar(coefficient)? * &rate)),
+    }
+}

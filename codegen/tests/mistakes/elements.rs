@@ -1,0 +1,86 @@
+//! Loads along scalars: springs, dampers, potentials, dissipation functions.
+
+use super::{SOUND, mistakes};
+
+/// As for other loads, in a declaration without units: they have a file of their own.
+fn check(replace: &str, by: &str, expected: &[&str]) {
+    assert!(SOUND.contains(replace), "{replace}");
+    let sound =
+        ["rad", "m", "kg", "m/s^2"].iter().fold(SOUND.to_owned(), |text, unit| text.replace(&format!(" [{unit}]"), ""));
+    assert_eq!(mistakes(&sound.replacen(replace, by, 1)), expected, "\nin: {by}");
+}
+
+fn check_each(table: &[(&str, &[&str])]) {
+    for (line, expected) in table {
+        check("gravity [0, -g];", line, expected);
+    }
+}
+
+#[test]
+fn springs() {
+    #[rustfmt::skip]
+    check_each(&[
+        ("spring 3 from [1, 0] to P;", &["6:18 a spring states where it is without force: `spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;`"]),
+        ("spring 3, from [1, 0] to P;", &["6:19 `from` is not known here; expected one of `length`, `rest`"]),
+        ("spring 3, rest 1 from [1, 0] to P;", &["6:19 between points a spring has a `length`: `spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;`"]),
+        ("spring 3, length 1 between 0 and phi;", &["6:19 a `length` is one between points; here write `rest`: `spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;`"]),
+        ("spring 3, length 1 from [1, 0];", &["6:39 expected `to`: `from A to B`"]),
+        ("spring 3, length 1 at P;", &["6:28 expected `from`, `between` or `on`: `spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;`"]),
+        ("spring 3, length 1 from 0 to P;", &["6:33 a scalar stands where a vector belongs; a vector is written `[x, y]`"]),
+        ("spring [3, 0], length 1 from [1, 0] to P;", &["6:16 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("spring 3, length 1 from [1, 0] to [l, 0];", &["6:9 no coordinate changes what this works along, so it moves nothing; leave it out"]),
+        ("spring 3, length 1 from [0, 0] to P;", &["6:9 no coordinate changes what this works along, so it moves nothing; leave it out"]),
+        ("spring 3*streth^3, length 1 from [1, 0] to P;", &["6:18 no value is called `streth`; declared: `phi`, `l`, `m`, `g`, `P`"]),
+        ("spring 3, length 1 from [1, 0] to dot(P);", &["6:43 the end of an element is made of coordinates, parameters and time; `dot()` cannot stand in it"]),
+        ("spring 3, rest 1 on P;", &["6:29 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("spring 3, rest dot(dot(phi)) on phi;", &["6:24 a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it"]),
+    ]);
+}
+
+#[test]
+fn dampers_and_forces_along_scalars() {
+    #[rustfmt::skip]
+    check_each(&[
+        ("damper 3 at P;", &["6:18 expected `from`, `between` or `on`: `damper c from A to B;`"]),
+        ("damper 3*stretch from [1, 0] to P;", &["6:16 a damper has no free length to be stretched from; its force depends on `rate`"]),
+        ("damper 3*ddot(phi) on phi;", &["6:16 a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it"]),
+        ("damper -3*rate on dot(phi);", &["6:27 what an element works along is made of coordinates, parameters and time; `dot()` cannot stand in it"]),
+        ("dampers 3 on phi;", &["6:9 `dampers` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`"]),
+        ("force 3 on bob;", &["6:20 `bob` is a body; a force on it acts at a point: `force [F, 0] at P;`"]),
+        ("force [3, 0] on phi;", &["6:15 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("force 3 between phi;", &["6:28 expected `and`: `between alpha and beta`"]),
+        ("torque 3;", &["6:17 expected `on`: `torque T on body;`"]),
+        ("torque 3 on l;", &["6:21 no coordinate changes what this works along, so it moves nothing; leave it out"]),
+        ("torque 3 on phy;", &["6:21 no body is called `phy`; declared: `bob`"]),
+    ]);
+}
+
+#[test]
+fn potentials_and_dissipation_functions() {
+    #[rustfmt::skip]
+    check_each(&[
+        ("potential m*g*P.y + dot(phi);", &["6:19 a potential energy is made of coordinates, parameters and time; `dot()` cannot stand in it"]),
+        ("potential [0, m*g];", &["6:19 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("potential m*g*l;", &["6:19 no coordinate stands in this potential energy, so no force comes of it"]),
+        ("dissipation m*ddot(phi)^2;", &["6:21 a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it"]),
+        ("dissipation m*phi^2;", &["6:21 no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`"]),
+        ("dissipation dot(P);", &["6:21 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+    ]);
+}
+
+#[test]
+fn own_names_for_the_words_of_laws() {
+    check(
+        "loads { gravity [0, -g]; }",
+        "let stretch = 3; loads { spring 3*stretch, length 1 from [1, 0] to P; }",
+        &[
+            "6:33 in the law of an element `stretch` is its own stretch",
+            "6:5 choose another name than `stretch` for this",
+        ],
+    );
+    check(
+        "loads { gravity [0, -g]; }",
+        "let rate = 3; loads { spring 3, length 1 from [1, 0] to P; damper 3*rate on phi; }",
+        &["6:67 in the law of an element `rate` is its own rate", "6:5 choose another name than `rate` for this"],
+    );
+}

@@ -1,0 +1,345 @@
+//! `sim kinematics`.
+
+use super::arguments::{Size, Voice, format};
+use super::quantity::parse_quantity;
+use super::run::{mechanism_with, start_with};
+use super::{Stop, print, unknown};
+use crate::kinematics::quotient;
+use crate::show::{self, SWEEP_FIGURES};
+use crate::{
+    Driven, Extreme, Format, Kinematics, Range, Start, Sweep, Table, WriteError, kinematics, write_json, write_table,
+};
+use clap::Args;
+use serde_json::{Map, Value, json};
+use sim_kernel::{Array, Description, Mechanism, Quantity};
+use std::path::{Path, PathBuf};
+
+/// What is driven, and how.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  sim kinematics quick-return --drive alpha --from 0 --to 360deg --speed 75rpm --steps 720\n  \
+    sim kinematics four-bar\n  sim kinematics slider-crank --drive x --from 0.5 --to 0.4 --speed 0.1\n\n\
+    Files written to DIR:\n  trajectory.csv   as of a run, and drive_NAME, transmission_index, ratio_OUTPUT, advantage_OUTPUT\n  \
+    summary.json     strokes, time ratios, peaks, limit positions, and where they are\n  \
+    NAME.svg, .png   a figure for each group of outputs against what is driven; drive, transmission, ratios, mechanism"
+)]
+pub(super) struct KinematicsArguments {
+    /// The mechanism, as `list` names it.
+    model: String,
+
+    /// What is driven: a coordinate, or an output that is a function of positions [default: the first coordinate that is
+    /// given at the start].
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
+
+    /// Where the sweep begins [default: where the mechanism starts].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<String>,
+
+    /// Where it ends [default: one turn further, if it is an angle].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<String>,
+
+    /// How fast it is driven [default: its speed at the start].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    speed: Option<String>,
+
+    /// Records N + 1 positions at equal intervals.
+    #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    steps: u32,
+
+    /// Holds a further degree of freedom where it is or at a value, as in `--hold phi2` or `--hold phi2=30deg`; may be
+    /// repeated.
+    #[arg(long, value_name = "NAME[=VALUE]", allow_hyphen_values = true)]
+    hold: Vec<String>,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated. What is given here, or guessed, decides on which
+    /// branch the mechanism is assembled.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    initial: Vec<String>,
+
+    /// Where to write [default: out/MODEL-kinematics].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
+    format: Vec<Format>,
+
+    /// Width and height of figures in pixels of SVG; PNG has twice as many.
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    size: Size,
+
+    /// Writes no figures.
+    #[arg(long)]
+    no_figures: bool,
+}
+
+impl KinematicsArguments {
+    pub(super) fn model(&self) -> &str {
+        &self.model
+    }
+
+    fn sweep<M: Mechanism>(&self, mechanism: &M, start: &Start<M>) -> Result<Sweep, Stop> {
+        let driven = match &self.drive {
+            Some(name) => find::<M>(name)?,
+            None => default_drive::<M>()?,
+        };
+        let (quantity, now) = (driven.quantity::<M>(), || driven.value(mechanism, 0.0, &start.positions));
+        let value = |option: &str, text: &str| parse_quantity(option, text, quantity.unit);
+        let from = match (&self.from, driven) {
+            (Some(text), _) => value("--from", text)?,
+            (None, Driven::Coordinate(_)) => now(),
+            (None, Driven::Output(_)) => return Err(needed("--from", quantity)),
+        };
+        let to = match (&self.to, driven.turn::<M>()) {
+            (Some(text), _) => value("--to", text)?,
+            (None, Some(turn)) => from + turn,
+            (None, None) => return Err(needed("--to", quantity)),
+        };
+        if from == to {
+            return Err(Stop::Usage(format!(
+                "--from and --to are equal: there is nothing to drive `{}` through",
+                quantity.name
+            )));
+        }
+        let speed = self.speed::<M>(driven, start)?;
+        let held = self.hold.iter().map(|text| hold(mechanism, start, text)).collect::<Result<_, _>>()?;
+        Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
+    }
+
+    fn speed<M: Mechanism>(&self, driven: Driven, start: &Start<M>) -> Result<f64, Stop> {
+        let name = driven.quantity::<M>().name;
+        let speed = match (&self.speed, driven) {
+            (Some(text), Driven::Coordinate(i)) => {
+                parse_quantity("--speed", text, M::DESCRIPTION.coordinates[i].speed.unit)?
+            }
+            (Some(text), Driven::Output(_)) => {
+                parse_quantity("--speed", text, &quotient(driven.quantity::<M>(), &SECOND))?
+            }
+            (None, Driven::Coordinate(i)) if start.speed_given[i] => start.speeds[i],
+            (None, _) => return Err(Stop::Usage(format!("the start gives `{name}` no speed: give one with --speed"))),
+        };
+        match speed == 0.0 {
+            true => Err(Stop::Usage(format!("`{name}` has to move: give it a speed other than 0 with --speed"))),
+            false => Ok(speed),
+        }
+    }
+}
+
+const SECOND: Quantity = Quantity { name: "t", unit: "s", factor: 1.0, docs: "" };
+
+fn needed(option: &str, quantity: &Quantity) -> Stop {
+    Stop::Usage(format!("{option} is needed for `{}`, as in `{option} 0.1{}`", quantity.name, quantity.unit))
+}
+
+fn find<M: Mechanism>(name: &str) -> Result<Driven, Stop> {
+    let description = const { &M::DESCRIPTION };
+    let coordinates = description.coordinates.iter().map(|c| c.position.name);
+    let known = coordinates.chain(description.outputs.iter().map(|o| o.name));
+    Driven::find::<M>(name).ok_or_else(|| unknown("coordinate or output", name, known))
+}
+
+/// The first coordinate that the declaration gives a value, not a guess.
+fn default_drive<M: Mechanism>() -> Result<Driven, Stop> {
+    let mut coordinates = M::DESCRIPTION.coordinates.iter();
+    let given = coordinates.position(|c| c.start == sim_kernel::Start::Given).map(Driven::Coordinate);
+    given.ok_or_else(|| Stop::Usage("say what is driven, as in `--drive alpha`".into()))
+}
+
+fn hold<M: Mechanism>(mechanism: &M, start: &Start<M>, text: &str) -> Result<(Driven, f64), Stop> {
+    let (name, value) = text.split_once('=').map_or((text, None), |(name, value)| (name.trim(), Some(value.trim())));
+    let driven = find::<M>(name)?;
+    let value = match value {
+        Some(value) => parse_quantity(name, value, driven.quantity::<M>().unit)?,
+        None => driven.value(mechanism, 0.0, &start.positions),
+    };
+    Ok((driven, value))
+}
+
+/// Drives a mechanism through a range, writes what it did, and prints a summary.
+pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let sweep = arguments.sweep(&mechanism, &start)?;
+    let found = kinematics(mechanism, &start, &sweep)?;
+    let table = found.table();
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
+    let written = write(&found, &table, arguments, &directory)?;
+    if voice.json && !voice.quiet {
+        let mut said = summary(&found);
+        said["directory"] = directory.to_string_lossy().into();
+        said["files"] = written.names.into();
+        print(&format!("{said:#}\n"))?;
+    } else if !voice.quiet {
+        print(&format!("{}written      {}: {}\n", report(&found), directory.display(), written.names.join(", ")))?;
+    }
+    match found.trajectory.failure {
+        Some(failure) => Err(failure.into()),
+        None if !written.failures.is_empty() => {
+            Err(Stop::Failed(anyhow::anyhow!("{}", written.failures.join("\nerror: "))))
+        }
+        None => Ok(()),
+    }
+}
+
+struct Written {
+    names: Vec<String>,
+    failures: Vec<String>,
+}
+
+fn write<M: Mechanism>(
+    found: &Kinematics<M>,
+    table: &Table,
+    arguments: &KinematicsArguments,
+    directory: &Path,
+) -> Result<Written, Stop> {
+    std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why))?;
+    remove_earlier(&M::DESCRIPTION, directory)?;
+    let mut names = Vec::new();
+    for format in Format::ALL.iter().filter(|format| arguments.format.contains(format)) {
+        write_table(table, *format, directory)?;
+        names.push(format!("trajectory.{}", format.name()));
+    }
+    write_json(&summary(found), &directory.join("summary.json"))?;
+    names.push("summary.json".into());
+    if arguments.no_figures || table.times().is_empty() {
+        return Ok(Written { names, failures: Vec::new() });
+    }
+    let drawn = show::sweep_figures(found, table, directory, arguments.size.show());
+    names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
+    Ok(Written { names, failures: drawn.failures.iter().map(ToString::to_string).collect() })
+}
+
+fn remove_earlier(description: &Description, directory: &Path) -> Result<(), Stop> {
+    super::files::remove_earlier(description, directory)?;
+    for name in SWEEP_FIGURES.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]) {
+        let path = directory.join(name);
+        if path.is_file() {
+            std::fs::remove_file(&path).map_err(|why| WriteError::new(&path, why))?;
+        }
+    }
+    Ok(())
+}
+
+/// What was found, in declared units.
+fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
+    let description = const { &M::DESCRIPTION };
+    let driven = found.sweep.driven.quantity::<M>();
+    let value = |si: f64| si / driven.factor;
+    let special = |position: &crate::SpecialPosition<M>| {
+        let coordinates = description.coordinates.iter().zip(position.positions.iter());
+        let coordinates = coordinates.map(|(c, q)| (c.position.name.to_owned(), json!(q / c.position.factor)));
+        json!({ "at": value(position.value), "coordinates": coordinates.collect::<Map<_, _>>() })
+    };
+    let extreme = |extreme: &Extreme, factor: f64| json!({ "value": extreme.value / factor, "at": value(extreme.at) });
+    let range = |range: &Range, factor: f64, unit: &str| {
+        let (least, greatest) = (extreme(&range.least, factor), extreme(&range.greatest, factor));
+        json!({ "unit": unit, "least": least, "greatest": greatest, "stroke": range.stroke() / factor })
+    };
+    let extremes = &found.extremes;
+    let outputs = description.outputs.iter().enumerate().filter_map(|(i, o)| {
+        let mut entry = range(extremes.outputs[i].as_ref()?, o.factor, o.unit);
+        if let Some(ratio) = &extremes.time_ratios[i] {
+            let [working, returning] = [ratio.working, ratio.returning].map(value);
+            entry["time_ratio"] = json!({ "ratio": ratio.ratio, "working": working, "returning": returning });
+        }
+        if let Some(ratio) = &extremes.ratios[i] {
+            let peak = ratio.peak();
+            let least = driven.factor.recip() * o.factor / peak.value;
+            entry["least_mechanical_advantage"] =
+                json!({ "value": least, "unit": quotient(driven, o), "at": value(peak.at) });
+        }
+        Some((o.name.to_owned(), entry))
+    });
+    let multipliers = description.constraints.iter().zip(&extremes.multipliers);
+    let multipliers =
+        multipliers.filter_map(|(c, found)| Some((c.name.to_owned(), range(found.as_ref()?, c.factor, c.unit))));
+    let drives = [found.sweep.driven].into_iter().chain(found.sweep.held.iter().map(|(held, _)| *held));
+    let drives = drives.zip(&extremes.forces).filter_map(|(driven, found)| {
+        let unit = driven.force_unit::<M>();
+        Some((driven.quantity::<M>().name.to_owned(), range(found.as_ref()?, 1.0, unit)))
+    });
+    json!({
+        "model": description.name,
+        "drive": {
+            "name": driven.name,
+            "unit": driven.unit,
+            "from": value(found.sweep.from),
+            "to": value(found.sweep.to),
+            "speed": value(found.sweep.rate()),
+            "reached": found.values.last().copied().map(value),
+            "samples": found.values.len(),
+        },
+        "failure": found.trajectory.failure.as_ref().map(ToString::to_string),
+        "degrees_of_freedom": found.mobility.degrees_of_freedom,
+        "redundant_constraints": found.mobility.dependent,
+        "cycle": found.is_cycle(),
+        "limit_position": found.limit.as_ref().map(special),
+        "branch_positions": found.branches.iter().map(special).collect::<Vec<_>>(),
+        "drives": drives.collect::<Map<_, _>>(),
+        "transmission_index": extremes.transmission.as_ref().map(|found| range(found, 1.0, "1")),
+        "outputs": outputs.collect::<Map<_, _>>(),
+        "multipliers": multipliers.collect::<Map<_, _>>(),
+    })
+}
+
+/// The same to be read.
+fn report<M: Mechanism>(found: &Kinematics<M>) -> String {
+    let description = const { &M::DESCRIPTION };
+    let (driven, sweep, extremes) = (found.sweep.driven.quantity::<M>(), &found.sweep, &found.extremes);
+    let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
+    let mut text = format!("{:<12} {}\n", "model", description.name);
+    text += &format!(
+        "{:<12} {} from {} to {} at {:.6} {}/s, {} positions\n",
+        "drive",
+        driven.name,
+        value(sweep.from),
+        value(sweep.to),
+        sweep.rate() / driven.factor,
+        driven.unit,
+        found.values.len()
+    );
+    for position in &found.branches {
+        text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
+    }
+    if let Some(position) = &found.limit {
+        text += &format!("{:<12} {} goes no further than {}\n", "limit", driven.name, value(position.value));
+    }
+    text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
+    let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
+        let Some(Range { least, greatest }) = range else { return };
+        let numbers =
+            [least.value / factor, least.at / driven.factor, greatest.value / factor, greatest.at / driven.factor];
+        let numbers = numbers.map(|number| format!("{:>14}", significant(number))).join(" ");
+        text += &format!("{name:<22} {numbers}  {unit}\n");
+    };
+    let drives = [sweep.driven].into_iter().chain(sweep.held.iter().map(|(held, _)| *held));
+    for (driven, range) in drives.zip(&extremes.forces) {
+        row(&format!("drive_{}", driven.quantity::<M>().name), range, 1.0, driven.force_unit::<M>());
+    }
+    row("transmission_index", &extremes.transmission, 1.0, "1");
+    for (c, range) in description.constraints.iter().zip(&extremes.multipliers) {
+        row(&format!("lambda_{}", c.name), range, c.factor, c.unit);
+    }
+    for (o, range) in description.outputs.iter().zip(&extremes.outputs) {
+        row(o.name, range, o.factor, o.unit);
+    }
+    for (o, ratio) in description.outputs.iter().zip(&extremes.time_ratios) {
+        let Some(ratio) = ratio else { continue };
+        let (working, returning) = (value(ratio.working), value(ratio.returning));
+        text += &format!("{:<12} {}: {:.9} ({working} to {returning})\n", "time ratio", o.name, ratio.ratio);
+    }
+    text
+}
+
+/// Nine significant digits.
+fn significant(value: f64) -> String {
+    let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+    if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
+}

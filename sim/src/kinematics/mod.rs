@@ -1,0 +1,130 @@
+//! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
+
+mod driven;
+mod extremes;
+mod inverse;
+mod path;
+mod sweep;
+mod system;
+mod tabulate;
+
+use crate::assemble::Start;
+use crate::failure::{Failure, What};
+use crate::mobility::Mobility;
+use crate::trajectory::Trajectory;
+use sim_kernel::{Array, Mechanism};
+
+pub use driven::Driven;
+pub use extremes::{Extreme, Extremes, Range, TimeRatio};
+pub use inverse::{Prescribed, inverse_dynamics};
+pub use sweep::{SpecialPosition, Sweep};
+#[cfg(feature = "cli")]
+pub(crate) use tabulate::quotient;
+
+/// What a mechanism does while it is driven through a range.
+#[derive(Clone, Debug)]
+pub struct Kinematics<M: Mechanism> {
+    /// The mechanism with its parameters.
+    pub mechanism: M,
+    /// How it was driven.
+    pub sweep: Sweep,
+    /// The motion, with the reactions of the constraints. It ends with a failure in a limit position of the drive.
+    pub trajectory: Trajectory<M>,
+    /// The value of what is driven at each sample, in SI units.
+    pub values: Vec<f64>,
+    /// What the drive, and after it each hold, exerts on the mechanism at each sample: see [`Prescribed::forces`].
+    pub forces: Vec<Vec<f64>>,
+    /// The transmission index at each sample, from 0 in a dead point to 1.
+    ///
+    /// It is |det C_qd| over the product of the largest length that each column of C_qd has in the range, where C_qd are
+    /// the columns of the constraint Jacobian that no drive holds: how well the drive determines the rest, relative to the
+    /// best possible, as in Sutherland and Roth, A transmission index for spatial mechanisms (J. Eng. Ind. 95, 1973).
+    /// For a four-bar linkage driven at its crank it is sin mu, with mu the transmission angle (Balli and Chand,
+    /// Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over its largest value.
+    pub transmission: Vec<f64>,
+    /// Degrees of freedom without drives and dependent constraints, at the start.
+    pub mobility: Mobility,
+    /// Where other branches of the motion cross that which was followed.
+    pub branches: Vec<SpecialPosition<M>>,
+    /// Where the drive can go no further.
+    pub limit: Option<SpecialPosition<M>>,
+    /// Least and greatest values of everything, and where.
+    pub extremes: Extremes,
+}
+
+/// Drives a mechanism through a range, on the branch on which it is assembled.
+///
+/// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
+/// curvature; velocities, accelerations and reactions exactly from the kernels, by [`inverse_dynamics`]. What is given
+/// of the start closes the loops; from there drive and holds are first brought to where the sweep begins.
+///
+/// # Errors
+/// If the start cannot be assembled, if [`What::NotDriven`], or if where the sweep begins cannot be reached. What ends
+/// the sweep on the way does not lose it: it stands in its trajectory.
+pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
+    let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
+    if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
+        let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
+        return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, &start.positions));
+    }
+    let mut swept = sweep::sweep(&mechanism, start, sweep)?;
+    balance_energy(&mechanism, &mut swept.motion);
+    let transmission = transmission(&swept);
+    let extremes = extremes::find(&swept, sweep, &transmission);
+    let law = swept.system.laws[0];
+    let values = swept.motion.iter().map(|motion| law.at(motion.sample.state.time)).collect();
+    let forces = (0..swept.system.laws.len()).map(|k| swept.motion.iter().map(|motion| motion.forces[k]).collect());
+    let forces = forces.collect();
+    let samples = swept.motion.iter().map(|motion| motion.sample).collect();
+    Ok(Kinematics {
+        mechanism,
+        sweep: sweep.clone(),
+        values,
+        forces,
+        transmission,
+        extremes,
+        mobility: swept.mobility.clone(),
+        branches: swept.branches.clone(),
+        limit: swept.limit.clone(),
+        trajectory: Trajectory { samples, failure: swept.failure.clone() },
+    })
+}
+
+/// The work of loads and drives, which is the change of kinetic energy.
+fn balance_energy<M: Mechanism>(mechanism: &M, motion: &mut [Prescribed<M>]) {
+    let mut first = None;
+    for state in motion.iter_mut().map(|motion| &mut motion.sample.state) {
+        let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
+        state.work = kinetic - *first.get_or_insert(kinetic);
+    }
+}
+
+/// See [`Kinematics::transmission`]. Products are of logarithms, which neither overflow nor underflow.
+fn transmission<M: Mechanism>(swept: &sweep::Swept<M>) -> Vec<f64> {
+    let longest = |j: usize| swept.motion.iter().fold(0.0f64, |most, motion| most.max(motion.columns[j]));
+    let largest: f64 = swept.system.dependent_columns().map(|j| longest(j).ln()).sum();
+    swept.motion.iter().map(|motion| (motion.determinant.abs().ln() - largest).exp()).collect()
+}
+
+impl<M: Mechanism> Kinematics<M> {
+    /// Whether what is driven is an angle that makes one whole turn, after which the mechanism is where it was.
+    pub fn is_cycle(&self) -> bool {
+        let samples = &self.trajectory.samples;
+        let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return false };
+        let turns = |change: f64| (change / std::f64::consts::TAU - (change / std::f64::consts::TAU).round()).abs();
+        let returns = |j: usize| {
+            let change = last.state.positions[j] - first.state.positions[j];
+            let is_angle = Driven::Coordinate(j).turn::<M>().is_some();
+            if is_angle { turns(change) < 1e-9 } else { change.abs() < 1e-9 }
+        };
+        self.sweep.is_turn::<M>() && self.trajectory.failure.is_none() && (0..M::Q::LEN).all(returns)
+    }
+}
+
+impl Sweep {
+    /// Whether an angle is driven through one whole turn.
+    pub fn is_turn<M: Mechanism>(&self) -> bool {
+        let turn = self.driven.turn::<M>();
+        turn.is_some_and(|turn| ((self.to - self.from).abs() - turn).abs() <= 1e-9 * turn)
+    }
+}

@@ -1,0 +1,132 @@
+//! Dead points, crossing branches, and what cannot be driven.
+
+use crate::sweeps::{driven, sweep};
+use models::{DoublePendulum, FourBar, SliderCrank};
+use sim::{Driven, Start, What, declared_start, kinematics, mechanism};
+use std::f64::consts::PI;
+
+/// Crank and ground link of 0.5 m and 0.6 m, coupler and rocker of 0.4 m and 0.3 m: no link can turn fully.
+fn swinging() -> (FourBar, Start<FourBar>) {
+    let linkage = FourBar { a: 0.5, b: 0.4, c: 0.3, d: 0.6, ..FourBar::default() };
+    let start = Start { positions: [0.9, 0.2, 1.4], ..declared_start(&linkage) };
+    (linkage, start)
+}
+
+/// The crank goes no further than where coupler and rocker are in line, stretched:
+/// cos theta2 = (a^2 + d^2 - (b + c)^2) / (2 a d).
+#[test]
+fn a_crank_stops_where_the_other_links_are_stretched() {
+    let (linkage, start) = swinging();
+    let furthest = ((0.25 + 0.36 - 0.49f64) / 0.6).acos();
+    for (to, sign) in [(3.0, 1.0), (-3.0, -1.0)] {
+        let sweep = sweep::<FourBar>("theta2", [sign * 0.9, to], 1.0, 500);
+        let start = Start { positions: start.positions.map(|angle| sign * angle), ..start.clone() };
+        let found = kinematics(linkage, &start, &sweep).unwrap();
+        let limit = found.limit.unwrap();
+        println!("limit position off by {:.1e}", limit.value - sign * furthest);
+        assert!(
+            (limit.value - sign * furthest).abs() < 1e-14
+                && (limit.positions[1] - limit.positions[2]).sin().abs() < 1e-12
+        );
+        let failure = found.trajectory.failure.unwrap();
+        assert!(matches!(failure.what, What::LimitPosition { driven: "theta2", .. }), "{failure}");
+        assert!(failure.to_string().contains("theta2") && failure.to_string().contains("rad"), "{failure}");
+        // All that came before stands, to the last sample before the limit.
+        let (last, step) = (*found.values.last().unwrap(), (to - sign * 0.9).abs() / 500.0);
+        assert!((limit.value - last).abs() <= step && found.values.len() > 50, "{last}");
+        assert!(found.transmission.last().unwrap() < &0.2);
+    }
+}
+
+/// Both ways round, the piston cannot be pushed beyond where crank and rod are in line.
+#[test]
+fn an_output_is_driven_to_its_dead_points() {
+    let (near, far) = ((0.3f64.powi(2) - 0.0009).sqrt(), (0.6f64.powi(2) - 0.0009).sqrt());
+    for (to, limit) in [(0.2, near), (0.7, far)] {
+        let found = driven(SliderCrank::default(), "x", [0.5, to], 0.1, 300);
+        assert!((found.limit.unwrap().value - limit).abs() < 1e-14);
+        let x = |sample: &sim::Sample<SliderCrank>| {
+            0.15 * sample.state.positions[0].cos() + 0.45 * sample.state.positions[1].cos()
+        };
+        for (sample, value) in found.trajectory.samples.iter().zip(&found.values) {
+            assert!((x(sample) - value).abs() < 1e-15);
+        }
+    }
+    // Where the sweep should begin beyond a dead point, the way there ends in it.
+    let crank = SliderCrank::default();
+    let failure =
+        kinematics(crank, &declared_start(&crank), &sweep::<SliderCrank>("x", [0.7, 0.5], 0.1, 10)).unwrap_err();
+    assert!(matches!(failure.what, What::LimitPosition { driven: "x", .. }), "{failure}");
+}
+
+/// A parallelogram linkage can fold where it is flat: there another branch crosses. It goes straight on.
+#[test]
+fn a_parallelogram_goes_straight_through_its_change_points() {
+    let linkage = FourBar { a: 0.2, b: 0.6, c: 0.2, d: 0.6, ..FourBar::default() };
+    let start = Start { positions: [0.5, 0.0, 0.5], ..declared_start(&linkage) };
+    // 350 steps of 1 degree and a little: no sample is on a change point, and then one is on each.
+    for (from, to, samples) in [(0.5, 6.9, 351), (PI / 2.0, PI / 2.0 + 2.0 * PI, 359)] {
+        let steps = if samples == 351 { 350 } else { 360 };
+        let found = kinematics(linkage, &start, &sweep::<FourBar>("theta2", [from, to], 10.0, steps)).unwrap();
+        assert_eq!((found.trajectory.failure, found.trajectory.samples.len()), (None, samples));
+        let crossings: Vec<f64> = found.branches.iter().map(|branch| branch.value).collect();
+        println!("branches off by {:?}", [crossings[0] - PI, crossings[1] - 2.0 * PI]);
+        assert!(crossings.len() == 2 && (crossings[0] - PI).abs() < 1e-6 && (crossings[1] - 2.0 * PI).abs() < 1e-6);
+        for sample in &found.trajectory.samples {
+            let ([crank, coupler, rocker], speeds) = (sample.state.positions, sample.state.speeds);
+            // Next to a change point the last bits of the constraints are divided by sin theta2.
+            let rounding = 1e-14 / crank.sin().abs();
+            assert!(coupler.abs() < rounding && (rocker - crank).abs() < rounding, "{:?}", sample.state);
+            assert!((speeds[2] - 10.0).abs() < 1e3 * rounding);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_driven_says_why() {
+    let double = DoublePendulum::default();
+    let one = sweep::<DoublePendulum>("phi1", [0.0, 1.0], 1.0, 10);
+    let failure = kinematics(double, &declared_start(&double), &one).unwrap_err();
+    assert!(matches!(failure.what, What::NotDriven { freedoms: 2, driven: 1 }), "{failure}");
+    let held = sim::Sweep { held: vec![(Driven::Coordinate(1), 0.3)], ..one };
+    let found = kinematics(double, &declared_start(&double), &held).unwrap();
+    // The lower bar is held at its angle, and the upper one turns: its weight and that of the lower one at the elbow.
+    let (m, l, g) = (670.0 * 0.6 * 0.05 * 0.003, 0.6, 9.81);
+    for (sample, forces) in found.trajectory.samples.iter().zip(&found.forces[1]) {
+        let ([upper, lower], turning) = (sample.state.positions, m * l * l / 2.0);
+        assert!((lower - 0.3).abs() < 1e-15);
+        let held = m * g * l / 2.0 * lower.sin() - turning * (upper - lower).sin();
+        assert!((forces - held).abs() < 1e-14, "{forces} {held}");
+    }
+    let slider = SliderCrank::default();
+    let speed = sweep::<SliderCrank>("x_velocity", [0.0, 1.0], 1.0, 10);
+    let failure = kinematics(slider, &declared_start(&slider), &speed).unwrap_err();
+    assert!(matches!(failure.what, What::NotOfPositions { output: "x_velocity" }), "{failure}");
+    // In a dead point the piston does not determine the crank.
+    let flat = SliderCrank { offset: 0.0, ..slider };
+    let piston = sweep::<SliderCrank>("x", [0.6, 0.5], 0.1, 10);
+    let failure = kinematics(flat, &declared_start(&flat), &piston).unwrap_err();
+    assert!(matches!(failure.what, What::DriveSingular { driven: "x" }), "{failure}");
+}
+
+mechanism! {
+    /// A crank and its slider, whose guide is declared twice.
+    Doubled;
+    coordinates { theta [rad]; phi [rad]; }
+    parameters { r [m] = 0.1; l [m] = 0.3; m [kg] = 1; }
+    let C = r*[cos(theta), sin(theta)] + l*[cos(phi), sin(phi)];
+    bodies { piston: mass m at C; }
+    constraints { guide: C.y = 0; again: 2*C.y = 0; }
+    initial { theta = 0.4; dot(theta) = 3; guess phi = 0; }
+    outputs { x [m] = C.x; }
+}
+
+#[test]
+fn redundant_constraints_are_named_and_do_no_harm() {
+    let found = driven(Doubled::default(), "theta", [0.4, 6.0], 3.0, 50);
+    assert_eq!(found.mobility.dependent, ["again"]);
+    for sample in &found.trajectory.samples {
+        let [theta, phi] = sample.state.positions;
+        assert!((0.1 * theta.sin() + 0.3 * phi.sin()).abs() < 1e-15 && sample.multipliers[1] == 0.0);
+    }
+}

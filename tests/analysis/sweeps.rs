@@ -1,0 +1,141 @@
+//! Mechanisms driven through a range, against their geometry.
+
+use models::{FourBar, QuickReturn, SliderCrank};
+use sim::{Driven, Kinematics, Mechanism, Sweep, declared_start, kinematics, mechanism};
+use std::f64::consts::{PI, TAU};
+
+/// Drives a coordinate or output from the declared start.
+pub(crate) fn driven<M: Mechanism>(
+    mechanism: M,
+    name: &str,
+    [from, to]: [f64; 2],
+    speed: f64,
+    steps: usize,
+) -> Kinematics<M> {
+    kinematics(mechanism, &declared_start(&mechanism), &sweep::<M>(name, [from, to], speed, steps)).unwrap()
+}
+
+pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
+    Sweep { driven: Driven::find::<M>(name).unwrap(), from, to, speed, steps, held: Vec::new() }
+}
+
+/// The place of an output.
+fn output<M: Mechanism>(name: &str) -> usize {
+    M::DESCRIPTION.outputs.iter().position(|output| output.name == name).unwrap()
+}
+
+/// |sin(theta3 - theta4)| is the sine of the transmission angle between coupler and rocker.
+#[test]
+fn the_transmission_index_of_a_four_bar_is_the_sine_of_its_transmission_angle() {
+    let found = driven(FourBar::default(), "theta2", [0.0, TAU], 10.0, 360);
+    for (sample, index) in found.trajectory.samples.iter().zip(&found.transmission) {
+        let [_, coupler, rocker] = sample.state.positions;
+        assert!((index - (coupler - rocker).sin().abs()).abs() < 1e-12);
+    }
+    // Worst where crank and ground link are aligned: cos mu = (b^2 + c^2 - (d - a)^2) / (2 b c), which is 3/4.
+    let least = found.extremes.transmission.unwrap().least;
+    assert!((least.value - (7f64 / 16.0).sqrt()).abs() < 1e-12 && least.at.sin().abs() < 1e-7, "{least:?}");
+}
+
+/// x = r cos theta + sqrt(l^2 - (r sin theta - e)^2): its stroke is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2), with crank
+/// and rod in line at both ends.
+#[test]
+fn the_stroke_and_time_ratio_of_a_slider_crank() {
+    let (r, l, e) = (0.15f64, 0.45f64, 0.03f64);
+    let found = driven(SliderCrank::default(), "theta", [0.3, 0.3 + TAU], 20.0, 100);
+    assert!(found.is_cycle());
+    for sample in &found.trajectory.samples {
+        let ([theta, phi], [_, phi_dot]) = (sample.state.positions, sample.state.speeds);
+        let sine = (e - r * theta.sin()) / l;
+        let rate = -r * theta.cos() * 20.0 / (l * phi.cos());
+        let second = (r * theta.sin() * 400.0 + l * phi.sin() * rate * rate) / (l * phi.cos());
+        assert!((phi - sine.asin()).abs() < 1e-14 && (phi_dot - rate).abs() < 1e-13 && sample.accelerations[0] == 0.0);
+        assert!((sample.accelerations[1] - second).abs() < 1e-11);
+    }
+    let x = output::<SliderCrank>("x");
+    let range = found.extremes.outputs[x].unwrap();
+    let (out, back) = (((l + r).powi(2) - e * e).sqrt(), ((l - r).powi(2) - e * e).sqrt());
+    assert!((range.greatest.value - out).abs() < 1e-15 && (range.least.value - back).abs() < 1e-15, "{range:?}");
+    let (outer, inner) = ((e / (l + r)).asin(), PI + (e / (l - r)).asin());
+    // Places are those of roots of the velocity, to a few roundings of 2 pi.
+    assert!((range.greatest.at - (outer + TAU)).abs().min((range.greatest.at - outer).abs()) < 1e-14);
+    assert!((range.least.at - inner).abs() < 1e-14, "{range:?}");
+    let ratio = found.extremes.time_ratios[x].unwrap();
+    assert!(
+        (ratio.ratio - (TAU - (inner - outer)).max(inner - outer) / (TAU - (inner - outer)).min(inner - outer)).abs()
+            < 1e-13
+    );
+    // The mechanical advantage d theta/dx is least where the piston is fastest.
+    let fastest = found.extremes.ratios[x].unwrap().peak();
+    let speed = |theta: f64| {
+        let sine = r * theta.sin() - e;
+        -r * theta.sin() - sine * r * theta.cos() / (l * l - sine * sine).sqrt()
+    };
+    let slower = [-1e-3, 1e-3].map(|step| speed(fastest.at + step).abs());
+    assert!((speed(fastest.at) - fastest.value).abs() < 1e-14 && slower.iter().all(|slow| *slow < fastest.value.abs()));
+}
+
+/// The rocker turns back where the crank is at a right angle to it: the smaller part of the turn is 2 acos(O2A / O4O2).
+#[test]
+fn the_time_ratio_of_quick_return() {
+    let found = driven(QuickReturn::default(), "alpha", [0.0, TAU], 2.5 * PI, 720);
+    let x6 = output::<QuickReturn>("x6");
+    let ratio = found.extremes.time_ratios[x6].unwrap();
+    let returning = 2.0 * (2.0f64 / 3.0).acos();
+    assert!((ratio.ratio - (TAU - returning) / returning).abs() < 1e-12, "{ratio:?}");
+    assert!((ratio.returning - returning).abs() < 1e-13);
+    // The rocker swings by the same angle each way about the vertical; its tip and bar 5 give the stroke.
+    let swing = (2.0f64 / 3.0).asin();
+    let slider = |beta: f64| 0.7 * beta.cos() - (0.36 - (0.9 - 0.7 * beta.sin()).powi(2)).sqrt();
+    let stroke = slider(PI / 2.0 - swing) - slider(PI / 2.0 + swing);
+    let range = found.extremes.outputs[x6].unwrap();
+    assert!((range.stroke() - stroke).abs() < 1e-14, "{range:?} {stroke}");
+    // Through two turns the same positions come again.
+    let twice = driven(QuickReturn::default(), "alpha", [0.0, 2.0 * TAU], 2.5 * PI, 1440);
+    for (first, second) in twice.trajectory.samples.iter().zip(&twice.trajectory.samples[720..]) {
+        let apart = |j: usize| second.state.positions[j] - first.state.positions[j];
+        assert!((apart(0) - TAU).abs() < 1e-14 && apart(1).abs() < 1e-13 && apart(2).abs() < 1e-13);
+    }
+}
+
+/// Backwards, and beginning elsewhere than the declared start, the same branch is followed.
+#[test]
+fn directions_and_beginnings_do_not_change_the_branch() {
+    let ahead = driven(FourBar::default(), "theta2", [1.0, 3.0], 10.0, 64);
+    let back = driven(FourBar::default(), "theta2", [3.0, 1.0], 10.0, 64);
+    for (a, b) in ahead.trajectory.samples.iter().zip(back.trajectory.samples.iter().rev()) {
+        for j in 0..3 {
+            assert!((a.state.positions[j] - b.state.positions[j]).abs() < 1e-14);
+            assert!((a.state.speeds[j] + b.state.speeds[j]).abs() < 1e-12);
+            assert!((a.accelerations[j] - b.accelerations[j]).abs() < 1e-10);
+        }
+    }
+}
+
+mechanism! {
+    /// A slider on a rail that shakes, on a spring.
+    Shaker;
+    coordinates { x [mm]; }
+    parameters { m [kg] = 2; k [N/m] = 500; c [N*s/m] = 1; stroke [mm] = 5; }
+    let P = [x + stroke*sin(30 [rad/s]*t), 0];
+    bodies { slider: mass m at P; }
+    loads { force [-k*x - c*dot(x), 0] at P; }
+    outputs { place [mm] = P.x; speed [m/s] = dot(x); }
+}
+
+/// While x moves uniformly the rail's acceleration is felt; while the place in space does, it is not.
+#[test]
+fn time_runs_during_the_sweep() {
+    let found = driven(Shaker::default(), "x", [0.01, 0.03], 0.1, 20);
+    for (sample, force) in found.trajectory.samples.iter().zip(&found.forces[0]) {
+        let (t, x) = (sample.state.time, sample.state.positions[0]);
+        let expected = -2.0 * 0.005 * 900.0 * (30.0 * t).sin() + 500.0 * x + 0.1;
+        assert!((force - expected).abs() < 1e-12 && (x - 0.01 - 0.1 * t).abs() < 1e-16);
+    }
+    let found = driven(Shaker::default(), "place", [0.01, 0.03], 0.1, 20);
+    for (sample, force) in found.trajectory.samples.iter().zip(&found.forces[0]) {
+        let t = sample.state.time;
+        let (x, rate) = (0.01 + 0.1 * t - 0.005 * (30.0 * t).sin(), 0.1 - 0.15 * (30.0 * t).cos());
+        assert!((sample.state.positions[0] - x).abs() < 1e-16 && (force - 500.0 * x - rate).abs() < 1e-12, "{t}");
+    }
+}

@@ -1,0 +1,55 @@
+//! Commands that analyse a mechanism without running it.
+
+use crate::{fresh, sim, stderr, stdout, summary};
+use serde_json::Value;
+use std::fs;
+
+#[test]
+fn kinematics_writes_table_summary_and_figures_against_the_crank_angle() {
+    let directory = fresh("kinematics");
+    let out = directory.to_str().unwrap();
+    let range = ["--drive", "alpha", "--from", "0", "--to", "360deg", "--speed", "75rpm", "--steps", "90"];
+    let output = sim(&[&["kinematics", "quick-return", "--out", out], &range[..]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stdout(&output).contains("time ratio   x6: 2.735239183"), "{}", stdout(&output));
+    for name in ["drive", "transmission", "ratios", "mechanism", "slider6_position"] {
+        assert!(directory.join(format!("{name}.svg")).is_file() && directory.join(format!("{name}.png")).is_file());
+    }
+    let figure = fs::read_to_string(directory.join("slider6_position.svg")).unwrap();
+    assert!(figure.contains("Angle of crank 2"));
+    assert_eq!(crate::column(&directory, "drive_alpha [N*m]").len(), 91);
+    assert_eq!(crate::column(&directory, "ratio_x6 [m/rad]").len(), 91);
+    let summary = summary(&directory);
+    assert_eq!((&summary["cycle"], &summary["limit_position"]), (&Value::Bool(true), &Value::Null));
+    // Coordinates and outputs have one name on the command line: `plot` reads what was written.
+    assert!(sim(&["plot", out, "drive_alpha", "--against", "alpha"]).status.success());
+}
+
+#[test]
+fn a_limit_position_is_named_and_what_came_before_is_kept() {
+    let directory = fresh("limit");
+    let out = directory.to_str().unwrap();
+    let range = ["--drive", "x", "--from", "550mm", "--to", "0.2", "--speed", "0.1", "--no-figures", "--json"];
+    let output = sim(&[&["kinematics", "slider-crank", "--out", out], &range[..]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("`x` cannot go beyond 0.298496231 m"), "{}", stderr(&output));
+    let said: Value = serde_json::from_str(&stdout(&output)).unwrap();
+    assert!((said["limit_position"]["at"].as_f64().unwrap() - (0.09f64 - 0.0009).sqrt()).abs() < 1e-14);
+    assert!(crate::column(&directory, "x [m]").len() > 500);
+}
+
+#[test]
+fn what_is_wrong_with_a_sweep_is_said() {
+    let rows: [(&[&str], &str); 6] = [
+        (&["quick-return", "--drive", "alph"], "did you mean `alpha`"),
+        (&["slider-crank", "--drive", "x"], "--from is needed for `x`"),
+        (&["slider-crank", "--drive", "x", "--from", "0.5", "--to", "0.4"], "give one with --speed"),
+        (&["quick-return", "--from", "1", "--to", "1"], "nothing to drive"),
+        (&["quick-return", "--speed", "3mm"], "dimension"),
+        (&["double-pendulum", "--speed", "1"], "there are 2 of them here, and 1"),
+    ];
+    for (words, message) in rows {
+        let output = sim(&[&["kinematics"], words].concat());
+        assert!(!output.status.success() && stderr(&output).contains(message), "{words:?}: {}", stderr(&output));
+    }
+}
