@@ -94,12 +94,12 @@ pub(crate) fn expression(random: &mut Random, of: Dimension, depth: u32) -> Expr
         (&["abs(", ")"], |d, _| vec![d]),
         (&["sqrt(abs(", "))"], |d, _| vec![d.to_the(2)]),
         (&["(", "^2/", ")"], |d, other| vec![other, other.to_the(2).over(d)]),
-        (&["sqrt(abs(", "))*abs(", ")^(1/2)"], |d, other| vec![other, d.to_the(2).over(other)]),
+        (&["(sqrt(abs(", "))*abs(", ")^(1/2))"], |d, other| vec![other, d.to_the(2).over(other)]),
         (&["(", "^-1)"], |d, _| vec![d.to_the(-1)]),
         (&["norm([", ", ", "])"], |d, _| vec![d, d]),
         (&["inner([", ", ", "], [", ", ", "])"], |d, other| vec![other, other, d.over(other), d.over(other)]),
         (&["dot(", ")"], |d, _| vec![d.times(Dimension([0, 0, 1]))]),
-        (&["(", "*[", ", ", "]).y"], |d, other| vec![other, d.over(other), d.over(other)]),
+        (&["inner([1, 2], ", "*[", ", ", "])"], |d, other| vec![other, d.over(other), d.over(other)]),
     ];
     const PURE: [Form; 5] = [
         (&["sin(", ")"], |d, _| vec![d]),
@@ -121,27 +121,26 @@ fn leaf(random: &mut Random, of: Dimension) -> Expression {
     let node = match random.integer(0, 3) {
         0 => Node::Number(*random.pick(&[0.5, 0.75, 1.25, 2.0, 3.0])),
         1 | 2 if !names.is_empty() => Node::Name(random.pick(&names).0),
-        _ => return powers(of),
+        _ => powers(random, of),
     };
     Expression { of, node }
 }
 
-/// `l^a*m^b*T^c`
-fn powers(of: Dimension) -> Expression {
-    let mut product = Expression { of: Dimension::NONE, node: Node::Name("p") };
-    for (at, name) in [(0, "x"), (1, "m"), (2, "T")] {
+/// `(2*x*x/m)`
+fn powers(random: &mut Random, of: Dimension) -> Node {
+    let number = Node::Number(random.between(0.5, 2.0));
+    let (mut texts, mut parts) = (vec!["("], vec![Expression { of: Dimension::NONE, node: number }]);
+    const BASES: [[&str; 2]; 3] = [["x", "l"], ["m", "m"], ["T", "t"]];
+    for (at, base) in BASES.iter().enumerate() {
         let mut exponents = [0; 3];
         exponents[at] = 1;
-        let base = Expression { of: Dimension(exponents), node: Node::Name(name) };
         for _ in 0..of.0[at].abs() {
-            let (operator, of) = match of.0[at] > 0 {
-                true => ("*", product.of.times(base.of)),
-                false => ("/", product.of.over(base.of)),
-            };
-            product = Expression { of, node: Node::Compound(vec!["(", operator, ")"], vec![product, base.clone()]) };
+            texts.push(if of.0[at] > 0 { "*" } else { "/" });
+            parts.push(Expression { of: Dimension(exponents), node: Node::Name(random.pick::<&str>(base)) });
         }
     }
-    product
+    texts.push(")");
+    Node::Compound(texts, parts)
 }
 
 /// The expression with one of its parts replaced by one of another dimension.

@@ -12,7 +12,7 @@ use expression::{Dimension, Expression, expression, mutate, unit};
 use random::Random;
 use std::collections::HashMap;
 
-const EXPRESSIONS: usize = 3000;
+const EXPRESSIONS: usize = 1000;
 
 /// Names with their dimensions in m, kg and s; the coordinates first.
 const NAMES: [(&str, Dimension); 9] = [
@@ -74,11 +74,12 @@ fn value(model: &Model, state: u64, system: &System) -> f64 {
 fn scales(expression: &Expression, of: Dimension, with_units: bool, seed: u64) -> Option<bool> {
     let mut random = Random(seed);
     // Even powers, so that square roots are exact too.
-    let system: System = std::array::from_fn(|_| 2 * random.integer(-3, 3));
+    let system: System = std::array::from_fn(|_| *random.pick(&[-6, -4, -2, 2, 4, 6]));
     let [here, there] = [SI, system].map(|system| resolve(&declaration(expression, of, &system, with_units)).ok());
     let [here, there] = [value(&here?, seed, &SI), value(&there?, seed, &system)];
     let expected = here * of.size(&system);
-    if !expected.is_finite() || !there.is_finite() {
+    // What is smaller may be the rounding of terms that cancel, and nothing scales whatever its dimension.
+    if !expected.is_finite() || !there.is_finite() || here.abs() < 1e-12 {
         return None;
     }
     // Powers of two scale rounding too, but sums may be taken in another order, and differences lose digits.
@@ -119,7 +120,7 @@ fn homogeneous_expressions_pass_and_scale() {
 /// With one part of another dimension put in, an expression is refused, or it is homogeneous all the same.
 #[test]
 fn what_is_not_homogeneous_is_refused() {
-    let (mut passed, mut refused, mut for_nothing) = (0, 0, 0);
+    let (mut refused, mut for_nothing) = (0, 0);
     for seed in 0..EXPRESSIONS as u64 {
         let mut random = Random(seed);
         let of = random.dimension();
@@ -127,10 +128,7 @@ fn what_is_not_homogeneous_is_refused() {
         let expression = mutate(&mut random, original);
         let text = declaration(&expression, of, &SI, true);
         match resolve(&text) {
-            Ok(_) => {
-                assert_ne!(scales(&expression, of, true, seed), Some(false), "{text}");
-                passed += 1;
-            }
+            Ok(_) => assert_ne!(scales(&expression, of, true, seed), Some(false), "{text}"),
             Err(mistakes) if mistakes.iter().any(|mistake| is_of_numbers(mistake)) => {}
             // Without units nothing is refused, and the values can be compared.
             Err(_) => match scales(&expression, of, false, seed) {
@@ -140,6 +138,6 @@ fn what_is_not_homogeneous_is_refused() {
             },
         }
     }
-    println!("{refused} refused, {for_nothing} refused though they scale, {passed} pass and scale");
+    println!("{refused} refused, {for_nothing} refused though they scale");
     assert!(refused > EXPRESSIONS / 2 && for_nothing < refused / 20);
 }
