@@ -8,6 +8,7 @@ mod four_bar;
 mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
+mod skate;
 mod slider_crank;
 
 pub use andrews::*;
@@ -16,6 +17,7 @@ pub use four_bar::*;
 pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+pub use skate::*;
 pub use slider_crank::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
@@ -29,6 +31,7 @@ macro_rules! all_models {
             $crate::Pendulum,
             $crate::DoublePendulum,
             $crate::FourBar,
+            $crate::Skate,
             $crate::SliderCrank
         )
     };

@@ -1,6 +1,7 @@
 //! A start on the constraints, from given values and guesses.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::level::between_positions;
 use crate::project::{is_met, project_positions, rates};
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
@@ -56,7 +57,8 @@ fn assemble_positions<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<M
             return polish(mechanism, start, q);
         }
         let residual = DVector::from_iterator(M::L::LEN, linear.values.iter().copied());
-        let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.position_given, residual) else { break };
+        let by_positions = between_positions::<M>(&linear.jacobian);
+        let Some(step) = least_norm_solution::<M>(&by_positions, &start.position_given, residual) else { break };
         let current = norm(&linear.values);
         let mut scale = 1.0;
         let accepted = loop {

@@ -2,6 +2,7 @@
 
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
+use crate::level::between_positions;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
 use crate::trajectory::State;
@@ -76,23 +77,29 @@ fn residual_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DVe
 
 fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMatrix<f64>, Failure> {
     let (by_positions, _) = motion.jacobian(&motion.sample(*state)?)?;
-    let constraints = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+    let constraints = between_positions::<M>(&motion.mechanism().constraint_jacobian(state.time, &state.positions));
     let n = M::Q::LEN;
     Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
 }
 
-/// Of y'' = N'(A N y + B N y'), where the columns of N span the motions that the constraints leave, and A and B
-/// are d(q'')/dq and d(q'')/dq'.
+/// Of u' = N'(A H y + B N u) with y' = H'N u, where the columns of H span the changes of position that the constraints
+/// leave and those of N the speeds, and A and B are d(q'')/dq and d(q'')/dq'. Without constraints between speeds H is N.
 fn eigenvalues<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<Vec<Complex<f64>>, Failure> {
     let (by_positions, by_speeds) = motion.jacobian(&motion.sample(*state)?)?;
     let n = M::Q::LEN;
-    let free = free_directions(&motion.mechanism().constraint_jacobian(state.time, &state.positions), n);
-    let reduced = |matrix: &M::QQ| free.transpose() * DMatrix::from_fn(n, n, |i, j| matrix[i][j]) * &free;
-    let (a, b, f) = (reduced(&by_positions), reduced(&by_speeds), free.ncols());
-    let system = DMatrix::from_fn(2 * f, 2 * f, |i, j| match (i < f, j < f) {
-        (true, _) => f64::from(u8::from(j == i + f)),
-        (false, true) => a[(i - f, j)],
-        (false, false) => b[(i - f, j - f)],
+    let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+    let (moves, free) = (free_directions(&between_positions::<M>(&jacobian), n), free_directions(&jacobian, n));
+    let reduced = |matrix: &M::QQ, columns: &DMatrix<f64>| {
+        free.transpose() * DMatrix::from_fn(n, n, |i, j| matrix[i][j]) * columns
+    };
+    let (a, b) = (reduced(&by_positions, &moves), reduced(&by_speeds, &free));
+    let (h, f) = (moves.ncols(), free.ncols());
+    let rates = moves.transpose() * &free;
+    let system = DMatrix::from_fn(h + f, h + f, |i, j| match (i < h, j < h) {
+        (true, true) => 0.0,
+        (true, false) => rates[(i, j - h)],
+        (false, true) => a[(i - h, j)],
+        (false, false) => b[(i - h, j - h)],
     });
     let mut eigenvalues: Vec<Complex<f64>> = system.complex_eigenvalues().iter().copied().collect();
     eigenvalues

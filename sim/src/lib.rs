@@ -14,6 +14,8 @@ mod formats;
 mod integrate;
 mod interpolate;
 mod kinematics;
+mod least_norm;
+mod level;
 mod mobility;
 mod motion;
 mod partition;

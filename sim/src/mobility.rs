@@ -1,42 +1,93 @@
 //! Degrees of freedom, and constraints that say what others say already.
 
 use crate::failure::{Failure, What, constraint_name};
+use crate::level::between_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// What the constraints leave free at a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
-    /// How many coordinates can move independently: n less the rank of C_q.
+    /// How many speeds are independent: n less the rank of C_q, rows between speeds included.
     pub degrees_of_freedom: usize,
-    /// The constraints that depend on those before them. Their share of the reactions is not determined, and is
-    /// reported as 0.
+    /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
+    /// between speeds alone.
+    pub configuration_freedom: usize,
+    /// The constraints that depend on those before them, in this position.
     pub dependent: Vec<&'static str>,
+    /// For each of them those before it that it follows from; none if it says nothing at all. How all of these share their
+    /// reactions is not determined: those of least norm are given, the smallest sum of lambda^2 in SI units.
+    pub implied_by: Vec<Vec<&'static str>>,
 }
+
+impl Mobility {
+    /// A line for each dependent constraint: from which others it follows, and what is shown of their reactions.
+    pub fn redundancies(&self) -> Vec<String> {
+        let line = |(name, others): (&&str, &Vec<&str>)| match others.is_empty() {
+            true => format!("`{name}` constrains nothing here; its reaction is shown as 0"),
+            false => format!(
+                "`{name}` is implied by `{}` at the start; their reactions are not determined one by one, and the ones of \
+                 least norm in SI units are shown",
+                others.join("`, `")
+            ),
+        };
+        self.dependent.iter().zip(&self.implied_by).map(line).collect()
+    }
+}
+
+/// A part of a constraint this small beside the whole is rounding.
+const NO_PART: f64 = 1e-7;
 
 /// A row is dependent whose distance from the space of those before it is less than this part of its length.
 const DEPENDENT: f64 = 1e-7;
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    let angles = independence(mechanism, time, q);
-    let rows = || angles.iter().enumerate();
-    let dependent: Vec<_> =
-        rows().filter(|(_, sine)| !(**sine > DEPENDENT)).map(|(i, _)| constraint_name::<M>(i)).collect();
-    Mobility { degrees_of_freedom: M::Q::LEN + dependent.len() - M::L::LEN, dependent }
+    let jacobian = mechanism.constraint_jacobian(time, q);
+    let dependent = |jacobian: &M::LQ| -> Vec<usize> {
+        let sines = independence::<M>(jacobian);
+        (0..M::L::LEN).filter(|i| !(sines[*i] > DEPENDENT)).collect()
+    };
+    let (rows, of_positions) = (dependent(&jacobian), dependent(&between_positions::<M>(&jacobian)));
+    Mobility {
+        degrees_of_freedom: M::Q::LEN + rows.len() - M::L::LEN,
+        configuration_freedom: M::Q::LEN + of_positions.len() - M::L::LEN,
+        implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
+        dependent: rows.into_iter().map(constraint_name::<M>).collect(),
+    }
+}
+
+/// The independent constraints before a row that it is a combination of.
+fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> Vec<&'static str> {
+    let before: Vec<usize> = (0..row).filter(|i| !dependent.contains(i)).collect();
+    let direction = |i: usize| {
+        let entries = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+        let length = entries.norm();
+        if length > 0.0 { entries / length } else { entries }
+    };
+    let directions = DMatrix::from_fn(M::Q::LEN, before.len(), |j, k| direction(before[k])[j]);
+    if before.is_empty() || directions.iter().any(|entry| !entry.is_finite()) {
+        return vec![];
+    }
+    let Ok(parts) = directions.svd(true, true).solve(&direction(row), DEPENDENT) else { return vec![] };
+    before
+        .into_iter()
+        .zip(parts.iter())
+        .filter(|(_, part)| part.abs() > NO_PART)
+        .map(|(i, _)| constraint_name::<M>(i))
+        .collect()
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.
 pub(crate) fn weakest_constraint<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<(&'static str, f64)> {
-    let angles = independence(mechanism, time, q);
+    let angles = independence::<M>(&mechanism.constraint_jacobian(time, q));
     let independent = angles.iter().enumerate().filter(|(_, sine)| **sine > 0.0);
     let (row, sine) = independent.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
     Some((constraint_name::<M>(row), *sine))
 }
 
 /// For each row of C_q the sine of its angle to the space of those before it.
-fn independence<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<f64> {
-    let jacobian = mechanism.constraint_jacobian(time, q);
+fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let of_row = |i: usize| {
         let row = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());

@@ -1,10 +1,11 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::least_norm::least_norm;
 use crate::partition::Partition;
 use crate::project::{by_mass, project, rates};
 use crate::settings::Stabilisation;
-use crate::solve::solve;
+use crate::solve::{Solved, solve};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Dynamics, Mechanism};
 use std::cell::{Cell, RefCell};
@@ -153,7 +154,7 @@ pub(crate) fn by_inertia<M: Mechanism>(
     let n = M::Q::LEN;
     let rhs = M::Z::from_fn(|i| if i < n { 0.0 } else { residual[i - n] });
     let solution = solve_motion::<M>(matrix, rhs, time, q)?;
-    Ok(M::Q::from_fn(|i| solution[i]))
+    Ok(M::Q::from_fn(|i| solution.solution[i]))
 }
 
 /// [M C_q'; C_q 0].
@@ -169,20 +170,21 @@ fn saddle<M: Mechanism>(mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ {
 }
 
 /// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints say
-/// what others say already, are zero.
-fn solve_motion<M: Mechanism>(matrix: M::ZZ, rhs: M::Z, time: f64, q: &M::Q) -> Result<M::Z, Failure> {
+/// what others say already, are zero here.
+fn solve_motion<M: Mechanism>(matrix: M::ZZ, rhs: M::Z, time: f64, q: &M::Q) -> Result<Solved<M::Z>, Failure> {
     let fail = |unknown: usize| Failure::at::<M>(What::Singular { unknown: unknown_name::<M>(unknown) }, time, q);
     let solved = solve(matrix, rhs);
     let undetermined = || solved.undetermined();
     match undetermined().find(|unknown| *unknown < M::Q::LEN) {
         Some(acceleration) => Err(fail(acceleration)),
         None if !solved.is_consistent => Err(fail(undetermined().next().unwrap_or(0))),
-        None => Ok(solved.solution),
+        None => Ok(solved),
     }
 }
 
 /// Accelerations, multipliers and power at a state, by the generated elimination; where that refuses a pivot, by
-/// complete pivoting on the mass matrix and the constraint Jacobian.
+/// complete pivoting on the mass matrix and the constraint Jacobian. Where constraints depend on each other the multipliers
+/// are those of least norm, in SI units.
 ///
 /// # Errors
 /// [`What::Singular`] if no unique solution exists, [`What::NotFinite`] if an expression leaves its domain.
@@ -242,9 +244,13 @@ fn accelerate_by_pivoting<M: Mechanism>(
         };
         return Err(fail(What::NotFinite { quantity }));
     }
-    let solution = solve_motion::<M>(matrix, rhs, time, q)?;
-    let accelerations = M::Q::from_fn(|i| solution[i]);
-    let multipliers = M::L::from_fn(|i| solution[n + i]);
+    let solved = solve_motion::<M>(matrix, rhs, time, q)?;
+    let accelerations = M::Q::from_fn(|i| solved.solution[i]);
+    let mut multipliers = M::L::from_fn(|i| solved.solution[n + i]);
+    let undetermined = solved.undetermined().count();
+    if undetermined > 0 {
+        multipliers = least_norm::<M>(jacobian, &multipliers, m - undetermined);
+    }
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
     if !power.is_finite() {
         return Err(fail(What::NotFinite { quantity: "the power of the loads".into() }));

@@ -4,6 +4,7 @@
 //! constraint Jacobian carry the pivots of an elimination with complete pivoting.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::level::{between_positions, has_speed_rows};
 use crate::project::is_met;
 use crate::trajectory::State;
 use sim_kernel::{Array, Mechanism};
@@ -16,9 +17,16 @@ const OLD: f64 = 4.0;
 /// A pivot this much smaller than the first is taken for zero.
 const SMALLEST_PIVOT: f64 = 1e-9;
 
-/// The dependent coordinates, as many as there are independent constraints.
+/// The dependent coordinates and the dependent speeds. They differ where constraints hold between speeds alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partition {
+    positions: Choice,
+    speeds: Choice,
+}
+
+/// Which coordinates or speeds are dependent: as many as there are independent constraints.
+#[derive(Clone, Debug, Default)]
+struct Choice {
     dependent: Vec<usize>,
 }
 
@@ -26,10 +34,15 @@ impl Partition {
     /// Chooses again if the choice has aged, or none has been made.
     pub(crate) fn renew<M: Mechanism>(&mut self, mechanism: &M, state: &State<M>) -> Result<(), Failure> {
         let jacobian = mechanism.constraint_jacobian(state.time, &state.positions);
-        if self.dependent.is_empty() || self.has_aged::<M>(jacobian) {
-            self.choose::<M>(jacobian);
+        self.positions.renew::<M>(between_positions::<M>(&jacobian));
+        if has_speed_rows::<M>() {
+            self.speeds.renew::<M>(jacobian);
         }
         Ok(())
+    }
+
+    fn of_speeds<M: Mechanism>(&self) -> &Choice {
+        if has_speed_rows::<M>() { &self.speeds } else { &self.positions }
     }
 
     /// Makes the dependent coordinates and speeds follow from the independent ones.
@@ -41,8 +54,9 @@ impl Partition {
         let mut linear = mechanism.constraint_linearization(time, q);
         let mut steps = 0;
         loop {
-            let (_, change) = self.reduce::<M>(linear.jacobian, linear.values, time, q)?;
-            self.dependent.iter().enumerate().for_each(|(k, i)| q[*i] -= change[k]);
+            let by_positions = between_positions::<M>(&linear.jacobian);
+            let (_, change) = self.positions.reduce::<M>(by_positions, linear.values, time, q)?;
+            self.positions.dependent.iter().enumerate().for_each(|(k, i)| q[*i] -= change[k]);
             linear = mechanism.constraint_linearization(time, q);
             steps += 1;
             if is_met(mechanism, time, q, &linear) {
@@ -54,11 +68,20 @@ impl Partition {
                 return Err(Failure::at::<M>(what, time, q));
             }
         }
-        self.dependent.iter().for_each(|i| state.speeds[*i] = 0.0);
+        let speeds = self.of_speeds::<M>();
+        speeds.dependent.iter().for_each(|i| state.speeds[*i] = 0.0);
         let driven = crate::project::rates::<M>(&linear, &state.speeds);
-        let (_, speeds) = self.reduce::<M>(linear.jacobian, driven, time, q)?;
-        self.dependent.iter().enumerate().for_each(|(k, i)| state.speeds[*i] = -speeds[k]);
+        let (_, following) = speeds.reduce::<M>(linear.jacobian, driven, time, q)?;
+        speeds.dependent.iter().enumerate().for_each(|(k, i)| state.speeds[*i] = -following[k]);
         Ok(())
+    }
+}
+
+impl Choice {
+    fn renew<M: Mechanism>(&mut self, jacobian: M::LQ) {
+        if self.dependent.is_empty() || self.has_aged::<M>(jacobian) {
+            self.choose::<M>(jacobian);
+        }
     }
 
     /// By elimination with complete pivoting.

@@ -5,6 +5,7 @@
 //! Rows that depend on others here are left out of a correction, but not of the check that follows it.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::level::{between_positions, has_speed_rows};
 use crate::motion::by_inertia;
 use crate::solve::Definite;
 use crate::trajectory::State;
@@ -39,7 +40,8 @@ pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usi
     let (time, q) = (state.time, &mut state.positions);
     let found = correct_positions(mechanism, time, q)?;
     let open = rates::<M>(&found.linear, &state.speeds);
-    let serves = found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
+    let serves =
+        !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
     let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
     if !factors.is_regular() && factors.dependent().count() > redundant {
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
@@ -95,7 +97,8 @@ pub fn rates<M: Mechanism>(linear: &Linearization<M>, qd: &M::Q) -> M::L {
 pub(crate) fn by_mass<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
     let (time, q) = (state.time, &mut state.positions);
     let (linear, _) = correct(mechanism, time, q, |linear, q| {
-        by_inertia(mechanism, time, q, &linear.jacobian, &linear.values).map(|change| (change, ()))
+        by_inertia(mechanism, time, q, &between_positions::<M>(&linear.jacobian), &linear.values)
+            .map(|change| (change, ()))
     })?;
     let change = by_inertia(mechanism, time, q, &linear.jacobian, &rates::<M>(&linear, &state.speeds))?;
     subtract(&mut state.speeds, &change);
@@ -115,8 +118,9 @@ struct Corrected<M: Mechanism> {
 #[inline]
 fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Corrected<M>, Failure> {
     let (linear, (factors, last_change)) = correct(mechanism, time, q, |linear, q| {
-        let factors = factorise::<M>(linear, time, q)?;
-        let change = least_change::<M>(linear, &factors, linear.values);
+        let between_positions = Linearization::<M> { jacobian: between_positions::<M>(&linear.jacobian), ..*linear };
+        let factors = factorise::<M>(&between_positions, time, q)?;
+        let change = least_change::<M>(&between_positions, &factors, linear.values);
         let size = change.iter().fold(0.0f64, |size, change| size.max(change.abs()));
         Ok((change, (factors, size)))
     })?;

@@ -177,6 +177,58 @@ mechanism! {
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
+mechanism! {
+    /// A sled with a pole on a blade, on ice that drifts, its tip on a line: constraints between positions and between speeds.
+    pub(crate) Sled;
+    coordinates { x [m]; y [mm]; phi [rad]; psi [rad]; }
+    parameters { m [kg] = 3; J [kg*m^2] = 0.2; a [m] = 0.3; l [m] = 0.7; n [kg] = 0.4; v [m/s] = 0.2; c [N*s/m] = 0.5; }
+    let P = [x, y];
+    let across = [-sin(phi), cos(phi)];
+    auxiliary { bx [m]; by [m]; foot [mm]; turn [rad]; }
+    let slip = inner(dot(P + [bx, by]) - v*[sin(2 [rad/s]*t), 0.3], across);
+    let G = P + a*[cos(phi), sin(phi)];
+    let tip = G + [foot, 0] + l*[cos(psi + turn), sin(psi + turn)];
+    bodies { sled: mass m at G, inertia J, angle phi; pole: mass n at tip, inertia J/9, angle psi + turn; }
+    loads {
+        force [1 [N], 0.2 [N/s]*t] at G; force -c*dot(tip) at tip; torque 1 [N*m]*sin(1 [rad/s]*t) on pole;
+        dissipation c*inner(dot(tip), dot(tip)); spring 20 [N/m], length l from [0, 1 [m]] to tip;
+    }
+    constraints { blade: slip = 0; rail: tip.y + 0.1*tip.x = 0.4 [m] + 0.05 [m]*sin(1 [rad/s]*t); }
+    initial { phi = 0.3; dot(phi) = 1; guess y = 100; guess psi = 0.2; }
+    outputs { side [N] = reaction(blade); rail [N] = reaction(rail); sideways [m/s] = slip;
+        blade_x [N] = reaction(bx); blade_y [N] = reaction(by); foot [N] = reaction(foot); moment [N*m] = reaction(turn)*cos(psi); }
+    drawing { line P, G, tip; ground [0, 0]; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
+    /// Seven rods in a chain from a support that shakes, the last on two blades: long sums, and speeds of a point in them.
+    pub(crate) Snake;
+    coordinates { a1 [rad]; a2 [rad]; a3 [rad]; a4 [rad]; a5 [rad]; a6 [rad]; a7 [rad]; }
+    parameters { m [kg] = 0.3; l [m] = 0.4; J [kg*m^2] = 0.01; w [1/s] = 3; }
+    let P0 = 0.1 [m]*[sin(w*t), cos(2*w*t)];
+    let P1 = P0 + l*[sin(a1), -cos(a1)];
+    let P2 = P1 + l*[sin(a2), -cos(a2)];
+    let P3 = P2 + l*[sin(a3), -cos(a3)];
+    let P4 = P3 + l*[sin(a4), -cos(a4)];
+    let P5 = P4 + l*[sin(a5), -cos(a5)];
+    let P6 = P5 + l*[sin(a6), -cos(a6)];
+    let P7 = P6 + l*[sin(a7), -cos(a7)];
+    bodies {
+        rod1: mass m at P1, inertia J, angle a1;
+        rod2: mass m at P2, inertia J, angle a2;
+        rod3: mass m at P3, inertia J, angle a3;
+        rod4: mass 2*m at P4, inertia J, angle a4;
+        rod5: mass m at P5, inertia J, angle a5;
+        rod6: mass m at P6, inertia J, angle a6;
+        rod7: mass m at P7, inertia J, angle a7;
+    }
+    loads { gravity [0, -9.81 [m/s^2]]; force 1 [N]*[sin(1 [rad/s]*t), 2] at P7; }
+    constraints { blade: inner(dot(P7), [cos(a7), sin(a7)]) = 0.1 [m/s]*sin(1 [rad/s]*t); other: dot(P4.x) = 0; }
+    initial { guess a1 = -0.15; guess a2 = 0.0; guess a3 = 0.15; guess a4 = 0.3; guess a5 = 0.45; guess a6 = 0.6; guess a7 = 0.75; }
+    outputs { height [m] = P7.y; pull [N] = reaction(blade); }
+}
+
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -187,6 +239,7 @@ macro_rules! all_mechanisms {
             models::Pendulum,
             models::DoublePendulum,
             models::FourBar,
+            models::Skate,
             models::SliderCrank,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
@@ -194,7 +247,9 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Rod,
             crate::mechanisms::Chain,
             crate::mechanisms::Arm,
-            crate::mechanisms::Sprung
+            crate::mechanisms::Sprung,
+            crate::mechanisms::Sled,
+            crate::mechanisms::Snake
         )
     };
 }
@@ -205,5 +260,5 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung).to_vec()].concat()
+    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake).to_vec()].concat()
 }

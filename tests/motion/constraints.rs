@@ -1,6 +1,7 @@
 //! Ways to stay on the constraints: partitioning against projection, redundant constraints, singular positions.
 
 use models::{Andrews, FourBar, QuickReturn, QuickReturnRatio, SliderCrank};
+use nalgebra::{DMatrix, DVector};
 use sim::{Mechanism, Method, Run, Settings, Stabilisation, Table, mechanism};
 use tests::run_with;
 
@@ -35,6 +36,50 @@ mechanism! {
     loads { gravity [0, -g]; }
     constraints { closure: A + b*u = [d, 0] + c*v; again: 3*A + 3*b*u = [3*d, 0] + 3*c*v; }
     initial { crank = 0; dot(crank) = 10; guess coupler = 1; guess rocker = 1.7; }
+}
+
+mechanism! {
+    /// A hanging parallelogram whose coupler a third crank carries in its middle: one closure too many.
+    Overconstrained;
+    coordinates { crank [rad]; coupler [rad]; rocker [rad]; middle [rad]; }
+    parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; n [kg] = 0.3; c [N*m*s] = 0.02; g [m/s^2] = 9.81; }
+    let A = a*[cos(crank), sin(crank)];
+    let u = [cos(coupler), sin(coupler)];
+    let third = a*[cos(middle), sin(middle)];
+    bodies {
+        one: inertia 0.1 [kg*m^2], angle crank;
+        two: mass m at A + 0.3*b*u, inertia m*b^2/12, angle coupler;
+        three: inertia 0.2 [kg*m^2], angle rocker;
+        four: mass n at [b/2, 0] + third/2, inertia n*a^2/12, angle middle;
+    }
+    loads { gravity [0, -g]; torque -c*dot(crank) on one; }
+    constraints {
+        closure: A + b*u = [b, 0] + a*[cos(rocker), sin(rocker)];
+        carried: A + b/2*u = [b/2, 0] + third;
+    }
+    initial { crank = -0.6; dot(crank) = 1; guess coupler = 0; guess rocker = -0.6; guess middle = -0.6; }
+}
+
+mechanism! {
+    /// The same held by one condition less.
+    Determined;
+    coordinates { crank [rad]; coupler [rad]; rocker [rad]; middle [rad]; }
+    parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; n [kg] = 0.3; c [N*m*s] = 0.02; g [m/s^2] = 9.81; }
+    let A = a*[cos(crank), sin(crank)];
+    let u = [cos(coupler), sin(coupler)];
+    let third = a*[cos(middle), sin(middle)];
+    bodies {
+        one: inertia 0.1 [kg*m^2], angle crank;
+        two: mass m at A + 0.3*b*u, inertia m*b^2/12, angle coupler;
+        three: inertia 0.2 [kg*m^2], angle rocker;
+        four: mass n at [b/2, 0] + third/2, inertia n*a^2/12, angle middle;
+    }
+    loads { gravity [0, -g]; torque -c*dot(crank) on one; }
+    constraints {
+        closure: A + b*u = [b, 0] + a*[cos(rocker), sin(rocker)];
+        carried: middle = crank;
+    }
+    initial { crank = -0.6; dot(crank) = 1; guess coupler = 0; guess rocker = -0.6; }
 }
 
 /// The largest difference of positions and speeds, relative to the largest of each column.
@@ -98,7 +143,51 @@ fn a_doubled_constraint_changes_nothing_and_is_named() {
             (twice.mobility.degrees_of_freedom, &twice.mobility.dependent[..]),
             (1, &["again_x", "again_y"][..])
         );
+        assert_eq!(twice.mobility.implied_by, [["closure_x"], ["closure_y"]]);
+        // lambda + 3 mu is what the one closure has; the shortest (lambda, mu) with that sum are its tenth and three of them.
+        for (a, b) in once.trajectory.samples.iter().zip(&twice.trajectory.samples) {
+            for axis in 0..2 {
+                let whole = a.multipliers[axis];
+                let shares = [b.multipliers[axis], b.multipliers[2 + axis]];
+                let size = a.multipliers[axis].abs().max(1.0);
+                assert!((shares[0] - 0.1 * whole).abs() < 1e-8 * size, "{shares:?} {whole}");
+                assert!((shares[1] - 0.3 * whole).abs() < 1e-8 * size, "{shares:?} {whole}");
+            }
+        }
     }
+}
+
+/// The reactions of an overconstrained loop are the pseudo-inverse of C_q' applied to Q - h - M q'', by the singular value
+/// decomposition of another library; it moves as the same loop with one condition less.
+#[test]
+fn an_overconstrained_loop_has_the_reactions_of_least_norm() {
+    let settings = Settings::adaptive(Method::Dop853, 2.0, 1e-12);
+    let run = run_with(Overconstrained::default(), &settings).unwrap();
+    let found = difference(&run, &run_with(Determined::default(), &settings).unwrap());
+    println!("motion {found:.1e}");
+    assert!(found < 1e-9, "{found:e}");
+    assert_eq!((run.mobility.degrees_of_freedom, run.mobility.dependent.len()), (1, 1));
+    assert_eq!(run.mobility.dependent, ["carried_y"]);
+    assert!(run.mobility.implied_by[0].contains(&"closure_x") && run.mobility.implied_by[0].contains(&"carried_x"));
+    let mechanism = Overconstrained::default();
+    let mut worst = 0.0f64;
+    for sample in &run.trajectory.samples {
+        let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+        let mass = mechanism.mass_matrix(t, q);
+        let (loads, convective) = (mechanism.generalized_forces(t, q, qd), mechanism.convective_forces(t, q, qd));
+        let missing = DVector::from_fn(4, |i, _| {
+            let inertial: f64 = (0..4).map(|j| mass[i][j] * sample.accelerations[j]).sum();
+            loads[i] - convective[i] - inertial
+        });
+        let jacobian = mechanism.constraint_jacobian(t, q);
+        let transposed = DMatrix::from_fn(4, 4, |i, j| jacobian[j][i]);
+        let expected = transposed.pseudo_inverse(1e-9).unwrap() * missing;
+        let apart = (0..4).map(|i| (expected[i] - sample.multipliers[i]).abs()).fold(0.0, f64::max);
+        worst = worst.max(apart / expected.amax());
+    }
+    println!("reactions {worst:.1e}");
+    // Both ways amplify rounding by the condition of C_q, some tens here.
+    assert!(worst < 1e-11, "{worst:e}");
 }
 
 /// Without loads a parallelogram turns evenly, straight through the positions where it could change into another linkage:

@@ -9,7 +9,7 @@ use tests::{decimal, reference, run};
 const TOLERANCE: f64 = 1e-9;
 
 /// The entries of a reference that have a time, of one quantity: (t, value).
-fn history(reference: &Value, quantity: &str) -> Vec<(f64, f64)> {
+pub(crate) fn history(reference: &Value, quantity: &str) -> Vec<(f64, f64)> {
     let entries = reference["reference"].as_array().unwrap();
     let time = |entry: &Value| entry["at"].as_str().and_then(|at| at.strip_prefix("t=")?.parse().ok());
     let entries = entries.iter().filter(|entry| entry["quantity"] == quantity);
@@ -19,7 +19,7 @@ fn history(reference: &Value, quantity: &str) -> Vec<(f64, f64)> {
 }
 
 /// Every column of a run that has a history in the reference agrees with it. A sign turns the reference's direction.
-fn compare<M: Mechanism>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
+pub(crate) fn compare<M: Mechanism>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
     assert_eq!(run.trajectory.failure, None);
     let table = Table::of(&run.mechanism, &run.trajectory);
     for (name, quantity, sign) in columns {

@@ -4,6 +4,7 @@
 
 mod andrews;
 mod assembly;
+mod auxiliary;
 mod constraints;
 mod elements;
 mod events;
@@ -11,6 +12,7 @@ mod failure;
 mod faulty;
 mod linkages;
 mod long;
+mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;

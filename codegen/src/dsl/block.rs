@@ -50,6 +50,17 @@ pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
     Ok(Coordinate { docs, name, unit })
 }
 
+/// A displacement that is zero: `bx [m];`
+pub(super) fn auxiliary(input: ParseStream) -> Result<Auxiliary> {
+    docs(input)?;
+    let name = name(input, "an auxiliary displacement: `bx [m];`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.peek(Token![=]) {
+        return Err(here(input, format!("an auxiliary displacement is always zero; write `{name} [m];`")));
+    }
+    Ok(Auxiliary { name, unit })
+}
+
 pub(super) fn parameter(input: ParseStream) -> Result<Parameter> {
     let docs = docs(input)?;
     let name = name(input, "a parameter: `m [kg] = 0.5;`")?;

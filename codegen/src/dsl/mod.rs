@@ -7,6 +7,7 @@ mod limits;
 mod load;
 mod parse;
 mod print;
+mod rates;
 mod region;
 mod reuse;
 mod source;

@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 10] = [
+const BLOCKS: [&str; 11] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -20,6 +20,7 @@ const BLOCKS: [&str; 10] = [
     "outputs",
     "drawing",
     "kernels",
+    "auxiliary",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -91,6 +92,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         outputs: vec![],
         drawing: vec![],
         kernels: None,
+        auxiliary: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -140,6 +142,9 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
+        }
+        "auxiliary" => {
+            d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }

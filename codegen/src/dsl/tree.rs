@@ -29,6 +29,8 @@ pub struct Declaration {
     pub drawing: Vec<Shape>,
     /// `kernels { .. }`: which of those that not everyone needs are made; `None` leaves that to the program.
     pub kernels: Option<Vec<OptionalKernel>>,
+    /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
+    pub auxiliary: Vec<Auxiliary>,
 }
 
 /// A kernel that not everyone needs.
@@ -44,6 +46,14 @@ pub enum OptionalKernel {
 pub struct Coordinate {
     /// Documentation, one line each.
     pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `bx [m];` in `auxiliary`.
+pub struct Auxiliary {
     /// Its name.
     pub name: Ident,
     /// Its unit.

@@ -1,37 +1,51 @@
 //! Constraints with the derivatives that the equations of motion and the projection need.
+//!
+//! A row w(q, q', t) = 0 between speeds is linear in them, w = A q' + b, and enters where the rate of a row between
+//! positions does, C' = C_q q' + C_t: A stands for C_q, b for C_t, and w_q q' + w_t for the convective terms. It does no
+//! work on motions that it admits for b = 0, as its reaction is A' lambda. (Neimark and Fufaev, Dynamics of Nonholonomic
+//! Systems, 1972, chapter III.)
 
 use super::variables::{Derivatives, Variables};
-use crate::model::Model;
+use crate::model::{Level, Model};
 use crate::symbolic::{Expr, Function, Node, Number};
 
 /// m constraint rows C(q, t) = 0.
 pub struct Constraints {
-    /// C, m.
+    /// C, m; zero for rows between speeds.
     pub values: Vec<Expr>,
     /// The sum of the magnitudes of the terms of C, m: what rounding in C is relative to.
     pub magnitudes: Vec<Expr>,
-    /// C_q, m x n.
+    /// C_q, m x n; w_q' for rows w = 0 between speeds.
     pub jacobian: Vec<Vec<Expr>>,
-    /// C_t, m.
+    /// C_t, m; w without speeds for rows between speeds.
     pub time_derivative: Vec<Expr>,
     /// (C_q q' + C_t)_q q' + (..)_t, m: the part of C'' without accelerations.
     pub convective: Vec<Expr>,
 }
 
 impl Constraints {
-    /// `values` are the constraints over `variables`, n of them.
+    /// `values` are left - right of the constraints over `variables`, n of them.
     pub(super) fn derive(
         model: &mut Model,
         variables: &Variables,
         derivatives: &mut Derivatives,
         values: Vec<Expr>,
     ) -> Constraints {
-        let declared: Vec<Expr> = model.constraints.iter().map(|constraint| constraint.value).collect();
-        let magnitudes = declared.into_iter().map(|value| magnitude(model, value)).collect();
+        let declared: Vec<(Level, Expr)> = model.constraints.iter().map(|c| (c.level, c.value)).collect();
+        let zero = model.graph.zero();
+        let magnitudes = declared.iter().map(|(level, value)| match level {
+            Level::Positions => magnitude(model, *value),
+            Level::Speeds => zero,
+        });
+        let magnitudes = magnitudes.collect();
         let mut constraints =
-            Constraints { values, magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
-        for value in constraints.values.clone() {
-            let row = derivatives.of_quantity(model, variables, value);
+            Constraints { values: vec![], magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
+        for (value, (level, _)) in values.into_iter().zip(declared) {
+            let (own, row) = match level {
+                Level::Positions => (value, derivatives.of_quantity(model, variables, value)),
+                Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
+            };
+            constraints.values.push(own);
             constraints.jacobian.push(row.jacobian);
             constraints.time_derivative.push(row.time_derivative);
             constraints.convective.push(row.convective);

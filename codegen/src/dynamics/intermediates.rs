@@ -9,7 +9,7 @@ use super::order::{Kind, Pattern, cost, order};
 use super::parts::Candidates;
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Differentiated, Variables, inner};
-use crate::model::Model;
+use crate::model::{Constraint, Level, Model};
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeSet;
 
@@ -124,7 +124,16 @@ impl Formulation {
             (0..variables.len()).filter(|i| symbols.binary_search(&variables[*i]).is_ok()).collect()
         };
         let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.position)).collect();
-        let constraints: Vec<Vec<usize>> = self.constraints.iter().map(|value| occurring(*value)).collect();
+        // What a row between speeds constrains are the variables whose speeds stand in it.
+        let speeds = self.variables(model).speeds;
+        let constrained = |(value, constraint): (&Expr, &Constraint)| match constraint.level {
+            Level::Positions => occurring(*value),
+            Level::Speeds => {
+                let symbols = model.graph.symbols_of(&[*value]);
+                (0..speeds.len()).filter(|i| symbols.binary_search(&speeds[*i]).is_ok()).collect()
+            }
+        };
+        let constraints: Vec<Vec<usize>> = self.constraints.iter().zip(&model.constraints).map(constrained).collect();
         let mut kinds = vec![Kind::Coordinate; n];
         kinds.extend(self.definitions.iter().map(|definition| Kind::Intermediate(occurring(*definition))));
         kinds.extend(constraints.iter().map(|_| Kind::Multiplier));

@@ -14,6 +14,7 @@
 //!
 //! [`lagrange`] derives the same motion from the kinetic energy alone, to check this one.
 
+mod auxiliary;
 mod constraints;
 mod energy;
 mod intermediates;
@@ -103,5 +104,7 @@ fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
     if equations.intermediates.is_empty() {
         sensitivity::derive(&mut equations, &mut derivatives);
     }
+    // Last, so that nothing above notices.
+    auxiliary::enter(&mut equations.model, &mut equations.outputs.values);
     equations
 }

@@ -2,7 +2,7 @@
 //! long sums.
 
 use crate::model::Model;
-use crate::symbolic::{Differential, Expr, Symbol};
+use crate::symbolic::{Differential, Expr, Symbol, substitute};
 
 /// The coordinates, then the intermediate quantities, each with its rates.
 pub struct Variables {
@@ -86,6 +86,19 @@ impl Derivatives {
         let velocity = model.graph.add(moving, time_derivative);
         let convective = self.convective.of(&mut model.graph, velocity);
         Differentiated { position, jacobian, time_derivative, velocity, convective }
+    }
+
+    /// A quantity w(q, q', t) linear in the speeds, as if it were the velocity of some position: with w_q' for its
+    /// Jacobian and what is left without speeds for its time derivative.
+    pub(super) fn of_rate(&mut self, model: &mut Model, variables: &Variables, rate: Expr) -> Differentiated {
+        let graph = &mut model.graph;
+        let jacobian =
+            variables.speeds.iter().map(|speed| Differential::partial(graph, *speed).of(graph, rate)).collect();
+        let zero = graph.zero();
+        let at_rest: Vec<(Symbol, Expr)> = variables.speeds.iter().map(|speed| (*speed, zero)).collect();
+        let time_derivative = substitute(graph, &[rate], &at_rest)[0];
+        let convective = self.convective.of(graph, rate);
+        Differentiated { position: zero, jacobian, time_derivative, velocity: rate, convective }
     }
 }
 

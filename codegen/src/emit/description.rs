@@ -2,7 +2,7 @@
 
 use super::{kebab_case, size};
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Shape, Start, Unit};
+use crate::model::{Level, Shape, Start, Unit};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -31,6 +31,8 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     });
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
+    let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
+    let speed_constraints = between_speeds.map(|(i, _)| size(i));
     let events = model.events.iter().map(|event| &event.name);
     let outputs = model.outputs.iter().map(|o| quantity(&o.name, &o.unit, &o.docs));
     let rated = equations.outputs.rated().into_iter().map(size);
@@ -57,6 +59,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
             constraints: &[#(#constraints),*],
+            speed_constraints: &[#(#speed_constraints),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],
             rated_outputs: &[#(#rated),*],

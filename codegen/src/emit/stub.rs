@@ -64,6 +64,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
+                speed_constraints: &[],
                 events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
             };
 

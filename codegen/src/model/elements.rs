@@ -5,9 +5,9 @@ use super::interpret::Interpreter;
 use super::level::{self, position_level, position_scalar};
 use super::loads::load_level;
 use super::value::Value;
-use super::{Coordinate, Dependence, Dimension, Effort};
+use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
-use crate::symbolic::{Differential, Expr, Number};
+use crate::symbolic::{Differential, Expr, Number, Symbol};
 
 /// How far a spring is from where it has no force, in the law of its force.
 const STRETCH: &str = "stretch";
@@ -23,18 +23,18 @@ pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effo
     Some(Effort { force: i.graph.integer(-1), along })
 }
 
-/// -dR/dq' along each coordinate (Rayleigh's dissipation function; Goldstein, Poole, Safko: Classical Mechanics, 3rd ed.,
+/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein, Poole, Safko: Classical Mechanics, 3rd ed.,
 /// (1.69)).
-pub(super) fn dissipation(function: &Expression, coordinates: &[Coordinate], i: &mut Interpreter) -> Vec<Effort> {
+pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i: &mut Interpreter) -> Vec<Effort> {
     let power = Some(Dimension::energy().over(&Dimension::time()));
     let Some(value) = load_scalar(function, power, "a dissipation function", i) else { return vec![] };
     if !i.dependences.of(&i.graph, value).meets(Dependence::SPEED) {
         let message = "no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`";
         i.mistakes.add(function.region.error(message));
     }
-    let along = coordinates.iter().map(|c| {
-        let slope = Differential::partial(&mut i.graph, c.speed).of(&mut i.graph, value);
-        Effort { force: i.graph.neg(slope), along: i.graph.variable(c.position) }
+    let along = moving.iter().map(|(position, rate)| {
+        let slope = Differential::partial(&mut i.graph, *rate).of(&mut i.graph, value);
+        Effort { force: i.graph.neg(slope), along: i.graph.variable(*position) }
     });
     let along: Vec<Effort> = along.collect();
     along.into_iter().filter(|effort| !i.graph.is_zero(effort.force)).collect()

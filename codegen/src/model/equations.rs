@@ -2,20 +2,28 @@
 
 use super::interpret::Interpreter;
 use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
+use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::value::{Shape, Value};
-use super::{Constraint, Dependence, Dimension, Event, Unit};
+use super::{Constraint, Dependence, Dimension, Event, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
 
-pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter) -> Vec<Constraint> {
+/// `conjugate` are the forces conjugate to auxiliary displacements, which are reactions too.
+pub(super) fn resolve_constraints(
+    declaration: &Declaration,
+    conjugate: &[Value],
+    i: &mut Interpreter,
+) -> Vec<Constraint> {
     let mut rows = Vec::new();
-    let mut reactions = Names::new("constraint");
+    let mut reactions =
+        Names::new(if conjugate.is_empty() { "constraint" } else { "constraint or auxiliary displacement" });
     for equation in &declaration.constraints {
         let first = rows.len();
         let sides = equation_sides(equation, i);
         if let Some(sides) = sides {
-            constraint_rows(equation, sides, &mut rows, i);
+            let level = if declaration.has_rates(equation) { Level::Speeds } else { Level::Positions };
+            constraint_rows(equation, level, sides, &mut rows, i);
         }
         let multipliers: Vec<Expr> =
             rows[first..].iter().map(|row: &Constraint| i.graph.variable(row.multiplier)).collect();
@@ -26,6 +34,9 @@ pub(super) fn resolve_constraints(declaration: &Declaration, i: &mut Interpreter
             _ => None,
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
+    }
+    for (auxiliary, force) in declaration.auxiliary.iter().zip(conjugate) {
+        reactions.define(&auxiliary.name, Some(force.clone()), &mut i.mistakes);
     }
     i.reactions = Some(reactions);
     rows
@@ -50,6 +61,7 @@ fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value
 
 fn constraint_rows(
     equation: &dsl::Equation,
+    level: Level,
     value: Value,
     rows: &mut Vec<Constraint>,
     i: &mut Interpreter,
@@ -57,20 +69,35 @@ fn constraint_rows(
     let place = equation.left.region.to(equation.right.region);
     let name = plain(&equation.name);
     let components = value.components();
-    i.restrict(
-        place,
-        &components,
-        BEYOND_POSITION,
-        "a constraint holds between positions; `dot()` cannot stand in it",
-    )?;
+    match level {
+        Level::Positions => {
+            i.restrict(place, &components, BEYOND_POSITION, "a constraint holds between positions or speeds")?;
+        }
+        Level::Speeds => linear_in_speeds(place, &components, i)?,
+    }
+    let work = match level {
+        Level::Positions => Dimension::energy(),
+        Level::Speeds => Dimension::energy().over(&Dimension::time()),
+    };
     let unit = match &value.dimension {
-        Some(dimension) => Unit::coherent(Dimension::energy().over(dimension)),
+        Some(dimension) => Unit::coherent(work.over(dimension)),
         None => Unit::none(),
     };
     let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y"] };
     let named: Vec<_> = components.into_iter().zip(suffixes.iter().map(|suffix| format!("{name}{suffix}"))).collect();
     for (value, row) in &named {
-        if !i.dependences.of(&i.graph, *value).meets(Dependence::COORDINATE) {
+        let constrained = match level {
+            Level::Positions => Dependence::COORDINATE,
+            Level::Speeds => Dependence::SPEED,
+        };
+        if !i.dependences.of(&i.graph, *value).meets(constrained) {
+            if level == Level::Speeds {
+                let message = format!(
+                    "no speed stands in constraint row `{row}`, though `dot()` is written; write it between positions, \
+                     without `dot()`"
+                );
+                return i.refuse(Region::from(&equation.name), message);
+            }
             let message = format!(
                 "no coordinate moves constraint `{row}`: it holds always or never; leave it out, or let it depend on a coordinate"
             );
@@ -84,7 +111,7 @@ fn constraint_rows(
     for (value, name) in named {
         let multiplier = i.graph.symbol(&format!("lambda_{name}"));
         i.dependences.declare(multiplier, Dependence::MULTIPLIER);
-        rows.push(Constraint { name, value, multiplier, unit: unit.clone() });
+        rows.push(Constraint { name, level, value, multiplier, unit: unit.clone() });
     }
     Some(())
 }

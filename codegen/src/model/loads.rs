@@ -4,9 +4,9 @@ use super::elements::{dissipation, element, potential, turned};
 use super::interpret::Interpreter;
 use super::level::{self, BEYOND_SPEED};
 use super::scope::{Names, plain};
-use super::{Body, Coordinate, Dimension, Effort, Force, Point};
+use super::{Body, Dimension, Effort, Force, Point};
 use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
 
 #[derive(Default)]
@@ -18,7 +18,7 @@ pub(super) struct Loads {
 
 pub(super) fn resolve_loads(
     declaration: &Declaration,
-    coordinates: &[Coordinate],
+    moving: &[(Symbol, Symbol)],
     bodies: &[Option<Body>],
     names: &Names<usize>,
     i: &mut Interpreter,
@@ -37,7 +37,7 @@ pub(super) fn resolve_loads(
             }
             dsl::Load::Torque { moment, body } => loads.efforts.extend(torque(moment, body, bodies, names, i)),
             dsl::Load::Potential(energy) => loads.efforts.extend(potential(energy, i)),
-            dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, coordinates, i)),
+            dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, moving, i)),
             dsl::Load::Element(load) => {
                 if let Some(body) = body_instead_of_scalar(&load.extent, names, i) {
                     let message = format!("`{body}` is a body; a force on it acts at a point: `force [F, 0] at P;`");

@@ -1,6 +1,7 @@
 //! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
+mod auxiliary;
 mod bodies;
 mod dependence;
 mod dimension;
@@ -14,6 +15,7 @@ mod loads;
 mod origin;
 mod outputs;
 mod quantities;
+mod rates;
 mod resolve;
 mod scope;
 mod start;
@@ -67,6 +69,10 @@ pub struct Model {
     pub wants_jacobian: Option<bool>,
     /// Whether those with respect to the parameters are.
     pub wants_sensitivity: bool,
+    /// Auxiliary displacements, which are zero here.
+    pub auxiliaries: Vec<Auxiliary>,
+    /// The same model, in a graph of its own, with auxiliary displacements as variables; none where there are none.
+    pub displaced: Option<Box<Model>>,
 }
 
 /// A scalar for each axis of the plane.
@@ -148,13 +154,36 @@ pub struct Effort {
 pub struct Constraint {
     /// Its name; `closure_x` for a row of a vector equation.
     pub name: String,
-    /// C = left - right.
+    /// What it holds between.
+    pub level: Level,
+    /// C = left - right; for a row between speeds w = left - right, linear in q'.
     pub value: Expr,
     /// The multiplier's symbol.
     pub multiplier: Symbol,
-    /// The multiplier's unit, joules per unit of C: `N` for a constraint between lengths, `N*m` for one between angles
-    /// or other pure numbers. `1` where the constraint's own unit is not known.
+    /// The multiplier's unit, joules per unit of C or watts per unit of a row between speeds: `N` for a constraint between
+    /// lengths, `N*m` for one between angles or other pure numbers. `1` where the constraint's own unit is not known.
     pub unit: Unit,
+}
+
+/// What a constraint holds between.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Level {
+    /// Positions: C(q, t) = 0.
+    Positions,
+    /// Speeds: w(q, q', t) = 0, whether or not it could be integrated.
+    Speeds,
+}
+
+/// A displacement that is zero, and whose conjugate force is wanted.
+pub struct Auxiliary {
+    /// Its name.
+    pub name: String,
+    /// s, where it is a variable.
+    pub displacement: Symbol,
+    /// s', where it is one.
+    pub rate: Symbol,
+    /// What stands for the conjugate force in outputs.
+    pub reaction: Symbol,
 }
 
 /// A condition that comes to hold at certain times.
@@ -204,7 +233,7 @@ pub enum Shape {
 impl Model {
     /// The total time derivative, as long as no acceleration occurs in what is differentiated.
     pub fn time_derivative(&mut self) -> Differential {
-        time_derivative(&mut self.graph, self.time, &self.coordinates)
+        time_derivative(&mut self.graph, self.time, &self.coordinates, &[])
     }
 
     /// The speeds as expressions.
@@ -223,11 +252,19 @@ impl Model {
     }
 }
 
-fn time_derivative(graph: &mut Graph, time: Symbol, coordinates: &[Coordinate]) -> Differential {
+fn time_derivative(
+    graph: &mut Graph,
+    time: Symbol,
+    coordinates: &[Coordinate],
+    auxiliaries: &[Auxiliary],
+) -> Differential {
     let mut rates = vec![(time, graph.one())];
     for c in coordinates {
         rates.push((c.position, graph.variable(c.speed)));
         rates.push((c.speed, graph.variable(c.acceleration)));
+    }
+    for a in auxiliaries {
+        rates.push((a.displacement, graph.variable(a.rate)));
     }
     Differential::along(rates)
 }

@@ -104,12 +104,11 @@ impl Interpreter {
     fn reaction_origin(&self, expression: &Expression) -> Option<syn::Error> {
         let (constraint, dimension) = self.reaction_of(expression)?;
         let region = self.reactions.as_ref()?.get_region(&plain(constraint))?;
-        let sides = match Dimension::energy().over(&dimension) {
-            pure if pure.is_none() => "between angles or pure numbers".to_owned(),
-            sides => format!("in [{}]", sides.si_unit()),
-        };
         let reaction = dimension.si_unit();
-        Some(region.error(format!("constraint `{constraint}` is {sides}, which makes its reaction [{reaction}]")))
+        Some(
+            region
+                .error(format!("the reaction of `{constraint}`, here, is in [{reaction}]: work per unit of its sides")),
+        )
     }
 
     /// "`m*g` is in [N] (m [kg], g [m/s^2])"

@@ -1,5 +1,6 @@
 //! The whole declaration, block by block.
 
+use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
 use super::bodies::resolve_bodies;
 use super::drawing::resolve_drawing;
 use super::equations::{resolve_constraints, resolve_events};
@@ -21,6 +22,16 @@ use crate::symbolic::{Differential, Graph};
 /// # Errors
 /// All mistakes of meaning, each at the user's own word, combined into one error.
 pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
+    let mut model = resolve_with(declaration, Displacements::Zero)?;
+    if !model.auxiliaries.is_empty() {
+        let displaced = resolve_with(declaration, Displacements::Variable)?;
+        check_displaced(declaration, &displaced)?;
+        model.displaced = Some(Box::new(displaced));
+    }
+    Ok(model)
+}
+
+fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn::Result<Model> {
     if declaration.coordinates.is_empty() {
         let place = Region::from(&declaration.head.name);
         return Err(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
@@ -49,12 +60,19 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
     };
     let i = &mut interpreter;
     let mut coordinates = resolve_coordinates(declaration, i);
-    i.motion = time_derivative(&mut i.graph, time, &coordinates);
+    i.motion = time_derivative(&mut i.graph, time, &coordinates, &[]);
     let parameters = resolve_parameters(declaration, i);
+    let auxiliaries = resolve_auxiliaries(declaration, displacements, i);
+    let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
+    let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
+    if displacements == Displacements::Variable {
+        i.motion = time_derivative(&mut i.graph, time, &coordinates, &auxiliaries);
+        moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
+    }
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &coordinates, &bodies, &body_names, i);
-    let constraints = resolve_constraints(declaration, i);
+    let loads = resolve_loads(declaration, &moving, &bodies, &body_names, i);
+    let constraints = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let events = resolve_events(declaration, i);
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
@@ -79,6 +97,8 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
         outputs,
         groups,
         drawing,
+        auxiliaries,
+        displaced: None,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
@@ -88,6 +108,7 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
 fn has_units(declaration: &Declaration) -> bool {
     let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
     declaration.coordinates.iter().any(|c| c.unit.is_some())
+        || declaration.auxiliary.iter().any(|a| a.unit.is_some())
         || declaration.parameters.iter().any(|p| p.unit.is_some())
         || outputs.into_iter().any(|output| output.unit.is_some())
 }

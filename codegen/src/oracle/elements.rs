@@ -13,15 +13,15 @@ pub(super) fn potential(energy: &Expression, positions: &mut Interpreter) -> Res
     Ok(vec![Effort { force: Measured::given(-1.0), place: positions.scalar(energy)? }])
 }
 
-/// -dR/dq' along each coordinate; `by_speeds` has time and the change of each speed as variables.
+/// -dR/dq' along each coordinate and auxiliary displacement; their rates are the last variables of `speeds`.
 pub(super) fn dissipation(
     function: &Expression,
-    by_speeds: &mut Interpreter,
+    speeds: &mut Interpreter,
     positions: &Interpreter,
 ) -> Result<Vec<Effort>> {
-    let function = by_speeds.scalar(function)?;
-    let slopes = function.gradient()[1..].iter().enumerate();
-    slopes.map(|(i, slope)| Ok(Effort { force: -*slope, place: positions.coordinate_jet(i)? })).collect()
+    let (function, moving) = (speeds.scalar(function)?, positions.moving());
+    let slopes = function.gradient().iter().rev().take(moving.len()).rev();
+    Ok(slopes.zip(moving).map(|(slope, place)| Effort { force: -*slope, place }).collect())
 }
 
 /// An element's force, on both of its ends.

@@ -3,6 +3,7 @@
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
+use super::state::State;
 use super::value::{Value, inner};
 use crate::dsl::{Declaration, Expression, Kind, Unit};
 use syn::Ident;
@@ -15,44 +16,81 @@ pub(super) struct Setting {
     parameters: Vec<Jet>,
     /// The coordinates and the time; `None` where only parameters are known.
     motion: Option<(Vec<Jet>, Jet)>,
-    /// Whether the first variable is time along the motion, so that `dot` has a meaning.
-    along_time: bool,
-    /// The multipliers of each constraint, where they are known.
+    /// The auxiliary displacements, where they are variables; elsewhere they are the number zero.
+    auxiliaries: Vec<Jet>,
+    /// What `dot` means.
+    rates: Rates,
+    /// The multipliers of each constraint and the forces conjugate to auxiliary displacements, where they are known.
     reactions: Option<Vec<Value>>,
+}
+
+/// What `dot` means.
+enum Rates {
+    /// Nothing: there is no motion.
+    None,
+    /// The one variable is time along the motion.
+    AlongTime,
+    /// The variables change at these rates, of which those of coordinates are variables themselves.
+    Of(Vec<Jet>),
 }
 
 impl Setting {
     /// Parameters alone.
     pub(super) fn fixed(parameters: &[f64]) -> Setting {
         let parameters = constants(parameters, 0);
-        Setting { variables: 0, parameters, motion: None, along_time: false, reactions: None }
+        Setting { variables: 0, parameters, motion: None, auxiliaries: vec![], rates: Rates::None, reactions: None }
     }
 
-    /// Positions: jets in the variables (q, t).
-    pub(super) fn positions(time: f64, parameters: &[f64], coordinates: &[f64]) -> Setting {
-        let variables = coordinates.len() + 1;
+    /// Positions: jets in the variables (q, t, s), s being the auxiliary displacements.
+    pub(super) fn positions(time: f64, parameters: &[f64], coordinates: &[f64], auxiliaries: usize) -> Setting {
+        Setting::of_positions(time, parameters, coordinates, auxiliaries, coordinates.len() + 1 + auxiliaries)
+    }
+
+    /// Quantities between speeds: jets in the variables (q, t, s, q', s').
+    pub(super) fn speeds(at: &State, auxiliaries: usize) -> Setting {
+        let n = at.coordinates.len();
+        let (first, variables) = (n + 1 + auxiliaries, 2 * n + 1 + 2 * auxiliaries);
+        let rate = |value: f64, place: usize| Jet::variable(value, first + place, variables);
+        let coordinates = at.speeds.iter().enumerate().map(|(i, speed)| rate(*speed, i));
+        let time = Jet::constant(Measured::given(1.0), variables);
+        let displacements = (0..auxiliaries).map(|k| rate(0.0, n + k));
+        let rates = coordinates.chain([time]).chain(displacements).collect();
+        let positions = Setting::of_positions(at.time, at.parameters, at.coordinates, auxiliaries, variables);
+        Setting { rates: Rates::Of(rates), ..positions }
+    }
+
+    fn of_positions(
+        time: f64,
+        parameters: &[f64],
+        coordinates: &[f64],
+        auxiliaries: usize,
+        variables: usize,
+    ) -> Setting {
+        let n = coordinates.len();
         let q = coordinates.iter().enumerate().map(|(i, q)| Jet::variable(*q, i, variables)).collect();
         Setting {
             variables,
             parameters: constants(parameters, variables),
-            motion: Some((q, Jet::variable(time, variables - 1, variables))),
-            along_time: false,
+            motion: Some((q, Jet::variable(time, n, variables))),
+            auxiliaries: (0..auxiliaries).map(|k| Jet::variable(0.0, n + 1 + k, variables)).collect(),
+            rates: Rates::None,
             reactions: None,
         }
     }
 
-    /// Quantities along the motion: jets of `coordinates` as functions of time, the first of some variables.
-    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>, variables: usize) -> Setting {
+    /// Quantities along the motion: jets in time alone, of `coordinates` as functions of time.
+    pub(super) fn motion(time: f64, parameters: &[f64], coordinates: Vec<Jet>) -> Setting {
         Setting {
-            variables,
-            parameters: constants(parameters, variables),
-            motion: Some((coordinates, Jet::variable(time, 0, variables))),
-            along_time: true,
+            variables: 1,
+            parameters: constants(parameters, 1),
+            motion: Some((coordinates, Jet::variable(time, 0, 1))),
+            auxiliaries: vec![],
+            rates: Rates::AlongTime,
             reactions: None,
         }
     }
 
-    /// The same with the multipliers of each constraint, in order.
+    /// The same with the multipliers of each constraint, in order, and the forces conjugate to auxiliary displacements.
     pub(super) fn with_reactions(self, reactions: Vec<Value>) -> Setting {
         Setting { reactions: Some(reactions), ..self }
     }
@@ -130,7 +168,13 @@ impl<'d> Interpreter<'d> {
     }
 
     /// Coordinate number `index`.
-    pub(super) fn coordinate_jet(&self, index: usize) -> Result<Jet> {
+    /// Everything that moves: coordinates, and auxiliary displacements where they are variables.
+    pub(super) fn moving(&self) -> Vec<Jet> {
+        let coordinates = self.setting.motion.iter().flat_map(|(coordinates, _)| coordinates);
+        coordinates.chain(&self.setting.auxiliaries).cloned().collect()
+    }
+
+    fn coordinate_jet(&self, index: usize) -> Result<Jet> {
         let known = self.setting.motion.as_ref().and_then(|(coordinates, _)| coordinates.get(index));
         known.cloned().ok_or_else(|| OracleError::new("coordinates are not known here"))
     }
@@ -147,6 +191,10 @@ impl<'d> Interpreter<'d> {
         if let Some(index) = declaration.parameters.iter().position(|p| p.name == *name) {
             let known = self.setting.parameters.get(index).cloned();
             return known.map(Value::Scalar).ok_or_else(|| OracleError::new(format!("`{name}` is declared later")));
+        }
+        if let Some(index) = declaration.auxiliary.iter().position(|a| a.name == *name) {
+            let variable = self.setting.auxiliaries.get(index).cloned();
+            return Ok(variable.map_or_else(|| self.constant(0.0), Value::Scalar));
         }
         if let Some(index) = declaration.lets[..self.visible].iter().position(|l| l.name == *name) {
             return self.defined(index);
@@ -187,7 +235,10 @@ impl<'d> Interpreter<'d> {
         let name = function.to_string();
         match (name.as_str(), arguments) {
             ("dot", [x]) => self.dot(x),
-            ("ddot", [x]) => self.dot(x)?.dot(),
+            ("ddot", [x]) => {
+                let rate = self.dot(x)?;
+                self.rate(&rate)
+            }
             ("reaction", [constraint]) => self.reaction(constraint),
             ("norm", [v]) => {
                 let v = self.vector(v)?;
@@ -201,18 +252,26 @@ impl<'d> Interpreter<'d> {
     }
 
     fn dot(&mut self, x: &Expression) -> Result<Value> {
-        if !self.setting.along_time {
-            return refuse("a position or a constraint has no time derivatives in it");
+        let value = self.value(x)?;
+        self.rate(&value)
+    }
+
+    fn rate(&self, value: &Value) -> Result<Value> {
+        match &self.setting.rates {
+            Rates::None => refuse("a position has no time derivatives in it"),
+            Rates::AlongTime => value.rate(Jet::dot),
+            Rates::Of(rates) => value.rate(|jet| jet.rate(rates)),
         }
-        self.value(x)?.dot()
     }
 
     fn reaction(&self, constraint: &Expression) -> Result<Value> {
         let Kind::Name(name) = &constraint.kind else { return refuse("`reaction` is of a constraint, by its name") };
         let Some(reactions) = &self.setting.reactions else { return refuse("reactions are not known here") };
-        let index = self.declaration.constraints.iter().position(|c| c.name == *name);
+        let constraints = self.declaration.constraints.iter().map(|c| &c.name);
+        let index = constraints.chain(self.declaration.auxiliary.iter().map(|a| &a.name)).position(|n| n == name);
         let reaction = index.and_then(|index| reactions.get(index)).cloned();
-        reaction.ok_or_else(|| OracleError::new(format!("`{name}` is not a constraint")))
+        reaction
+            .ok_or_else(|| OracleError::new(format!("`{name}` is neither a constraint nor an auxiliary displacement")))
     }
 }
 

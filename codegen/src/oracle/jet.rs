@@ -45,17 +45,6 @@ impl Jet {
         jet
     }
 
-    /// A coordinate along the motion with each speed changed by a variable of its own: q + (q' + e_index) s, in the
-    /// variables (s, e).
-    pub(super) fn of_speed(value: f64, speed: f64, index: usize, variables: usize) -> Jet {
-        let mut jet = Jet::constant(Measured::given(value), variables);
-        jet.gradient[0] = Measured::given(speed);
-        jet.hessian[index + 1] = Measured::given(1.0);
-        jet.hessian[(index + 1) * variables] = Measured::given(1.0);
-        jet.order = 1;
-        jet
-    }
-
     pub(super) fn value(&self) -> Measured {
         self.value
     }
@@ -90,6 +79,28 @@ impl Jet {
         let order = self.order.checked_sub(1)?;
         let (value, gradient) = (*self.gradient.first()?, self.hessian[..variables].to_vec());
         Some(Jet { gradient, order, ..Jet::constant(value, variables) })
+    }
+
+    /// The derivative along variables that change at given `rates`, themselves jets; `None` if it is not known.
+    ///
+    /// Of what it is a jet itself only the gradient is known: u_i r_i has the derivatives u_ik r_i + u_i r_ik.
+    pub(super) fn rate(&self, rates: &[Jet]) -> Option<Jet> {
+        let variables = self.variables();
+        match self.order {
+            CONSTANT => Some(Jet::constant(Measured::ZERO, variables)),
+            2 => {
+                let mut rate = Jet::constant(self.slope(&rates.iter().map(Jet::value).collect::<Vec<_>>()), variables);
+                rate.order = 1;
+                for (i, (u_i, r)) in self.gradient.iter().zip(rates).enumerate() {
+                    for k in 0..variables {
+                        let change = self.hessian[i * variables + k] * r.value + *u_i * r.gradient[k];
+                        rate.gradient[k] = rate.gradient[k] + change;
+                    }
+                }
+                Some(rate)
+            }
+            _ => None,
+        }
     }
 
     /// f(self), from f and its derivatives at this jet's value:

@@ -1,5 +1,6 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
 
+use super::constraint::{self, Constraint, constraints};
 use super::elements::{dissipation, element, potential};
 use super::error::{OracleError, Result};
 use super::interpret::{Interpreter, Setting};
@@ -32,32 +33,44 @@ pub(super) struct Mechanics {
     pub(super) rows: Vec<Row>,
     /// All loads.
     pub(super) efforts: Vec<Effort>,
-    /// left - right of each constraint.
-    pub(super) constraints: Vec<Value>,
+    /// All constraints.
+    pub(super) constraints: Vec<Constraint>,
+    /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
+    pub(super) rates: Vec<Measured>,
+    /// How many coordinates there are.
+    pub(super) coordinates: usize,
+    /// How many auxiliary displacements there are.
+    pub(super) auxiliaries: usize,
 }
 
 impl Mechanics {
     pub(super) fn new(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f64, at: &State) -> Result<Mechanics> {
+        let auxiliaries = declaration.auxiliary.len();
         let interpreter = |setting| Interpreter::new(declaration, si_factor, setting);
         let mut builder = Builder {
             fixed: interpreter(Setting::fixed(at.parameters)),
-            positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates)),
+            positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries)),
             motion: interpreter(at.motion()),
-            by_speeds: interpreter(at.motion_by_speeds()),
+            speeds: interpreter(Setting::speeds(at, auxiliaries)),
         };
         let bodies = declaration.bodies.iter().map(|body| builder.body(body)).collect::<Result<Vec<_>>>()?;
         let mut efforts = Vec::new();
         for load in &declaration.loads {
             efforts.extend(builder.load(load, &declaration.bodies, &bodies)?);
         }
-        let mut constraint = |equation| difference(&mut builder.positions, equation);
-        let constraints = declaration.constraints.iter().map(&mut constraint).collect::<Result<Vec<_>>>()?;
-        Ok(Mechanics { rows: bodies.into_iter().flatten().collect(), efforts, constraints })
+        Ok(Mechanics {
+            rows: bodies.into_iter().flatten().collect(),
+            efforts,
+            constraints: constraints(declaration, si_factor, at)?,
+            rates: at.rates(auxiliaries),
+            coordinates: at.coordinates.len(),
+            auxiliaries,
+        })
     }
 
     /// All rows of the constraints: a vector has two, x and y.
-    pub(super) fn constraint_rows(&self) -> Vec<Jet> {
-        self.constraints.iter().flat_map(|constraint| constraint.clone().components()).collect()
+    pub(super) fn constraint_rows(&self) -> Vec<constraint::Row> {
+        self.constraints.iter().flat_map(|constraint| constraint.rows.clone()).collect()
     }
 }
 
@@ -71,7 +84,7 @@ struct Builder<'d> {
     fixed: Interpreter<'d>,
     positions: Interpreter<'d>,
     motion: Interpreter<'d>,
-    by_speeds: Interpreter<'d>,
+    speeds: Interpreter<'d>,
 }
 
 impl Builder<'_> {
@@ -108,7 +121,7 @@ impl Builder<'_> {
                 Ok(vec![Effort { force, place }])
             }
             Load::Potential(energy) => potential(energy, &mut self.positions),
-            Load::Dissipation(function) => dissipation(function, &mut self.by_speeds, &self.positions),
+            Load::Dissipation(function) => dissipation(function, &mut self.speeds, &self.positions),
             Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
                 let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());

@@ -8,6 +8,7 @@
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
 
+mod constraint;
 mod elements;
 mod error;
 mod function;
@@ -59,7 +60,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// Where the state has not the declared lengths, or the declaration has not been checked.
     pub fn terms(&self, at: &State) -> Result<Terms> {
-        Ok(Terms::new(&self.mechanics(at)?, &at.rates()))
+        Ok(Terms::new(&self.mechanics(at)?))
     }
 
     /// The accelerations and multipliers that solve the equations of motion with these terms.
@@ -75,7 +76,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn outputs(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
-        let reactions = observe::reactions(&self.mechanics(at)?.constraints, &solution.multipliers)?;
+        let reactions = observe::reactions(&self.mechanics(at)?, solution)?;
         let setting = at.accelerated_motion(&solution.accelerations).with_reactions(reactions);
         observe::outputs(self.declaration, self.interpreter(setting))
     }
@@ -96,7 +97,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn power(&self, at: &State, solution: &Solution) -> Result<Measured> {
-        Ok(observe::power(&self.mechanics(at)?, &at.rates(), solution))
+        Ok(observe::power(&self.mechanics(at)?, solution))
     }
 
     fn mechanics(&self, at: &State) -> Result<Mechanics> {

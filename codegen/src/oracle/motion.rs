@@ -24,9 +24,9 @@ pub struct Terms {
     pub convective: Vec<Measured>,
     /// `applied_forces` - `convective` \[n\]: the whole of the right-hand side.
     pub generalized_forces: Vec<Measured>,
-    /// C = left - right \[c\].
+    /// C = left - right \[c\]; zero for rows between speeds.
     pub constraints: Vec<Measured>,
-    /// C_q \[c by n\].
+    /// C_q \[c by n\]; for a row w = 0 between speeds w_q', and below w less w_q' q', and w' without accelerations.
     pub constraint_jacobian: Vec<Vec<Measured>>,
     /// C_t \[c\].
     pub constraint_time_derivative: Vec<Measured>,
@@ -49,8 +49,8 @@ pub struct Solution {
 }
 
 impl Terms {
-    pub(super) fn new(mechanics: &Mechanics, rates: &[Measured]) -> Terms {
-        let n = rates.len() - 1;
+    pub(super) fn new(mechanics: &Mechanics) -> Terms {
+        let (n, rates) = (mechanics.coordinates, &mechanics.rates);
         let applied_forces = along(n, mechanics.efforts.iter().map(|effort| (effort.force, &effort.place)));
         let resisting = mechanics.rows.iter().map(|row| (row.inertia * row.place.curvature(rates), &row.place));
         let convective = along(n, resisting);
@@ -60,10 +60,10 @@ impl Terms {
             generalized_forces: applied_forces.iter().zip(&convective).map(|(a, b)| *a - *b).collect(),
             applied_forces,
             convective,
-            constraints: constraints.iter().map(Jet::value).collect(),
-            constraint_jacobian: constraints.iter().map(|row| row.gradient()[..n].to_vec()).collect(),
-            constraint_time_derivative: constraints.iter().map(|row| row.gradient()[n]).collect(),
-            constraint_convective: constraints.iter().map(|row| row.curvature(rates)).collect(),
+            constraints: constraints.iter().map(|row| row.value).collect(),
+            constraint_jacobian: constraints.iter().map(|row| row.jacobian.clone()).collect(),
+            constraint_time_derivative: constraints.iter().map(|row| row.time_derivative).collect(),
+            constraint_convective: constraints.iter().map(|row| row.convective).collect(),
             kinetic_energy: kinetic_energy(mechanics, rates),
         }
     }

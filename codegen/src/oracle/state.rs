@@ -32,9 +32,9 @@ impl State<'_> {
         }
     }
 
-    /// (q', 1): how the variables (q, t) of a position change in time.
-    pub(super) fn rates(&self) -> Vec<Measured> {
-        self.speeds.iter().copied().chain([1.0]).map(Measured::given).collect()
+    /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
+    pub(super) fn rates(&self, auxiliaries: usize) -> Vec<Measured> {
+        self.speeds.iter().copied().chain([1.0]).chain(vec![0.0; auxiliaries]).map(Measured::given).collect()
     }
 
     /// Along the motion, as far as q and q' tell.
@@ -47,14 +47,6 @@ impl State<'_> {
         self.along(|i| accelerations.get(i).copied())
     }
 
-    /// Along the motion, in time and a change of each speed.
-    pub(super) fn motion_by_speeds(&self) -> Setting {
-        let variables = self.speeds.len() + 1;
-        let coordinates = self.coordinates.iter().zip(self.speeds).enumerate();
-        let coordinates = coordinates.map(|(i, (q, speed))| Jet::of_speed(*q, *speed, i, variables)).collect();
-        Setting::motion(self.time, self.parameters, coordinates, variables)
-    }
-
     fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
         let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
             let derivatives: Vec<Measured> =
@@ -62,6 +54,6 @@ impl State<'_> {
             Jet::of_time(Measured::given(*q), &derivatives)
         };
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates, 1)
+        Setting::motion(self.time, self.parameters, coordinates)
     }
 }

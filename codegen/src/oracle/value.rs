@@ -47,12 +47,12 @@ impl Value {
         self.map(|jet| -jet)
     }
 
-    /// The total time derivative.
-    pub(super) fn dot(&self) -> Result<Value> {
+    /// The total time derivative, by that of each component.
+    pub(super) fn rate(&self, of: impl Fn(&Jet) -> Option<Jet>) -> Result<Value> {
         let missing = || OracleError::new("a time derivative that is not known here");
         match self {
-            Value::Scalar(jet) => jet.dot().map(Value::Scalar),
-            Value::Vector([x, y]) => x.dot().zip(y.dot()).map(|(x, y)| Value::Vector([x, y])),
+            Value::Scalar(jet) => of(jet).map(Value::Scalar),
+            Value::Vector([x, y]) => of(x).zip(of(y)).map(|(x, y)| Value::Vector([x, y])),
         }
         .ok_or_else(missing)
     }

@@ -66,4 +66,4 @@ pub use evaluate::{apply_function, evaluate};
 pub use function::Function;
 pub use graph::{Constant, Expr, Graph, Node, Symbol};
 pub use number::Number;
-pub use substitute::{substitute, with_operands};
+pub use substitute::{substitute, transplant, with_operands};

@@ -1,4 +1,4 @@
-//! Replacing symbols by expressions.
+//! Replacing symbols by expressions, in one graph or from one graph to another.
 
 use super::{Expr, Graph, Node, Symbol};
 use rustc_hash::FxHashMap;
@@ -17,10 +17,33 @@ pub fn substitute(graph: &mut Graph, roots: &[Expr], replacements: &[(Symbol, Ex
     roots.iter().map(|root| done[root]).collect()
 }
 
+/// Expressions of one graph in another, with every symbol replaced by what it is there.
+pub fn transplant(from: &Graph, roots: &[Expr], to: &mut Graph, replacement: impl Fn(Symbol) -> Expr) -> Vec<Expr> {
+    let mut done: FxHashMap<Expr, Expr> = FxHashMap::default();
+    for expr in from.reachable(roots) {
+        let new = match from.node(expr) {
+            Node::Symbol(symbol) => replacement(*symbol),
+            node => rebuilt(to, node.clone(), |operand| done[&operand]),
+        };
+        done.insert(expr, new);
+    }
+    roots.iter().map(|root| done[root]).collect()
+}
+
 /// An expression with each of its operands replaced.
 pub fn with_operands(graph: &mut Graph, expr: Expr, new: impl Fn(Expr) -> Expr) -> Expr {
     match graph.node(expr).clone() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr,
+        node => rebuilt(graph, node, new),
+    }
+}
+
+/// What a node is made of, made again of other operands.
+fn rebuilt(graph: &mut Graph, node: Node, new: impl Fn(Expr) -> Expr) -> Expr {
+    match node {
+        Node::Number(number) => graph.number(number),
+        Node::Constant(constant) => graph.constant(constant),
+        Node::Symbol(symbol) => graph.variable(symbol),
         Node::Sum { constant, terms } => {
             let mut weighted: Vec<_> = terms.iter().map(|(term, c)| (new(*term), c.clone())).collect();
             let one = graph.one();

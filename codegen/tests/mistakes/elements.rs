@@ -1,14 +1,6 @@
 //! Loads along scalars: springs, dampers, potentials, dissipation functions.
 
-use super::{SOUND, mistakes};
-
-/// As for other loads, in a declaration without units: they have a file of their own.
-fn check(replace: &str, by: &str, expected: &[&str]) {
-    assert!(SOUND.contains(replace), "{replace}");
-    let sound =
-        ["rad", "m", "kg", "m/s^2"].iter().fold(SOUND.to_owned(), |text, unit| text.replace(&format!(" [{unit}]"), ""));
-    assert_eq!(mistakes(&sound.replacen(replace, by, 1)), expected, "\nin: {by}");
-}
+use super::check_without_units as check;
 
 fn check_each(table: &[(&str, &[&str])]) {
     for (line, expected) in table {

@@ -63,15 +63,15 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q;
     /// T_q' F, n.
     fn generalized_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q;
-    /// C, m.
+    /// C, m; zero for rows that hold between speeds alone.
     fn constraints(&self, t: S, q: &Self::Q) -> Self::L;
     /// The sum of the magnitudes of the terms of C, m.
     fn constraint_magnitudes(&self, t: S, q: &Self::Q) -> Self::L;
-    /// C_q, m x n.
+    /// C_q, m x n; w_q' for a row w(q, q', t) = 0 between speeds.
     fn constraint_jacobian(&self, t: S, q: &Self::Q) -> Self::LQ;
-    /// C_t, m.
+    /// C_t, m; what w is without speeds, for a row between speeds.
     fn constraint_time_derivative(&self, t: S, q: &Self::Q) -> Self::L;
-    /// (C_q q' + C_t)_q q' + (..)_t, m.
+    /// (C_q q' + C_t)_q q' + (..)_t, m; w' without accelerations, for a row between speeds.
     fn constraint_convective(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::L;
     /// C, C_q and C_t together.
     fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ>;

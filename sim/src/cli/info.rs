@@ -3,7 +3,7 @@
 use super::arguments::Voice;
 use super::list::counted;
 use super::{Stop, print};
-use crate::{assemble, declared_start, mobility};
+use crate::{Mobility, assemble, declared_start, mobility};
 use serde_json::{Value, json};
 use sim_kernel::{Description, Mechanism, Quantity, Start};
 
@@ -15,7 +15,7 @@ pub(super) struct Facts {
     /// Declared positions and speeds, in SI units.
     start: Vec<(f64, f64)>,
     /// Degrees of freedom and redundant constraints at the assembled start, or why there is none.
-    mobility: Result<crate::Mobility, String>,
+    mobility: Result<Mobility, String>,
 }
 
 /// The facts of a type.
@@ -60,9 +60,11 @@ fn as_json(facts: &Facts) -> Value {
         "type": d.type_name,
         "docs": d.docs,
         "degrees_of_freedom": facts.mobility.as_ref().ok().map(|mobility| mobility.degrees_of_freedom),
+        "configuration_freedom": facts.mobility.as_ref().ok().map(|mobility| mobility.configuration_freedom),
         "redundant_constraints": facts.mobility.as_ref().map_or(Vec::new(), |mobility| mobility.dependent.clone()),
         "coordinates": coordinates.collect::<Vec<_>>(),
         "parameters": d.parameters.iter().zip(&facts.defaults).map(|(p, si)| valued(p, *si)).collect::<Vec<_>>(),
+        "speed_constraints": d.speed_constraints.iter().map(|i| d.constraints[*i].name).collect::<Vec<_>>(),
         "constraints": d.constraints.iter().map(quantity).collect::<Vec<_>>(),
         "outputs": d.outputs.iter().map(quantity).collect::<Vec<_>>(),
         "events": d.events,
@@ -90,13 +92,9 @@ fn as_text(facts: &Facts) -> String {
     );
     match &facts.mobility {
         Ok(mobility) => {
-            let freedom = match mobility.degrees_of_freedom {
-                1 => "1 degree of freedom".to_owned(),
-                n => format!("{n} degrees of freedom"),
-            };
-            text += &format!("{size}; {freedom}\n");
-            for name in &mobility.dependent {
-                text += &format!("constraint `{name}` says what others say already, at the start\n");
+            text += &format!("{size}; {}\n", freedom(mobility));
+            for line in mobility.redundancies() {
+                text += &format!("redundant: {line}\n");
             }
         }
         Err(why) => text += &format!("{size}\nnot assembled from its declared start: {why}\n"),
@@ -135,6 +133,13 @@ fn as_text(facts: &Facts) -> String {
     if !d.constraints.is_empty() {
         text += "  A reaction does the virtual work -lambda times the change of C = left - right on the mechanism.\n";
     }
+    if !d.speed_constraints.is_empty() {
+        let names: Vec<&str> = d.speed_constraints.iter().map(|i| d.constraints[*i].name).collect();
+        text += &format!(
+            "  Between speeds alone: {}; their reactions have the power -lambda times left - right.\n",
+            names.join(", ")
+        );
+    }
     let outputs = d.outputs.iter().map(|o| [o.name.to_owned(), unit(o), o.docs.to_owned(), String::new()]);
     text += &section("Outputs", outputs.collect());
     if !d.events.is_empty() {
@@ -142,6 +147,18 @@ fn as_text(facts: &Facts) -> String {
     }
     let kernels = kernels(d).into_iter().map(|(name, total, of)| [name, total.to_string(), of, String::new()]);
     text + &section("Operations of each kernel", kernels.collect())
+}
+
+/// Degrees of freedom; of speeds and positions, where these differ.
+pub(super) fn freedom(mobility: &Mobility) -> String {
+    let counted = match mobility.degrees_of_freedom {
+        1 => "1 degree of freedom".to_owned(),
+        n => format!("{n} degrees of freedom"),
+    };
+    match mobility.configuration_freedom {
+        same if same == mobility.degrees_of_freedom => counted,
+        more => format!("{counted} in its speeds, {more} in its positions"),
+    }
 }
 
 /// Ten digits at most, the shortest way.

@@ -6,7 +6,7 @@ use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
-use crate::{Run, Start, Stepping, Table, What, declared_start, run, summary};
+use crate::{Run, Start, Stepping, Table, What, assemble, declared_start, mobility, run, summary};
 use sim_kernel::{Array, Description, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -21,6 +21,7 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     files::remove_earlier(description, &directory)?;
+    warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     let written = files::write(&found, &table, arguments, &reproduction, &directory, clock)?;
@@ -33,6 +34,15 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
              logarithm of a negative number). The motion is not affected"
         ))),
         (None, None) => written.check(),
+    }
+}
+
+/// Names redundant constraints before a run, which may be long.
+fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voice) {
+    let Ok(first) = assemble(mechanism, start) else { return };
+    if !voice.quiet {
+        let found = mobility(mechanism, first.time, &first.positions);
+        found.redundancies().iter().for_each(|line| eprintln!("redundant constraint: {line}"));
     }
 }
 
@@ -125,14 +135,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
         rows.push(("event", format!("{} at {:.12} s", event.name, event.state.time)));
     }
-    let dependent = &run.mobility.dependent;
-    if !dependent.is_empty() {
-        let names = dependent.join("`, `");
-        rows.push((
-            "redundant",
-            format!("`{names}`: implied by the other constraints at the start; reaction shown as 0"),
-        ));
-    }
+    rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
     if M::L::LEN > 0 {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((

@@ -26,6 +26,7 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
         let said = json!({
             "model": description.name,
             "degrees_of_freedom": found.degrees_of_freedom,
+            "configuration_freedom": found.configuration_freedom,
             "redundant_constraints": found.dependent,
             "coordinates": coordinates,
             "speeds": speeds,
@@ -34,14 +35,11 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
         return print(&format!("{said:#}\n"));
     }
     let mut out = std::io::stdout().lock();
-    let freedom = match found.degrees_of_freedom {
-        1 => "1 degree of freedom".to_owned(),
-        count => format!("{count} degrees of freedom"),
-    };
+    let freedom = super::info::freedom(&found);
     let coordinates = counted(M::Q::LEN, "coordinate");
     writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
-    for name in &found.dependent {
-        writeln!(out, "redundant    `{name}` is implied by the constraints before it")?;
+    for line in found.redundancies() {
+        writeln!(out, "redundant    {line}")?;
     }
     for (c, (q, qd)) in description.coordinates.iter().zip(state.positions.iter().zip(state.speeds.iter())) {
         let (position, speed) = (q / c.position.factor, qd / c.speed.factor);

@@ -126,6 +126,9 @@ mod declared {
             let difference = binary(Operator::Subtract, copy(&constraint.left), copy(&constraint.right));
             if is_vector(&difference, &vectors) {
                 row += 2;
+                if declaration.has_rates(constraint) {
+                    continue;
+                }
                 let left = copy(&constraint.left);
                 let make = move |outputs: &mut Vec<Output>| {
                     let first = outputs.len();
@@ -137,11 +140,13 @@ mod declared {
                 continue;
             }
             row += 1;
+            let between_speeds = declaration.has_rates(constraint);
             for point in named(&difference).into_iter().filter(|name| vectors.contains(name) && drawn.contains(name)) {
                 let (about, difference) = (format!("reaction of {name_of} at {point}"), copy(&difference));
                 let make = move |outputs: &mut Vec<Output>| {
                     let first = outputs.len();
-                    let changes = [[REACH, 0.0], [0.0, REACH]].map(|step| change(&difference, &point, step));
+                    let moved = if between_speeds { rate(&point) } else { name(&point) };
+                    let changes = [[REACH, 0.0], [0.0, REACH]].map(|step| change(&difference, &moved, step));
                     outputs.extend(components(&name(&point)).into_iter().chain(changes).map(output));
                     Source::Reaction { first, row: own }
                 };
@@ -162,10 +167,10 @@ mod declared {
         (Vector { label: String::new(), about, kind: "load" }, Box::new(make))
     }
 
-    /// C with the point moved forwards, minus C with it moved back.
-    fn change(constraint: &Expression, point: &str, [x, y]: [f64; 2]) -> Expression {
+    /// C with the point, or its velocity, moved forwards, minus C with it moved back.
+    fn change(constraint: &Expression, point: &Expression, [x, y]: [f64; 2]) -> Expression {
         let moved =
-            |sign: Operator| substitute(constraint, point, &binary(sign, name(point), vector(number(x), number(y))));
+            |sign: Operator| substitute(constraint, point, &binary(sign, copy(point), vector(number(x), number(y))));
         binary(Operator::Subtract, moved(Operator::Add), moved(Operator::Subtract))
     }
 
@@ -195,7 +200,10 @@ mod declared {
             Kind::Name(name) => vectors.contains(&name.to_string()),
             Kind::Negate(operand) => is_vector(operand, vectors),
             Kind::Binary(_, left, right) => is_vector(left, vectors) || is_vector(right, vectors),
-            Kind::Number { .. } | Kind::Call(..) | Kind::Component(..) => false,
+            Kind::Call(function, operands) => {
+                (function == "dot" || function == "ddot") && operands.iter().all(|x| is_vector(x, vectors))
+            }
+            Kind::Number { .. } | Kind::Component(..) => false,
         }
     }
 
@@ -217,19 +225,30 @@ mod declared {
         rebuilt(expression, &|_| None)
     }
 
-    fn substitute(expression: &Expression, point: &str, by: &Expression) -> Expression {
-        rebuilt(expression, &|name| (name == point).then(|| copy(by)))
+    /// What a name, or the rate of one, stands for instead.
+    fn substitute(expression: &Expression, point: &Expression, by: &Expression) -> Expression {
+        rebuilt(expression, &|part| is_same(part, point).then(|| copy(by)))
     }
 
-    /// The expression with some names replaced.
-    fn rebuilt(expression: &Expression, replaced: &dyn Fn(&str) -> Option<Expression>) -> Expression {
+    fn is_same(a: &Expression, b: &Expression) -> bool {
+        match (&a.kind, &b.kind) {
+            (Kind::Name(a), Kind::Name(b)) => a == b,
+            (Kind::Call(f, a), Kind::Call(g, b)) => {
+                f == g && a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b))
+            }
+            _ => false,
+        }
+    }
+
+    /// The expression with some parts replaced.
+    fn rebuilt(expression: &Expression, replaced: &dyn Fn(&Expression) -> Option<Expression>) -> Expression {
+        if let Some(other) = replaced(expression) {
+            return other;
+        }
         let again = |expression: &Expression| rebuilt(expression, replaced);
         let boxed = |expression: &Expression| Box::new(again(expression));
         let kind = match &expression.kind {
-            Kind::Name(name) => match replaced(&name.to_string()) {
-                Some(other) => return other,
-                None => Kind::Name(name.clone()),
-            },
+            Kind::Name(name) => Kind::Name(name.clone()),
             Kind::Number { literal, unit } => Kind::Number { literal: literal.clone(), unit: unit.clone() },
             Kind::Vector(items) => Kind::Vector(items.iter().map(again).collect()),
             Kind::Negate(operand) => Kind::Negate(boxed(operand)),
@@ -250,6 +269,10 @@ mod declared {
 
     fn name(name: &str) -> Expression {
         made(Kind::Name(proc_macro2::Ident::new(name, span())))
+    }
+
+    fn rate(of: &str) -> Expression {
+        made(Kind::Call(proc_macro2::Ident::new("dot", span()), vec![name(of)]))
     }
 
     fn number(value: f64) -> Expression {

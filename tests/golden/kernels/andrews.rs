@@ -3478,6 +3478,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {

@@ -946,6 +946,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {

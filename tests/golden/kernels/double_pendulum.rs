@@ -695,6 +695,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {

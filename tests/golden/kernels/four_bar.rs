@@ -1175,6 +1175,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         events: &["period"],
         outputs: &[
             sim_kernel::Quantity {

@@ -470,6 +470,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
             },
         ],
         constraints: &[],
+        speed_constraints: &[],
         events: &["bottom", "rest"],
         outputs: &[
             sim_kernel::Quantity {

@@ -1267,6 +1267,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         events: &["period"],
         outputs: &[
             sim_kernel::Quantity {

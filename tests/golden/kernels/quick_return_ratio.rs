@@ -1338,6 +1338,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         events: &["period"],
         outputs: &[
             sim_kernel::Quantity {

@@ -857,6 +857,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 docs: "",
             },
         ],
+        speed_constraints: &[],
         events: &["period", "dead_point"],
         outputs: &[
             sim_kernel::Quantity {

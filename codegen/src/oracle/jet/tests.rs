@@ -95,7 +95,7 @@ fn turned(y: HyperDual64, x: HyperDual64) -> HyperDual64 {
 }
 
 fn assert_derivatives(text: &str, function: Function, point: [f64; 3]) -> Outcome {
-    let jet = evaluate(text, Setting::positions(point[2], &[1.5], &point[..2]))??;
+    let jet = evaluate(text, Setting::positions(point[2], &[1.5], &point[..2], 0))??;
     for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
         let (value, slope, _, second) = along(function, point, i, j);
         assert_close(jet.value(), value, text);
@@ -169,7 +169,8 @@ fn derivatives_may_stand_within_derivatives() -> Outcome {
 fn a_derivative_that_is_not_known_is_refused() -> Outcome {
     let known = |text| evaluate(text, accelerated()).map(|result| result.is_ok());
     let without_accelerations = |text| evaluate(text, STATE.motion()).map(|result| result.is_ok());
-    let in_position = |text| evaluate(text, Setting::positions(0.4, &[1.5], &[0.7, -1.3])).map(|result| result.is_ok());
+    let in_position =
+        |text| evaluate(text, Setting::positions(0.4, &[1.5], &[0.7, -1.3], 0)).map(|result| result.is_ok());
     assert!(known("ddot(x*y)")? && known("ddot(dot(a))")? && known("dot(x*dot(y))")?);
     assert!(!known("dot(ddot(x))")? && !known("dot(dot(x)*ddot(y))")? && !known("ddot(dot(r)).y")?);
     assert!(without_accelerations("dot(x*y)")? && without_accelerations("ddot(t^2)")?);
@@ -195,7 +196,7 @@ fn outside_its_domain_a_function_is_not_a_number() -> Outcome {
 /// The root has no derivative at zero, but what does not vary needs none.
 #[test]
 fn a_constant_at_the_edge_of_a_domain_has_no_derivatives() -> Outcome {
-    let jet = evaluate("x*sqrt(0*a)", Setting::positions(0.4, &[1.5], &[0.7, -1.3]))??;
+    let jet = evaluate("x*sqrt(0*a)", Setting::positions(0.4, &[1.5], &[0.7, -1.3], 0))??;
     assert!(entries(&jet).all(|entry| entry == Measured::ZERO), "{jet:?}");
     Ok(())
 }
@@ -209,8 +210,8 @@ fn magnitudes_bound_what_errors_can_do() -> Outcome {
     for (text, low, high, _) in FUNCTIONS {
         for (n, [x, y, t]) in points(*low, *high, 16).enumerate() {
             let off = |value: f64, bit: usize| value * if n >> bit & 1 == 1 { 1.0 + ERROR } else { 1.0 - ERROR };
-            let exact = evaluate(text, Setting::positions(t, &[1.5], &[x, y]))??;
-            let wrong = evaluate(text, Setting::positions(off(t, 0), &[off(1.5, 1)], &[off(x, 2), off(y, 3)]))??;
+            let exact = evaluate(text, Setting::positions(t, &[1.5], &[x, y], 0))??;
+            let wrong = evaluate(text, Setting::positions(off(t, 0), &[off(1.5, 1)], &[off(x, 2), off(y, 3)], 0))??;
             for (a, b) in entries(&exact).zip(entries(&wrong)) {
                 let error = (a.value - b.value).abs();
                 assert!(error <= 8.0 * ERROR * a.magnitude, "{text} at {x}, {y}, {t}: {error} of {}", a.magnitude);
@@ -227,9 +228,9 @@ fn entries(jet: &Jet) -> impl Iterator<Item = Measured> + '_ {
 /// Cancellation leaves a value of rounding, and the magnitude of what cancelled.
 #[test]
 fn magnitudes_survive_cancellation() -> Outcome {
-    let jet = evaluate("(x + 1000) - (x + 1000)", Setting::positions(0.4, &[1.5], &[0.7, -1.3]))??;
+    let jet = evaluate("(x + 1000) - (x + 1000)", Setting::positions(0.4, &[1.5], &[0.7, -1.3], 0))??;
     assert_eq!(jet.value(), Measured { value: 0.0, magnitude: 2001.4 });
-    let jet = evaluate("sin(x + 1000*pi) - sin(x)", Setting::positions(0.4, &[1.5], &[0.7, -1.3]))??;
+    let jet = evaluate("sin(x + 1000*pi) - sin(x)", Setting::positions(0.4, &[1.5], &[0.7, -1.3], 0))??;
     assert!(jet.value().value != 0.0, "rounding of 1000 pi is expected to show");
     assert_close(jet.value(), 0.0, "sin(x + 1000 pi) - sin(x)");
     Ok(())

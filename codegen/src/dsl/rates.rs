@@ -1,0 +1,29 @@
+//! Which equations speak of speeds.
+
+use super::{Declaration, Equation, Expression, Kind};
+use syn::Ident;
+
+impl Declaration {
+    /// Whether `dot(..)` stands in an equation, or in what a `let` names in it: then it holds between speeds.
+    pub fn has_rates(&self, equation: &Equation) -> bool {
+        let mut rated: Vec<&Ident> = Vec::new();
+        for definition in &self.lets {
+            if mentions_rate(&definition.value, &rated) {
+                rated.push(&definition.name);
+            }
+        }
+        mentions_rate(&equation.left, &rated) || mentions_rate(&equation.right, &rated)
+    }
+}
+
+/// Whether a rate stands in an expression, or one of the names of rates.
+fn mentions_rate(expression: &Expression, rated: &[&Ident]) -> bool {
+    match &expression.kind {
+        Kind::Number { .. } => false,
+        Kind::Name(name) => rated.contains(&name),
+        Kind::Call(function, _) if function == "dot" || function == "ddot" => true,
+        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().any(|part| mentions_rate(part, rated)),
+        Kind::Negate(part) | Kind::Component(part, _) => mentions_rate(part, rated),
+        Kind::Binary(_, left, right) => mentions_rate(left, rated) || mentions_rate(right, rated),
+    }
+}

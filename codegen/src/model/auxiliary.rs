@@ -1,0 +1,80 @@
+//! The `auxiliary` block: displacements that are zero, whose conjugate forces are wanted.
+//!
+//! A declaration with such displacements is resolved twice: once with the number 0 in their places, which gives the very
+//! model that it would be without them, and once with variables, from which the conjugate forces are derived.
+
+use super::interpret::Interpreter;
+use super::origin::Origin;
+use super::quantities::{define, resolve_unit};
+use super::scope::plain;
+use super::value::Value;
+use super::{Auxiliary, Dependence, Dimension, Model};
+use crate::dsl::{Declaration, Region};
+use crate::mistakes::Mistakes;
+use crate::symbolic::Expr;
+
+/// Whether auxiliary displacements are the number 0, or variables.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Displacements {
+    Zero,
+    Variable,
+}
+
+/// The auxiliary displacements, each with its conjugate force as a value.
+pub(super) fn resolve_auxiliaries(
+    declaration: &Declaration,
+    displacements: Displacements,
+    i: &mut Interpreter,
+) -> Vec<(Auxiliary, Value)> {
+    let mut auxiliaries = Vec::new();
+    for a in &declaration.auxiliary {
+        let name = plain(&a.name);
+        let unit = resolve_unit(&a.unit, i);
+        let auxiliary = Auxiliary {
+            displacement: i.graph.symbol(&name),
+            rate: i.graph.symbol(&format!("{name}_dot")),
+            reaction: i.graph.symbol(&format!("reaction_{name}")),
+            name,
+        };
+        i.dependences.declare(auxiliary.displacement, Dependence::COORDINATE);
+        i.dependences.declare(auxiliary.rate, Dependence::SPEED);
+        i.dependences.declare(auxiliary.reaction, Dependence::ACCELERATION.or(Dependence::MULTIPLIER));
+        let value = match displacements {
+            Displacements::Zero => i.graph.zero(),
+            Displacements::Variable => i.graph.variable(auxiliary.displacement),
+        };
+        let dimension = unit.map(|unit| unit.dimension().clone());
+        i.origins.add(plain(&a.name), Origin::Declared(a.unit.as_ref().map(|unit| unit.text.clone())));
+        define(&a.name, Some(Value::scalar(value, dimension.clone())), i);
+        let reaction = i.graph.variable(auxiliary.reaction);
+        let force = Value::scalar(reaction, dimension.map(|dimension| Dimension::energy().over(&dimension)));
+        auxiliaries.push((auxiliary, force));
+    }
+    auxiliaries
+}
+
+/// Refuses displacements that displace nothing: their conjugate forces would always be 0.
+pub(super) fn check_displaced(declaration: &Declaration, displaced: &Model) -> syn::Result<()> {
+    let mut mistakes = Mistakes::default();
+    let moved = displaced.graph.symbols_of(&positions(displaced));
+    for (written, auxiliary) in declaration.auxiliary.iter().zip(&displaced.auxiliaries) {
+        if !moved.contains(&auxiliary.displacement) && !moved.contains(&auxiliary.rate) {
+            mistakes.add(Region::from(&written.name).error(format!(
+                "`{0}` displaces nothing; add it to the position of a body or of a load's point, or to a point in a \
+                 constraint: `let B = A + [{0}, 0];`",
+                auxiliary.name
+            )));
+        }
+    }
+    mistakes.or(())
+}
+
+/// Everything that a displacement may move.
+fn positions(model: &Model) -> Vec<Expr> {
+    let bodies = model.bodies.iter().flat_map(|body| {
+        let mass = body.mass.iter().flat_map(|(_, at)| *at);
+        mass.chain(body.rotation.map(|(_, angle)| angle)).collect::<Vec<_>>()
+    });
+    let loads = model.forces.iter().flat_map(|force| force.at).chain(model.efforts.iter().map(|effort| effort.along));
+    bodies.chain(loads).chain(model.constraints.iter().map(|c| c.value)).collect()
+}

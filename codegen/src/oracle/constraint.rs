@@ -1,0 +1,80 @@
+//! Constraints at one state: a row that holds between positions, or one that holds between speeds.
+
+use super::error::Result;
+use super::interpret::{Interpreter, Setting};
+use super::jet::Jet;
+use super::measured::{Measured, inner};
+use super::mechanics::difference;
+use super::state::State;
+use super::value::Value;
+use crate::dsl::{Declaration, Equation, Unit};
+
+/// One row w = 0 between speeds, w = A q' + b: either as declared, or the rate of a row C = 0 between positions.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// C; zero for a row between speeds.
+    pub(super) value: Measured,
+    /// A \[n\]: C_q, or w_q'.
+    pub(super) jacobian: Vec<Measured>,
+    /// A for the rates of the auxiliary displacements.
+    pub(super) by_auxiliary: Vec<Measured>,
+    /// b: C_t, or what w is without speeds.
+    pub(super) time_derivative: Measured,
+    /// w' without accelerations.
+    pub(super) convective: Measured,
+}
+
+/// A constraint: one row, or the two of a vector.
+pub(super) struct Constraint {
+    pub(super) rows: Vec<Row>,
+}
+
+/// All constraints of a declaration.
+pub(super) fn constraints(
+    declaration: &Declaration,
+    si_factor: &dyn Fn(&Unit) -> f64,
+    at: &State,
+) -> Result<Vec<Constraint>> {
+    let interpreter = |setting| Interpreter::new(declaration, si_factor, setting);
+    let auxiliaries = declaration.auxiliary.len();
+    let mut positions = interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries));
+    let mut speeds = interpreter(Setting::speeds(at, auxiliaries));
+    let constraint = |equation: &Equation| {
+        let rows = match declaration.has_rates(equation) {
+            true => rows(&difference(&mut speeds, equation)?, |row| between_speeds(row, at, auxiliaries)),
+            false => rows(&difference(&mut positions, equation)?, |row| between_positions(row, at, auxiliaries)),
+        };
+        Ok(Constraint { rows })
+    };
+    declaration.constraints.iter().map(constraint).collect()
+}
+
+fn rows(value: &Value, row: impl Fn(&Jet) -> Row) -> Vec<Row> {
+    value.clone().components().iter().map(row).collect()
+}
+
+/// From C as a jet in (q, t, s).
+fn between_positions(row: &Jet, at: &State, auxiliaries: usize) -> Row {
+    let n = at.speeds.len();
+    Row {
+        value: row.value(),
+        jacobian: row.gradient()[..n].to_vec(),
+        by_auxiliary: row.gradient()[n + 1..].to_vec(),
+        time_derivative: row.gradient()[n],
+        convective: row.curvature(&at.rates(auxiliaries)),
+    }
+}
+
+/// From w as a jet in (q, t, s, q', s').
+fn between_speeds(row: &Jet, at: &State, auxiliaries: usize) -> Row {
+    let n = at.speeds.len();
+    let (by_positions, by_speeds) = row.gradient().split_at(n + 1 + auxiliaries);
+    let speeds: Vec<Measured> = at.speeds.iter().copied().map(Measured::given).collect();
+    Row {
+        value: Measured::ZERO,
+        jacobian: by_speeds[..n].to_vec(),
+        by_auxiliary: by_speeds[n..].to_vec(),
+        time_derivative: row.value() - inner(&by_speeds[..n], &speeds),
+        convective: inner(by_positions, &at.rates(auxiliaries)),
+    }
+}
