@@ -3,6 +3,7 @@
 #![no_std]
 
 mod andrews;
+mod bouncing_ball;
 mod double_pendulum;
 mod four_bar;
 mod pendulum;
@@ -12,6 +13,7 @@ mod skate;
 mod slider_crank;
 
 pub use andrews::*;
+pub use bouncing_ball::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use pendulum::*;
@@ -32,7 +34,8 @@ macro_rules! all_models {
             $crate::DoublePendulum,
             $crate::FourBar,
             $crate::Skate,
-            $crate::SliderCrank
+            $crate::SliderCrank,
+            $crate::BouncingBall
         )
     };
 }

@@ -27,7 +27,7 @@ fn main() -> Result<(), Failure> {
     let mechanism = models::QuickReturn::default();
     let motion = Motion::new(&mechanism, Stabilisation::Projection);
     let start = motion.sample(assemble(&mechanism, &declared_start(&mechanism))?)?;
-    let course = Course { end: 2.0, stepping: Stepping::Equal(20_000), interrupt: None };
+    let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000), interrupt: None };
     let (mut steps, mut last) = (Steps::default(), start);
     integrate(&motion, &mut Midpoint, &course, start, &mut steps, |step| {
         last = *step.to;

@@ -4,11 +4,15 @@
 //! times does not foretell its value between them, both halves are searched. A condition that only touches zero has
 //! its extremum there.
 
+use crate::act::Change;
 use crate::failure::{Failure, What};
 use crate::integrate::{Advance, Step};
 use crate::interpolate::cubic;
+use crate::motion::Motion;
+use crate::onset::Onset;
 use crate::root::{find_minimum, find_root};
 use crate::trajectory::{Sample, State};
+use sim_kernel::event::{Direction, Event};
 use sim_kernel::{Array, Mechanism};
 
 /// How a condition, left - right, passes zero.
@@ -25,12 +29,16 @@ pub enum Crossing {
 /// A condition that came to hold.
 #[derive(Clone, Debug)]
 pub struct Occurrence<M: Mechanism> {
+    /// Which event, by index.
+    pub event: usize,
     /// The event's name.
     pub name: &'static str,
     /// How.
     pub crossing: Crossing,
-    /// When and where: time, positions and speeds.
+    /// When and where: time, positions and speeds, before anything is changed.
     pub state: State<M>,
+    /// What it has changed, if it does anything.
+    pub change: Option<Change<M>>,
 }
 
 /// Halvings of a step, after which what a condition does between is not looked at.
@@ -52,6 +60,8 @@ pub struct EventSearch<M: Mechanism> {
     begin: f64,
     last: Option<Point<M>>,
     largest: M::Events,
+    /// How conditions go on from the beginning, where events change the motion.
+    onset: Option<Onset<M>>,
 }
 
 /// The conditions at one time.
@@ -66,7 +76,12 @@ struct Point<M: Mechanism> {
 impl<M: Mechanism> EventSearch<M> {
     /// A search from a time on.
     pub fn new(begin: f64) -> EventSearch<M> {
-        EventSearch { found: Vec::with_capacity(1024), begin, last: None, largest: M::Events::filled(0.0) }
+        EventSearch { found: Vec::with_capacity(1024), begin, last: None, largest: M::Events::filled(0.0), onset: None }
+    }
+
+    /// Goes on from a time at which the motion has changed.
+    pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
+        (self.begin, self.last, self.onset) = (begin, None, onset);
     }
 
     /// Searches a step.
@@ -77,13 +92,20 @@ impl<M: Mechanism> EventSearch<M> {
         if M::Events::LEN == 0 {
             return Ok(());
         }
-        let (mechanism, h) = (step.motion.mechanism(), step.length());
-        let from = self.last.unwrap_or_else(|| Point::of(mechanism, step.from, h));
-        let to = Point::of(mechanism, step.to, h);
+        let (motion, h) = (step.motion, step.length());
+        let from = match self.last {
+            Some(last) => last,
+            None => Point::of(motion, step.from, h)?.started(self.onset.as_ref()),
+        };
+        let mut to = Point::of(motion, step.to, h)?;
         let first = self.found.len();
         for event in 0..M::Events::LEN {
+            if self.is_noise(step, event, &from, &to)? {
+                to.values[event] = from.values[event];
+                continue;
+            }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
-            let name = M::DESCRIPTION.events[event];
+            let name = M::DESCRIPTION.events[event].name;
             self.search_one(step, event, &from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
             if self.found.len() - first > MOST_IN_A_STEP {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
@@ -93,6 +115,22 @@ impl<M: Mechanism> EventSearch<M> {
         self.found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));
         self.last = Some(to);
         Ok(())
+    }
+
+    /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
+    fn is_noise<A: Advance<M>>(
+        &self,
+        step: &mut Step<M, A>,
+        event: usize,
+        from: &Point<M>,
+        to: &Point<M>,
+    ) -> Result<bool, Failure> {
+        let Some(onset) = &self.onset else { return Ok(false) };
+        let is_small = |value: f64| value.abs() <= onset.noise[event];
+        if !(is_small(from.values[event]) && is_small(to.values[event])) {
+            return Ok(false);
+        }
+        Ok(is_small(value(step, (from.time + to.time) / 2.0, event)?))
     }
 
     fn search_one<A: Advance<M>>(
@@ -110,7 +148,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
         if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
             let middle = step.at(from.time + h / 2.0)?;
-            let middle = Point::of(step.motion.mechanism(), &step.motion.sample(middle)?, h / 2.0);
+            let middle = Point::of(step.motion, &step.motion.sample(middle)?, h / 2.0)?;
             self.search_one(step, event, from, &middle, halvings - 1)?;
             return self.search_one(step, event, &middle, to, halvings - 1);
         }
@@ -179,15 +217,21 @@ impl<M: Mechanism> EventSearch<M> {
         };
         let state = step.at(time)?;
         let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
-        if is_root(conditions(step, &state)[event], values) {
+        if is_root(conditions(step.motion, &state)?[event], values) {
             self.push(event, crossing, state);
         }
         Ok(())
     }
 
     fn push(&mut self, event: usize, crossing: Crossing, state: State<M>) {
-        if state.time - self.begin > 2.0 * tolerance(state.time) {
-            self.found.push(Occurrence { name: M::DESCRIPTION.events[event], crossing, state });
+        let described = &const { &M::DESCRIPTION }.events[event];
+        let counts = match described.direction {
+            Direction::Both => true,
+            Direction::Rising => crossing == Crossing::Rising,
+            Direction::Falling => crossing == Crossing::Falling,
+        };
+        if counts && state.time - self.begin > 2.0 * tolerance(state.time) {
+            self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
 }
@@ -195,29 +239,71 @@ impl<M: Mechanism> EventSearch<M> {
 /// The value of a condition at a time inside a step.
 fn value<M: Mechanism, A: Advance<M>>(step: &mut Step<M, A>, time: f64, event: usize) -> Result<f64, Failure> {
     let state = step.at(time)?;
-    Ok(conditions(step, &state)[event])
+    Ok(conditions(step.motion, &state)?[event])
 }
 
-fn conditions<M: Mechanism, A: Advance<M>>(step: &Step<M, A>, state: &State<M>) -> M::Events {
-    step.motion.mechanism().events(state.time, &state.positions, &state.speeds)
+/// Whether any condition depends on accelerations or multipliers.
+const fn any_on_forces(events: &[Event]) -> bool {
+    let mut i = 0;
+    while i < events.len() {
+        if events[i].on_forces {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+/// left - right of each event at a state; the equations of motion are solved only where one needs it.
+pub(crate) fn conditions<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<M::Events, Failure> {
+    let (qdd, lambda) = match const { any_on_forces(M::DESCRIPTION.events) } {
+        true => {
+            let sample = motion.sample(*state)?;
+            (sample.accelerations, sample.multipliers)
+        }
+        false => (M::Q::filled(0.0), M::L::filled(0.0)),
+    };
+    Ok(motion.mechanism().events(state.time, &state.positions, &state.speeds, &qdd, &lambda))
+}
+
+/// A state a little later or earlier, by constant accelerations.
+pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
+    let state = &sample.state;
+    State {
+        time: state.time + d,
+        positions: M::Q::from_fn(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i])),
+        speeds: M::Q::from_fn(|i| state.speeds[i] + d * sample.accelerations[i]),
+        work: state.work,
+    }
 }
 
 impl<M: Mechanism> Point<M> {
     /// Values, and rates by central differences along the motion, over 1e-4 of the interval to be searched.
-    fn of(mechanism: &M, sample: &Sample<M>, interval: f64) -> Point<M> {
+    fn of(motion: &Motion<M>, sample: &Sample<M>, interval: f64) -> Result<Point<M>, Failure> {
         let (state, d) = (&sample.state, 1e-4 * interval);
-        let along = |d: f64| {
-            let positions =
-                M::Q::from_fn(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i]));
-            let speeds = M::Q::from_fn(|i| state.speeds[i] + d * sample.accelerations[i]);
-            mechanism.events(state.time + d, &positions, &speeds)
-        };
-        let (ahead, behind) = (along(d), along(-d));
-        Point {
+        let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
+        let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
+        Ok(Point {
             time: state.time,
-            values: mechanism.events(state.time, &state.positions, &state.speeds),
+            values: motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda),
             rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+        })
+    }
+
+    /// The point from which a search starts: what holds there is left and not crossed.
+    fn started(mut self, onset: Option<&Onset<M>>) -> Point<M> {
+        for i in 0..M::Events::LEN {
+            let is_zero = self.values[i].abs() <= 2.0 * tolerance(self.time) * self.rates[i].abs();
+            let sign = match onset {
+                Some(onset) if onset.holds(i) => onset.sign(i),
+                _ if is_zero => self.rates[i],
+                _ => 0.0,
+            };
+            if sign != 0.0 {
+                self.values[i] = f64::MIN_POSITIVE.copysign(sign);
+            }
         }
+        self
     }
 }
 
@@ -246,6 +332,6 @@ fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
 }
 
 /// To what a time is located, in seconds.
-fn tolerance(time: f64) -> f64 {
+pub(crate) fn tolerance(time: f64) -> f64 {
     f64::max(1e-12, 4.0 * f64::EPSILON * time.abs())
 }

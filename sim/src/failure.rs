@@ -181,6 +181,44 @@ pub enum What {
         /// How often it happened.
         count: usize,
     },
+    /// Events happen again and again, at times that accumulate.
+    #[error(
+        "event `{event}` chatters: what it does makes it happen again at once, for the {count}. time. The times of its \
+             occurrences accumulate here, and no motion goes on beyond this point. Let it stop the run (`stop`), hold what it \
+             hits (`activate`), or change the condition"
+    )]
+    Accumulating {
+        /// Its name.
+        event: &'static str,
+        /// How often it has happened.
+        count: usize,
+    },
+    /// An event lets a constraint hold, or moves coordinates, where the constraint is open.
+    #[error(
+        "event `{event}` leaves constraint `{constraint}` open by {residual:.3e}: where a constraint comes to hold the positions \
+             must satisfy it already, and so must coordinates that are set"
+    )]
+    EventOpens {
+        /// The event.
+        event: &'static str,
+        /// The constraint.
+        constraint: &'static str,
+        /// C there.
+        residual: f64,
+    },
+    /// A coefficient of restitution that is none.
+    #[error(
+        "event `{event}`: the coefficient of restitution with `{constraint}` is {coefficient}, and must be a number that is not \
+             negative"
+    )]
+    Restitution {
+        /// The event.
+        event: &'static str,
+        /// The constraint that is hit.
+        constraint: &'static str,
+        /// The coefficient.
+        coefficient: f64,
+    },
     /// Something failed where an event was looked for.
     #[error("while event `{event}` was looked for: {what}")]
     InEvent {

@@ -3,14 +3,17 @@
 //!
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
+mod act;
 mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod conditional;
 mod equilibrium;
 mod events;
 mod failure;
 mod formats;
+mod happening;
 mod integrate;
 mod interpolate;
 mod kinematics;
@@ -18,8 +21,10 @@ mod least_norm;
 mod level;
 mod mobility;
 mod motion;
+mod onset;
 mod partition;
 mod project;
+mod record;
 mod root;
 mod run;
 mod settings;
@@ -41,8 +46,10 @@ mod documents {
     struct ComingFrom;
 }
 
+pub use act::{Change, act};
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
+pub use conditional::is_active;
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
@@ -63,6 +70,6 @@ pub use run::{DOUBTFUL_BALANCE, Run, run};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
-pub use trajectory::{Rates, Sample, State, Trajectory};
+pub use trajectory::{Phase, Rates, Sample, State, Trajectory};
 pub use vector::{Vectors, Work};
 pub use write::{WriteError, summary, write_csv, write_json};

@@ -1,5 +1,6 @@
 //! Degrees of freedom, and constraints that say what others say already.
 
+use crate::conditional::is_active;
 use crate::failure::{Failure, What, constraint_name};
 use crate::level::between_positions;
 use nalgebra::{DMatrix, DVector};
@@ -44,14 +45,15 @@ const DEPENDENT: f64 = 1e-7;
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     let jacobian = mechanism.constraint_jacobian(time, q);
+    let held = || (0..M::L::LEN).filter(|row| is_active(mechanism, *row));
     let dependent = |jacobian: &M::LQ| -> Vec<usize> {
         let sines = independence::<M>(jacobian);
-        (0..M::L::LEN).filter(|i| !(sines[*i] > DEPENDENT)).collect()
+        held().filter(|i| !(sines[*i] > DEPENDENT)).collect()
     };
     let (rows, of_positions) = (dependent(&jacobian), dependent(&between_positions::<M>(&jacobian)));
     Mobility {
-        degrees_of_freedom: M::Q::LEN + rows.len() - M::L::LEN,
-        configuration_freedom: M::Q::LEN + of_positions.len() - M::L::LEN,
+        degrees_of_freedom: M::Q::LEN + rows.len() - held().count(),
+        configuration_freedom: M::Q::LEN + of_positions.len() - held().count(),
         implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
         dependent: rows.into_iter().map(constraint_name::<M>).collect(),
     }

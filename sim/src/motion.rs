@@ -1,5 +1,6 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
+use crate::conditional::released_rows;
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::least_norm::least_norm;
 use crate::partition::Partition;
@@ -17,7 +18,7 @@ pub struct Motion<'m, M: Mechanism> {
     prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition>,
-    /// How many constraints depend on others everywhere.
+    /// How many constraints depend on others everywhere, or are released.
     redundant: usize,
     evaluations: Cell<u64>,
 }
@@ -36,7 +37,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             prepared: mechanism.prepare(),
             stabilisation,
             partition,
-            redundant,
+            redundant: redundant + released_rows(mechanism),
             evaluations: Cell::new(0),
         }
     }
@@ -150,11 +151,22 @@ pub(crate) fn by_inertia<M: Mechanism>(
     jacobian: &M::LQ,
     residual: &M::L,
 ) -> Result<M::Q, Failure> {
+    Ok(impulse(mechanism, time, q, jacobian, residual)?.0)
+}
+
+/// That change, and the impulse that makes it: x and y with [M C_q'; C_q 0] [x; y] = [0; r].
+pub(crate) fn impulse<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    jacobian: &M::LQ,
+    residual: &M::L,
+) -> Result<(M::Q, M::L), Failure> {
     let matrix = saddle::<M>(&mechanism.mass_matrix(time, q), jacobian);
     let n = M::Q::LEN;
     let rhs = M::Z::from_fn(|i| if i < n { 0.0 } else { residual[i - n] });
     let solution = solve_motion::<M>(matrix, rhs, time, q)?;
-    Ok(M::Q::from_fn(|i| solution.solution[i]))
+    Ok((M::Q::from_fn(|i| solution.solution[i]), M::L::from_fn(|i| solution.solution[n + i])))
 }
 
 /// [M C_q'; C_q 0].

@@ -1,17 +1,17 @@
 //! A whole run: assemble, integrate, locate events, record, balance.
 
 use crate::assemble::{Start, assemble};
-use crate::events::{EventSearch, Occurrence};
-use crate::failure::{Failure, What};
+use crate::events::Occurrence;
+use crate::failure::Failure;
 use crate::integrate::{
-    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Step, Steps, integrate,
+    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
 };
 use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::{Motion, residuals};
-use crate::settings::{Method, Rows, Settings, StopAt};
-use crate::trajectory::{Sample, Trajectory};
+use crate::record::Recorder;
+use crate::settings::{Method, Settings};
+use crate::trajectory::{Sample, State, Trajectory};
 use sim_kernel::Mechanism;
-use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -39,8 +39,11 @@ pub struct Run<M: Mechanism> {
     pub position_residual: f64,
     /// The largest |(C_q q' + C_t)_i| of any sample.
     pub velocity_residual: f64,
-    /// The largest change of kinetic energy minus work, relative to the largest kinetic energy or work.
+    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy or
+    /// work.
     pub energy_balance: f64,
+    /// The kinetic energy that events have taken, in joules.
+    pub energy_taken: f64,
     /// How long the integration took, with events and records.
     pub integration_time: Duration,
 }
@@ -60,20 +63,16 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
     let first = assemble(&mechanism, start)?;
     check_masses(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
-    let motion = Motion::with_redundant(&mechanism, settings.stabilisation, mobility.dependent.len());
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
-    let mut steps = Steps::default();
+    let (mut steps, mut evaluations) = (Steps::default(), 0);
     let clock = Instant::now();
-    let ended = motion.prepare(&first).and_then(|()| motion.sample(first)).and_then(|sample| {
-        recorder.samples.push(sample);
-        integrate_by(settings.method, &motion, settings, sample, &mut steps, &mut recorder)
-    });
+    let ended = run_phases(mechanism, first, settings, &mut recorder, &mut steps, &mut evaluations);
     let integration_time = clock.elapsed();
-    let evaluations = motion.evaluations();
-    let trajectory = Trajectory { samples: recorder.samples, failure: ended.err() };
+    let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
     let energy_balance = energy_balance(&mechanism, &trajectory);
+    let energy_taken = trajectory.phases.last().map_or(0.0, |phase| phase.energy_taken);
     Ok(Run {
         mechanism,
         settings: *settings,
@@ -85,8 +84,37 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
         position_residual,
         velocity_residual,
         energy_balance,
+        energy_taken,
         integration_time,
     })
+}
+
+/// The motion from one event that changes something to the next; each phase is integrated afresh.
+fn run_phases<M: Mechanism>(
+    mut mechanism: M,
+    mut state: State<M>,
+    settings: &Settings,
+    recorder: &mut Recorder<M>,
+    steps: &mut Steps,
+    evaluations: &mut u64,
+) -> Result<(), Failure> {
+    loop {
+        let redundant = mobility(&mechanism, state.time, &state.positions).dependent.len();
+        let motion = Motion::with_redundant(&mechanism, settings.stabilisation, redundant);
+        let ended = motion.prepare(&state).and_then(|()| motion.sample(state)).and_then(|sample| {
+            recorder.start(&motion, sample)?;
+            match recorder.goes_on() {
+                true => integrate_by(settings.method, &motion, settings, sample, steps, recorder),
+                false => Ok(()),
+            }
+        });
+        *evaluations += motion.evaluations();
+        ended?;
+        match recorder.next_phase() {
+            Some(next) => (mechanism, state) = next,
+            None => return Ok(()),
+        }
+    }
 }
 
 fn integrate_by<M: Mechanism>(
@@ -117,7 +145,8 @@ fn integrate_with<M: Mechanism>(
     steps: &mut Steps,
     recorder: &mut Recorder<M>,
 ) -> Result<(), Failure> {
-    let course = Course { end: settings.end, stepping: settings.stepping, interrupt: settings.interrupt };
+    let Settings { end, stepping, interrupt, .. } = *settings;
+    let course = Course { begin: recorder.begin(), end, stepping, interrupt };
     integrate(motion, &mut method, &course, start, steps, |step| {
         if let Some(progress) = settings.progress {
             progress.store(step.to.state.time.to_bits(), Ordering::Relaxed);
@@ -126,92 +155,8 @@ fn integrate_with<M: Mechanism>(
     })
 }
 
-/// Watches the steps of a run: finds events, and keeps what is to be recorded.
-struct Recorder<M: Mechanism> {
-    samples: Vec<Sample<M>>,
-    events: EventSearch<M>,
-    rows: Rows,
-    stop: Option<StopAt>,
-    begin: f64,
-    end: f64,
-    /// The next row, of those at equal intervals.
-    next: usize,
-    expected: usize,
-}
-
-impl<M: Mechanism> Recorder<M> {
-    fn new(settings: &Settings, begin: f64) -> Recorder<M> {
-        let expected = match (settings.rows, settings.stepping) {
-            (Rows::Even(count), _) => count,
-            (Rows::Steps, crate::settings::Stepping::Equal(count)) => count,
-            (Rows::Steps, crate::settings::Stepping::Adaptive(_)) => 1024,
-        };
-        Recorder {
-            samples: Vec::new(),
-            events: EventSearch::new(begin),
-            rows: settings.rows,
-            stop: settings.stop,
-            begin,
-            end: settings.end,
-            next: 1,
-            expected,
-        }
-    }
-
-    fn make_room(&mut self) -> Result<(), What> {
-        let rows = self.expected.checked_add(2);
-        match rows.is_some_and(|rows| self.samples.try_reserve_exact(rows).is_ok()) {
-            true => Ok(()),
-            false => Err(What::TooManyRows { rows: self.expected }),
-        }
-    }
-
-    fn watch<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<ControlFlow<()>, Failure> {
-        self.events.search(step)?;
-        let stop = self.stopping_state();
-        self.record(step, stop.map_or(step.to.state.time, |state| state.time))?;
-        let Some(state) = stop else { return Ok(ControlFlow::Continue(())) };
-        let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
-        if state.time > last {
-            self.samples.push(step.motion.sample(state)?);
-        }
-        Ok(ControlFlow::Break(()))
-    }
-
-    /// Where the event that ends the run has happened.
-    fn stopping_state(&mut self) -> Option<crate::State<M>> {
-        let stop = self.stop?;
-        let name = M::DESCRIPTION.events.get(stop.event)?;
-        let mut occurrences = self.events.found.iter().enumerate().filter(|(_, event)| event.name == *name);
-        let (at, event) = occurrences.nth(stop.occurrence.checked_sub(1)?)?;
-        let state = event.state;
-        self.events.found.truncate(at + 1);
-        Some(state)
-    }
-
-    fn record<A: Advance<M>>(&mut self, step: &mut Step<M, A>, until: f64) -> Result<(), Failure> {
-        match self.rows {
-            Rows::Steps if until == step.to.state.time => self.samples.push(*step.to),
-            Rows::Steps => {}
-            Rows::Even(count) => {
-                while self.next <= count {
-                    let time = self.begin + (self.end - self.begin) * (self.next as f64 / count as f64);
-                    if time > until {
-                        break;
-                    }
-                    let is_end = time == step.to.state.time;
-                    let sample = if is_end { *step.to } else { step.motion.sample(step.at(time)?)? };
-                    self.samples.push(sample);
-                    self.next += 1;
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
 fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> (f64, f64) {
-    trajectory.samples.iter().fold((0.0, 0.0), |(position, velocity), sample| {
+    trajectory.with_mechanisms(mechanism).fold((0.0, 0.0), |(position, velocity), (mechanism, sample)| {
         let (p, v) = residuals(mechanism, &sample.state);
         (larger(position, p), larger(velocity, v))
     })
@@ -219,10 +164,11 @@ fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) ->
 
 fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> f64 {
     let (mut largest, mut change, mut start) = (0.0f64, 0.0f64, None);
-    for sample in &trajectory.samples {
+    for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {
         let state = &sample.state;
         let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
-        let balance = kinetic - state.work;
+        let taken = trajectory.phase_of(index).map_or(0.0, |phase| phase.energy_taken);
+        let balance = kinetic - state.work + taken;
         largest = larger(larger(largest, kinetic), state.work.abs());
         change = larger(change, (balance - *start.get_or_insert(balance)).abs());
     }

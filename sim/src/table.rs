@@ -32,7 +32,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of a trajectory.
+    /// The table of a trajectory that starts with this mechanism.
     pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
         let description = const { &M::DESCRIPTION };
         let samples = &trajectory.samples;
@@ -57,9 +57,9 @@ impl Table {
             columns.push(column(format!("lambda_{}", c.name), c.unit, c.factor, &|s| s.multipliers[i]));
         }
         let first_output = columns.len();
-        let outputs: Vec<M::Outputs> = samples
-            .iter()
-            .map(|s| {
+        let outputs: Vec<M::Outputs> = trajectory
+            .with_mechanisms(mechanism)
+            .map(|(mechanism, s)| {
                 mechanism.outputs(s.state.time, &s.state.positions, &s.state.speeds, &s.accelerations, &s.multipliers)
             })
             .collect();

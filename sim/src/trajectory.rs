@@ -88,11 +88,37 @@ impl<M: Mechanism> Rates<M> {
     }
 }
 
+/// A part of a motion in which nothing is switched or set.
+#[derive(Clone, Copy, Debug)]
+pub struct Phase<M: Mechanism> {
+    /// The mechanism in it.
+    pub mechanism: M,
+    /// Its first sample.
+    pub first: usize,
+    /// The kinetic energy that events have taken until then, in joules.
+    pub energy_taken: f64,
+}
+
 /// The samples of a motion, and how it ended.
 #[derive(Clone, Debug)]
 pub struct Trajectory<M: Mechanism> {
-    /// In the order of time.
+    /// In the order of time. An event that changes something has two at its time: before, and after.
     pub samples: Vec<Sample<M>>,
+    /// The parts between such events, in order.
+    pub phases: Vec<Phase<M>>,
     /// Why it ended before its time, if it did.
     pub failure: Option<Failure>,
+}
+
+impl<M: Mechanism> Trajectory<M> {
+    /// The phase that a sample belongs to.
+    pub fn phase_of(&self, sample: usize) -> Option<&Phase<M>> {
+        self.phases[..self.phases.partition_point(|phase| phase.first <= sample)].last()
+    }
+
+    /// Each sample with the mechanism at its time; `start` is that before the first phase.
+    pub fn with_mechanisms<'t>(&'t self, start: &'t M) -> impl Iterator<Item = (&'t M, &'t Sample<M>)> {
+        let mechanism = move |index: usize| self.phase_of(index).map_or(start, |phase| &phase.mechanism);
+        self.samples.iter().enumerate().map(move |(index, sample)| (mechanism(index), sample))
+    }
 }

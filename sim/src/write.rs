@@ -1,5 +1,7 @@
 //! A run as files.
 
+use crate::events::Occurrence;
+use crate::happening::{crossing, does, impulses};
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
@@ -59,8 +61,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         let value = json!({ "value": value / p.factor, "unit": p.unit });
         (p.name.to_owned(), value)
     });
-    let events: Vec<Value> =
-        run.events.iter().map(|event| json!({ "name": event.name, "time": event.state.time })).collect();
+    let events: Vec<Value> = run.events.iter().map(event_object).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -81,7 +82,22 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "events": events,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
+        "energy_taken_by_events": run.energy_taken,
     })
+}
+
+/// An event as it happened, with what it did.
+fn event_object<M: Mechanism>(event: &Occurrence<M>) -> Value {
+    let mut object = json!({ "name": event.name, "time": event.state.time, "crossing": crossing(event.crossing) });
+    if let (Some(change), Some(object)) = (&event.change, object.as_object_mut()) {
+        let description = const { &M::DESCRIPTION };
+        let impulses = impulses(event).into_iter();
+        let impulses = impulses.map(|(name, value, unit)| (name.to_owned(), json!({ "value": value, "unit": unit })));
+        object.insert("does".into(), does(&description.events[event.event], description).into());
+        object.insert("impulses".into(), impulses.collect::<Map<String, Value>>().into());
+        object.insert("energy_taken".into(), change.energy_taken.into());
+    }
+    object
 }
 
 /// What was asked for, and what it took.

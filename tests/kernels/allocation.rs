@@ -64,7 +64,7 @@ fn kernels_do_not_allocate() {
         black_box((mechanism.constraint_magnitudes(t, &q), mechanism.constraint_time_derivative(t, &q)));
         black_box((mechanism.kinetic_energy(t, &q, &qd), mechanism.power(t, &q, &qd, &qd, &lambda)));
         black_box((mechanism.outputs(t, &q, &qd, &qd, &lambda), mechanism.output_rates(t, &q, &qd, &qd)));
-        black_box((mechanism.events(t, &q, &qd), mechanism.drawing(t, &q)));
+        black_box((mechanism.events(t, &q, &qd, &qd, &lambda), mechanism.drawing(t, &q)));
     }
     assert_eq!(allocations(|| all_kernels(QuickReturn::default())), 0);
     assert_eq!(allocations(|| all_kernels(Cart::default())), 0);
@@ -100,7 +100,7 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     let first = motion.sample(start).unwrap();
     let mut events = EventSearch::new(0.0);
     let mut steps = Steps::default();
-    let course = Course { end, stepping, interrupt: None };
+    let course = Course { begin: 0.0, end, stepping, interrupt: None };
     let counted = allocations(|| {
         integrate(&motion, &mut method, &course, first, &mut steps, |step| {
             events.search(step)?;

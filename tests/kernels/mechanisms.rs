@@ -229,6 +229,31 @@ mechanism! {
     outputs { height [m] = P7.y; pull [N] = reaction(blade); }
 }
 
+mechanism! {
+    /// A cart with a pendulum; a rod that time drives, a pin and a stop come and go.
+    pub(crate) Switched;
+    coordinates { x [m]; a [rad]; b [deg]; }
+    parameters { M [kg] = 3; m [kg] = 1; l [m] = 0.8; k [m] = 0.6; J [kg*m^2] = 0.05; g [m/s^2] = 9.81; e1 = 0.4; }
+    let O = [x, 0.1 [m]*sin(2 [rad/s]*t)];
+    let A = O + l*[sin(a), -cos(a)];
+    let B = A + k*[sin(b), -cos(b)];
+    bodies { cart: mass M at O; first: mass m at A, inertia J, angle a; second: mass m at B, inertia J, angle b; }
+    loads { gravity [0, -g]; force [-2 [N/m]*x - 1 [N*s/m]*dot(x), 0] at O; torque -0.1 [N*m*s]*dot(b - a) on second; }
+    constraints {
+        rod: norm(B - [0.2 [m], 0.3 [m]*cos(1 [rad/s]*t)]) = 1.1 [m] + 0.05 [m]*sin(3 [rad/s]*t) initially released;
+        rail: x + 0.1 [m]*a = 0.2 [m]*sin(1 [rad/s]*t);
+        lock: b = a + 0.1 initially active;
+    }
+    initial { x = 0; guess a = 0.2; b = 10; }
+    events {
+        apart: reaction(lock) + 0.1 [m]*reaction(rod) = 0.3 [N*m] falling { release lock; activate rod; }
+        knock: b - a = 0.1 rising { impact lock restitution e1*abs(dot(a))/1 [rad/s]; impact rod; swap a, b; set m = 1.1*m; }
+        hurried: ddot(x) = 1 [m/s^2] { set b = 3; set dot(b) = 30; set dot(a) = -dot(a) + 1 [rad/s^2]*t; stop after 3; }
+    }
+    outputs { pull [N] = reaction(rod); hold [N*m] = reaction(lock); slide [N] = reaction(rail); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -249,7 +274,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Arm,
             crate::mechanisms::Sprung,
             crate::mechanisms::Sled,
-            crate::mechanisms::Snake
+            crate::mechanisms::Snake,
+            crate::mechanisms::Switched
         )
     };
 }
@@ -260,5 +286,6 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake).to_vec()].concat()
+    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Switched).to_vec()]
+        .concat()
 }

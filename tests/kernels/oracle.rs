@@ -29,6 +29,10 @@ fn check<M: Mechanism>() {
     for i in 0..STATES {
         let parameters = M::defaults().parameters();
         let mechanism = M::with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
+        let mechanism = match M::Activities::LEN {
+            0 => mechanism,
+            _ => mechanism.with_activities(M::Activities::from_fn(|_| random.between(0.0, 2.0).floor())),
+        };
         let t = random.between(0.0, 2.0);
         let mut q = M::Q::from_fn(|_| random.between(-1.5, 1.5));
         let mut qd = M::Q::from_fn(|_| random.between(-3.0, 3.0));
@@ -93,7 +97,8 @@ impl Found {
 
 fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
-    let oracle = Oracle::new(declaration, &si_factor);
+    let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
+    let oracle = Oracle::new(declaration, &si_factor).with_active(active);
     let parameters = mechanism.parameters();
     let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
     let terms = oracle.terms(&at).unwrap();
@@ -113,7 +118,6 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
         &terms.constraint_convective,
     );
     found.term("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
-    found.term("events", mechanism.events(t, q, qd).as_ref(), &oracle.events(&at).unwrap());
     let linear = mechanism.constraint_linearization(t, q);
     let linear_jacobian = matrix(linear.jacobian.iter().map(|row| row.as_ref().to_vec()).collect());
     found.term("linearised C", linear.values.as_ref(), &terms.constraints);
@@ -125,6 +129,12 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
         accelerations: given(solved.accelerations.as_ref()),
         multipliers: given(solved.multipliers.as_ref()),
     };
+    let events = mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers);
+    found.term("events", events.as_ref(), &oracle.events(&at, &solution).unwrap());
+    found.term("what events set", mechanism.event_values(t, q, qd).as_ref(), &oracle.event_values(&at).unwrap());
+    for (row, lambda) in solved.multipliers.iter().enumerate() {
+        assert!(sim::is_active(mechanism, row) || *lambda == 0.0, "a released row has the multiplier {lambda}");
+    }
     let outputs = mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers);
     found.term("outputs", outputs.as_ref(), &oracle.outputs(&at, &solution).unwrap());
     found.term("power", &[solved.power], &[oracle.power(&at, &solution).unwrap()]);

@@ -64,6 +64,8 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     type Outputs = M::Outputs;
     type OutputRates = M::OutputRates;
     type Events = M::Events;
+    type EventValues = M::EventValues;
+    type Activities = M::Activities;
     type Drawing = M::Drawing;
     type QP = M::QP;
     type LP = M::LP;
@@ -151,8 +153,11 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     fn output_rates(&self, t: f64, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::OutputRates {
         self.kernels().output_rates(t, q, qd, qdd)
     }
-    fn events(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::Events {
-        self.kernels().events(t, q, qd)
+    fn events(&self, t: f64, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Events {
+        self.kernels().events(t, q, qd, qdd, lambda)
+    }
+    fn event_values(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
+        self.kernels().event_values(t, q, qd)
     }
     fn drawing(&self, t: f64, q: &Self::Q) -> Self::Drawing {
         self.kernels().drawing(t, q)

@@ -10,6 +10,7 @@ mod elements;
 mod events;
 mod failure;
 mod faulty;
+mod impacts;
 mod linkages;
 mod long;
 mod nonholonomic;

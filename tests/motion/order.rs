@@ -84,7 +84,7 @@ fn dense_error<A: Advance<QuickReturn>>(mut method: A, steps: usize) -> f64 {
     let mechanism = QuickReturn::default();
     let motion = Motion::new(&mechanism, Stabilisation::Projection);
     let first = motion.sample(assemble(&mechanism, &declared_start(&mechanism)).unwrap()).unwrap();
-    let course = Course { end: 1.0, stepping: Stepping::Equal(steps), interrupt: None };
+    let course = Course { begin: 0.0, end: 1.0, stepping: Stepping::Equal(steps), interrupt: None };
     let mut inside = Vec::new();
     integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
         inside.push(step.at(step.from.state.time + 0.3 * step.length())?);

@@ -82,7 +82,7 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     Ok(Let { name, value: expression(input)? })
 }
 
-fn equals(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -149,7 +149,17 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
     colon(input, "an equation has a name: `closure: left = right;`")?;
     let left = expression(input)?;
     equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)? })
+    Ok(Equation { name, left, right: expression(input)?, initially: None })
+}
+
+/// An equation, and whether it holds at the start if events switch it.
+pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
+    let mut equation = equation(input)?;
+    if accept_word(input, "initially")? {
+        let word = keyword(input, &["active", "released"])?;
+        equation.initially = Some(if word == "active" { Activity::Active } else { Activity::Released });
+    }
+    Ok(equation)
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

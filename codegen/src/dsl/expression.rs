@@ -10,7 +10,21 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 9] = ["at", "on", "along", "radius", "about", "from", "to", "between", "and"];
+const FOLLOWING_WORDS: [&str; 13] = [
+    "at",
+    "on",
+    "along",
+    "radius",
+    "about",
+    "from",
+    "to",
+    "between",
+    "and",
+    "initially",
+    "rising",
+    "falling",
+    "restitution",
+];
 
 /// Words that start a clause or a line of the language.
 const LANGUAGE_WORDS: [&str; 16] = [

@@ -2,6 +2,7 @@
 
 mod block;
 mod declarations;
+mod event;
 mod expression;
 mod limits;
 mod load;

@@ -1,6 +1,7 @@
 //! The frame of a declaration: its head and its blocks. A mistake in one line does not hide the next.
 
 use super::block;
+use super::event;
 use super::region::here;
 use super::*;
 use crate::mistakes::Mistakes;
@@ -134,10 +135,10 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
         "loads" => d.loads.extend(mistakes.note(lines(&content, ended(super::load::load))).into_iter().flatten()),
         "constraints" => {
-            d.constraints.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten())
+            d.constraints.extend(mistakes.note(lines(&content, ended(block::constraint))).into_iter().flatten())
         }
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
-        "events" => d.events.extend(mistakes.note(lines(&content, ended(block::equation))).into_iter().flatten()),
+        "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();

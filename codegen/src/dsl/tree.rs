@@ -17,12 +17,12 @@ pub struct Declaration {
     pub bodies: Vec<Body>,
     /// `loads { .. }`
     pub loads: Vec<Load>,
-    /// `constraints { .. }`: each holds throughout the motion.
+    /// `constraints { .. }`: each holds throughout the motion, or while events leave it active.
     pub constraints: Vec<Equation>,
     /// `initial { .. }`
     pub initial: Vec<Initial>,
     /// `events { .. }`: each marks the times at which it comes to hold.
-    pub events: Vec<Equation>,
+    pub events: Vec<Event>,
     /// `outputs { .. }`; outputs that stand alone form a group of their own.
     pub outputs: Vec<OutputGroup>,
     /// `drawing { .. }`
@@ -161,6 +161,74 @@ pub struct Equation {
     pub left: Expression,
     /// What stands right.
     pub right: Expression,
+    /// `initially released`, on a constraint that events switch.
+    pub initially: Option<Activity>,
+}
+
+/// Whether a constraint holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Activity {
+    /// It holds.
+    Active,
+    /// It does not, and its reaction is 0.
+    Released,
+}
+
+/// `landing: y = r falling { impact floor; }`
+pub struct Event {
+    /// The condition.
+    pub condition: Equation,
+    /// The crossings of left - right that count; `None` for all.
+    pub direction: Option<Direction>,
+    /// What happens then.
+    pub actions: Vec<Action>,
+}
+
+/// How a quantity crosses zero.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Direction {
+    /// `rising`
+    Rising,
+    /// `falling`
+    Falling,
+}
+
+/// One line of what an event does.
+pub enum Action {
+    /// `record;`
+    Record,
+    /// `stop;` or `stop after 3;`
+    Stop {
+        /// At which of its occurrences.
+        after: usize,
+        /// Where it stands.
+        place: Region,
+    },
+    /// `set x = 0;` or `set dot(x) = -dot(x);`
+    Set {
+        /// A coordinate or a parameter.
+        name: Ident,
+        /// Whether the speed of the coordinate is meant.
+        is_speed: bool,
+        /// What it becomes.
+        value: Expression,
+    },
+    /// `swap q1, q2;`
+    Swap(Ident, Ident),
+    /// `activate contact;` or `release contact;`
+    Switch {
+        /// The constraint.
+        constraint: Ident,
+        /// What becomes of it.
+        to: Activity,
+    },
+    /// `impact floor restitution e;`
+    Impact {
+        /// The constraint that is hit.
+        constraint: Ident,
+        /// The ratio of speeds after and before, 0 if it is not given.
+        restitution: Option<Expression>,
+    },
 }
 
 /// One line of `initial`.

@@ -4,6 +4,8 @@
 //! positions does, C' = C_q q' + C_t: A stands for C_q, b for C_t, and w_q q' + w_t for the convective terms. It does no
 //! work on motions that it admits for b = 0, as its reaction is A' lambda. (Neimark and Fufaev, Dynamics of Nonholonomic
 //! Systems, 1972, chapter III.)
+//!
+//! The rows of a constraint that events switch are scaled by its activity, so that a released one is 0 = 0 everywhere.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::{Level, Model};
@@ -40,15 +42,17 @@ impl Constraints {
         let magnitudes = magnitudes.collect();
         let mut constraints =
             Constraints { values: vec![], magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
-        for (value, (level, _)) in values.into_iter().zip(declared) {
+        for (i, (value, (level, _))) in values.into_iter().zip(declared).enumerate() {
             let (own, row) = match level {
                 Level::Positions => (value, derivatives.of_quantity(model, variables, value)),
                 Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
             };
-            constraints.values.push(own);
-            constraints.jacobian.push(row.jacobian);
-            constraints.time_derivative.push(row.time_derivative);
-            constraints.convective.push(row.convective);
+            let activity = model.constraints[i].activity;
+            let mut scaled = |expr: Expr| activity.map_or(expr, |activity| model.graph.mul(activity, expr));
+            constraints.values.push(scaled(own));
+            constraints.jacobian.push(row.jacobian.into_iter().map(&mut scaled).collect());
+            constraints.time_derivative.push(scaled(row.time_derivative));
+            constraints.convective.push(scaled(row.convective));
         }
         constraints
     }

@@ -55,6 +55,9 @@ pub fn order(mut pattern: Pattern) -> Option<Vec<Action>> {
     let mut left: BTreeSet<usize> = (0..pattern.kinds.len()).collect();
     // What each multiplier constrains; what elimination links it with does not count.
     let mut constrained = pattern.linked.clone();
+    constrained.iter_mut().enumerate().for_each(|(k, links)| {
+        links.remove(&k);
+    });
     let mut actions = Vec::with_capacity(left.len());
     while !left.is_empty() {
         let unknown = pattern.next(&left, &constrained)?;

@@ -2,7 +2,7 @@
 
 use super::{kebab_case, size};
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Level, Shape, Start, Unit};
+use crate::model::{Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -33,7 +33,11 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
     let speed_constraints = between_speeds.map(|(i, _)| size(i));
-    let events = model.events.iter().map(|event| &event.name);
+    let conditionals = model.conditionals.iter().map(|c| {
+        let (name, first, len, active) = (&c.name, size(c.rows.start), size(c.rows.len()), c.initially_active);
+        quote! { #path::event::Conditional { name: #name, first_row: #first, rows: #len, initially_active: #active } }
+    });
+    let events = events(model, path);
     let outputs = model.outputs.iter().map(|o| quantity(&o.name, &o.unit, &o.docs));
     let rated = equations.outputs.rated().into_iter().map(size);
     let figures = model.groups.iter().map(|group| {
@@ -60,6 +64,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             parameters: &[#(#parameters),*],
             constraints: &[#(#constraints),*],
             speed_constraints: &[#(#speed_constraints),*],
+            conditionals: &[#(#conditionals),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],
             rated_outputs: &[#(#rated),*],
@@ -67,6 +72,60 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// Events with their actions. What a step sets is counted through, as in the kernel that computes it.
+fn events(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
+    let mut values = 0..;
+    let mut event = |event: &Event| {
+        let (name, on_forces) = (&event.name, event.on_forces);
+        let direction = match event.direction {
+            None => quote! { Both },
+            Some(Direction::Rising) => quote! { Rising },
+            Some(Direction::Falling) => quote! { Falling },
+        };
+        let steps = event.steps.iter().map(|step| event_step(step, &mut values, path)).collect::<Vec<_>>();
+        quote! {
+            #path::event::Event {
+                name: #name, direction: #path::event::Direction::#direction, on_forces: #on_forces, steps: &[#(#steps),*],
+            }
+        }
+    };
+    model.events.iter().map(&mut event).collect()
+}
+
+fn event_step(step: &EventStep, values: &mut impl Iterator<Item = usize>, path: &TokenStream) -> TokenStream {
+    let mut value = || size(values.next().unwrap_or_default());
+    let step = match step {
+        EventStep::Stop(after) => counted("Stop", *after),
+        EventStep::Set(sets) => {
+            let sets = sets.iter().map(|(target, _)| {
+                let target = match target {
+                    Target::Parameter(index) => counted("Parameter", *index),
+                    Target::Position(index) => counted("Position", *index),
+                    Target::Speed(index) => counted("Speed", *index),
+                };
+                let value = value();
+                quote! { #path::event::Assignment { target: #path::event::Target::#target, value: #value } }
+            });
+            quote! { Set(&[#(#sets),*]) }
+        }
+        EventStep::Switch(switches) => {
+            let switches = switches.iter().map(|(index, active)| {
+                let conditional = size(*index);
+                quote! { #path::event::Switch { conditional: #conditional, active: #active } }
+            });
+            quote! { Switch(&[#(#switches),*]) }
+        }
+        EventStep::Impact(hits) => {
+            let hits = hits.iter().map(|(index, _)| {
+                let (conditional, restitution) = (size(*index), value());
+                quote! { #path::event::Hit { conditional: #conditional, restitution: #restitution } }
+            });
+            quote! { Impact(&[#(#hits),*]) }
+        }
+    };
+    quote! { #path::event::Step::#step }
 }
 
 fn counted(shape: &str, points: usize) -> TokenStream {

@@ -30,7 +30,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         kernel("power", &["q", "qd", "qdd", "lambda"], quote! { S }),
         kernel("outputs", &["q", "qd", "qdd", "lambda"], vector.clone()),
         kernel("output_rates", &["q", "qd", "qdd"], vector.clone()),
-        kernel("events", &["q", "qd"], vector.clone()),
+        kernel("events", &["q", "qd", "qdd", "lambda"], vector.clone()),
         kernel("drawing", &["q"], vector),
     ];
     quote! {
@@ -56,6 +56,8 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type Outputs = [S; 0];
             type OutputRates = [S; 0];
             type Events = [S; 0];
+            type EventValues = [S; 0];
+            type Activities = [S; 0];
             type Drawing = [S; 0];
             type QP = [[S; 0]; 0];
             type LP = [[S; 0]; 0];
@@ -65,7 +67,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
                 speed_constraints: &[],
-                events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
+                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
             };
 
             fn defaults() -> Self {

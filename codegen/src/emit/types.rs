@@ -84,7 +84,13 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         let (name, docs) = (ident(&p.name), documented(&p.docs, &p.unit));
         quote! { #(#[doc = #docs])* pub #name: S, }
     });
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let activities = model.conditionals.iter().map(|c| {
+        let (field, docs) =
+            (ident(&c.field), format!(" Whether constraint `{}` holds: 1, or 0 where it is released.", c.name));
+        quote! { #[doc = #docs] pub #field: S, }
+    });
+    let is_empty = model.parameters.is_empty() && model.conditionals.is_empty();
+    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     quote! {
         #(#[doc = #docs])*
         ///
@@ -92,7 +98,7 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         #(#[doc = #written])*
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#activities)* #marker }
 
         impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
@@ -145,7 +151,24 @@ pub(super) fn mechanism_impl(
     let description = description(equations, declaration, path);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
-    let marker = model.parameters.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData });
+    let (activities, starts): (Vec<_>, Vec<_>) = model
+        .conditionals
+        .iter()
+        .map(|c| {
+            (
+                ident(&c.field),
+                if c.initially_active {
+                    quote! { S::from_f64(1.0) }
+                } else {
+                    quote! { S::from_f64(0.0) }
+                },
+            )
+        })
+        .unzip();
+    let switched = switched(model);
+    let (conditionals, values) = (size(activities.len()), size(kernel_len(program, "event_values")));
+    let is_empty = fields.is_empty() && activities.is_empty();
+    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData });
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
     let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
     quote! {
@@ -162,6 +185,8 @@ pub(super) fn mechanism_impl(
             type Outputs = [S; #outputs];
             type OutputRates = [S; #rates];
             type Events = [S; #events];
+            type EventValues = [S; #values];
+            type Activities = [S; #conditionals];
             type Drawing = [S; #drawing];
             type QP = [[S; #p]; #n];
             type LP = [[S; #p]; #m];
@@ -171,7 +196,7 @@ pub(super) fn mechanism_impl(
             const DESCRIPTION: #path::Description = #description;
 
             fn defaults() -> Self {
-                Self { #(#fields: S::from_f64(#defaults),)* #marker }
+                Self { #(#fields: S::from_f64(#defaults),)* #(#activities: #starts,)* #marker }
             }
 
             fn parameters(&self) -> [S; #p] {
@@ -179,16 +204,35 @@ pub(super) fn mechanism_impl(
             }
 
             fn with_parameters(parameters: [S; #p]) -> Self {
-                Self { #(#fields: parameters[#places],)* #marker }
+                Self { #(#fields: parameters[#places],)* #(#activities: #starts,)* #marker }
             }
 
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
-                #name { #(#fields: convert(self.#fields),)* #marker }
+                #name { #(#fields: convert(self.#fields),)* #(#activities: convert(self.#activities),)* #marker }
             }
+
+            #switched
 
             #(#forwards)*
         }
     }
+}
+
+/// How activities are read and changed, if there are any.
+fn switched(model: &Model) -> Option<TokenStream> {
+    let fields: Vec<Ident> = model.conditionals.iter().map(|c| ident(&c.field)).collect();
+    let (len, places) = (size(fields.len()), (0..fields.len()).map(size));
+    (!fields.is_empty()).then(|| {
+        quote! {
+            fn activities(&self) -> [S; #len] {
+                [#(self.#fields),*]
+            }
+
+            fn with_activities(self, activities: [S; #len]) -> Self {
+                Self { #(#fields: activities[#places],)* ..self }
+            }
+        }
+    })
 }
 
 fn kernel_len(program: &Program, name: &str) -> usize {

@@ -42,7 +42,7 @@ pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i:
 
 /// An angle that a torque works along.
 pub(super) fn turned(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
-    let along = level::angle(expression, "what a torque turns", i)?;
+    let along = level::angle(expression, "the angle that a torque turns", i)?;
     check_moves(expression.region, along, i)?;
     Some(along)
 }

@@ -1,11 +1,11 @@
-//! The `constraints` and `events` blocks.
+//! The `constraints` block.
 
 use super::interpret::Interpreter;
-use super::level::{BEYOND_POSITION, BEYOND_SPEED, MOVING};
+use super::level::BEYOND_POSITION;
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::value::{Shape, Value};
-use super::{Constraint, Dependence, Dimension, Event, Level, Unit};
+use super::{Conditional, Constraint, Dependence, Dimension, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
 
@@ -14,20 +14,24 @@ pub(super) fn resolve_constraints(
     declaration: &Declaration,
     conjugate: &[Value],
     i: &mut Interpreter,
-) -> Vec<Constraint> {
-    let mut rows = Vec::new();
+) -> (Vec<Constraint>, Vec<Conditional>) {
+    let (mut rows, mut conditionals) = (Vec::new(), Vec::new());
     let mut reactions =
         Names::new(if conjugate.is_empty() { "constraint" } else { "constraint or auxiliary displacement" });
     for equation in &declaration.constraints {
         let first = rows.len();
         let sides = equation_sides(equation, i);
+        let is_known = sides.as_ref().is_some_and(|sides| sides.dimension.is_some());
         if let Some(sides) = sides {
             let level = if declaration.has_rates(equation) { Level::Speeds } else { Level::Positions };
             constraint_rows(equation, level, sides, &mut rows, i);
         }
+        if let Some(initially) = equation.initially {
+            conditionals.push(conditional(equation, initially, &mut rows[first..], first, declaration, i));
+        }
         let multipliers: Vec<Expr> =
             rows[first..].iter().map(|row: &Constraint| i.graph.variable(row.multiplier)).collect();
-        let dimension = rows.get(first).map(|row| row.unit.dimension().clone());
+        let dimension = rows.get(first).map(|row| row.unit.dimension().clone()).filter(|_| is_known);
         let reaction = match multipliers.as_slice() {
             [one] => Some(Value::scalar(*one, dimension)),
             [x, y] => Some(Value { shape: Shape::Vector([*x, *y]), dimension }),
@@ -39,11 +43,35 @@ pub(super) fn resolve_constraints(
         reactions.define(&auxiliary.name, Some(force.clone()), &mut i.mistakes);
     }
     i.reactions = Some(reactions);
-    rows
+    (rows, conditionals)
+}
+
+/// Gives the rows of a constraint an activity, a number that events change.
+fn conditional(
+    equation: &dsl::Equation,
+    initially: dsl::Activity,
+    rows: &mut [Constraint],
+    first: usize,
+    declaration: &Declaration,
+    i: &mut Interpreter,
+) -> Conditional {
+    let name = plain(&equation.name);
+    let field = format!("{name}_activity");
+    if let Some(parameter) = declaration.parameters.iter().find(|p| plain(&p.name) == field) {
+        let message =
+            format!("`{field}` is the field that says whether constraint `{name}` holds; choose another name");
+        i.mistakes.add(Region::from(&parameter.name).error(message));
+    }
+    let symbol = i.graph.symbol(&field);
+    i.dependences.declare(symbol, Dependence::PARAMETER);
+    let activity = i.graph.variable(symbol);
+    rows.iter_mut().for_each(|row| row.activity = Some(activity));
+    let rows = first..first + rows.len();
+    Conditional { name, field, symbol, rows, initially_active: initially == dsl::Activity::Active }
 }
 
 /// left - right, both scalars or both vectors.
-fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
+pub(super) fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
     let (left, right) = (i.value(&equation.left), i.value(&equation.right));
     let (left, right) = (left?, right?);
     let shape = match (left.shape, right.shape) {
@@ -111,34 +139,7 @@ fn constraint_rows(
     for (value, name) in named {
         let multiplier = i.graph.symbol(&format!("lambda_{name}"));
         i.dependences.declare(multiplier, Dependence::MULTIPLIER);
-        rows.push(Constraint { name, level, value, multiplier, unit: unit.clone() });
+        rows.push(Constraint { name, level, value, multiplier, unit: unit.clone(), activity: None });
     }
     Some(())
-}
-
-pub(super) fn resolve_events(declaration: &Declaration, i: &mut Interpreter) -> Vec<Event> {
-    let mut names = Names::new("event");
-    let mut events = Vec::new();
-    for equation in &declaration.events {
-        names.define(&equation.name, Some(()), &mut i.mistakes);
-        let Some(value) = equation_sides(equation, i) else { continue };
-        let place = equation.left.region.to(equation.right.region);
-        let Shape::Scalar(value) = value.shape else {
-            i.mistakes.add(place.error("an event is an equation between scalars; take a component (`.x`, `.y`)"));
-            continue;
-        };
-        let rule = "an event is a condition on coordinates, speeds and time";
-        if i.restrict(place, &[value], BEYOND_SPEED, rule).is_none() {
-            continue;
-        }
-        if !i.dependences.of(&i.graph, value).meets(MOVING.or(Dependence::TIME)) {
-            i.mistakes.add(Region::from(&equation.name).error(format!(
-                "event `{}` never changes; let it depend on a coordinate, a speed or `t`",
-                equation.name
-            )));
-            continue;
-        }
-        events.push(Event { name: plain(&equation.name), value });
-    }
-    events
 }

@@ -46,7 +46,8 @@ impl Interpreter {
     /// Sees to it that an expression has the dimension of "a mass" or "an angle".
     pub(super) fn expect_in_place(&mut self, found: Measured, needed: &Dimension, what: &str) -> Option<()> {
         let claim = match needed.is_none() {
-            true => format!("{what} is in [rad] or [deg] or a pure number"),
+            true if what.contains("angle") => format!("{what} is in [rad] or [deg] or a pure number"),
+            true => format!("{what} is a pure number"),
             false => format!("{what} is in [{}]", needed.si_unit()),
         };
         self.expect_dimension(found, needed, &claim)

@@ -101,7 +101,7 @@ fn angle_of(body: &Ident, bodies: &[Option<Body>], names: &Names<usize>, i: &mut
     }
 }
 
-fn named(name: &Ident) -> Expression {
+pub(super) fn named(name: &Ident) -> Expression {
     Expression { region: name.into(), kind: Kind::Name(name.clone()) }
 }
 

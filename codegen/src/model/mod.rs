@@ -8,6 +8,7 @@ mod dimension;
 mod drawing;
 mod elements;
 mod equations;
+mod events;
 mod homogeneity;
 mod interpret;
 mod level;
@@ -22,6 +23,7 @@ mod start;
 mod units;
 mod value;
 
+pub use crate::dsl::Direction;
 pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
@@ -57,6 +59,8 @@ pub struct Model {
     pub efforts: Vec<Effort>,
     /// Constraints, one row each, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// Constraints that events switch, in the order of declaration.
+    pub conditionals: Vec<Conditional>,
     /// Conditions whose crossings are looked for.
     pub events: Vec<Event>,
     /// Outputs, in the order of declaration.
@@ -163,6 +167,22 @@ pub struct Constraint {
     /// The multiplier's unit, joules per unit of C or watts per unit of a row between speeds: `N` for a constraint between
     /// lengths, `N*m` for one between angles or other pure numbers. `1` where the constraint's own unit is not known.
     pub unit: Unit,
+    /// 1 while it holds and 0 while it does not, if events switch it.
+    pub activity: Option<Expr>,
+}
+
+/// A constraint that events switch.
+pub struct Conditional {
+    /// Its name.
+    pub name: String,
+    /// The name of its activity.
+    pub field: String,
+    /// Its activity, 1 or 0.
+    pub symbol: Symbol,
+    /// Its rows.
+    pub rows: std::ops::Range<usize>,
+    /// Whether it holds at the start.
+    pub initially_active: bool,
 }
 
 /// What a constraint holds between.
@@ -192,6 +212,35 @@ pub struct Event {
     pub name: String,
     /// left - right, zero when the event happens.
     pub value: Expr,
+    /// The crossings that count; `None` for all.
+    pub direction: Option<Direction>,
+    /// Whether the condition depends on accelerations or multipliers.
+    pub on_forces: bool,
+    /// What happens then, one after the other.
+    pub steps: Vec<EventStep>,
+}
+
+/// A part of what happens at an event; what is in one part happens at once.
+pub enum EventStep {
+    /// The motion ends at this occurrence, from 1.
+    Stop(usize),
+    /// Parameters and coordinates change.
+    Set(Vec<(Target, Expr)>),
+    /// Constraints, by index, hold from now on or no more.
+    Switch(Vec<(usize, bool)>),
+    /// Constraints, by index, are hit, with coefficients of restitution.
+    Impact(Vec<(usize, Expr)>),
+}
+
+/// What an event sets, by index.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Target {
+    /// A parameter.
+    Parameter(usize),
+    /// A coordinate.
+    Position(usize),
+    /// Its speed.
+    Speed(usize),
 }
 
 /// A quantity to watch.

@@ -80,7 +80,8 @@ pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter)
             None => i.scalar(&p.value),
         };
         define_symbol(&p.name, symbol, &p.unit, unit.as_ref(), i);
-        if let (Some(default), Some(unit)) = (default, unit) {
+        if let Some(default) = default {
+            let unit = unit.unwrap_or_else(Unit::none);
             parameters.push(Parameter { name, docs: p.docs.clone(), unit, symbol, default });
         }
     }

@@ -3,7 +3,8 @@
 use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
 use super::bodies::resolve_bodies;
 use super::drawing::resolve_drawing;
-use super::equations::{resolve_constraints, resolve_events};
+use super::equations::resolve_constraints;
+use super::events::{Known, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
 use super::origin::Origins;
@@ -72,9 +73,10 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let named = resolve_lets(declaration, i);
     let (bodies, body_names) = resolve_bodies(declaration, i);
     let loads = resolve_loads(declaration, &moving, &bodies, &body_names, i);
-    let constraints = resolve_constraints(declaration, &forces, i);
+    let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
-    let events = resolve_events(declaration, i);
+    let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
+    let events = resolve_events(declaration, &known, i);
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
@@ -93,6 +95,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         forces: loads.forces,
         efforts: loads.efforts,
         constraints,
+        conditionals,
         events,
         outputs,
         groups,

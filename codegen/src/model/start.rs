@@ -35,11 +35,6 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
             continue;
         }
         seen.push((name, is_speed, place));
-        if interpreter.values.get(&coordinates[at].name).is_some_and(|value| value.dimension.is_none()) {
-            // Its unit is mistaken, and whatever stands here fits.
-            interpreter.scalar(&line.value);
-            continue;
-        }
         let (unit, what) = match is_speed {
             true => (coordinates[at].unit.per_time(1), format!("dot({})", coordinates[at].name)),
             false => (coordinates[at].unit.clone(), coordinates[at].name.clone()),
@@ -70,13 +65,16 @@ pub(super) fn in_unit(
     let (value, dimension) = interpreter.scalar_value(expression)?;
     interpreter.restrict(expression.region, &[value], forbidden, rule)?;
     if !is_plain(expression) {
-        let declared = if what.starts_with("dot(") { "" } else { " declared" };
-        interpreter.expect_unit(
-            Measured { expression, dimension: &dimension },
-            &format!("`{what}` is{declared}"),
-            what,
-            unit,
-        );
+        let found = Measured { expression, dimension: &dimension };
+        let (name, is) = match what.strip_prefix("dot(").and_then(|rest| rest.strip_suffix(')')) {
+            Some(name) => (name, "is"),
+            None => (what, "is declared"),
+        };
+        // Whatever stands here fits if the unit of the name is mistaken.
+        let is_mistaken = interpreter.values.get(name).is_some_and(|value| value.dimension.is_none());
+        if !is_mistaken {
+            interpreter.expect_unit(found, &format!("`{what}` {is}"), name, unit);
+        }
         return Some(value);
     }
     let factor = unit.factor_expression(&mut interpreter.graph);

@@ -22,6 +22,23 @@ pub(super) struct Row {
     pub(super) time_derivative: Measured,
     /// w' without accelerations.
     pub(super) convective: Measured,
+    /// Whether it holds; if not, everything above is zero.
+    pub(super) active: bool,
+}
+
+impl Row {
+    /// The row of a constraint that is released.
+    fn released(self) -> Row {
+        let zeros = |row: &[Measured]| vec![Measured::ZERO; row.len()];
+        Row {
+            value: Measured::ZERO,
+            jacobian: zeros(&self.jacobian),
+            by_auxiliary: zeros(&self.by_auxiliary),
+            time_derivative: Measured::ZERO,
+            convective: Measured::ZERO,
+            active: false,
+        }
+    }
 }
 
 /// A constraint: one row, or the two of a vector.
@@ -29,22 +46,25 @@ pub(super) struct Constraint {
     pub(super) rows: Vec<Row>,
 }
 
-/// All constraints of a declaration.
+/// All constraints of a declaration; `active` says of each that events switch whether it holds.
 pub(super) fn constraints(
     declaration: &Declaration,
     si_factor: &dyn Fn(&Unit) -> f64,
     at: &State,
+    active: &[bool],
 ) -> Result<Vec<Constraint>> {
     let interpreter = |setting| Interpreter::new(declaration, si_factor, setting);
     let auxiliaries = declaration.auxiliary.len();
     let mut positions = interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries));
     let mut speeds = interpreter(Setting::speeds(at, auxiliaries));
+    let mut switched = active.iter().copied();
     let constraint = |equation: &Equation| {
-        let rows = match declaration.has_rates(equation) {
+        let holds = equation.initially.is_none() || switched.next().unwrap_or(true);
+        let rows: Vec<Row> = match declaration.has_rates(equation) {
             true => rows(&difference(&mut speeds, equation)?, |row| between_speeds(row, at, auxiliaries)),
             false => rows(&difference(&mut positions, equation)?, |row| between_positions(row, at, auxiliaries)),
         };
-        Ok(Constraint { rows })
+        Ok(Constraint { rows: rows.into_iter().map(|row| if holds { row } else { row.released() }).collect() })
     };
     declaration.constraints.iter().map(constraint).collect()
 }
@@ -62,6 +82,7 @@ fn between_positions(row: &Jet, at: &State, auxiliaries: usize) -> Row {
         by_auxiliary: row.gradient()[n + 1..].to_vec(),
         time_derivative: row.gradient()[n],
         convective: row.curvature(&at.rates(auxiliaries)),
+        active: true,
     }
 }
 
@@ -76,5 +97,6 @@ fn between_speeds(row: &Jet, at: &State, auxiliaries: usize) -> Row {
         by_auxiliary: by_speeds[n..].to_vec(),
         time_derivative: row.value() - inner(&by_speeds[..n], &speeds),
         convective: inner(by_positions, &at.rates(auxiliaries)),
+        active: true,
     }
 }

@@ -202,6 +202,14 @@ impl<'d> Interpreter<'d> {
         self.reserved(name)
     }
 
+    /// A coordinate, by its name.
+    pub(super) fn coordinate_named(&mut self, name: &Ident) -> Result<Jet> {
+        match self.declaration.coordinates.iter().position(|c| c.name == *name) {
+            Some(index) => self.coordinate(index, name)?.scalar(),
+            None => refuse(format!("`{name}` is not a coordinate")),
+        }
+    }
+
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {
         let varies = |_| OracleError::new(format!("`{name}` varies; only parameters may stand here"));
         self.coordinate_jet(index).map(Value::Scalar).map_err(varies)

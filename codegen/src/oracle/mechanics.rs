@@ -44,7 +44,12 @@ pub(super) struct Mechanics {
 }
 
 impl Mechanics {
-    pub(super) fn new(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f64, at: &State) -> Result<Mechanics> {
+    pub(super) fn new(
+        declaration: &Declaration,
+        si_factor: &dyn Fn(&Unit) -> f64,
+        at: &State,
+        active: &[bool],
+    ) -> Result<Mechanics> {
         let auxiliaries = declaration.auxiliary.len();
         let interpreter = |setting| Interpreter::new(declaration, si_factor, setting);
         let mut builder = Builder {
@@ -61,7 +66,7 @@ impl Mechanics {
         Ok(Mechanics {
             rows: bodies.into_iter().flatten().collect(),
             efforts,
-            constraints: constraints(declaration, si_factor, at)?,
+            constraints: constraints(declaration, si_factor, at, active)?,
             rates: at.rates(auxiliaries),
             coordinates: at.coordinates.len(),
             auxiliaries,

@@ -28,7 +28,7 @@ pub use measured::Measured;
 pub use motion::{Solution, Terms};
 pub use state::State;
 
-use crate::dsl::{Declaration, Unit};
+use crate::dsl::{Activity, Declaration, Unit};
 use interpret::{Interpreter, Setting};
 use mechanics::Mechanics;
 
@@ -36,12 +36,21 @@ use mechanics::Mechanics;
 pub struct Oracle<'d> {
     declaration: &'d Declaration,
     si_factor: &'d dyn Fn(&Unit) -> f64,
+    /// Of each constraint that events switch, whether it holds.
+    active: Vec<bool>,
 }
 
 impl<'d> Oracle<'d> {
     /// An oracle for `declaration`, in which `si_factor` gives the size of each unit in SI units.
     pub fn new(declaration: &'d Declaration, si_factor: &'d dyn Fn(&Unit) -> f64) -> Oracle<'d> {
-        Oracle { declaration, si_factor }
+        let initially = declaration.constraints.iter().filter_map(|constraint| constraint.initially);
+        let active = initially.map(|activity| activity == Activity::Active).collect();
+        Oracle { declaration, si_factor, active }
+    }
+
+    /// The same where these of the constraints that events switch hold, instead of those that hold at the start.
+    pub fn with_active(self, active: Vec<bool>) -> Oracle<'d> {
+        Oracle { active, ..self }
     }
 
     /// The defaults of the parameters, in SI units.
@@ -76,8 +85,7 @@ impl<'d> Oracle<'d> {
     /// # Errors
     /// As [`Oracle::terms`].
     pub fn outputs(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
-        let reactions = observe::reactions(&self.mechanics(at)?, solution)?;
-        let setting = at.accelerated_motion(&solution.accelerations).with_reactions(reactions);
+        let setting = self.along(at, solution)?;
         observe::outputs(self.declaration, self.interpreter(setting))
     }
 
@@ -85,9 +93,18 @@ impl<'d> Oracle<'d> {
     ///
     /// # Errors
     /// As [`Oracle::terms`].
-    pub fn events(&self, at: &State) -> Result<Vec<Measured>> {
+    pub fn events(&self, at: &State, solution: &Solution) -> Result<Vec<Measured>> {
+        let setting = self.along(at, solution)?;
+        observe::events(self.declaration, self.interpreter(setting))
+    }
+
+    /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`].
+    pub fn event_values(&self, at: &State) -> Result<Vec<Measured>> {
         at.check(self.declaration)?;
-        observe::events(self.declaration, self.interpreter(at.motion()))
+        observe::event_values(self.declaration, self.si_factor, self.interpreter(at.motion()))
     }
 
     /// The power of loads, of constraints that time moves and of points that time moves, W.
@@ -100,9 +117,15 @@ impl<'d> Oracle<'d> {
         Ok(observe::power(&self.mechanics(at)?, solution))
     }
 
+    /// The motion with its accelerations and reactions.
+    fn along(&self, at: &State, solution: &Solution) -> Result<Setting> {
+        let reactions = observe::reactions(&self.mechanics(at)?, solution)?;
+        Ok(at.accelerated_motion(&solution.accelerations).with_reactions(reactions))
+    }
+
     fn mechanics(&self, at: &State) -> Result<Mechanics> {
         at.check(self.declaration)?;
-        Mechanics::new(self.declaration, self.si_factor, at)
+        Mechanics::new(self.declaration, self.si_factor, at, &self.active)
     }
 
     fn interpreter(&self, setting: Setting) -> Interpreter<'d> {

@@ -34,6 +34,8 @@ pub struct Terms {
     pub constraint_convective: Vec<Measured>,
     /// The sum of m v.v/2 + J w^2/2, J.
     pub kinetic_energy: Measured,
+    /// Whether each row of the constraints holds.
+    active: Vec<bool>,
 }
 
 /// What solves the equations of motion.
@@ -49,6 +51,7 @@ pub struct Solution {
 }
 
 impl Terms {
+    /// Rows that do not hold are zero.
     pub(super) fn new(mechanics: &Mechanics) -> Terms {
         let (n, rates) = (mechanics.coordinates, &mechanics.rates);
         let applied_forces = along(n, mechanics.efforts.iter().map(|effort| (effort.force, &effort.place)));
@@ -65,6 +68,7 @@ impl Terms {
             constraint_time_derivative: constraints.iter().map(|row| row.time_derivative).collect(),
             constraint_convective: constraints.iter().map(|row| row.convective).collect(),
             kinetic_energy: kinetic_energy(mechanics, rates),
+            active: constraints.iter().map(|row| row.active).collect(),
         }
     }
 
@@ -79,20 +83,27 @@ impl Terms {
         let mut measured =
             solution.iter().zip(magnitudes).map(|(value, magnitude)| Measured { value: *value, magnitude });
         let accelerations = measured.by_ref().take(self.mass_matrix.len()).collect();
-        Ok(Solution { accelerations, multipliers: measured.collect() })
+        let multiplier = |active: &bool| if *active { measured.next().unwrap_or_default() } else { Measured::ZERO };
+        Ok(Solution { accelerations, multipliers: self.active.iter().map(multiplier).collect() })
     }
 
-    /// [M, C_q'; C_q, 0].
+    /// [M, C_q'; C_q, 0] with the rows that hold.
     fn matrix(&self) -> Vec<Vec<Measured>> {
-        let (c, jacobian) = (self.constraints.len(), &self.constraint_jacobian);
+        let jacobian: Vec<&Vec<Measured>> = self.held(&self.constraint_jacobian).collect();
+        let c = jacobian.len();
         let upper = self.mass_matrix.iter().enumerate();
         let upper = upper.map(|(j, row)| row.iter().copied().chain(jacobian.iter().map(|row| row[j])).collect());
         let lower = jacobian.iter().map(|row| row.iter().copied().chain(vec![Measured::ZERO; c]).collect());
         upper.chain(lower).collect()
     }
 
+    /// What belongs to rows that hold.
+    fn held<'t, T>(&'t self, rows: &'t [T]) -> impl Iterator<Item = &'t T> {
+        rows.iter().zip(&self.active).filter(|(_, active)| **active).map(|(row, _)| row)
+    }
+
     fn right_hand_side(&self) -> Vec<Measured> {
-        let lower = self.constraint_convective.iter().map(|convective| -*convective);
+        let lower = self.held(&self.constraint_convective).map(|convective| -*convective);
         self.generalized_forces.iter().copied().chain(lower).collect()
     }
 }

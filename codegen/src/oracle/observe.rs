@@ -1,14 +1,15 @@
 //! What is looked at: outputs, events and power.
 
 use super::constraint::Constraint;
-use super::error::{Result, refuse};
+use super::error::{OracleError, Result, refuse};
 use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::{Measured, inner};
 use super::mechanics::{Mechanics, difference};
 use super::motion::Solution;
+use super::parameters::is_plain;
 use super::value::Value;
-use crate::dsl::Declaration;
+use crate::dsl::{Action, Declaration, Event, Unit};
 
 /// Every output, group after group.
 pub(super) fn outputs(declaration: &Declaration, mut along: Interpreter) -> Result<Vec<Measured>> {
@@ -18,8 +19,42 @@ pub(super) fn outputs(declaration: &Declaration, mut along: Interpreter) -> Resu
 
 /// left - right of every event.
 pub(super) fn events(declaration: &Declaration, mut along: Interpreter) -> Result<Vec<Measured>> {
-    let event = |event| Ok(difference(&mut along, event)?.scalar()?.value());
+    let event = |event: &Event| Ok(difference(&mut along, &event.condition)?.scalar()?.value());
     declaration.events.iter().map(event).collect()
+}
+
+/// What the actions of every event set, and the coefficients of restitution of its impacts.
+pub(super) fn event_values(
+    declaration: &Declaration,
+    si_factor: &dyn Fn(&Unit) -> f64,
+    mut along: Interpreter,
+) -> Result<Vec<Measured>> {
+    let mut values = Vec::new();
+    for action in declaration.events.iter().flat_map(|event| &event.actions) {
+        match action {
+            Action::Set { name, value, .. } => {
+                let units = declaration.coordinates.iter().map(|c| (&c.name, &c.unit));
+                let mut units = units.chain(declaration.parameters.iter().map(|p| (&p.name, &p.unit)));
+                let unit = units.find(|(other, _)| *other == name).and_then(|(_, unit)| unit.as_ref());
+                let factor = unit.filter(|_| is_plain(value)).map_or(1.0, si_factor);
+                values.push(along.scalar(value)?.value() * Measured::given(factor));
+            }
+            Action::Swap(first, second) => {
+                for name in [second, first] {
+                    let coordinate = along.coordinate_named(name)?;
+                    let speed = coordinate.dot().map(|speed| speed.value());
+                    values.push(coordinate.value());
+                    values.push(speed.ok_or_else(|| OracleError::new("a speed that is not known here"))?);
+                }
+            }
+            Action::Impact { restitution, .. } => values.push(match restitution {
+                Some(coefficient) => along.scalar(coefficient)?.value(),
+                None => Measured::ZERO,
+            }),
+            Action::Record | Action::Stop { .. } | Action::Switch { .. } => {}
+        }
+    }
+    Ok(values)
 }
 
 /// The multipliers of each constraint, as scalar or vector, then the forces conjugate to auxiliary displacements.

@@ -17,7 +17,7 @@ pub(super) fn defaults(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f
 }
 
 /// Whether neither a unit nor a name, other than that of a constant, stands in the expression.
-fn is_plain(expression: &Expression) -> bool {
+pub(super) fn is_plain(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { unit, .. } => unit.is_none(),
         Kind::Name(name) => name == "pi" || name == "e",

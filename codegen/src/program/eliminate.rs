@@ -75,14 +75,16 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    fn of(system: &System) -> Matrix {
+    fn of(values: &Values, system: &System) -> Matrix {
         let is_multiplier: Vec<bool> = system.unknowns.iter().map(|u| matches!(u, Unknown::Multiplier)).collect();
         let sizes = vec![vec![]; is_multiplier.len()];
         let mut matrix = Matrix { entries: IndexMap::default(), is_multiplier, sizes };
         for (i, j, value) in &system.entries {
-            matrix.add(*i, *j, false, *value);
+            // A multiplier has a negative diagonal, if it has one.
+            let (negative, size) = if matrix.is_multiplier[*j] { values.signed(*value) } else { (false, *value) };
+            matrix.add(*i, *j, negative, size);
             if i == j {
-                matrix.sizes[*i].push((false, *value));
+                matrix.sizes[*i].push((false, size));
             }
         }
         matrix
@@ -133,7 +135,7 @@ pub(super) fn factorise(
     labels: &mut Labels,
 ) -> Option<Factors> {
     let actions = order(system.pattern())?;
-    let mut matrix = Matrix::of(system);
+    let mut matrix = Matrix::of(values, system);
     let mut factors = Factors { steps: vec![], pivots: vec![] };
     for Action { unknown, neighbours } in actions {
         let step = match &system.unknowns[unknown] {
@@ -151,7 +153,7 @@ pub(super) fn factorise(
 
 /// The matrix with its intermediate quantities substituted, and nothing else done.
 pub(super) fn reduce(values: &mut Values, system: &System) -> Matrix {
-    let mut matrix = Matrix::of(system);
+    let mut matrix = Matrix::of(values, system);
     for Action { unknown, neighbours } in substitutions(system.pattern()) {
         if let Unknown::Intermediate(definition) = &system.unknowns[unknown] {
             substitute(values, &mut matrix, unknown, definition, &neighbours);

@@ -8,7 +8,7 @@ use super::results::{Record, Results};
 use super::values::Value;
 use super::{Arguments, Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Model, Shape, Start};
+use crate::model::{EventStep, Model, Shape, Start};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
 
@@ -25,6 +25,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let planner = Planner::new(equations, &alternatives);
     let mut kernels = prepared_kernels(&planner);
     kernels.extend(separate_kernels(&planner, zero));
+    kernels.extend(event_values_kernel(&planner));
     Program { kernels }
 }
 
@@ -41,6 +42,18 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
     ];
     let exprs: Vec<Expr> = matrices.chain(vectors.into_iter().flatten()).copied().collect();
     exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?))).collect()
+}
+
+/// What events set, if any does.
+fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
+    let values = event_values(&planner.equations.model);
+    let docs = format!(
+        "What the actions of events set, and the coefficients of restitution of impacts, {}, in SI units, in the order of \
+         declaration.",
+        values.len()
+    );
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
+    (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
 }
 
 /// The kernels that share nothing with others.
@@ -143,7 +156,7 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
         ),
         vector(
             "events",
-            Speeds,
+            Multipliers,
             format!("`left - right` of each event, {}, in SI units: zero when it happens.", events.len()),
             &events,
         ),
@@ -169,6 +182,17 @@ fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
             },
         ),
     ]
+}
+
+/// What the actions of events set, and the coefficients of restitution of impacts, in order.
+fn event_values(model: &Model) -> Vec<Expr> {
+    let steps = model.events.iter().flat_map(|event| &event.steps);
+    let values = steps.flat_map(|step| match step {
+        EventStep::Set(sets) => sets.iter().map(|(_, value)| *value).collect(),
+        EventStep::Impact(hits) => hits.iter().map(|(_, coefficient)| *coefficient).collect(),
+        EventStep::Stop(_) | EventStep::Switch(_) => vec![],
+    });
+    values.collect()
 }
 
 fn start(model: &Model, zero: Expr) -> (Vec<Expr>, Vec<Expr>) {

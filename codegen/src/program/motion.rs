@@ -121,7 +121,8 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
     equations.variables.len() + equations.model.constraints.len()
 }
 
-/// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers.
+/// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; for the multiplier of a constraint
+/// that events switch activity - 1, so that it is 0 where the constraint is released.
 pub(super) fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, variables, intermediates, tmt, constraints, .. } = equations;
     let mut entries = Vec::new();
@@ -135,6 +136,14 @@ pub(super) fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> 
     }
     for (i, row) in constraints.jacobian.iter().enumerate() {
         row.iter().enumerate().for_each(|(j, expr)| enter(variables.len() + i, j, *expr));
+    }
+    for (i, constraint) in model.constraints.iter().enumerate() {
+        if let Some(activity) = constraint.activity {
+            let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
+            let inactivity = lowering.values.sum(vec![(false, one), (true, activity)]);
+            let place = variables.len() + i;
+            entries.push((place, place, lowering.values.negate(inactivity)));
+        }
     }
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {

@@ -37,6 +37,7 @@ impl<'a> Planner<'a> {
         let mut inputs = FxHashMap::default();
         inputs.insert(model.time, Input::Time);
         inputs.extend(model.parameters.iter().enumerate().map(|(i, p)| (p.symbol, Input::Parameter(i))));
+        inputs.extend(model.conditionals.iter().enumerate().map(|(i, c)| (c.symbol, Input::Activity(i))));
         for (i, c) in model.coordinates.iter().enumerate() {
             let levels = [
                 (c.position, Input::Position(i)),
@@ -121,6 +122,9 @@ impl<'a> Planner<'a> {
         enter(Input::Time, Tree::Name("t".to_owned()));
         for (i, parameter) in model.parameters.iter().enumerate() {
             enter(Input::Parameter(i), Tree::Field(parameter.name.clone()));
+        }
+        for (i, conditional) in model.conditionals.iter().enumerate() {
+            enter(Input::Activity(i), Tree::Field(conditional.field.clone()));
         }
         let mut name = |input: Input, wished: String| {
             let name = needed.contains_key(&input).then(|| names.unique(&wished))?;

@@ -55,7 +55,8 @@ fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Valu
     let computed = operands.filter(|value| values.is_parametric(*value) && is_computed(*value));
     let mut fields: BTreeSet<Value> = computed.collect();
     let leaves = fields.iter().map(|value| (*value, Tree::Constant(0.0))).collect();
-    let is_parameter = |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_)));
+    let is_parameter =
+        |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_) | Input::Activity(_)));
     fields.extend(values.reachable(roots, &leaves).into_iter().filter(is_parameter));
     name_fields(planner, lowering, motion, fields)
 }
@@ -68,19 +69,21 @@ fn name_fields(
     fields: BTreeSet<Value>,
 ) -> Vec<(String, Value)> {
     let values = &lowering.values;
-    let parameters = &planner.equations.model.parameters;
+    let (parameters, conditionals) = (&planner.equations.model.parameters, &planner.equations.model.conditionals);
     let wished = planner.names_wished(lowering, motion.labels.clone());
     let mut names = Names::default();
-    parameters.iter().for_each(|parameter| {
-        names.unique(&parameter.name);
+    parameters.iter().map(|p| &p.name).chain(conditionals.iter().map(|c| &c.field)).for_each(|name| {
+        names.unique(name);
     });
     let mut named: IndexMap<Value, String> = IndexMap::new();
     for value in fields {
         let name = match values.operation(value) {
             Operation::Input(Input::Parameter(i)) => parameters[*i].name.clone(),
+            Operation::Input(Input::Activity(i)) => conditionals[*i].field.clone(),
             _ => {
                 let known = |value: Value| match values.operation(value) {
                     Operation::Input(Input::Parameter(i)) => Some(&parameters[*i].name),
+                    Operation::Input(Input::Activity(i)) => Some(&conditionals[*i].field),
                     _ => named.get(&value).or_else(|| wished.get(&value)),
                 };
                 let wish = wished.get(&value).cloned().or_else(|| derived_name(values, value, known));

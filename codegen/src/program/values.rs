@@ -42,6 +42,8 @@ pub(super) enum Operation {
 pub(super) enum Input {
     /// A parameter of the mechanism.
     Parameter(usize),
+    /// The activity of a constraint that events switch.
+    Activity(usize),
     /// Time.
     Time,
     /// A coordinate.
@@ -58,7 +60,7 @@ pub(super) enum Input {
 #[derive(Default)]
 pub(super) struct Values {
     operations: IndexSet<Operation, FxBuildHasher>,
-    /// For each value whether it depends on nothing but parameters.
+    /// For each value whether it depends on nothing but parameters and activities, which change only at events.
     parametric: Vec<bool>,
 }
 
@@ -80,7 +82,7 @@ impl Values {
         let value = Value(self.operations.insert_full(operation).0 as u32);
         if value.index() == self.parametric.len() {
             let parametric = match self.operation(value) {
-                Operation::Input(input) => matches!(input, Input::Parameter(_)),
+                Operation::Input(input) => matches!(input, Input::Parameter(_) | Input::Activity(_)),
                 _ => self.operands(value).into_iter().all(|operand| self.is_parametric(operand)),
             };
             self.parametric.push(parametric);

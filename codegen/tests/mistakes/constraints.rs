@@ -46,6 +46,6 @@ fn constraints_and_events() {
     check(
         "initial {",
         "events { top: l = 1 [m]; } initial {",
-        &["7:10 event `top` never changes; let it depend on a coordinate, a speed or `t`"],
+        &["7:10 event `top` never changes; let it depend on a coordinate, a speed, a reaction or `t`"],
     );
 }

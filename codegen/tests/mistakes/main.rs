@@ -7,9 +7,11 @@
 mod auxiliary;
 mod blocks;
 mod bodies;
+mod conditional;
 mod constraints;
 mod constraints_in_speeds;
 mod elements;
+mod events;
 mod expressions;
 mod loads;
 mod names;

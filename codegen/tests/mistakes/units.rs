@@ -371,7 +371,7 @@ fn elements() {
         "torque m*g on l;",
         &[
             "6:16 a torque is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])",
-            "6:23 what a torque turns is in [rad] or [deg] or a pure number, and `l` is in [m]",
+            "6:23 the angle that a torque turns is in [rad] or [deg] or a pure number, and `l` is in [m]",
             "3:14 `l` is declared in [m] here",
             "6:23 no coordinate changes what this works along, so it moves nothing; leave it out",
         ],

@@ -1,5 +1,7 @@
 //! What a mechanism says of itself: names, units, documentation, figures, drawing.
 
+use crate::event::{Conditional, Event};
+
 /// Everything about a mechanism that is known when it is built.
 #[derive(Debug)]
 pub struct Description {
@@ -19,8 +21,10 @@ pub struct Description {
     pub constraints: &'static [Quantity],
     /// Those constraint rows, by index, that hold between speeds alone: positions are not corrected by them.
     pub speed_constraints: &'static [usize],
+    /// Constraints that events switch.
+    pub conditionals: &'static [Conditional],
     /// Events.
-    pub events: &'static [&'static str],
+    pub events: &'static [Event],
     /// Outputs.
     pub outputs: &'static [Quantity],
     /// Those outputs, by index, whose rates are computed: all that depend on neither accelerations nor multipliers.

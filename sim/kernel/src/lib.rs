@@ -9,6 +9,7 @@ mod array;
 mod description;
 mod differentiate;
 mod dual;
+pub mod event;
 mod lanes;
 mod mechanism;
 mod scalar;

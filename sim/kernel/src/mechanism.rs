@@ -32,6 +32,10 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type OutputRates: Array<S>;
     /// Events.
     type Events: Array<S>;
+    /// What the actions of events need.
+    type EventValues: Array<S>;
+    /// Constraints that events switch.
+    type Activities: Array<S>;
     /// Numbers of the drawing.
     type Drawing: Array<S>;
     /// n x parameters.
@@ -52,6 +56,15 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn parameters(&self) -> Self::Parameters;
     /// The mechanism with these parameters.
     fn with_parameters(parameters: Self::Parameters) -> Self;
+    /// For each constraint that events switch 1 while it holds, and 0 while it is released.
+    fn activities(&self) -> Self::Activities {
+        Self::Activities::filled(S::from_f64(1.0))
+    }
+    /// The mechanism with these activities.
+    fn with_activities(self, activities: Self::Activities) -> Self {
+        let _ = activities;
+        self
+    }
     /// The same mechanism on other numbers, each parameter converted.
     fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Self::On<T>;
     /// The declared start.
@@ -100,8 +113,14 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn outputs(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Outputs;
     /// Rates, in SI units, of the outputs listed in [`Description::rated_outputs`].
     fn output_rates(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::OutputRates;
-    /// left - right of each event.
-    fn events(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Events;
+    /// left - right of each event. Accelerations and multipliers count only for those that are
+    /// [`on_forces`](crate::event::Event::on_forces).
+    fn events(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Events;
+    /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
+    fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
+        let _ = (t, q, qd);
+        Self::EventValues::filled(S::from_f64(0.0))
+    }
     /// The numbers of each shape of the drawing, in order.
     fn drawing(&self, t: S, q: &Self::Q) -> Self::Drawing;
 }

@@ -3,8 +3,11 @@
 use super::arguments::Voice;
 use super::list::counted;
 use super::{Stop, print};
+use crate::happening::happening;
 use crate::{Mobility, assemble, declared_start, mobility};
+use codegen::dsl::Activity;
 use serde_json::{Value, json};
+use sim_kernel::event::Event;
 use sim_kernel::{Description, Mechanism, Quantity, Start};
 
 /// What is known of a mechanism.
@@ -67,7 +70,7 @@ fn as_json(facts: &Facts) -> Value {
         "speed_constraints": d.speed_constraints.iter().map(|i| d.constraints[*i].name).collect::<Vec<_>>(),
         "constraints": d.constraints.iter().map(quantity).collect::<Vec<_>>(),
         "outputs": d.outputs.iter().map(quantity).collect::<Vec<_>>(),
-        "events": d.events,
+        "events": d.events.iter().map(|event| json!({ "name": event.name, "does": happening(event, d) })).collect::<Vec<_>>(),
         "figures": d.figures.iter().map(|figure| figure.name).collect::<Vec<_>>(),
         "kernels": kernels.collect::<Vec<_>>(),
     })
@@ -143,7 +146,8 @@ fn as_text(facts: &Facts) -> String {
     let outputs = d.outputs.iter().map(|o| [o.name.to_owned(), unit(o), o.docs.to_owned(), String::new()]);
     text += &section("Outputs", outputs.collect());
     if !d.events.is_empty() {
-        text += &format!("\nEvents\n  {}\n", d.events.join(", "));
+        let event = |event: &Event| [event.name.to_owned(), happening(event, d), String::new(), String::new()];
+        text += &section("Events", d.events.iter().map(event).collect());
     }
     let kernels = kernels(d).into_iter().map(|(name, total, of)| [name, total.to_string(), of, String::new()]);
     text + &section("Operations of each kernel", kernels.collect())
@@ -194,7 +198,14 @@ fn equations(description: &Description) -> Vec<(String, String)> {
     let parsed = description.declaration.parse().ok().and_then(|tokens| codegen::dsl::parse(tokens).ok());
     let constraints = parsed.map_or(Vec::new(), |declaration| declaration.constraints);
     let printed = crate::show::printed;
-    constraints.iter().map(|c| (c.name.to_string(), format!("{} = {}", printed(&c.left), printed(&c.right)))).collect()
+    let switched = |activity: Option<Activity>| match activity {
+        None => "",
+        Some(Activity::Active) => ", initially active",
+        Some(Activity::Released) => ", initially released",
+    };
+    let equation =
+        |c: &codegen::dsl::Equation| format!("{} = {}{}", printed(&c.left), printed(&c.right), switched(c.initially));
+    constraints.iter().map(|c| (c.name.to_string(), equation(c))).collect()
 }
 
 /// Each kernel with the number of its operations, and of which kinds they are.

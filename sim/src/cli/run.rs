@@ -6,6 +6,7 @@ use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
+use crate::happening::impulses;
 use crate::{Run, Start, Stepping, Table, What, assemble, declared_start, mobility, run, summary};
 use sim_kernel::{Array, Description, Mechanism};
 use std::path::{Path, PathBuf};
@@ -129,11 +130,16 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
     match run.period() {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
-        None if description.events.contains(&"period") => rows.push(("period", "not reached".into())),
+        None if description.events.iter().any(|event| event.name == "period") => {
+            rows.push(("period", "not reached".into()))
+        }
         None => {}
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
-        rows.push(("event", format!("{} at {:.12} s", event.name, event.state.time)));
+        let impulses =
+            impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let more: String = impulses.collect();
+        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
     if M::L::LEN > 0 {
@@ -147,6 +153,9 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         "energy",
         format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
     ));
+    if run.energy_taken != 0.0 {
+        rows.push(("impact loss", format!("{:.6e} J of kinetic energy taken by events", run.energy_taken)));
+    }
     if !(run.energy_balance < crate::DOUBTFUL_BALANCE) {
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }

@@ -110,7 +110,7 @@ fn in_si(quantity: &Quantity, value: f64) -> String {
 }
 
 /// The options of a run by their long names.
-fn options(settings: &Settings, arguments: &RunArguments, events: &[&str]) -> Map<String, Value> {
+fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::event::Event]) -> Map<String, Value> {
     let mut options = Map::new();
     let mut put = |name: &str, value: Value| options.insert(name.to_owned(), value);
     put("t-end", format!("{:?} s", settings.end).into());
@@ -130,7 +130,7 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[&str]) -> Ma
             Rows::Even(rows) => rows.into(),
         },
     );
-    if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?))) {
+    if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?.name))) {
         put("until", format!("{name}:{}", stop.occurrence).into());
     }
     put("format", arguments.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());

@@ -133,7 +133,7 @@ fn stop_at(text: &str, description: &Description) -> Result<StopAt, Stop> {
         Some((name, count)) => (name, whole_number(count).map_err(|e| Stop::Usage(format!("--until {text}: {e}")))?),
         None => (text, 1),
     };
-    let events = || description.events.iter().copied();
+    let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|event| event == name).ok_or_else(|| unknown("event", name, events()))?;
     Ok(StopAt { event, occurrence })
 }

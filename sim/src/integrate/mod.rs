@@ -73,6 +73,8 @@ pub struct Steps {
 /// When and how far to integrate.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
+    /// Where equal steps are counted from, in seconds.
+    pub begin: f64,
     /// The end, in seconds.
     pub end: f64,
     /// How long the steps are.
@@ -113,11 +115,14 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let (begin, mut from) = (start.state.time, start);
+    let (begin, mut from) = (course.begin, start);
     for step in 1..=count {
         check_interrupt(course, &from)?;
         // From the start each time, so that times do not accumulate rounding.
         let time = begin + (course.end - begin) * (step as f64 / count as f64);
+        if time - from.state.time <= 4.0 * f64::EPSILON * time.abs() {
+            continue;
+        }
         let (to, _) = attempt(motion, method, &from, time, None)?;
         steps.accepted += 1;
         if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {

@@ -86,7 +86,7 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
         mobility: swept.mobility.clone(),
         branches: swept.branches.clone(),
         limit: swept.limit.clone(),
-        trajectory: Trajectory { samples, failure: swept.failure.clone() },
+        trajectory: Trajectory { samples, phases: vec![], failure: swept.failure.clone() },
     })
 }
 

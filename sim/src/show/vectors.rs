@@ -57,9 +57,10 @@ mod declared {
         declaration.outputs = vec![OutputGroup { name: None, title: None, outputs }];
         let si = |unit: &dsl::Unit| codegen::model::Unit::resolve(unit).map_or(f64::NAN, |unit| unit.factor());
         let oracle = Oracle::new(&declaration, &si);
-        let parameters: Vec<f64> = run.mechanism.parameters().iter().copied().collect();
         let mut numbers = vec![Vec::with_capacity(4 * samples.len()); sources.len()];
         for index in samples {
+            let mechanism = run.trajectory.phase_of(*index).map_or(&run.mechanism, |phase| &phase.mechanism);
+            let parameters: Vec<f64> = mechanism.parameters().iter().copied().collect();
             let values = evaluate(&oracle, &parameters, &run.trajectory.samples[*index]).unwrap_or_default();
             for ((_, source), numbers) in sources.iter().zip(&mut numbers) {
                 numbers.extend(arrow(source, &values, &run.trajectory.samples[*index]));
@@ -116,7 +117,7 @@ mod declared {
                         arrows.push(load_arrow(format!("weight of {body}"), weight, point));
                     }
                 }
-                Load::Torque { .. } => {}
+                Load::Torque { .. } | Load::Potential(_) | Load::Dissipation(_) | Load::Element(_) => {}
             }
         }
         let mut row = 0;

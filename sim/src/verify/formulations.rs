@@ -32,6 +32,12 @@ impl Declared {
         let lagrange = lagrange(&mut model);
         Ok(Declared { declaration, model, lagrange })
     }
+
+    /// The oracle, with the constraints that the mechanism holds.
+    fn oracle<M: Mechanism>(&self, mechanism: &M) -> Oracle<'_> {
+        let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
+        Oracle::new(&self.declaration, &si_factor).with_active(active)
+    }
 }
 
 fn si_factor(unit: &dsl::Unit) -> f64 {
@@ -159,7 +165,7 @@ fn compare_terms<M: Mechanism>(
 ) -> Result<(), VerifyError> {
     let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
     let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
-    let (oracle, parameters) = (Oracle::new(&declared.declaration, &si_factor), mechanism.parameters());
+    let (oracle, parameters) = (declared.oracle(mechanism), mechanism.parameters());
     let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
     let terms = oracle.terms(&at).map_err(uninterpreted)?;
     let flat = |rows: &mut dyn Iterator<Item = &M::Q>| rows.flat_map(|row| row.iter().copied()).collect::<Vec<f64>>();
@@ -176,9 +182,11 @@ fn compare_terms<M: Mechanism>(
         &terms.constraint_convective,
     );
     found.compare("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
-    let events = oracle.events(&at).map_err(uninterpreted)?;
-    found.compare("events", mechanism.events(t, q, qd).as_ref(), &events);
     let solution = solution_of(sample);
+    let events = oracle.events(&at, &solution).map_err(uninterpreted)?;
+    found.compare("events", mechanism.events(t, q, qd, qdd, lambda).as_ref(), &events);
+    let event_values = oracle.event_values(&at).map_err(uninterpreted)?;
+    found.compare("what events set", mechanism.event_values(t, q, qd).as_ref(), &event_values);
     let outputs = oracle.outputs(&at, &solution).map_err(uninterpreted)?;
     found.compare("outputs", mechanism.outputs(t, q, qd, qdd, lambda).as_ref(), &outputs);
     let power = oracle.power(&at, &solution).map_err(uninterpreted)?;
@@ -211,7 +219,7 @@ pub fn reactions_against_balance<M: Mechanism>(
     samples: &[Sample<M>],
 ) -> Result<Check, VerifyError> {
     let parameters = mechanism.parameters();
-    let oracle = Oracle::new(&declared.declaration, &si_factor);
+    let oracle = declared.oracle(mechanism);
     let mut worst = (0.0, "");
     for sample in samples {
         let (q, qd) = (&sample.state.positions, &sample.state.speeds);

@@ -8,8 +8,8 @@ use sim_kernel::{Array, Mechanism};
 /// The constraints of every sample, in positions and velocities.
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     let (mut worst, mut meaning) = (0.0, String::from("largest |C| and |C_q q' + C_t|"));
-    for sample in &run.trajectory.samples {
-        let (position, velocity) = residuals(&run.mechanism, &sample.state);
+    for (mechanism, sample) in run.trajectory.with_mechanisms(&run.mechanism) {
+        let (position, velocity) = residuals(mechanism, &sample.state);
         if !(position.max(velocity) <= worst) || position.is_nan() || velocity.is_nan() {
             worst = if position.is_nan() { f64::NAN } else { position.max(velocity) };
             meaning = format!(
@@ -23,7 +23,7 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
 
 /// Kinetic energy less the work of loads and drives.
 pub fn energy_balance<M: Mechanism>(run: &Run<M>) -> Check {
-    let meaning = "change of kinetic energy less work, relative to the largest of them".into();
+    let meaning = "change of kinetic energy less work and what events take, relative to the largest of them".into();
     Check { name: "energy and work", figure: run.energy_balance, bound: 1e-7, meaning }
 }
 

@@ -1322,7 +1322,14 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     ///
     /// Operations: none.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 0] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 7],
+        qd: &[S; 7],
+        qdd: &[S; 7],
+        lambda: &[S; 6],
+    ) -> [S; 0] {
         []
     }
     /// The numbers of each shape of the drawing, in metres and radians.
@@ -3020,6 +3027,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
     type Outputs = [S; 8];
     type OutputRates = [S; 7];
     type Events = [S; 0];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 38];
     type QP = [[S; 42]; 7];
     type LP = [[S; 42]; 6];
@@ -3479,6 +3488,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
             },
         ],
         speed_constraints: &[],
+        conditionals: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {
@@ -3836,8 +3846,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 0] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 7],
+        qd: &[S; 7],
+        qdd: &[S; 7],
+        lambda: &[S; 6],
+    ) -> [S; 0] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 7]) -> [S; 38] {

@@ -520,7 +520,14 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     ///
     /// Operations: none.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 0],
+    ) -> [S; 0] {
         []
     }
     /// The numbers of each shape of the drawing, in metres and radians.
@@ -803,6 +810,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
     type Outputs = [S; 2];
     type OutputRates = [S; 2];
     type Events = [S; 0];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 14];
     type QP = [[S; 3]; 5];
     type LP = [[S; 3]; 0];
@@ -947,6 +956,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
         ],
         constraints: &[],
         speed_constraints: &[],
+        conditionals: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {
@@ -1081,8 +1091,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 0] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 0],
+    ) -> [S; 0] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 5]) -> [S; 14] {

@@ -421,7 +421,14 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     ///
     /// Operations: none.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 0] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 0],
+    ) -> [S; 0] {
         []
     }
     /// The numbers of each shape of the drawing, in metres and radians.
@@ -606,6 +613,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
     type Events = [S; 0];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 10];
     type QP = [[S; 5]; 2];
     type LP = [[S; 5]; 0];
@@ -696,6 +705,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
         ],
         constraints: &[],
         speed_constraints: &[],
+        conditionals: &[],
         events: &[],
         outputs: &[
             sim_kernel::Quantity {
@@ -866,8 +876,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 0] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 0],
+    ) -> [S; 0] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 2]) -> [S; 10] {

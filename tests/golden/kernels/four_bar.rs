@@ -603,7 +603,14 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     ///
     /// Operations: 1 addition, 1 multiplication.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 1] {
         let [theta2, _, _] = *q;
         [theta2 - S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)]
     }
@@ -1027,6 +1034,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
     type Outputs = [S; 12];
     type OutputRates = [S; 4];
     type Events = [S; 1];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 18];
     type QP = [[S; 9]; 3];
     type LP = [[S; 9]; 2];
@@ -1176,7 +1185,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
             },
         ],
         speed_constraints: &[],
-        events: &["period"],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "period",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
         outputs: &[
             sim_kernel::Quantity {
                 name: "crank_speed",
@@ -1421,8 +1438,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 3]) -> [S; 18] {

@@ -289,7 +289,14 @@ impl<S: sim_kernel::Scalar> Pendulum<S> {
     ///
     /// Operations: none.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 1], qd: &[S; 1]) -> [S; 2] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 1],
+        qd: &[S; 1],
+        qdd: &[S; 1],
+        lambda: &[S; 0],
+    ) -> [S; 2] {
         let [phi] = *q;
         let [phi_dot] = *qd;
         [phi, phi_dot]
@@ -409,6 +416,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type Outputs = [S; 3];
     type OutputRates = [S; 3];
     type Events = [S; 2];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 9];
     type QP = [[S; 4]; 1];
     type LP = [[S; 4]; 0];
@@ -471,7 +480,21 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
         ],
         constraints: &[],
         speed_constraints: &[],
-        events: &["bottom", "rest"],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "bottom",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+            sim_kernel::event::Event {
+                name: "rest",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
         outputs: &[
             sim_kernel::Quantity {
                 name: "angle",
@@ -632,8 +655,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 1], qd: &[S; 1]) -> [S; 2] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 1],
+        qd: &[S; 1],
+        qdd: &[S; 1],
+        lambda: &[S; 0],
+    ) -> [S; 2] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 1]) -> [S; 9] {

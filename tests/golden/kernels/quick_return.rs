@@ -671,7 +671,14 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     ///
     /// Operations: 1 addition, 1 multiplication.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 1] {
         let [alpha, _, _] = *q;
         [alpha - S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)]
     }
@@ -1071,6 +1078,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type Outputs = [S; 10];
     type OutputRates = [S; 7];
     type Events = [S; 1];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 24];
     type QP = [[S; 17]; 3];
     type LP = [[S; 17]; 2];
@@ -1268,7 +1277,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
             },
         ],
         speed_constraints: &[],
-        events: &["period"],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "period",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
         outputs: &[
             sim_kernel::Quantity {
                 name: "crank_speed",
@@ -1546,8 +1563,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {

@@ -366,7 +366,14 @@ impl<S: sim_kernel::Scalar> Skate<S> {
     ///
     /// Operations: 1 addition, 2 multiplications, 1 sine-cosine pair.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 1],
+    ) -> [S; 1] {
         let [_, _, phi] = *q;
         let [x_dot, y_dot, _] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
@@ -611,6 +618,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Outputs = [S; 2];
     type OutputRates = [S; 1];
     type Events = [S; 1];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 10];
     type QP = [[S; 5]; 3];
     type LP = [[S; 5]; 1];
@@ -730,7 +739,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
             },
         ],
         speed_constraints: &[0],
-        events: &["turn"],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "turn",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
         outputs: &[
             sim_kernel::Quantity {
                 name: "speed",
@@ -883,8 +900,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 1] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 1],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 3]) -> [S; 10] {

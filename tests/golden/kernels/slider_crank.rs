@@ -495,7 +495,14 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
     ///
     /// Operations: 3 additions, 5 multiplications, 2 sine-cosine pairs.
     #[inline]
-    pub fn events(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 1],
+    ) -> [S; 2] {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [_, _]) = S::sin_cos_each([theta, phi]);
@@ -743,6 +750,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type Outputs = [S; 6];
     type OutputRates = [S; 4];
     type Events = [S; 2];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
     type Drawing = [S; 11];
     type QP = [[S; 8]; 2];
     type LP = [[S; 8]; 1];
@@ -858,7 +867,21 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
             },
         ],
         speed_constraints: &[],
-        events: &["period", "dead_point"],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "period",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+            sim_kernel::event::Event {
+                name: "dead_point",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
         outputs: &[
             sim_kernel::Quantity {
                 name: "crank_speed",
@@ -1059,8 +1082,15 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
         self.output_rates(t, q, qd, qdd).into()
     }
     #[inline(always)]
-    fn events(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
-        self.events(t, q, qd)
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 1],
+    ) -> [S; 2] {
+        self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
     fn drawing(&self, t: S, q: &[S; 2]) -> [S; 11] {

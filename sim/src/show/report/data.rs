@@ -143,13 +143,16 @@ fn of_one_unit(title: &str, indices: Vec<usize>, unit: impl Fn(usize) -> &'stati
 /// Kinetic energy, work, and the change of their difference.
 fn energy<M: Mechanism>(run: &Run<M>) -> [Labelled; 3] {
     let Trajectory { samples, .. } = &run.trajectory;
-    let kinetic: Vec<f64> = samples
-        .iter()
-        .map(|s| run.mechanism.kinetic_energy(s.state.time, &s.state.positions, &s.state.speeds))
+    let kinetic: Vec<f64> = run
+        .trajectory
+        .with_mechanisms(&run.mechanism)
+        .map(|(mechanism, s)| mechanism.kinetic_energy(s.state.time, &s.state.positions, &s.state.speeds))
         .collect();
+    let taken = |sample: usize| run.trajectory.phase_of(sample).map_or(0.0, |phase| phase.energy_taken);
     let work: Vec<f64> = samples.iter().map(|sample| sample.state.work).collect();
     let start = kinetic.first().zip(work.first()).map_or(0.0, |(kinetic, work)| kinetic - work);
-    let change = kinetic.iter().zip(&work).map(|(kinetic, work)| kinetic - work - start).collect();
+    let balance = kinetic.iter().zip(&work).enumerate();
+    let change = balance.map(|(i, (kinetic, work))| kinetic - work + taken(i) - start).collect();
     let column = |name: &str, label: &str, values| {
         let column = Column { name: name.into(), unit: "J".into(), values };
         Labelled { column, label: label.into() }
@@ -181,7 +184,8 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
     }
     let numbers = rows.iter().flat_map(|row| {
         let state = &run.trajectory.samples[*row].state;
-        let drawn = run.mechanism.drawing(state.time, &state.positions);
+        let mechanism = run.trajectory.phase_of(*row).map_or(&run.mechanism, |phase| &phase.mechanism);
+        let drawn = mechanism.drawing(state.time, &state.positions);
         (0..M::Drawing::LEN).map(move |i| drawn[i])
     });
     let named =

@@ -2,6 +2,7 @@
 
 use super::html::{escaped, number, table, unit};
 use crate::Run;
+use crate::happening::{does, impulses};
 use serde_json::Value;
 use sim_kernel::{Array, Description, Mechanism, Quantity, Start};
 
@@ -116,6 +117,9 @@ fn accuracy<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
         row("velocity residual", run.velocity_residual, "largest |C<sub>q</sub> q′ + C<sub>t</sub>| at any sample");
     }
     row("energy balance", run.energy_balance, "largest change of kinetic energy minus work, relative");
+    if run.energy_taken != 0.0 {
+        row("impact loss", run.energy_taken, "J of kinetic energy that events have taken");
+    }
     let undefined = summary["undefined_outputs"].as_object().into_iter().flatten();
     for (name, from) in undefined {
         let from = from["from"].as_f64().map_or(String::new(), |time| number(time, 6));
@@ -126,8 +130,17 @@ fn accuracy<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
 
 fn events<M: Mechanism>(run: &Run<M>) -> String {
     let row = |event: &crate::Occurrence<M>| {
-        let time = number(event.state.time, 12);
-        format!("<tr><th>{}</th><td class=\"number\">{time}</td><td class=\"unit\">s</td></tr>", escaped(event.name))
+        let (time, description) = (number(event.state.time, 12), const { &M::DESCRIPTION });
+        let does = does(&description.events[event.event], description);
+        let impulses = impulses(event).into_iter().map(|(name, value, impulse_unit)| {
+            format!("; impulse of {name} {} {}", number(value, 6), unit(&impulse_unit))
+        });
+        format!(
+            "<tr><th>{}</th><td class=\"number\">{time}</td><td class=\"unit\">s</td><td class=\"about\">{}{}</td></tr>",
+            escaped(event.name),
+            escaped(&does),
+            impulses.collect::<String>()
+        )
     };
     let rows: Vec<String> = run.events.iter().take(MOST_EVENTS).map(row).collect();
     let more = run.events.len().saturating_sub(MOST_EVENTS);

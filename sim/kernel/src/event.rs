@@ -1,0 +1,90 @@
+//! What a mechanism says of its events: conditions, and what happens when they come to hold.
+
+/// A constraint that events switch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Conditional {
+    /// Its name.
+    pub name: &'static str,
+    /// The first of its rows.
+    pub first_row: usize,
+    /// How many rows it has.
+    pub rows: usize,
+    /// Whether it holds at the start.
+    pub initially_active: bool,
+}
+
+/// A condition that comes to hold at certain times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// Its name.
+    pub name: &'static str,
+    /// The crossings of left - right that count.
+    pub direction: Direction,
+    /// Whether the condition depends on accelerations or multipliers.
+    pub on_forces: bool,
+    /// What happens then, one after the other; what is in one step happens at once.
+    pub steps: &'static [Step],
+}
+
+/// How left - right of an event must cross zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Either way.
+    Both,
+    /// From below.
+    Rising,
+    /// From above.
+    Falling,
+}
+
+/// A part of what happens at an event. Values are indices into [`crate::Mechanism::event_values`], conditionals indices
+/// into [`crate::Description::conditionals`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// The motion ends at this occurrence, from 1.
+    Stop(usize),
+    /// Parameters, coordinates and speeds get values, all of them of the state before.
+    Set(&'static [Assignment]),
+    /// Constraints hold from now on, or no more.
+    Switch(&'static [Switch]),
+    /// Constraints are hit.
+    Impact(&'static [Hit]),
+}
+
+/// A value for a parameter, a coordinate or a speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// What gets it.
+    pub target: Target,
+    /// Which value.
+    pub value: usize,
+}
+
+/// What an event sets, by index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A parameter.
+    Parameter(usize),
+    /// A coordinate.
+    Position(usize),
+    /// The speed of a coordinate.
+    Speed(usize),
+}
+
+/// A constraint that an event switches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Switch {
+    /// Which.
+    pub conditional: usize,
+    /// Whether it holds from now on.
+    pub active: bool,
+}
+
+/// A constraint that is hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hit {
+    /// Which.
+    pub conditional: usize,
+    /// Which value is its coefficient of restitution.
+    pub restitution: usize,
+}

@@ -1,0 +1,428 @@
+//! Events that change the motion: impacts, constraints that are switched, parameters and states that are set; against closed
+//! forms and equations by hand.
+
+use sim::{Method, Run, Settings, Stabilisation, What, declared_start, mechanism, run};
+use std::f64::consts::PI;
+use tests::run_with;
+
+mechanism! {
+    /// A ball that bounces on a floor.
+    Ball;
+    coordinates { y [m]; }
+    parameters { m [kg] = 2; r [m] = 0.1; g [m/s^2] = 9.81; rebound = 0.8; }
+    bodies { ball: mass m at [0, y]; }
+    loads { gravity [0, -g]; }
+    constraints { floor: y = r initially released; }
+    initial { y = 1.1; }
+    events {
+        landing: y = r falling { impact floor restitution rebound; }
+        top: dot(y) = 0 falling;
+    }
+}
+
+const G: f64 = 9.81;
+
+fn times<M: sim::Mechanism>(run: &Run<M>, name: &str) -> Vec<f64> {
+    run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
+}
+
+fn all_settings(end: f64) -> Vec<Settings> {
+    let adaptive = |method| Settings::adaptive(method, end, 1e-10);
+    let mut settings = vec![adaptive(Method::Dop853), adaptive(Method::Dopri5), adaptive(Method::Radau5)];
+    settings.push(Settings::equal_steps(Method::Rk4, end, 100));
+    for stabilisation in [Stabilisation::MassProjection, Stabilisation::Partitioning] {
+        settings.push(Settings { stabilisation, ..settings[0] });
+    }
+    settings
+}
+
+/// The model that is shipped: six bounces, each lower.
+#[test]
+fn the_bouncing_ball_is_the_closed_form() {
+    let run = run_with(models::BouncingBall::default(), &Settings::new(3.0)).unwrap();
+    let fall = (2.0 / G).sqrt();
+    let landings = times(&run, "landing");
+    assert!(landings.len() >= 3);
+    for (n, found) in landings.iter().enumerate() {
+        let exact = fall * (1.0 + 2.0 * (1..=n).map(|k| 0.9f64.powi(k as i32)).sum::<f64>());
+        assert!((found - exact).abs() < 1e-10, "{n}: {found} {exact}");
+    }
+    for (n, top) in run.events.iter().filter(|event| event.name == "top").enumerate() {
+        let height = top.state.positions[1] - 0.033;
+        assert!((height - 0.81f64.powi(n as i32 + 1)).abs() < 1e-10, "{n}: {height}");
+    }
+    let last = run.trajectory.samples.last().unwrap().state;
+    assert!((last.positions[0] - 0.4 * 3.0).abs() < 1e-10);
+}
+
+/// Free fall is a polynomial that every method of order 2 and more has exactly, so times have the tolerance of events, which
+/// each impact passes on to the next.
+#[test]
+fn a_ball_bounces_at_the_times_and_to_the_heights_of_the_closed_form() {
+    let fall = (2.0 / G).sqrt();
+    for settings in all_settings(3.0) {
+        let run = run_with(Ball::default(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        let (landings, tops) = (times(&run, "landing"), times(&run, "top"));
+        let exact = |n: usize| fall * (1.0 + 2.0 * (1..n).map(|k| 0.8f64.powi(k as i32)).sum::<f64>());
+        assert_eq!(landings.len(), (1..).take_while(|n| exact(*n) < 3.0).count());
+        for (n, found) in landings.iter().enumerate() {
+            assert!((found - exact(n + 1)).abs() < 1e-10, "{} {n}: {found}", settings.method.name());
+        }
+        for (n, top) in tops.iter().enumerate() {
+            let event = run.events.iter().filter(|event| event.name == "top").nth(n).unwrap();
+            let height = 0.8f64.powi(2 * (n as i32 + 1));
+            assert!((event.state.positions[0] - 0.1 - height).abs() < 1e-10, "{n} at {top}");
+        }
+        let lost = 2.0 * G * (1.0 - 0.64f64.powi(landings.len() as i32));
+        assert!((run.energy_taken - lost).abs() < 1e-9 * lost);
+        assert!(run.energy_balance < 1e-9, "{:e}", run.energy_balance);
+    }
+}
+
+/// lambda, and so its impulse, is what the ball exerts on the floor along increasing y.
+#[test]
+fn an_impact_has_its_impulse_and_its_loss() {
+    let run = run_with(Ball::default(), &Settings::new(0.6)).unwrap();
+    let change = run.events[0].change.unwrap();
+    let speed = (2.0 * G).sqrt();
+    assert!((change.impulses[0] + 2.0 * 1.8 * speed).abs() < 1e-10);
+    assert!((change.energy_taken - 0.5 * 2.0 * speed * speed * (1.0 - 0.64)).abs() < 1e-10);
+    assert!((change.state.speeds[0] - 0.8 * speed).abs() < 1e-11);
+    // Two rows at its time, before and after.
+    let rows: Vec<f64> = run
+        .trajectory
+        .samples
+        .iter()
+        .filter(|sample| sample.state.time == run.events[0].state.time)
+        .map(|sample| sample.state.speeds[0])
+        .collect();
+    assert_eq!(rows.len(), 2);
+    assert!((rows[0] + speed).abs() < 1e-11 && (rows[1] - 0.8 * speed).abs() < 1e-11);
+}
+
+/// The times of impacts accumulate at fall (1 + e)/(1 - e).
+#[test]
+fn a_ball_that_comes_to_rest_chatters_and_says_so() {
+    for settings in [Settings::new(6.0), Settings::equal_steps(Method::Rk4, 6.0, 600)] {
+        let run = run_with(Ball::default(), &settings).unwrap();
+        let failure = run.trajectory.failure.as_ref().unwrap();
+        let rest = (2.0 / G).sqrt() * 1.8 / 0.2;
+        assert!(matches!(failure.what, What::Accumulating { event: "landing", .. }), "{failure}");
+        assert!((failure.time - rest).abs() < 1e-7, "{} instead of {rest}", failure.time);
+        assert!(failure.to_string().contains("`landing` chatters"));
+        assert!(run.trajectory.samples.len() > 300);
+    }
+    // Without rebound nothing holds the ball.
+    let run = run_with(Ball { rebound: 0.0, ..Ball::default() }, &Settings::new(6.0)).unwrap();
+    let failure = run.trajectory.failure.unwrap();
+    assert!(matches!(failure.what, What::Accumulating { event: "landing", count: 2 }), "{failure}");
+    let run = run_with(Ball { rebound: -0.5, ..Ball::default() }, &Settings::new(6.0)).unwrap();
+    assert!(matches!(run.trajectory.failure.unwrap().what, What::Restitution { constraint: "floor", .. }));
+}
+
+/// A ball that starts on the floor upwards has not landed; one that starts downwards has.
+#[test]
+fn what_holds_at_the_start_happens_if_it_goes_on() {
+    let start = |speed: f64| {
+        let ball = Ball::default();
+        let mut start = declared_start(&ball);
+        (start.positions, start.speeds) = ([0.1], [speed]);
+        start.speed_given = vec![true];
+        run(ball, &start, &Settings::new(1.0)).unwrap()
+    };
+    for (speed, first) in [(2.0, 4.0 / G), (-2.0, 0.0)] {
+        let run = start(speed);
+        let rebound = if speed > 0.0 { 0.8 * 2.0 } else { 0.8 * 0.8 * 2.0 };
+        let landings = times(&run, "landing");
+        assert!((landings[0] - first).abs() < 1e-11, "{landings:?}");
+        let after = if speed > 0.0 { landings[0] } else { 2.0 * 0.8 * 2.0 / G };
+        assert!((landings.iter().find(|time| (**time - after).abs() < 1e-11)).is_some(), "{landings:?}");
+        let flight = landings[landings.iter().position(|time| (time - after).abs() < 1e-11).unwrap() + 1] - after;
+        assert!((flight - 2.0 * rebound / G).abs() < 1e-11, "{flight}");
+    }
+}
+
+mechanism! {
+    /// A wheel that turns at 1 rad/s, so that angles are times.
+    Counter;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; k = 1; n = 0; late [rad] = 1e-9; }
+    bodies { wheel: inertia J, angle phi; }
+    initial { dot(phi) = 1; }
+    events {
+        tripled: phi = 0.3 + late rising { set k = 3*k; }
+        doubled: phi = 0.3 rising { set k = 2*k + 1; }
+        never: phi = 0.31 falling { set k = 1000; }
+        counted: sin(20*phi) = 0 rising { set n = n + 1; stop after 2; }
+        ever: phi = 0.7 { stop after 5; }
+    }
+}
+
+/// In one step, as in many: events happen in the order of their times, and those of one time in that of declaration.
+#[test]
+fn events_in_one_step_happen_in_order() {
+    for steps in [1, 7, 100] {
+        for (late, expected) in [(1e-9, 9.0), (0.0, 7.0), (1e-5, 9.0)] {
+            let settings = Settings::equal_steps(Method::Dop853, 1.0, steps);
+            let run = run_with(Counter { late, ..Counter::default() }, &settings).unwrap();
+            let last = run.trajectory.phases.last().unwrap().mechanism;
+            assert_eq!((last.k, last.n), (expected, 2.0), "{steps} steps, {late}");
+            let end = run.trajectory.samples.last().unwrap().state.time;
+            assert!((end - 0.1 * PI).abs() < 1e-11, "{end}");
+            assert_eq!(times(&run, "ever").len(), 0);
+            assert_eq!(run.mechanism.k, 1.0, "the run keeps its start");
+        }
+    }
+}
+
+#[test]
+fn runs_with_events_are_the_same_bit_for_bit() {
+    let bits = || {
+        let run = run_with(Ball::default(), &Settings::new(3.9)).unwrap();
+        let samples = run.trajectory.samples.iter();
+        samples.map(|sample| [sample.state.positions[0], sample.state.speeds[0]].map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(bits(), bits());
+}
+
+mechanism! {
+    /// A block on a table that swings up and down, and leaves it where nothing presses it down any more.
+    Shaken;
+    coordinates { y [m]; }
+    parameters { m [kg] = 0.7; a [m] = 0.05; w [1/s] = 20; g [m/s^2] = 9.81; }
+    let table = a*sin(w*t);
+    bodies { block: mass m at [0, y]; }
+    loads { gravity [0, -g]; }
+    constraints { contact: y = table initially active; }
+    events {
+        lift: reaction(contact) = 0 rising { release contact; }
+        landing: y = table falling { activate contact; }
+    }
+    outputs { press [N] = -reaction(contact); }
+}
+
+/// m (y'' + g) = 0 where sin(w t) = g/(a w^2); then free flight, to where the table meets it again.
+#[test]
+fn a_block_leaves_its_table_where_the_reaction_vanishes() {
+    let (a, w) = (0.05, 20.0);
+    let lift = (G / (a * w * w) as f64).asin() / w;
+    let (height, speed) = (a * (w * lift).sin(), a * w * (w * lift).cos());
+    let apart = |t: f64| height + speed * (t - lift) - G / 2.0 * (t - lift).powi(2) - a * (w * t).sin();
+    let (mut above, mut below) = (lift + 0.05, lift + 0.3);
+    assert!(apart(above) > 0.0 && apart(below) < 0.0);
+    for _ in 0..80 {
+        let middle = (above + below) / 2.0;
+        *(if apart(middle) > 0.0 { &mut above } else { &mut below }) = middle;
+    }
+    for settings in all_settings(0.29) {
+        let run = run_with(Shaken::default(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None, "{}", settings.method.name());
+        // RK4 in steps of 3 ms is exact on the table, which is held by its constraint, and in free flight.
+        assert!((times(&run, "lift")[0] - lift).abs() < 1e-9, "{:?} {lift}", times(&run, "lift"));
+        assert!((times(&run, "landing")[0] - above).abs() < 1e-9, "{:?} {above}", times(&run, "landing"));
+        let landing = run.events.iter().find(|event| event.name == "landing").unwrap();
+        let hits = speed - G * (above - lift) - a * w * (w * above).cos();
+        let change = landing.change.unwrap();
+        assert!((change.impulses[0] - 0.7 * hits).abs() < 1e-8, "{}", change.impulses[0]);
+        // In flight the multiplier is nothing at all.
+        let flying =
+            run.trajectory.samples.iter().filter(|s| s.state.time > lift + 1e-6 && s.state.time < above - 1e-6);
+        assert!(flying.map(|sample| sample.multipliers[0]).all(|lambda| lambda == 0.0));
+        assert!(run.energy_balance < 1e-6, "{:e}", run.energy_balance);
+    }
+}
+
+mechanism! {
+    /// A stone on a string.
+    Stone;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 0.4; l [m] = 0.8; g [m/s^2] = 9.81; }
+    let P = [x, y];
+    bodies { stone: mass m at P; }
+    loads { gravity [0, -g]; }
+    constraints { string: norm(P) = l initially active; }
+    initial { x = 0; y = -0.8; dot(x) = 5.2; }
+    events {
+        slack: reaction(string) = 0 falling { release string; }
+        taut: norm(P) = l rising { activate string; }
+    }
+}
+
+/// Slack where sin(angle) = (v^2 - 2 g l)/(3 g l); the parabola then meets the circle again; there the speed along the string
+/// is lost.
+#[test]
+fn a_string_goes_slack_and_taut() {
+    let (l, v) = (0.8, 5.2f64);
+    let sine = (v * v - 2.0 * G * l) / (3.0 * G * l);
+    let (x, y) = (l * (1.0 - sine * sine).sqrt(), l * sine);
+    let speed = (G * l * sine).sqrt();
+    let (vx, vy) = (-speed * sine, speed * (1.0 - sine * sine).sqrt());
+    let at = |s: f64| [x + vx * s, y + vy * s - G / 2.0 * s * s];
+    let out = |s: f64| at(s)[0].hypot(at(s)[1]) - l;
+    let (mut inside, mut outside) = (0.1, 1.0);
+    assert!(out(inside) < 0.0 && out(outside) > 0.0);
+    for _ in 0..80 {
+        let middle = (inside + outside) / 2.0;
+        *(if out(middle) < 0.0 { &mut inside } else { &mut outside }) = middle;
+    }
+    let run = run_with(
+        Stone::default(),
+        &Settings { rows: sim::Rows::Steps, ..Settings::adaptive(Method::Dop853, 1.2, 1e-12) },
+    )
+    .unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let (slack, taut) = (&run.events[0], &run.events[1]);
+    assert_eq!((slack.name, taut.name), ("slack", "taut"));
+    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    near(slack.state.positions[0], x);
+    near(slack.state.positions[1], y);
+    near(taut.state.time - slack.state.time, inside);
+    let [px, py] = at(inside);
+    near(taut.state.positions[0], px);
+    let along = (px * vx + py * (vy - G * inside)) / l;
+    let change = taut.change.unwrap();
+    near(change.energy_taken, 0.5 * 0.4 * along * along);
+    // C = norm(P) - l grows outwards, and the stone pulls outwards.
+    near(change.impulses[0], 0.4 * along);
+    assert!(run.energy_balance < 1e-9);
+}
+
+mechanism! {
+    /// Two rods, the second of which hits a stop on the first.
+    Knee;
+    coordinates { a [rad]; b [rad]; }
+    parameters { m [kg] = 1.2; n [kg] = 0.7; l [m] = 0.5; k [m] = 0.4; I [kg*m^2] = 0.03; g [m/s^2] = 9.81; bounce = 0.3; }
+    let A = l*[sin(a), -cos(a)];
+    let B = A + k*[sin(b), -cos(b)];
+    bodies { thigh: mass m at A/2, inertia I, angle a; shank: mass n at B; }
+    loads { gravity [0, -g]; }
+    constraints { stop: b = a initially released; }
+    initial { a = 0.6; b = 0.1; dot(a) = -1; dot(b) = 1.5; }
+    events { knock: b - a = 0 rising { impact stop restitution bounce; } }
+}
+
+/// v+ - v- = -M^-1 C_q' L and L = (1 + e) u/(C_q M^-1 C_q'), with M of two point masses and a rod written by hand.
+#[test]
+fn a_knee_at_its_stop_obeys_the_impulsive_equations() {
+    let run = run_with(Knee::default(), &Settings::new(0.4)).unwrap();
+    let knock = &run.events[0];
+    let change = knock.change.unwrap();
+    let [a, b] = knock.state.positions;
+    let (m, n, l, k, inertia, e) = (1.2, 0.7, 0.5, 0.4, 0.03, 0.3);
+    let mass =
+        [[m * l * l / 4.0 + inertia + n * l * l, n * l * k * (a - b).cos()], [n * l * k * (a - b).cos(), n * k * k]];
+    let determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[1][0];
+    // M^-1 C_q' for C_q = [-1, 1].
+    let along = [(-mass[1][1] - mass[0][1]) / determinant, (mass[0][0] + mass[1][0]) / determinant];
+    let [va, vb] = knock.state.speeds;
+    let impulse = (1.0 + e) * (vb - va) / (along[1] - along[0]);
+    let near = |found: f64, expected: f64| {
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}")
+    };
+    near(change.impulses[0], impulse);
+    near(change.state.speeds[0], va - along[0] * impulse);
+    near(change.state.speeds[1], vb - along[1] * impulse);
+    near(change.state.speeds[1] - change.state.speeds[0], -e * (vb - va));
+    let rates = (vb - va) + (change.state.speeds[1] - change.state.speeds[0]);
+    near(change.energy_taken, 0.5 * impulse * rates);
+    assert!(run.energy_balance < 1e-9);
+}
+
+mechanism! {
+    /// A wheel of spokes without a rim that rolls down a slope: a foot is pinned, the next one lands, and takes its place.
+    Rimless;
+    coordinates { x [m]; y [m]; phi [rad]; }
+    parameters { m [kg] = 3; J [kg*m^2] = 0.2; l [m] = 0.7; alpha [rad] = 0.3; slope [rad] = 0.08; s [m] = 0; g [m/s^2] = 9.81; }
+    let H = [x, y];
+    let foot = H - l*[sin(phi), cos(phi)];
+    let next = H - l*[sin(phi - 2*alpha), cos(phi - 2*alpha)];
+    bodies { wheel: mass m at H, inertia J, angle phi; }
+    loads { gravity g*[sin(slope), -cos(slope)]; }
+    constraints {
+        stance: foot = [s, 0] initially active;
+        landed: next = [s + 2*l*sin(alpha), 0] initially released;
+    }
+    initial { phi = -0.3; guess x = -0.2; guess y = 0.65; dot(phi) = 1.4; }
+    events {
+        step: next.y = 0 falling {
+            release stance; activate landed;
+            set s = s + 2*l*sin(alpha); set phi = phi - 2*alpha;
+            release landed; activate stance;
+        }
+    }
+}
+
+/// Angular momentum about the new foot: w+ = eta w-, eta = (J + m l^2 cos(2 alpha))/(J + m l^2); on the limit cycle a step
+/// gains what its impact loses (McGeer, Passive Dynamic Walking, 1990).
+#[test]
+fn a_rimless_wheel_walks_its_limit_cycle() {
+    let (m, j, l, alpha, slope) = (3.0, 0.2, 0.7, 0.3f64, 0.08f64);
+    let inertia = j + m * l * l;
+    let eta = (j + m * l * l * (2.0 * alpha).cos()) / inertia;
+    let gain = 4.0 * m * G * l * alpha.sin() * slope.sin() / inertia;
+    for settings in
+        [Settings::new(12.0), Settings { stabilisation: Stabilisation::Partitioning, ..Settings::new(12.0) }]
+    {
+        let run = run_with(Rimless::default(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        let mut before = 1.4f64;
+        let mut last = 0.0;
+        assert!(run.events.len() > 15, "{}", run.events.len());
+        for event in &run.events {
+            let change = event.change.unwrap();
+            let arrives = (before * before + gain).sqrt();
+            let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-8, "{found} {expected}");
+            near(event.state.speeds[2], arrives);
+            near(change.state.speeds[2], eta * arrives);
+            near(change.state.positions[2], -alpha);
+            (before, last) = (change.state.speeds[2], event.state.speeds[2]);
+        }
+        let cycle = (gain / (1.0 - eta * eta)).sqrt();
+        assert!((last - cycle).abs() < 1e-4 * cycle, "{last} {cycle}");
+        assert!(run.energy_balance < 1e-8, "{:e}", run.energy_balance);
+        assert!(run.position_residual < 1e-11 && run.velocity_residual < 1e-11);
+    }
+}
+
+mechanism! {
+    /// Two identical masses on springs, which change names halfway.
+    Swapped;
+    coordinates { p [m]; q [m]; }
+    parameters { m [kg] = 1; k [N/m] = 4; }
+    bodies { one: mass m at [p, 0]; other: mass m at [q, 1 [m]]; }
+    loads { force [-k*p, 0] at [p, 0]; force [-k*q, 0] at [q, 1 [m]]; }
+    initial { p = 1; q = -0.5; dot(q) = 0.3; }
+    events { halfway: t = 0.5 [s] rising { swap p, q; } }
+}
+
+#[test]
+fn coordinates_change_names_with_their_speeds() {
+    let run = run_with(Swapped::default(), &Settings::new(1.0)).unwrap();
+    let last = run.trajectory.samples.last().unwrap().state;
+    let p = (2f64).cos();
+    let q = -0.5 * (2f64).cos() + 0.15 * (2f64).sin();
+    // 1e-10 a step.
+    assert!((last.positions[0] - q).abs() < 1e-8 && (last.positions[1] - p).abs() < 1e-8, "{:?}", last.positions);
+    assert!(run.energy_taken.abs() < 1e-15);
+}
+
+mechanism! {
+    /// A bead that is caught where it is not.
+    Caught;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; }
+    bodies { bead: mass m at [x, 0]; }
+    constraints { hook: x = 1 [m] initially released; }
+    initial { dot(x) = 1; }
+    events { early: x = 0.9 [m] rising { activate hook; } }
+}
+
+#[test]
+fn a_constraint_that_is_open_cannot_become_active() {
+    let run = run_with(Caught::default(), &Settings::new(2.0)).unwrap();
+    let failure = run.trajectory.failure.unwrap();
+    assert!(matches!(failure.what, What::EventOpens { event: "early", constraint: "hook", .. }), "{failure}");
+    assert!((failure.time - 0.9).abs() < 1e-11);
+    assert!(run.trajectory.samples.last().unwrap().state.time > 0.89);
+}
