@@ -9,6 +9,7 @@ mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod conditional;
+mod control;
 mod equilibrium;
 mod events;
 mod failure;
@@ -50,6 +51,7 @@ pub use act::{Change, act};
 pub use assemble::{Start, assemble, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
 pub use conditional::is_active;
+pub use control::Controller;
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
@@ -66,9 +68,9 @@ pub use kinematics::{
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
 pub use project::{project, project_positions, project_velocities, rates};
-pub use run::{DOUBTFUL_BALANCE, Run, run};
+pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
-pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Lanes, Mechanism, Scalar, mechanism};
+pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Input, Lanes, Mechanism, Scalar, mechanism};
 pub use table::{Column, Table};
 pub use trajectory::{Phase, Rates, Sample, State, Trajectory};
 pub use vector::{Vectors, Work};

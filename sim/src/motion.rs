@@ -69,7 +69,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             let push = baumgarte(self.mechanism, &state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
-        Ok(Sample::new(state, &dynamics))
+        Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
     }
 
     /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is

@@ -77,6 +77,20 @@ pub struct Tolerance {
     pub absolute: f64,
 }
 
+impl Settings {
+    /// The same for a part of the run, with steps of the same length where they are equal; `whole` is how long the run takes.
+    pub(crate) fn over(&self, from: f64, end: f64, whole: f64) -> Settings {
+        let stepping = match self.stepping {
+            // A little less than what rounding could add to a whole number of steps.
+            Stepping::Equal(count) => {
+                Stepping::Equal(((end - from) / whole * count as f64 - 1e-6).ceil().max(1.0) as usize)
+            }
+            adaptive => adaptive,
+        };
+        Settings { end, stepping, ..*self }
+    }
+}
+
 impl Tolerance {
     /// The same number for both.
     pub const fn new(relative: f64) -> Tolerance {

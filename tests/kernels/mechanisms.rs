@@ -178,6 +178,38 @@ mechanism! {
 }
 
 mechanism! {
+    /// A cart with two pendulums and a motor between them, pulled by an actuator, with every kind of input.
+    pub(crate) Actuated;
+    coordinates { x [m]; a [rad]; b [rad]; }
+    parameters { M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; k [N/m] = 30; size [N] = 4; }
+    inputs {
+        /// Torque of the motor.
+        tau [N*m] = 0;
+        pull [N] = size*sin(3 [rad/s]*t)^2;
+        shift [mm] = 20;
+        gain [N*s/m] = 1 [N*s/m] + 1 [N/m]*t;
+    }
+    let O = [x, 0];
+    let P = O + l*[sin(a), -cos(a)];
+    let Q = P + l*[sin(b), -cos(b)];
+    let drag = gain*dot(P);
+    bodies { cart: mass M at O; bob: mass m at P; tip: mass m at Q, angle b; }
+    loads {
+        gravity [0, -9.81 [m/s^2]];
+        torque tau between a and b;
+        force pull from [2 [m], 1 [m]] to Q;
+        spring k, length 0.5 [m] + shift from [-1 [m], 0] to O;
+        force -drag at P;
+        torque tau^2/10 [N*m]*cos(b) on tip;
+        dissipation gain*dot(x)^2;
+    }
+    initial { x = 0.1; a = 0.3; b = -0.2; }
+    events { turn: dot(a) = 0; }
+    outputs { power [W] = tau*dot(b - a); stretched [m] = x + shift; acceleration [m/s^2] = ddot(x) + gain*1 [m/(kg*s)]; height [m] = Q.y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
     /// A sled with a pole on a blade, on ice that drifts, its tip on a line: constraints between positions and between speeds.
     pub(crate) Sled;
     coordinates { x [m]; y [mm]; phi [rad]; psi [rad]; }
@@ -275,7 +307,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Sprung,
             crate::mechanisms::Sled,
             crate::mechanisms::Snake,
-            crate::mechanisms::Switched
+            crate::mechanisms::Switched,
+            crate::mechanisms::Actuated
         )
     };
 }
@@ -286,6 +319,9 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [tests::shipped(), descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Switched).to_vec()]
-        .concat()
+    [
+        tests::shipped(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Switched, Actuated).to_vec(),
+    ]
+    .concat()
 }

@@ -11,6 +11,7 @@ mod events;
 mod failure;
 mod faulty;
 mod impacts;
+mod inputs;
 mod linkages;
 mod long;
 mod nonholonomic;

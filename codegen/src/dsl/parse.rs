@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 11] = [
+const BLOCKS: [&str; 12] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -22,6 +22,7 @@ const BLOCKS: [&str; 11] = [
     "drawing",
     "kernels",
     "auxiliary",
+    "inputs",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -94,6 +95,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         drawing: vec![],
         kernels: None,
         auxiliary: vec![],
+        inputs: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -140,6 +142,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
         "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);

@@ -3,7 +3,7 @@
 use super::homogeneity::Measured;
 use super::interpret::Interpreter;
 use super::{Dependence, Dimension, Point};
-use crate::dsl::Expression;
+use crate::dsl::{Expression, Region};
 use crate::symbolic::Expr;
 
 pub(super) const MOVING: Dependence = Dependence::COORDINATE.or(Dependence::SPEED).or(Dependence::ACCELERATION);
@@ -14,8 +14,19 @@ pub(super) const BEYOND_POSITION: Dependence =
 pub(super) const BEYOND_SPEED: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
 
 pub(super) fn position_level(expression: &Expression, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
+    no_input(expression.region, values, what, i)?;
     let rule = format!("{what} is made of coordinates, parameters and time; `dot()` cannot stand in it");
     i.restrict(expression.region, values, BEYOND_POSITION, &rule)
+}
+
+/// Refuses inputs where derivatives are needed.
+pub(super) fn no_input(place: Region, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
+    i.restrict(
+        place,
+        values,
+        Dependence::INPUT,
+        &format!("{what} cannot depend on an input, which may jump; an input acts by loads, and shows in outputs"),
+    )
 }
 
 /// An angle, with what it is for messages: "the angle of a body".

@@ -6,7 +6,7 @@ use super::origin::Origin;
 use super::scope::{check_reserved, plain};
 use super::start::in_unit;
 use super::value::{Shape, Value};
-use super::{Body, Constraint, Coordinate, Dependence, Parameter, Start, Unit};
+use super::{Body, Constraint, Coordinate, Dependence, Input, Parameter, Start, Unit};
 use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
@@ -92,6 +92,30 @@ fn parameter_default(expression: &Expression, name: &str, unit: &Unit, i: &mut I
     let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
     let rule = "the default of a parameter is a number; what follows from other parameters is a `let`";
     in_unit(expression, name, unit, (any, rule), i)
+}
+
+/// Inputs, each with a course of numbers, parameters and time.
+pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> Vec<Input> {
+    let mut inputs = Vec::new();
+    for input in &declaration.inputs {
+        let name = plain(&input.name);
+        refuse_rate(&input.name, declaration, i);
+        let unit = resolve_unit(&input.unit, i);
+        let symbol = i.graph.symbol(&name);
+        i.dependences.declare(symbol, Dependence::INPUT);
+        let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
+                    at run time, or is a load";
+        let course = match &unit {
+            Some(unit) => in_unit(&input.value, &name, unit, (MOVING.or(Dependence::INPUT), rule), i),
+            None => i.scalar(&input.value),
+        };
+        define_symbol(&input.name, symbol, &input.unit, unit.as_ref(), i);
+        if let Some(course) = course {
+            let unit = unit.unwrap_or_else(Unit::none);
+            inputs.push(Input { name, docs: input.docs.clone(), unit, symbol, course });
+        }
+    }
+    inputs
 }
 
 pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Vec<(String, Expr)> {

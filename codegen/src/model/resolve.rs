@@ -9,7 +9,9 @@ use super::interpret::Interpreter;
 use super::loads::resolve_loads;
 use super::origin::Origins;
 use super::outputs::resolve_outputs;
-use super::quantities::{check_coordinates_used, resolve_coordinates, resolve_lets, resolve_parameters};
+use super::quantities::{
+    check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
+};
 use super::scope::{Names, plain};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
@@ -63,6 +65,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let mut coordinates = resolve_coordinates(declaration, i);
     i.motion = time_derivative(&mut i.graph, time, &coordinates, &[]);
     let parameters = resolve_parameters(declaration, i);
+    let inputs = resolve_inputs(declaration, i);
     let auxiliaries = resolve_auxiliaries(declaration, displacements, i);
     let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
     let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
@@ -89,6 +92,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         time,
         coordinates,
         parameters,
+        inputs,
         named,
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,
@@ -111,6 +115,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
 fn has_units(declaration: &Declaration) -> bool {
     let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
     declaration.coordinates.iter().any(|c| c.unit.is_some())
+        || declaration.inputs.iter().any(|input| input.unit.is_some())
         || declaration.auxiliary.iter().any(|a| a.unit.is_some())
         || declaration.parameters.iter().any(|p| p.unit.is_some())
         || outputs.into_iter().any(|output| output.unit.is_some())

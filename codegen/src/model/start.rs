@@ -49,7 +49,7 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
 }
 
 fn start_value(expression: &Expression, what: &str, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
-    let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER);
+    let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER).or(Dependence::INPUT);
     in_unit(expression, what, unit, (moving, "a start value is made of numbers and parameters"), interpreter)
 }
 

@@ -15,7 +15,7 @@ use std::fs;
 const FORMAT: &str = "linkwright run 1";
 
 /// Options that say where to, and not what.
-const NOT_OF_A_RUN: [&str; 7] = ["set", "initial", "out", "json", "quiet", "help", "version"];
+const NOT_OF_A_RUN: [&str; 8] = ["set", "initial", "input", "out", "json", "quiet", "help", "version"];
 
 /// How a run is made again.
 pub(super) struct Reproduction {
@@ -42,6 +42,12 @@ impl Reproduction {
             .map(|(i, p)| (p.name, in_si(p, values[i]), values[i] != defaults[i]))
             .collect();
         let initial = initial(mechanism, start);
+        let inputs: Vec<(&str, String, bool)> = description
+            .inputs
+            .iter()
+            .zip(mechanism.inputs().iter())
+            .filter_map(|(quantity, input)| Some((quantity.name, in_si(quantity, input.held()?), true)))
+            .collect();
         let options = options(settings, arguments, description.events);
         let mut command = format!("{} run {}", program(), description.name);
         for (name, value, _) in parameters.iter().filter(|entry| entry.2) {
@@ -49,6 +55,9 @@ impl Reproduction {
         }
         for (name, value, _) in initial.iter().filter(|entry| entry.2) {
             command += &format!(" --initial {}", quoted(&format!("{name}={value}")));
+        }
+        for (name, value, _) in &inputs {
+            command += &format!(" --input {}", quoted(&format!("{name}={value}")));
         }
         for (name, value) in &options {
             command += &match value {
@@ -61,13 +70,16 @@ impl Reproduction {
             let entries = entries.iter().map(|(name, value, _)| ((*name).to_owned(), Value::from(value.as_str())));
             entries.collect::<Map<String, Value>>()
         };
-        let file = json!({
+        let mut file = json!({
             "format": FORMAT,
             "model": description.name,
             "parameters": object(&parameters),
             "initial": object(&initial),
             "options": options,
         });
+        if !inputs.is_empty() {
+            file["inputs"] = object(&inputs).into();
+        }
         Reproduction { file, command }
     }
 
@@ -166,7 +178,7 @@ pub(super) fn expand(path: &str, words: &[OsString]) -> Result<Vec<OsString>, St
 fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     let file = file.as_object().ok_or("a run file is an object")?;
     for key in file.keys() {
-        let known = ["$schema", "format", "model", "parameters", "initial", "options"];
+        let known = ["$schema", "format", "model", "parameters", "initial", "inputs", "options"];
         if !known.contains(&key.as_str()) {
             return Err(message(unknown("entry", key, known.into_iter())));
         }
@@ -176,7 +188,7 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     }
     let model = file.get("model").and_then(Value::as_str).ok_or("`model` is missing: the name of a mechanism")?;
     let mut words = vec![model.to_owned()];
-    for (entry, option) in [("parameters", "--set"), ("initial", "--initial")] {
+    for (entry, option) in [("parameters", "--set"), ("initial", "--initial"), ("inputs", "--input")] {
         for (name, value) in object(file, entry)? {
             let value = word(value).ok_or_else(|| format!("`{name}` needs a number, or text like \"180 mm\""))?;
             words.extend([option.to_owned(), format!("{name}={value}")]);

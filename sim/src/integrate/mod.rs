@@ -119,7 +119,7 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     for step in 1..=count {
         check_interrupt(course, &from)?;
         // From the start each time, so that times do not accumulate rounding.
-        let time = begin + (course.end - begin) * (step as f64 / count as f64);
+        let time = if step == count { course.end } else { begin + (course.end - begin) * (step as f64 / count as f64) };
         if time - from.state.time <= 4.0 * f64::EPSILON * time.abs() {
             continue;
         }
