@@ -14,7 +14,7 @@ pub fn block(word: &str, blocks: &[&str]) -> String {
         "body" => "bodies",
         "forces" | "force" | "load" => "loads",
         "variables" | "states" => "coordinates",
-        "joints" => "constraints",
+        "joint" => "joints",
         _ => return suggestion(word, blocks.iter().copied()),
     };
     format!(" (did you mean `{usual}`?)")

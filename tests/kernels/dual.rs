@@ -22,22 +22,34 @@ fn check<M: Mechanism>() {
     let mut random = Random(8);
     let mechanism = M::defaults();
     let dual = mechanism.on(Dual::constant);
+    let between_speeds = |row: usize| M::DESCRIPTION.speed_constraints.contains(&row);
     for _ in 0..100 {
         let t = random.between(0.0, 2.0);
         let [q, qd, qdd] = [1.2, 3.0, 9.0].map(|size| M::Q::from_fn(|_| random.between(-size, size)));
         let jacobian = mechanism.constraint_jacobian(t, &q);
         for j in 0..M::Q::LEN {
             let along = DualQ::<M>::from_fn(|i| Dual { value: q[i], derivative: f64::from(i == j) });
-            let column = M::L::from_fn(|i| jacobian[i][j]);
+            let column = M::L::from_fn(|i| if between_speeds(i) { 0.0 } else { jacobian[i][j] });
             close::<M>("C_q", dual.constraints(Dual::constant(t), &along).as_ref(), column.as_ref());
         }
         let constant = |values: &M::Q| DualQ::<M>::from_fn(|i| Dual::constant(values[i]));
         let by_time = dual.constraints(Dual::variable(t), &constant(&q));
-        close::<M>("C_t", by_time.as_ref(), mechanism.constraint_time_derivative(t, &q).as_ref());
+        let drift = mechanism.constraint_time_derivative(t, &q);
+        let drift = M::L::from_fn(|i| if between_speeds(i) { 0.0 } else { drift[i] });
+        close::<M>("C_t", by_time.as_ref(), drift.as_ref());
         // Along the motion: q changes as q', and q' as q''.
         let moving =
             |values: &M::Q, rates: &M::Q| DualQ::<M>::from_fn(|i| Dual { value: values[i], derivative: rates[i] });
         let (moving_q, moving_qd) = (moving(&q, &qd), moving(&qd, &qdd));
+        // C' = C_q q' + C_t, or w, changes as C_q q'' and the convective terms say.
+        let along = dual.constraint_jacobian(Dual::variable(t), &moving_q);
+        let drifting = dual.constraint_time_derivative(Dual::variable(t), &moving_q);
+        let rates: Vec<Dual> = (0..M::L::LEN)
+            .map(|i| (0..M::Q::LEN).fold(drifting[i], |sum, j| sum + along[i][j] * moving_qd[j]))
+            .collect();
+        let convective = mechanism.constraint_convective(t, &q, &qd);
+        let accelerated = |i: usize| (0..M::Q::LEN).map(|j| jacobian[i][j] * qdd[j]).sum::<f64>() + convective[i];
+        close::<M>("C''", &rates, M::L::from_fn(accelerated).as_ref());
         let lambda = <OnDual<M> as Mechanism<Dual>>::L::filled(Dual::constant(0.0));
         let outputs = dual.outputs(Dual::variable(t), &moving_q, &moving_qd, &constant(&qdd), &lambda);
         let rated: Vec<Dual> = M::DESCRIPTION.rated_outputs.iter().map(|i| outputs[*i]).collect();

@@ -262,6 +262,30 @@ mechanism! {
 }
 
 mechanism! {
+    /// A motor that lifts a bar by a gear and a rack, the bar in a slot and on a link: bodies and joints.
+    pub(crate) Hoist;
+    coordinates { turn [rad]; }
+    parameters { m [kg] = 2; J [kg*m^2] = 0.1; r [m] = 0.1; s [m] = 0.25; l [m] = 0.9; T [N*m] = 3; g [m/s^2] = 9.81; }
+    auxiliary { cut [m]; }
+    bodies {
+        motor: inertia J, angle turn;
+        wheel: free, mass 2*m, inertia 3*J;
+        bar: free, mass m, inertia J/3;
+        weight: mass m/3 at on(bar, [0.5 [m] + cut, 0.1 [m]]);
+    }
+    loads { gravity [0, -g]; torque T*cos(1 [rad/s]*t) on motor; force [0.1 [N/s]*t, 1 [N]] at on(wheel, [r, s]); }
+    joints {
+        axle: pin on(wheel, [0, 0]) to [0.3 [m], 0.1 [m]*sin(1 [rad/s]*t)];
+        mesh: gear motor radius r to wheel radius s;
+        lift: rack on(bar, [0, -0.2 [m]]) through on(wheel, [0, 0]) along 1.2 on wheel radius r;
+        rest: slot on(bar, [0.3 [m], 0]) through [0.5 [m], 0] along 0.1 [rad/s]*t;
+    }
+    initial { turn = 0.2; guess wheel_phi = -0.1; guess bar_x = 0.4; }
+    outputs { pull [N] = reaction(lift); cut [N] = reaction(cut); tip [m] = on(bar, [0.5 [m], 0]).y; }
+    drawing { line on(bar, [-0.5 [m], 0]), on(bar, [0.5 [m], 0]); circle on(wheel, [0, 0]) radius r; }
+}
+
+mechanism! {
     /// A cart with a pendulum; a rod that time drives, a pin and a stop come and go.
     pub(crate) Switched;
     coordinates { x [m]; a [rad]; b [deg]; }
@@ -298,15 +322,23 @@ macro_rules! all_mechanisms {
             models::FourBar,
             models::Skate,
             models::SliderCrank,
+            models::ScotchYoke,
+            models::Whitworth,
+            models::SixBar,
+            models::HangingChain,
+            models::FourBars,
+            models::SpringFollower,
+            models::HalfCar,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
             crate::mechanisms::Rod,
             crate::mechanisms::Chain,
             crate::mechanisms::Arm,
-            crate::mechanisms::Sprung,
             crate::mechanisms::Sled,
             crate::mechanisms::Snake,
+            crate::mechanisms::Hoist,
+            crate::mechanisms::Sprung,
             crate::mechanisms::Switched,
             crate::mechanisms::Actuated
         )
@@ -321,7 +353,7 @@ pub(crate) fn all() -> Vec<&'static Description> {
     }
     [
         tests::shipped(),
-        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sprung, Sled, Snake, Switched, Actuated).to_vec(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated).to_vec(),
     ]
     .concat()
 }

@@ -2,9 +2,8 @@
 //! forms.
 
 use crate::linkages::{compare, history};
-use models::FourBar;
-use sim::{Mechanism, Method, Settings, Table, mechanism};
-use tests::{Random, reference, run, run_with};
+use sim::{Method, Settings, Table, mechanism};
+use tests::{reference, run, run_with};
 
 mechanism! {
     /// The four-bar of the models with an auxiliary displacement in each pin: in O2 of the crank from the ground, in A of the
@@ -115,22 +114,6 @@ fn the_pins_of_a_four_bar_in_absolute_coordinates() {
     );
     let columns: Vec<_> = (0..8).map(|i| (names[i].as_str(), quantities[i].as_str(), 1.0)).collect();
     compare(&run, &reference("fourbar_free.json"), &columns);
-}
-
-/// What is asked of pins changes no bit of the motion.
-#[test]
-fn auxiliary_displacements_change_no_other_kernel() {
-    let mut random = Random(5);
-    let (plain, pins) = (FourBar::default(), FourBarPins::default());
-    for _ in 0..100 {
-        let q: [f64; 3] = std::array::from_fn(|_| random.between(-3.0, 3.0));
-        let qd: [f64; 3] = std::array::from_fn(|_| random.between(-9.0, 9.0));
-        let (a, b) = (Mechanism::dynamics(&plain, 0.0, &q, &qd), Mechanism::dynamics(&pins, 0.0, &q, &qd));
-        assert_eq!((a.accelerations, a.multipliers, a.power), (b.accelerations, b.multipliers, b.power));
-        assert_eq!(plain.mass_matrix(0.0, &q), pins.mass_matrix(0.0, &q));
-        assert_eq!(plain.constraint_convective(0.0, &q, &qd), pins.constraint_convective(0.0, &q, &qd));
-        assert_eq!(plain.generalized_forces(0.0, &q, &qd), pins.generalized_forces(0.0, &q, &qd));
-    }
 }
 
 mechanism! {

@@ -100,7 +100,7 @@ pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
     Ok(())
 }
 
-fn colon(input: ParseStream, advice: &str) -> Result<()> {
+pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
     if input.parse::<Option<Token![:]>>()?.is_none() {
         return Err(here(input, advice));
     }
@@ -133,9 +133,16 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
-    let mut body = Body { name, mass: None, inertia: None, angle: None };
+    let mut body = Body { name, mass: None, inertia: None, angle: None, free: None };
     loop {
-        let word = keyword(input, &["mass", "inertia", "angle"])?;
+        let word = keyword(input, &["mass", "inertia", "angle", "free"])?;
+        if word == "free" {
+            body.free = Some(Region::from(&word));
+            match input.parse::<Option<Token![,]>>()? {
+                Some(_) => continue,
+                None => return Ok(body),
+            }
+        }
         let value = expression(input)?;
         let twice = match word.to_string().as_str() {
             "mass" => {
@@ -165,12 +172,17 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
 
 /// An equation, and whether it holds at the start if events switch it.
 pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
-    let mut equation = equation(input)?;
-    if accept_word(input, "initially")? {
-        let word = keyword(input, &["active", "released"])?;
-        equation.initially = Some(if word == "active" { Activity::Active } else { Activity::Released });
+    let equation = equation(input)?;
+    Ok(Equation { initially: initially(input)?, ..equation })
+}
+
+/// `initially active`, or `initially released`.
+pub(super) fn initially(input: ParseStream) -> Result<Option<Activity>> {
+    if !accept_word(input, "initially")? {
+        return Ok(None);
     }
-    Ok(equation)
+    let word = keyword(input, &["active", "released"])?;
+    Ok(Some(if word == "active" { Activity::Active } else { Activity::Released }))
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

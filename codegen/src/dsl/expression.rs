@@ -10,7 +10,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 13] = [
+const FOLLOWING_WORDS: [&str; 14] = [
     "at",
     "on",
     "along",
@@ -20,6 +20,7 @@ const FOLLOWING_WORDS: [&str; 13] = [
     "to",
     "between",
     "and",
+    "through",
     "initially",
     "rising",
     "falling",
@@ -44,6 +45,24 @@ const LANGUAGE_WORDS: [&str; 16] = [
     "damper",
     "potential",
     "dissipation",
+];
+
+/// What to write instead of words that users would try after an equation.
+const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";
+const SWITCHED: &str =
+    "a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`";
+const ADVICE: [(&str, &str); 11] = [
+    ("up", DIRECTION),
+    ("down", DIRECTION),
+    ("upwards", DIRECTION),
+    ("downwards", DIRECTION),
+    ("increasing", DIRECTION),
+    ("decreasing", DIRECTION),
+    ("crossing", DIRECTION),
+    ("active", SWITCHED),
+    ("inactive", SWITCHED),
+    ("released", SWITCHED),
+    ("when", SWITCHED),
 ];
 
 /// Reads one expression.
@@ -230,6 +249,9 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     }
     if word.span().start().line > left.region.end().end().line {
         return Err(syn::Error::new(word.span(), format!("`;` is missing at the end of the line above `{word}`")));
+    }
+    if let Some((_, advice)) = ADVICE.iter().find(|(tried, _)| word == tried) {
+        return Err(syn::Error::new(word.span(), *advice));
     }
     if LANGUAGE_WORDS.iter().any(|known| word == known) {
         return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));

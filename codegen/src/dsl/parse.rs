@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 12] = [
+const BLOCKS: [&str; 13] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -23,6 +23,7 @@ const BLOCKS: [&str; 12] = [
     "kernels",
     "auxiliary",
     "inputs",
+    "joints",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -57,7 +58,9 @@ pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(tokens.clone())?;
     let ordinary = super::reuse::expand(tokens)?;
     super::limits::check(ordinary.clone())?;
-    declaration.parse2(ordinary)
+    let mut declaration = declaration.parse2(ordinary)?;
+    super::free::give_coordinates(&mut declaration)?;
+    super::frame::write_out(declaration)
 }
 
 fn head(input: ParseStream) -> Result<Head> {
@@ -96,6 +99,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         kernels: None,
         auxiliary: vec![],
         inputs: vec![],
+        joints: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -147,6 +151,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
+        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }

@@ -33,6 +33,8 @@ pub struct Declaration {
     pub kernels: Option<Vec<OptionalKernel>>,
     /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
     pub auxiliary: Vec<Auxiliary>,
+    /// `joints { .. }`; none once they are written out as constraints.
+    pub joints: Vec<super::Joint>,
 }
 
 /// A kernel that not everyone needs.
@@ -92,6 +94,8 @@ pub struct Body {
     pub inertia: Option<Expression>,
     /// `angle phi`
     pub angle: Option<Expression>,
+    /// The word `free`: it has a place and an angle of its own.
+    pub free: Option<Region>,
 }
 
 /// One line of `loads`.
@@ -301,6 +305,7 @@ pub enum Shape {
 }
 
 /// A scalar or vector expression.
+#[derive(Clone)]
 pub struct Expression {
     /// Where it stands.
     pub region: Region,
@@ -326,6 +331,7 @@ impl Expression {
 }
 
 /// What an expression is.
+#[derive(Clone)]
 pub enum Kind {
     /// `0.2` or `75 [rpm]`
     Number {

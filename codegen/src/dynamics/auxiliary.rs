@@ -6,7 +6,7 @@
 
 use super::rows::{LoadRow, load_rows};
 use super::variables::inner;
-use crate::model::{Auxiliary, Level, Model};
+use crate::model::{Auxiliary, Event, EventStep, Level, Model};
 use crate::symbolic::{Differential, Expr, Symbol, substitute, transplant};
 use rustc_hash::FxHashMap;
 
@@ -81,4 +81,23 @@ pub(super) fn enter(model: &mut Model, values: &mut [Expr]) {
     for (output, value) in model.outputs.iter_mut().zip(entered) {
         output.value = value;
     }
+    let values: Vec<Expr> = of_events(&mut model.events).into_iter().map(|value| *value).collect();
+    let entered = substitute(&mut model.graph, &values, &forces);
+    of_events(&mut model.events).into_iter().zip(entered).for_each(|(value, entered)| *value = entered);
+}
+
+/// Conditions of events, and what their actions need.
+fn of_events(events: &mut [Event]) -> Vec<&mut Expr> {
+    let mut values = Vec::new();
+    for event in events {
+        values.push(&mut event.value);
+        for step in &mut event.steps {
+            match step {
+                EventStep::Set(settings) => values.extend(settings.iter_mut().map(|(_, value)| value)),
+                EventStep::Impact(impacts) => values.extend(impacts.iter_mut().map(|(_, value)| value)),
+                EventStep::Stop(_) | EventStep::Switch(_) => {}
+            }
+        }
+    }
+    values
 }

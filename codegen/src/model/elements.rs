@@ -23,8 +23,8 @@ pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effo
     Some(Effort { force: i.graph.integer(-1), along })
 }
 
-/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein, Poole, Safko: Classical Mechanics, 3rd ed.,
-/// (1.69)).
+/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein,
+/// Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
 pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i: &mut Interpreter) -> Vec<Effort> {
     let power = Some(Dimension::energy().over(&Dimension::time()));
     let Some(value) = load_scalar(function, power, "a dissipation function", i) else { return vec![] };

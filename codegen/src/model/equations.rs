@@ -39,7 +39,11 @@ pub(super) fn resolve_constraints(
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
     }
-    for (auxiliary, force) in declaration.auxiliary.iter().zip(conjugate) {
+    for (k, (auxiliary, force)) in declaration.auxiliary.iter().zip(conjugate).enumerate() {
+        // Two of one name are a mistake that is known.
+        if declaration.auxiliary[..k].iter().any(|other| other.name == auxiliary.name) {
+            continue;
+        }
         reactions.define(&auxiliary.name, Some(force.clone()), &mut i.mistakes);
     }
     i.reactions = Some(reactions);

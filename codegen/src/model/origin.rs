@@ -244,7 +244,7 @@ fn bare_number(expression: &Expression) -> Option<(&Expression, &str)> {
             let is_zero = !literal.contains(|c| ('1'..='9').contains(&c));
             (!is_zero).then_some((expression, literal))
         }
-        Kind::Negate(operand) => bare_number(operand),
+        Kind::Negate(operand) | Kind::Component(operand, _) => bare_number(operand),
         Kind::Vector(components) => components.iter().find_map(bare_number),
         Kind::Binary(Operator::Multiply, left, _) => bare_number(left),
         Kind::Binary(Operator::Add | Operator::Subtract, left, right) => {

@@ -180,7 +180,7 @@ pub(super) fn check_coordinates_used(
     }
     let used = i.graph.symbols_of(&roots);
     for (c, written) in coordinates.iter().zip(&declaration.coordinates) {
-        if !used.contains(&c.position) {
+        if !used.contains(&c.position) && !used.contains(&c.speed) {
             i.mistakes.add(Region::from(&written.name).error(format!(
                 "coordinate `{}` moves no body and stands in no constraint; use it or leave it out",
                 c.name

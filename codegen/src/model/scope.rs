@@ -10,7 +10,7 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 /// Functions of the language that are not functions of the engine.
-pub(super) const OTHER_FUNCTIONS: [&str; 7] = ["atan2", "sqrt", "norm", "inner", "dot", "ddot", "reaction"];
+pub(super) const OTHER_FUNCTIONS: [&str; 8] = ["atan2", "sqrt", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {

@@ -178,7 +178,6 @@ impl<'d> Interpreter<'d> {
         value
     }
 
-    /// Coordinate number `index`.
     /// Everything that moves: coordinates, and auxiliary displacements where they are variables.
     pub(super) fn moving(&self) -> Vec<Jet> {
         let coordinates = self.setting.motion.iter().flat_map(|(coordinates, _)| coordinates);

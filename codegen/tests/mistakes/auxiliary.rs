@@ -39,10 +39,10 @@ fn auxiliary_displacements() {
         "s [m];",
         displaced,
         "pin [N] = reaction(r);",
-        &["9:30 no constraint or auxiliary displacement is called `r` (did you mean `s`?)"],
+        &["9:30 no constraint or auxiliary displacement is called `r`; declared: `s`"],
     );
     check("s [m];", "[1/s, 0] + l*[sin(phi), -cos(phi)]", "pin [N] = reaction(s);", &["5:12 division by zero"]);
-    check("t [s];", displaced, "x = 1;", &["4:13 `t` is time in the language; choose another name"]);
+    check("t [s]; s [m];", displaced, "x = 1;", &["4:13 `t` is time in the language; choose another name"]);
     check(
         "s [m]; s [m];",
         displaced,

@@ -1,10 +1,10 @@
 //! Constraints between speeds.
 
-use super::check_without_units;
+use super::check_without_units as check;
 
 /// In place of the block of start values.
 fn constraint(written: &str, expected: &[&str]) {
-    check_without_units("initial {", &format!("constraints {{ {written} }} initial {{"), expected);
+    check("initial {", &format!("constraints {{ {written} }} initial {{"), expected);
 }
 
 #[test]

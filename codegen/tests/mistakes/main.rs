@@ -13,6 +13,7 @@ mod constraints_in_speeds;
 mod elements;
 mod events;
 mod expressions;
+mod joints;
 mod loads;
 mod names;
 mod new_users;

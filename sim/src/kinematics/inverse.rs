@@ -9,7 +9,7 @@ use sim_kernel::{Array, Mechanism};
 
 /// A determinant this small beside the product of its columns' lengths is zero: of what would be divided by it, fewer than
 /// six digits were left.
-const SINGULAR: f64 = 1e-10;
+pub(super) const SINGULAR: f64 = 1e-10;
 
 /// A motion that drives prescribe.
 #[derive(Clone, Debug)]
@@ -80,7 +80,7 @@ pub(super) fn prescribed<M: Mechanism>(
         return Err(Failure::at::<M>(What::NotFinite { quantity: "a load".into() }, time, q));
     }
     let multipliers = linear.jacobian.transpose().lu().solve(&rest).ok_or_else(singular)?;
-    let (lambda, reactions) = system.split(&multipliers);
+    let (lambda, reactions) = system.split(&multipliers, q, p);
     let forces: Vec<f64> = reactions.iter().map(|reaction| -reaction).collect();
     let driving: f64 = forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
     let power = mechanism.power(time, q, &qd, &qdd, &lambda) + driving;

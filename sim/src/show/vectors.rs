@@ -119,6 +119,7 @@ mod declared {
                         arrows.push(load_arrow(format!("weight of {body}"), weight, point));
                     }
                 }
+                // Their forces follow from an energy, or act along two points or an angle.
                 Load::Torque { .. } | Load::Potential(_) | Load::Dissipation(_) | Load::Element(_) => {}
             }
         }

@@ -18,7 +18,7 @@
 /// [
 ///     m, 0, 0;
 ///     0, m, floor_activity;
-///     0, floor_activity, 0
+///     0, floor_activity, floor_activity - 1
 /// ] * [x_ddot; y_ddot; lambda_floor] = [0; -m*g; 0]
 ///
 /// mass_matrix = [m, 0; 0, m]

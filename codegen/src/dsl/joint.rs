@@ -1,0 +1,121 @@
+//! Lines of the `joints` block: the joints of planar linkages by name.
+
+use super::block::{colon, docs, expect_word, initially, keyword, name};
+use super::expression::expression;
+use super::region::here;
+use super::{Activity, Expression};
+use syn::Ident;
+use syn::parse::{ParseStream, Result};
+
+/// `pin_A: pin P to Q;`
+pub struct Joint {
+    /// Its name, which its constraints take.
+    pub name: Ident,
+    /// What it is.
+    pub kind: JointKind,
+    /// `initially released`, on a joint that events switch.
+    pub initially: Option<Activity>,
+}
+
+/// A kind of joint, with what it joins.
+pub enum JointKind {
+    /// `pin P to Q`: the points coincide.
+    Pin(Expression, Expression),
+    /// `link P to Q, length l`: the points keep their distance.
+    Link(Expression, Expression, Expression),
+    /// `slot P through O along beta`: the point stays on a line.
+    Slot(Expression, Guide),
+    /// `slide body through O along beta`: the body's centre stays on a line, and its angle is that of the line.
+    Slide(Ident, Guide),
+    /// `gear a radius r to b radius s`: angles turn against each other.
+    Gear([(Ident, Expression); 2]),
+    /// `rack P through O along beta on wheel radius r`: the point moves along a line as the wheel turns.
+    Rack(Expression, Guide, Ident, Expression),
+    /// `roll wheel radius r along beta`: the wheel does not slip on ground of that direction.
+    Roll(Ident, Expression, Expression),
+}
+
+/// `through O along beta`: a line.
+pub struct Guide {
+    /// A point on it.
+    pub through: Expression,
+    /// Its direction.
+    pub along: Expression,
+}
+
+const FORM: &str =
+    "a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack` or `roll`";
+
+/// Reads a joint.
+pub(super) fn joint(input: ParseStream) -> Result<Joint> {
+    docs(input)?;
+    let name = name(input, FORM)?;
+    colon(input, FORM)?;
+    let word = keyword(input, &["pin", "link", "slot", "slide", "gear", "rack", "roll"])?;
+    let kind = match word.to_string().as_str() {
+        "pin" => pin(input)?,
+        "link" => link(input)?,
+        "slot" => JointKind::Slot(expression(input)?, guide(input, "slot P through O along beta;")?),
+        "slide" => JointKind::Slide(body(input)?, guide(input, "slide rod through O along beta;")?),
+        "gear" => gear(input)?,
+        "rack" => rack(input)?,
+        _ => roll(input)?,
+    };
+    Ok(Joint { name, kind, initially: initially(input)? })
+}
+
+fn body(input: ParseStream) -> Result<Ident> {
+    name(input, "a body, by its name")
+}
+
+fn pin(input: ParseStream) -> Result<JointKind> {
+    let first = expression(input)?;
+    expect_word(input, "to", "pin P to Q;")?;
+    Ok(JointKind::Pin(first, expression(input)?))
+}
+
+fn link(input: ParseStream) -> Result<JointKind> {
+    const FORM: &str = "link P to Q, length l;";
+    let first = expression(input)?;
+    expect_word(input, "to", FORM)?;
+    let second = expression(input)?;
+    if input.parse::<Option<syn::Token![,]>>()?.is_none() {
+        return Err(here(input, format!("expected `, length l`: `{FORM}`")));
+    }
+    expect_word(input, "length", FORM)?;
+    Ok(JointKind::Link(first, second, expression(input)?))
+}
+
+fn guide(input: ParseStream, form: &str) -> Result<Guide> {
+    expect_word(input, "through", form)?;
+    let through = expression(input)?;
+    expect_word(input, "along", form)?;
+    Ok(Guide { through, along: expression(input)? })
+}
+
+fn radius(input: ParseStream, form: &str) -> Result<Expression> {
+    expect_word(input, "radius", form)?;
+    expression(input)
+}
+
+fn gear(input: ParseStream) -> Result<JointKind> {
+    const FORM: &str = "gear sun radius r to planet radius s;";
+    let first = (body(input)?, radius(input, FORM)?);
+    expect_word(input, "to", FORM)?;
+    Ok(JointKind::Gear([first, (body(input)?, radius(input, FORM)?)]))
+}
+
+fn rack(input: ParseStream) -> Result<JointKind> {
+    const FORM: &str = "rack P through O along beta on wheel radius r;";
+    let point = expression(input)?;
+    let guide = guide(input, FORM)?;
+    expect_word(input, "on", FORM)?;
+    Ok(JointKind::Rack(point, guide, body(input)?, radius(input, FORM)?))
+}
+
+fn roll(input: ParseStream) -> Result<JointKind> {
+    const FORM: &str = "roll wheel radius r along beta;";
+    let (wheel, radius) = (body(input)?, radius(input, FORM)?);
+    expect_word(input, "along", FORM)?;
+    Ok(JointKind::Roll(wheel, radius, expression(input)?))
+}
