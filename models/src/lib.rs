@@ -4,6 +4,7 @@
 
 mod andrews;
 mod bouncing_ball;
+mod cart_pole;
 mod double_pendulum;
 mod four_bar;
 mod four_bars;
@@ -21,6 +22,7 @@ mod whitworth;
 
 pub use andrews::*;
 pub use bouncing_ball::*;
+pub use cart_pole::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use four_bars::*;
@@ -55,6 +57,7 @@ macro_rules! all_models {
             $crate::FourBars,
             $crate::SpringFollower,
             $crate::HalfCar,
+            $crate::CartPole,
             $crate::Skate,
             $crate::BouncingBall
         )

@@ -55,7 +55,7 @@ pub(crate) fn project_measured<M: Mechanism>(
     let open = rates::<M>(&found.linear, &state.speeds);
     let serves =
         !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
-    let factors = if serves { found.factors } else { factorise_again::<M>(&found.linear, time, q)? };
+    let factors = if serves { found.factors } else { factorise_again::<M>(&found.linear.jacobian, time, q)? };
     if !factors.is_regular() && factors.dependent().count() > redundant {
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
         return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
@@ -101,7 +101,7 @@ pub fn project_velocities<M: Mechanism>(
     if M::L::LEN == 0 {
         return Ok(());
     }
-    let factors = factorise::<M>(linear, time, q)?;
+    let factors = factorise::<M>(&linear.jacobian, time, q)?;
     correct_speeds::<M>(linear, &factors, &rates::<M>(linear, qd), time, q, qd)
 }
 
@@ -139,9 +139,16 @@ struct Corrected<M: Mechanism> {
 #[inline]
 fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Corrected<M>, Failure> {
     let (linear, (factors, last_change)) = correct(mechanism, time, q, |linear, q| {
-        let between_positions = Linearization::<M> { jacobian: between_positions::<M>(&linear.jacobian), ..*linear };
-        let factors = factorise::<M>(&between_positions, time, q)?;
-        let change = least_change::<M>(&between_positions, &factors, linear.values);
+        let without_speed_rows;
+        let jacobian = match has_speed_rows::<M>() {
+            false => &linear.jacobian,
+            true => {
+                without_speed_rows = between_positions::<M>(&linear.jacobian);
+                &without_speed_rows
+            }
+        };
+        let factors = factorise::<M>(jacobian, time, q)?;
+        let change = least_change::<M>(jacobian, &factors, linear.values);
         let size = change.iter().fold(0.0f64, |size, change| size.max(change.abs()));
         Ok((change, (factors, size)))
     })?;
@@ -194,8 +201,7 @@ fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bo
 
 /// The factors of C_q C_q'.
 #[inline(always)]
-fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    let jacobian = &linear.jacobian;
+fn factorise<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
     let mut gram = M::LL::filled(M::L::filled(0.0));
     for i in 0..M::L::LEN {
         for j in 0..=i {
@@ -209,15 +215,15 @@ fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Re
 }
 
 #[inline(never)]
-fn factorise_again<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    factorise::<M>(linear, time, q)
+fn factorise_again<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    factorise::<M>(jacobian, time, q)
 }
 
 /// C_q' (C_q C_q')^-1 r.
 #[inline]
-fn least_change<M: Mechanism>(linear: &Linearization<M>, factors: &Factors<M>, residual: M::L) -> M::Q {
+fn least_change<M: Mechanism>(jacobian: &M::LQ, factors: &Factors<M>, residual: M::L) -> M::Q {
     let weights = factors.solve(residual);
-    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| linear.jacobian[i][j] * weights[i]).sum())
+    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| jacobian[i][j] * weights[i]).sum())
 }
 
 #[inline]
@@ -229,7 +235,7 @@ fn correct_speeds<M: Mechanism>(
     q: &M::Q,
     qd: &mut M::Q,
 ) -> Result<(), Failure> {
-    subtract(qd, &least_change::<M>(linear, factors, *open));
+    subtract(qd, &least_change::<M>(&linear.jacobian, factors, *open));
     match factors.is_regular() {
         true => Ok(()),
         false => check_dependent_rates::<M>(linear, time, q, qd),

@@ -329,6 +329,7 @@ macro_rules! all_mechanisms {
             models::FourBars,
             models::SpringFollower,
             models::HalfCar,
+            models::CartPole,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,

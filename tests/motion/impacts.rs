@@ -137,7 +137,7 @@ fn what_holds_at_the_start_happens_if_it_goes_on() {
         let landings = times(&run, "landing");
         assert!((landings[0] - first).abs() < 1e-11, "{landings:?}");
         let after = if speed > 0.0 { landings[0] } else { 2.0 * 0.8 * 2.0 / G };
-        assert!((landings.iter().find(|time| (**time - after).abs() < 1e-11)).is_some(), "{landings:?}");
+        assert!(landings.iter().any(|time| (time - after).abs() < 1e-11), "{landings:?}");
         let flight = landings[landings.iter().position(|time| (time - after).abs() < 1e-11).unwrap() + 1] - after;
         assert!((flight - 2.0 * rebound / G).abs() < 1e-11, "{flight}");
     }
@@ -205,8 +205,8 @@ mechanism! {
 /// m (y'' + g) = 0 where sin(w t) = g/(a w^2); then free flight, to where the table meets it again.
 #[test]
 fn a_block_leaves_its_table_where_the_reaction_vanishes() {
-    let (a, w) = (0.05, 20.0);
-    let lift = (G / (a * w * w) as f64).asin() / w;
+    let (a, w) = (0.05f64, 20.0);
+    let lift = (G / (a * w * w)).asin() / w;
     let (height, speed) = (a * (w * lift).sin(), a * w * (w * lift).cos());
     let apart = |t: f64| height + speed * (t - lift) - G / 2.0 * (t - lift).powi(2) - a * (w * t).sin();
     let (mut above, mut below) = (lift + 0.05, lift + 0.3);

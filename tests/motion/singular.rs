@@ -39,9 +39,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = A + a*[cos(rod), -sin(rod)];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle rod;
-        slider: mass 0.4 at [x, 0];
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle rod;
+        slider: mass 0.4 [kg] at [x, 0];
     }
     loads { gravity [0, -g]; }
     constraints { pin: B = [x, 0]; }
@@ -56,9 +56,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = [2*a*cos(crank), 0];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle crank;
-        slider: mass 0.4 at B;
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle crank;
+        slider: mass 0.4 [kg] at B;
     }
     loads { gravity [0, -g]; }
     initial { crank = 0.3; dot(crank) = w; }

@@ -1,6 +1,7 @@
 //! Stage 1: text to parsed declaration, with the place of every word kept.
 
 mod block;
+mod choice;
 mod declarations;
 mod event;
 mod expression;

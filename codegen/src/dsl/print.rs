@@ -1,11 +1,12 @@
 //! Expressions as text, for messages: with the spaces of the documents and no more parentheses than needed.
 
-use super::{Expression, Kind, Operator};
+use super::{Comparison, Expression, Kind, Operator};
 use std::fmt::{Display, Formatter, Result};
 
 /// How tightly an expression holds together, as the parser reads it.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Binding {
+    Choice,
     Sum,
     Product,
     Sign,
@@ -22,6 +23,15 @@ impl Display for Expression {
             Kind::Vector(components) => write!(f, "[{}]", list(components)),
             Kind::Call(function, arguments) => write!(f, "{function}({})", list(arguments)),
             Kind::Component(vector, name) => write!(f, "{}.{name}", within(vector, Binding::Atom)),
+            Kind::If(choice) => {
+                let sign = match choice.comparison {
+                    Comparison::Greater => ">",
+                    Comparison::Less => "<",
+                    Comparison::AtLeast => ">=",
+                    Comparison::AtMost => "<=",
+                };
+                write!(f, "if {} {sign} {} then {} else {}", choice.left, choice.right, choice.yes, choice.no)
+            }
             Kind::Negate(operand) => write!(f, "-{}", within(operand, Binding::Sign)),
             Kind::Binary(operator, left, right) => {
                 let (sign, at_left, at_right) = match operator {
@@ -47,6 +57,7 @@ fn within(expression: &Expression, least: Binding) -> String {
 
 fn binding(expression: &Expression) -> Binding {
     match &expression.kind {
+        Kind::If(_) => Binding::Choice,
         Kind::Binary(Operator::Add | Operator::Subtract, ..) => Binding::Sum,
         Kind::Binary(Operator::Multiply | Operator::Divide, ..) => Binding::Product,
         Kind::Binary(Operator::Power, ..) => Binding::Power,
@@ -68,12 +79,9 @@ impl Expression {
     /// The names in it, in order; `reaction(c)` counts as one.
     pub fn names(&self) -> Vec<&Expression> {
         match &self.kind {
-            Kind::Number { .. } => vec![],
             Kind::Name(_) => vec![self],
             Kind::Call(function, _) if function == "reaction" => vec![self],
-            Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().flat_map(Expression::names).collect(),
-            Kind::Negate(part) | Kind::Component(part, _) => part.names(),
-            Kind::Binary(_, left, right) => [left.names(), right.names()].concat(),
+            _ => self.parts().into_iter().flat_map(Expression::names).collect(),
         }
     }
 }

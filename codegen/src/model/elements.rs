@@ -7,7 +7,7 @@ use super::loads::load_level;
 use super::value::Value;
 use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
-use crate::symbolic::{Differential, Expr, Number, Symbol};
+use crate::symbolic::{Differential, Expr, Function, Number, Symbol};
 
 /// How far a spring is from where it has no force, in the law of its force.
 const STRETCH: &str = "stretch";
@@ -57,6 +57,7 @@ pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> 
             along.map(|along| Effort { force, along: along.value })
         }
         Law::Spring(law, rest) => spring(law, rest, along, i),
+        Law::Friction(force, smooth) => friction(force, smooth, along, i),
         Law::Damper(law) => damper(law, along, i),
     }
 }
@@ -77,6 +78,10 @@ impl Along {
 
     fn stiffness(&self) -> Option<Dimension> {
         Some(self.force()?.over(self.dimension.as_ref()?))
+    }
+
+    fn rate(&self) -> Option<Dimension> {
+        Some(self.dimension.as_ref()?.over(&Dimension::time()))
     }
 
     fn damping(&self) -> Option<Dimension> {
@@ -198,14 +203,32 @@ fn damper(law: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option
     Some(Effort { force: i.graph.neg(force), along: along.value })
 }
 
+/// -F tanh(x'/v0): Coulomb's friction, but for speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models for
+/// sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
+fn friction(force: &Expression, smooth: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+    let (needed_force, of_force) = needed("the size of friction", along.as_ref(), Along::force);
+    let (needed_speed, of_speed) = needed("the speed within which friction is smoothed", along.as_ref(), Along::rate);
+    let size = load_scalar(force, needed_force, &of_force, i);
+    let speed = load_scalar(smooth, needed_speed, &of_speed, i);
+    let (size, speed, along) = (size?, speed?, along?);
+    if i.graph.is_zero(speed) {
+        let message = "the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated";
+        return i.refuse(smooth.region, message);
+    }
+    let rate = rate_of(&along, i);
+    let ratio = i.graph.div(rate, speed);
+    let part = i.graph.call(Function::Tanh, ratio);
+    let force = i.graph.mul(size, part);
+    Some(Effort { force: i.graph.neg(force), along: along.value })
+}
+
 fn rate_of(along: &Along, i: &mut Interpreter) -> Expr {
     let Interpreter { graph, motion, .. } = i;
     motion.of(graph, along.value)
 }
 
 fn rate_word(along: &Along, i: &mut Interpreter) -> (&'static str, Value) {
-    let dimension = along.dimension.as_ref().map(|d| d.over(&Dimension::time()));
-    (RATE, Value::scalar(rate_of(along, i), dimension))
+    (RATE, Value::scalar(rate_of(along, i), along.rate()))
 }
 
 /// A law with the words that stand in it alone.

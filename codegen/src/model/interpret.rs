@@ -88,6 +88,7 @@ impl Interpreter {
             Kind::Binary(operator, left, right) => self.binary(*operator, left, right),
             Kind::Call(function, arguments) => self.call(region, function, arguments),
             Kind::Component(vector, name) => self.component(vector, name),
+            Kind::If(choice) => self.choice(choice),
         }?;
         self.check_constants(region, &value.components())?;
         value.dimension = value.dimension.filter(|_| self.with_units);
@@ -262,11 +263,12 @@ impl Interpreter {
 
     fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
         let text = plain(name);
-        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text && *f != Function::Sign) {
+        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text) {
             let [argument] = self.arguments(region, &text, arguments, ["x"])?;
             let (x, dimension) = self.scalar_value(argument)?;
             let dimension = match function {
                 Function::Abs => dimension,
+                Function::Sign => Some(Dimension::none()),
                 _ => {
                     self.expect_pure(&text, Measured { expression: argument, dimension: &dimension })?;
                     Some(Dimension::none())
@@ -289,6 +291,8 @@ impl Interpreter {
                 self.common_dimension(y, x, "`atan2(y, x)` takes two of one dimension")?;
                 Some(Value::scalar(self.graph.atan2(of_y, of_x), Some(Dimension::none())))
             }
+            "min" => self.extreme(region, &text, arguments, Graph::min),
+            "max" => self.extreme(region, &text, arguments, Graph::max),
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
                 let (a, dimension) = self.point_value(a)?;

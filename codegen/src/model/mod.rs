@@ -3,6 +3,7 @@
 
 mod auxiliary;
 mod bodies;
+mod choice;
 mod dependence;
 mod dimension;
 mod drawing;

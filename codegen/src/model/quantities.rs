@@ -146,7 +146,6 @@ pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Ve
 fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> {
     use dsl::Kind;
     match &expression.kind {
-        Kind::Number { .. } => None,
         Kind::Name(name) => {
             let at = later.iter().position(|definition| definition.name == *name)?;
             let message = match at {
@@ -155,9 +154,7 @@ fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> 
             };
             Some(Region::from(name).error(message))
         }
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().find_map(|part| later_use(part, later)),
-        Kind::Negate(part) | Kind::Component(part, _) => later_use(part, later),
-        Kind::Binary(_, left, right) => later_use(left, later).or_else(|| later_use(right, later)),
+        _ => expression.parts().into_iter().find_map(|part| later_use(part, later)),
     }
 }
 

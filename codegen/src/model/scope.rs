@@ -10,7 +10,8 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 /// Functions of the language that are not functions of the engine.
-pub(super) const OTHER_FUNCTIONS: [&str; 8] = ["atan2", "sqrt", "norm", "inner", "dot", "ddot", "reaction", "on"];
+pub(super) const OTHER_FUNCTIONS: [&str; 10] =
+    ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {
@@ -108,7 +109,7 @@ fn is_function(name: &str) -> bool {
 
 /// The functions a user may call.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
-    Function::ALL.into_iter().filter(|f| *f != Function::Sign).map(Function::name).chain(OTHER_FUNCTIONS)
+    Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }
 
 /// Coordinates, parameters and `let`s.

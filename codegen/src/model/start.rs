@@ -88,9 +88,7 @@ fn is_of_numbers(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { .. } => true,
         Kind::Name(name) => name == "pi" || name == "e",
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_of_numbers),
-        Kind::Negate(part) | Kind::Component(part, _) => is_of_numbers(part),
-        Kind::Binary(_, left, right) => is_of_numbers(left) && is_of_numbers(right),
+        _ => expression.parts().into_iter().all(is_of_numbers),
     }
 }
 
@@ -103,8 +101,6 @@ fn has_unit(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { unit, .. } => unit.is_some(),
         Kind::Name(_) => false,
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().any(has_unit),
-        Kind::Negate(part) | Kind::Component(part, _) => has_unit(part),
-        Kind::Binary(_, left, right) => has_unit(left) || has_unit(right),
+        _ => expression.parts().into_iter().any(has_unit),
     }
 }

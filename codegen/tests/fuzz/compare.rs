@@ -66,7 +66,7 @@ fn si_factor(unit: &dsl::Unit) -> f64 {
 fn compare(declaration: &dsl::Declaration, state: &State, found: &[(String, Vec<f64>)]) -> (f64, String, bool) {
     let oracle = Oracle::new(declaration, &si_factor);
     let State { time, parameters, coordinates, speeds } = state;
-    let at = oracle::State { time: *time, parameters, inputs: &[], coordinates, speeds };
+    let at = oracle::State { time: *time, parameters, coordinates, speeds, inputs: &[None] };
     let terms = oracle.terms(&at).unwrap();
     let values = |name: &str| &found.iter().find(|(known, _)| known == name).unwrap().1;
     let mut worst = (0.0f64, String::new());

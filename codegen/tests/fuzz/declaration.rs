@@ -40,7 +40,7 @@ impl Writer {
         if self.random.once_in(2) {
             text += &self.fragment();
         }
-        text += "auxiliary { cut; }\n";
+        text += "auxiliary { cut; } inputs { drive = sin(p1*t)/2; }\n";
         text += &self.bodies();
         text += &self.loads();
         let constraints = self.constraints();
@@ -111,7 +111,7 @@ impl Writer {
     }
 
     fn loads(&mut self) -> String {
-        let mut text = String::from("loads { gravity [0, -9.81];\n");
+        let mut text = String::from("loads { gravity [0, -9.81]; force drive on q_1;\n");
         for _ in 0..self.random.below(3) {
             let (x, y, at) = (self.rate(2), self.scalar(2), self.vector(1));
             text += &format!("force [{x}, {y}] at {at};\n");
@@ -129,12 +129,12 @@ impl Writer {
     fn element(&mut self) -> String {
         let coordinate = self.random.pick(&self.coordinates).clone();
         match self.random.below(6) {
-            0 => format!("spring p1, rest {} on {};\n", self.scalar(0), self.scalar(2)),
+            0 => format!("spring p1, rest {} on {coordinate} + {};\n", self.scalar(0), self.scalar(2)),
             1 => format!("spring p2*stretch^3, rest 0.3 between {} and {coordinate};\n", self.scalar(1)),
             2 => format!("spring p1, length 0.4 from {} to [9 + {coordinate}, 7];\n", self.vector(1)),
-            3 => format!("damper p3*rate*abs(rate) on {};\n", self.scalar(2)),
-            4 => format!("potential {};\n", self.scalar(2)),
-            _ => format!("dissipation p2/2*dot({})^2;\n", self.scalar(1)),
+            3 => format!("damper p3*rate*abs(rate) on {coordinate} - {};\n", self.scalar(2)),
+            4 => format!("potential {coordinate}*({});\n", self.scalar(2)),
+            _ => format!("dissipation p2/2*dot({coordinate}*({}))^2;\n", self.scalar(1)),
         }
     }
 

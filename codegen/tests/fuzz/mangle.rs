@@ -25,7 +25,8 @@ fn declarations() -> Vec<TokenStream> {
     models.sort();
     let mut texts: Vec<String> = models.iter().map(|path| fs::read_to_string(path).unwrap()).collect();
     let reference = fs::read_to_string(workspace.join("LANGUAGE.md")).unwrap();
-    texts.extend(reference.split("```rust\n").skip(1).filter_map(|rest| Some(rest.split("```").next()?.to_owned())));
+    let examples = reference.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next());
+    texts.extend(examples.filter(|text| text.contains("mechanism!")).map(str::to_owned));
     let random = (0..20).map(|seed| declaration("Fuzz", seed));
     texts.iter().cloned().chain(random).flat_map(|text| codegen::dsl::declarations(&text).unwrap()).collect()
 }

@@ -18,7 +18,7 @@ fn loads() {
         "gravity [0, -g]",
         "gravitation [0, -g]",
         &[
-            "6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`",
+            "6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`, `friction`",
         ],
     );
     check("gravity [0, -g]", "torque 3 [N*m] on bop", &["6:27 no body is called `bop` (did you mean `bob`?)"]);

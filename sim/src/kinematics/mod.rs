@@ -10,7 +10,7 @@ mod system;
 mod tabulate;
 
 use crate::assemble::Start;
-use crate::failure::{Failure, What, constraint_name};
+use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
 use sim_kernel::{Array, Mechanism};
