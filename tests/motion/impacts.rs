@@ -390,10 +390,10 @@ mechanism! {
     Swapped;
     coordinates { p [m]; q [m]; }
     parameters { m [kg] = 1; k [N/m] = 4; }
-    bodies { one: mass m at [p, 0]; other: mass m at [q, 1]; }
-    loads { force [-k*p, 0] at [p, 0]; force [-k*q, 0] at [q, 1]; }
+    bodies { one: mass m at [p, 0]; other: mass m at [q, 1 [m]]; }
+    loads { force [-k*p, 0] at [p, 0]; force [-k*q, 0] at [q, 1 [m]]; }
     initial { p = 1; q = -0.5; dot(q) = 0.3; }
-    events { halfway: t = 0.5 rising { swap p, q; } }
+    events { halfway: t = 0.5 [s] rising { swap p, q; } }
 }
 
 #[test]
@@ -413,9 +413,9 @@ mechanism! {
     coordinates { x [m]; }
     parameters { m [kg] = 1; }
     bodies { bead: mass m at [x, 0]; }
-    constraints { hook: x = 1 initially released; }
+    constraints { hook: x = 1 [m] initially released; }
     initial { dot(x) = 1; }
-    events { early: x = 0.9 rising { activate hook; } }
+    events { early: x = 0.9 [m] rising { activate hook; } }
 }
 
 #[test]

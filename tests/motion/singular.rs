@@ -12,9 +12,9 @@ mechanism! {
     parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
     let A = a*[cos(crank), sin(crank)];
     bodies {
-        one: inertia 0.1, angle crank;
+        one: inertia 0.1 [kg*m^2], angle crank;
         two: mass m at A + b/2*[cos(coupler), sin(coupler)], inertia m*b^2/12, angle coupler;
-        three: inertia 0.2, angle rocker;
+        three: inertia 0.2 [kg*m^2], angle rocker;
     }
     loads { gravity [0, -g]; }
     constraints { closure: A + b*[cos(coupler), sin(coupler)] = [b, 0] + a*[cos(rocker), sin(rocker)]; }
@@ -26,7 +26,7 @@ mechanism! {
     ParallelogramAlone;
     coordinates { crank [rad]; }
     parameters { a [m] = 0.2; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
-    bodies { two: mass m at a*[cos(crank), sin(crank)]; cranks: inertia 0.3, angle crank; }
+    bodies { two: mass m at a*[cos(crank), sin(crank)]; cranks: inertia 0.3 [kg*m^2], angle crank; }
     loads { gravity [0, -g]; }
     initial { crank = start; dot(crank) = w; }
 }
@@ -39,9 +39,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = A + a*[cos(rod), -sin(rod)];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle rod;
-        slider: mass 0.4 at [x, 0];
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle rod;
+        slider: mass 0.4 [kg] at [x, 0];
     }
     loads { gravity [0, -g]; }
     constraints { pin: B = [x, 0]; }
@@ -56,9 +56,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = [2*a*cos(crank), 0];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle crank;
-        slider: mass 0.4 at B;
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle crank;
+        slider: mass 0.4 [kg] at B;
     }
     loads { gravity [0, -g]; }
     initial { crank = 0.3; dot(crank) = w; }
