@@ -166,7 +166,7 @@ fn the_oracle_reads_what_is_written_out() {
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
     let oracle = Oracle::new(&declaration, &si_factor);
     let parameters = oracle.default_parameters().unwrap();
-    let at = State { time: 0.0, parameters: &parameters, coordinates: &[0.3, 0.4], speeds: &[1.0, 2.0] };
+    let at = State { time: 0.0, parameters: &parameters, inputs: &[], coordinates: &[0.3, 0.4], speeds: &[1.0, 2.0] };
     // The double pendulum of slender rods: M_12 = m l^2/2 cos(a - b).
     let expected = 0.5 * 0.36 / 2.0 * 0.1f64.cos();
     assert!((oracle.terms(&at).unwrap().mass_matrix[0][1].value - expected).abs() < 1e-15);

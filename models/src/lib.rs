@@ -6,21 +6,35 @@ mod andrews;
 mod bouncing_ball;
 mod double_pendulum;
 mod four_bar;
+mod four_bars;
+mod half_car;
+mod hanging_chain;
 mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
+mod scotch_yoke;
+mod six_bar;
 mod skate;
 mod slider_crank;
+mod spring_follower;
+mod whitworth;
 
 pub use andrews::*;
 pub use bouncing_ball::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
+pub use four_bars::*;
+pub use half_car::*;
+pub use hanging_chain::*;
 pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+pub use scotch_yoke::*;
+pub use six_bar::*;
 pub use skate::*;
 pub use slider_crank::*;
+pub use spring_follower::*;
+pub use whitworth::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
 #[macro_export]
@@ -33,8 +47,15 @@ macro_rules! all_models {
             $crate::Pendulum,
             $crate::DoublePendulum,
             $crate::FourBar,
-            $crate::Skate,
             $crate::SliderCrank,
+            $crate::ScotchYoke,
+            $crate::Whitworth,
+            $crate::SixBar,
+            $crate::HangingChain,
+            $crate::FourBars,
+            $crate::SpringFollower,
+            $crate::HalfCar,
+            $crate::Skate,
             $crate::BouncingBall
         )
     };

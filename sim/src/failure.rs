@@ -64,8 +64,8 @@ pub enum What {
     },
     /// Constraints that are independent elsewhere depend on each other here.
     #[error(
-        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here, and \
-             from here there may be more than one way to go on. Equal steps may pass it (`--method rk4 --steps N`); or change a length \
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here. It \
+             comes to rest or turns back here, or more than one way leads on, and the equations do not say which. Change a length \
              or the start a little"
     )]
     SingularPosition {

@@ -42,6 +42,8 @@ pub(crate) struct Recorder<M: Mechanism> {
     next_phase: Option<(M, State<M>)>,
     /// Whether an event has ended the run.
     has_ended: bool,
+    /// The end of the last step.
+    reached: Option<State<M>>,
 }
 
 /// Whether any event does something.
@@ -79,6 +81,7 @@ impl<M: Mechanism> Recorder<M> {
             energy_taken: 0.0,
             next_phase: None,
             has_ended: false,
+            reached: None,
         }
     }
 
@@ -168,7 +171,13 @@ impl<M: Mechanism> Recorder<M> {
         self.next_phase.take()
     }
 
+    /// Where the last step ended, unless an event has ended the run.
+    pub(crate) fn reached(&self) -> Option<State<M>> {
+        self.reached.filter(|_| !self.has_ended)
+    }
+
     pub(crate) fn watch<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<ControlFlow<()>, Failure> {
+        self.reached = Some(step.to.state);
         let first = self.events.found.len();
         self.events.search(step)?;
         let acting = self.first_acting(first);
@@ -260,7 +269,7 @@ impl<M: Mechanism> Recorder<M> {
                         break;
                     }
                     let is_end = time == step.to.state.time;
-                    let sample = if is_end { *step.to } else { step.motion.sample(step.at(time)?)? };
+                    let sample = if is_end { *step.to } else { step.sample(time)? };
                     self.samples.push(sample);
                     self.next += 1;
                 }

@@ -1,6 +1,7 @@
 //! A whole run: assemble, integrate, locate events, record, balance.
 
 use crate::assemble::{Start, assemble};
+use crate::control::{Control, Controller};
 use crate::events::Occurrence;
 use crate::failure::Failure;
 use crate::integrate::{
@@ -60,6 +61,28 @@ impl<M: Mechanism> Run<M> {
 /// # Errors
 /// If no start can be assembled. A failure on the way does not lose the run: it stands in its trajectory.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
+    run_with(mechanism, start, settings, None)
+}
+
+/// Runs a mechanism whose inputs a controller sets.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_controlled<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    settings: &Settings,
+    controller: &mut Controller<M>,
+) -> Result<Run<M>, Failure> {
+    run_with(mechanism, start, settings, Some(controller))
+}
+
+fn run_with<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    settings: &Settings,
+    controller: Option<&mut Controller<M>>,
+) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
     check_masses(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
@@ -67,7 +90,8 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
     let (mut steps, mut evaluations) = (Steps::default(), 0);
     let clock = Instant::now();
-    let ended = run_phases(mechanism, first, settings, &mut recorder, &mut steps, &mut evaluations);
+    let control = Control::new(controller, first.time);
+    let ended = run_phases(mechanism, first, settings, control, &mut recorder, &mut steps, &mut evaluations);
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
@@ -89,31 +113,44 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
     })
 }
 
-/// The motion from one event that changes something to the next; each phase is integrated afresh.
+/// The motion from one event that changes something to the next, and from one period of the controller to the next; each is
+/// integrated afresh.
 fn run_phases<M: Mechanism>(
     mut mechanism: M,
     mut state: State<M>,
     settings: &Settings,
+    mut control: Control<M>,
     recorder: &mut Recorder<M>,
     steps: &mut Steps,
     evaluations: &mut u64,
 ) -> Result<(), Failure> {
+    let begin = state.time;
+    let (mut is_phase, mut redundant) = (true, 0);
     loop {
-        let redundant = mobility(&mechanism, state.time, &state.positions).dependent.len();
+        if is_phase {
+            redundant = mobility(&mechanism, state.time, &state.positions).dependent.len();
+        }
+        mechanism = control.ask(mechanism, &state, |mechanism| {
+            Motion::with_redundant(mechanism, settings.stabilisation, redundant).sample(state)
+        })?;
+        let span = settings.until(control.holds_until(settings.end), begin);
         let motion = Motion::with_redundant(&mechanism, settings.stabilisation, redundant);
         let ended = motion.prepare(&state).and_then(|()| motion.sample(state)).and_then(|sample| {
-            recorder.start(&motion, sample)?;
+            if is_phase {
+                recorder.start(&motion, sample)?;
+            }
             match recorder.goes_on() {
-                true => integrate_by(settings.method, &motion, settings, sample, steps, recorder),
+                true => integrate_by(settings.method, &motion, &span, sample, steps, recorder),
                 false => Ok(()),
             }
         });
         *evaluations += motion.evaluations();
         ended?;
-        match recorder.next_phase() {
-            Some(next) => (mechanism, state) = next,
-            None => return Ok(()),
-        }
+        (mechanism, state, is_phase) = match (recorder.next_phase(), recorder.reached()) {
+            (Some((mechanism, state)), _) => (mechanism, state, true),
+            (None, Some(reached)) if reached.time < settings.end => (mechanism, reached, false),
+            _ => return Ok(()),
+        };
     }
 }
 
@@ -157,7 +194,7 @@ fn integrate_with<M: Mechanism>(
 
 fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> (f64, f64) {
     trajectory.with_mechanisms(mechanism).fold((0.0, 0.0), |(position, velocity), (mechanism, sample)| {
-        let (p, v) = residuals(mechanism, &sample.state);
+        let (p, v) = residuals(&mechanism, &sample.state);
         (larger(position, p), larger(velocity, v))
     })
 }

@@ -18,7 +18,7 @@ pub struct State<M: Mechanism> {
 
 impl<M: Mechanism> State<M> {
     /// The state at `time` after a change of `factor` times some rates.
-    #[inline]
+    #[inline(always)]
     pub fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> State<M> {
         State {
             time,
@@ -45,13 +45,15 @@ pub struct Sample<M: Mechanism> {
     pub multipliers: M::L,
     /// The power of loads and drives, in watts.
     pub power: f64,
+    /// The inputs of which all of this follows.
+    pub inputs: M::Inputs,
 }
 
 impl<M: Mechanism> Sample<M> {
-    /// A state with the solution of the equations of motion there.
-    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>) -> Sample<M> {
+    /// A state with the solution of the equations of motion there, at these inputs.
+    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>, inputs: M::Inputs) -> Sample<M> {
         let Dynamics { accelerations, multipliers, power, .. } = *dynamics;
-        Sample { state, accelerations, multipliers, power }
+        Sample { state, accelerations, multipliers, power, inputs }
     }
 
     /// How the state changes in time.
@@ -77,8 +79,18 @@ impl<M: Mechanism> Rates<M> {
         Rates { positions: M::Q::filled(0.0), speeds: M::Q::filled(0.0), work: 0.0 }
     }
 
+    /// These, times a factor.
+    #[inline(always)]
+    pub fn scaled(&self, factor: f64) -> Rates<M> {
+        Rates {
+            positions: M::Q::from_fn(|i| factor * self.positions[i]),
+            speeds: M::Q::from_fn(|i| factor * self.speeds[i]),
+            work: factor * self.work,
+        }
+    }
+
     /// Adds a multiple of others.
-    #[inline]
+    #[inline(always)]
     pub fn add(&mut self, weight: f64, other: &Rates<M>) {
         for i in 0..M::Q::LEN {
             self.positions[i] += weight * other.positions[i];
@@ -116,9 +128,12 @@ impl<M: Mechanism> Trajectory<M> {
         self.phases[..self.phases.partition_point(|phase| phase.first <= sample)].last()
     }
 
-    /// Each sample with the mechanism at its time; `start` is that before the first phase.
-    pub fn with_mechanisms<'t>(&'t self, start: &'t M) -> impl Iterator<Item = (&'t M, &'t Sample<M>)> {
+    /// Each sample with the mechanism at its time and its inputs; `start` is that before the first phase.
+    pub fn with_mechanisms<'t>(&'t self, start: &'t M) -> impl Iterator<Item = (M, &'t Sample<M>)> {
         let mechanism = move |index: usize| self.phase_of(index).map_or(start, |phase| &phase.mechanism);
-        self.samples.iter().enumerate().map(move |(index, sample)| (mechanism(index), sample))
+        self.samples
+            .iter()
+            .enumerate()
+            .map(move |(index, sample)| (mechanism(index).with_inputs(sample.inputs), sample))
     }
 }

@@ -62,6 +62,12 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         (p.name.to_owned(), value)
     });
     let events: Vec<Value> = run.events.iter().map(event_object).collect();
+    let singularities: Vec<Value> = run
+        .steps
+        .singularities
+        .iter()
+        .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
+        .collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -77,6 +83,7 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
+        "singularities": singularities,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,

@@ -60,7 +60,7 @@ fn solves(declaration: &str, parameters: &[f64], q: &[f64], qd: &[f64], z: &[f64
     let declaration = dsl::parse(declaration.parse().unwrap()).unwrap();
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
     let terms = Oracle::new(&declaration, &si_factor)
-        .terms(&State { time: 0.0, parameters, coordinates: q, speeds: qd })
+        .terms(&State { time: 0.0, parameters, inputs: &[], coordinates: q, speeds: qd })
         .unwrap();
     let (matrix, rhs) = system(&terms);
     let z = DVector::from_column_slice(z);

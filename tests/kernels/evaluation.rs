@@ -62,6 +62,10 @@ fn values<M: Mechanism>(
     for (i, c) in model.coordinates.iter().enumerate() {
         values.extend([(c.position, q[i]), (c.speed, qd[i]), (c.acceleration, qdd[i])]);
     }
+    for input in &model.inputs {
+        let course = evaluate(&model.graph, &[input.course], |symbol| values[&symbol])[0];
+        values.insert(input.symbol, course);
+    }
     values
 }
 

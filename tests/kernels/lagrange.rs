@@ -72,5 +72,6 @@ fn random_state(model: &Model, random: &mut Random) -> HashMap<Symbol, f64> {
         let default = evaluate(&model.graph, &[p.default], |_| f64::NAN)[0];
         state.insert(p.symbol, default * random.between(0.8, 1.2));
     }
+    state.extend(model.inputs.iter().map(|input| (input.symbol, random.between(-2.0, 2.0))));
     state
 }

@@ -177,6 +177,38 @@ mechanism! {
 }
 
 mechanism! {
+    /// A cart with two pendulums and a motor between them, pulled by an actuator, with every kind of input.
+    pub(crate) Actuated;
+    coordinates { x [m]; a [rad]; b [rad]; }
+    parameters { M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; k [N/m] = 30; size [N] = 4; }
+    inputs {
+        /// Torque of the motor.
+        tau [N*m] = 0;
+        pull [N] = size*sin(3*t)^2;
+        shift [mm] = 20;
+        gain = 1 + t;
+    }
+    let O = [x, 0];
+    let P = O + l*[sin(a), -cos(a)];
+    let Q = P + l*[sin(b), -cos(b)];
+    let drag = gain*dot(P);
+    bodies { cart: mass M at O; bob: mass m at P; tip: mass m at Q, angle b; }
+    loads {
+        gravity [0, -9.81];
+        torque tau between a and b;
+        force pull from [2, 1] to Q;
+        spring k, length 0.5 + shift from [-1, 0] to O;
+        force -drag at P;
+        torque tau^2/10*cos(b) on tip;
+        dissipation gain*dot(x)^2;
+    }
+    initial { x = 0.1; a = 0.3; b = -0.2; }
+    events { turn: dot(a) = 0; }
+    outputs { power [W] = tau*dot(b - a); stretched [m] = x + shift; acceleration [m/s^2] = ddot(x) + gain; height [m] = Q.y; }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
+mechanism! {
     /// A sled with a pole on a blade, on ice that drifts, its tip on a line: constraints between positions and between speeds.
     pub(crate) Sled;
     coordinates { x [m]; y [mm]; phi [rad]; psi [rad]; }
@@ -289,6 +321,13 @@ macro_rules! all_mechanisms {
             models::FourBar,
             models::Skate,
             models::SliderCrank,
+            models::ScotchYoke,
+            models::Whitworth,
+            models::SixBar,
+            models::HangingChain,
+            models::FourBars,
+            models::SpringFollower,
+            models::HalfCar,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
@@ -299,7 +338,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Snake,
             crate::mechanisms::Hoist,
             crate::mechanisms::Sprung,
-            crate::mechanisms::Switched
+            crate::mechanisms::Switched,
+            crate::mechanisms::Actuated
         )
     };
 }
@@ -312,7 +352,7 @@ pub(crate) fn all() -> Vec<&'static Description> {
     }
     [
         tests::shipped(),
-        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched).to_vec(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated).to_vec(),
     ]
     .concat()
 }

@@ -5,7 +5,7 @@ use crate::mechanisms::all_mechanisms;
 use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
 use codegen::oracle::{Measured, Oracle, Solution, State};
-use sim::{Array, Mechanism, accelerate, project_positions, project_velocities};
+use sim::{Array, Input, Mechanism, accelerate, project_positions, project_velocities};
 use tests::Random;
 
 const STATES: usize = 1000;
@@ -33,6 +33,10 @@ fn check<M: Mechanism>() {
             0 => mechanism,
             _ => mechanism.with_activities(M::Activities::from_fn(|_| random.between(0.0, 2.0).floor())),
         };
+        // Every third state follows the declared courses of the inputs.
+        let held = |random: &mut Random| Input::Held(random.between(-2.0, 2.0));
+        let inputs = M::Inputs::from_fn(|_| if i % 3 == 0 { Input::Declared } else { held(&mut random) });
+        let mechanism = mechanism.with_inputs(inputs);
         let t = random.between(0.0, 2.0);
         let mut q = M::Q::from_fn(|_| random.between(-1.5, 1.5));
         let mut qd = M::Q::from_fn(|_| random.between(-3.0, 3.0));
@@ -100,7 +104,9 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
     let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
     let oracle = Oracle::new(declaration, &si_factor).with_active(active);
     let parameters = mechanism.parameters();
-    let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
+    let inputs: Vec<Option<f64>> = mechanism.inputs().iter().map(|input| input.held()).collect();
+    let (parameters, coordinates, speeds) = (parameters.as_ref(), q.as_ref(), qd.as_ref());
+    let at = State { time: t, parameters, inputs: &inputs, coordinates, speeds };
     let terms = oracle.terms(&at).unwrap();
     let mut found = Found { worst: 0.0, term: "", residual: None };
     let matrix = |rows: Vec<Vec<f64>>| rows.concat();

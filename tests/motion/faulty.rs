@@ -40,7 +40,7 @@ impl<M: Mechanism> Faulty<M> {
     fn with(&self, parameter: usize, change: impl Fn(f64) -> f64) -> M {
         let mut parameters = self.true_one.parameters();
         parameters[parameter] = change(parameters[parameter]);
-        M::with_parameters(parameters)
+        M::with_parameters(parameters).with_inputs(self.true_one.inputs())
     }
 
     /// The mechanism for what depends on the rates of moved points.
@@ -69,6 +69,7 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     type Drawing = M::Drawing;
     type QP = M::QP;
     type LP = M::LP;
+    type Inputs = M::Inputs;
     type Prepared = Self;
     type On<T: Scalar> = M::On<T>;
 
@@ -82,6 +83,15 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     }
     fn with_parameters(parameters: Self::Parameters) -> Self {
         Faulty { true_one: M::with_parameters(parameters), fault: Fault::None }
+    }
+    fn inputs(&self) -> Self::Inputs {
+        self.true_one.inputs()
+    }
+    fn with_inputs(&self, inputs: Self::Inputs) -> Self {
+        Faulty { true_one: self.true_one.with_inputs(inputs), ..*self }
+    }
+    fn set_inputs(prepared: &mut Self, inputs: Self::Inputs) {
+        *prepared = prepared.with_inputs(inputs);
     }
     fn on<T: Scalar>(&self, convert: impl Fn(f64) -> T) -> Self::On<T> {
         self.kernels().on(convert)

@@ -24,23 +24,27 @@ pub fn chain_name(rods: usize, angles: Angles) -> String {
 
 /// A chain of equal uniform rods that hangs from the ground.
 pub fn chain(rods: usize, angles: Angles) -> String {
-    let mut text = format!("/// A chain of {rods} uniform rods.\npub {};\n", chain_name(rods, angles));
-    let each = |line: &dyn Fn(usize) -> String| (1..=rods).map(line).collect::<Vec<_>>().join("\n");
-    text += &format!("coordinates {{ {} }}\n{PARAMETERS}", each(&|i| format!("a{i} [rad];")));
-    text += "let P0 = [0, 0];\n";
-    text += &each(&|i| {
-        let before = i - 1;
-        let angle = match angles {
-            Angles::Relative if i > 1 => format!("b{before} + a{i}"),
-            _ => format!("a{i}"),
-        };
-        format!(
-            "let b{i} = {angle};\nlet u{i} = [cos(b{i}), sin(b{i})];\n\
-             let G{i} = P{before} + l/2*u{i};\nlet P{i} = P{before} + l*u{i};"
-        )
-    });
-    let bodies = each(&|i| format!("rod{i}: mass m at G{i}, inertia m*l^2/12, angle b{i};"));
-    text + &format!("\nbodies {{ {bodies} }}\nloads {{ gravity [0, -g]; }}\n")
+    let name = chain_name(rods, angles);
+    let turned = match angles {
+        Angles::Absolute => "a_[i]",
+        Angles::Relative => "b_[i-1] + a_[i]",
+    };
+    format!(
+        "/// A chain of {rods} uniform rods.
+        pub {name};
+        const n = {rods};
+        coordinates {{ repeat i in 1..=n {{ a_[i] [rad]; }} }}
+        {PARAMETERS}
+        let P_[0] = [0, 0];
+        let b_[0] = 0;
+        repeat i in 1..=n {{
+            let b_[i] = {turned};
+            let u_[i] = [cos(b_[i]), sin(b_[i])];
+            let P_[i] = P_[i-1] + l*u_[i];
+            bodies {{ rod_[i]: mass m at P_[i-1] + l/2*u_[i], inertia m*l^2/12, angle b_[i]; }}
+        }}
+        loads {{ gravity [0, -g]; }}"
+    )
 }
 
 /// `FourBars5` and the like.
@@ -51,22 +55,27 @@ pub fn four_bars_name(loops: usize) -> String {
 /// N + 1 cranks side by side, joined by N couplers: problem A02 of the IFToMM benchmark library. Each loop is cut at the
 /// tip of its second crank.
 pub fn four_bars(loops: usize) -> String {
-    let mut text = format!("/// {loops} four-bar linkages side by side.\npub {};\n", four_bars_name(loops));
-    let cranks = |line: &dyn Fn(usize) -> String| (0..=loops).map(line).collect::<Vec<_>>().join("\n");
-    let couplers = |line: &dyn Fn(usize) -> String| (1..=loops).map(line).collect::<Vec<_>>().join("\n");
-    let coordinates = [cranks(&|i| format!("crank{i} [rad];")), couplers(&|i| format!("coupler{i} [rad];"))].join("\n");
-    text += &format!("coordinates {{ {coordinates} }}\n{PARAMETERS}");
-    text += &cranks(&|i| format!("let u{i} = l*[cos(crank{i}), sin(crank{i})];\nlet B{i} = [{i}*l, 0] + u{i};"));
-    text += "\n";
-    text += &couplers(&|i| format!("let w{i} = l*[cos(coupler{i}), sin(coupler{i})];"));
-    let bodies = [
-        cranks(&|i| format!("crank_rod{i}: mass m at [{i}*l, 0] + u{i}/2, inertia m*l^2/12, angle crank{i};")),
-        couplers(&|i| format!("coupler_rod{i}: mass m at B{} + w{i}/2, inertia m*l^2/12, angle coupler{i};", i - 1)),
-    ];
-    let closed = couplers(&|i| format!("loop{i}: B{} + w{i} = B{i};", i - 1));
-    let start = cranks(&|i| format!("guess crank{i} = pi/2;"));
-    text + &format!(
-        "\nbodies {{ {} }}\nloads {{ gravity [0, -g]; }}\nconstraints {{ {closed} }}\ninitial {{ {start} }}\n",
-        bodies.join("\n")
+    let name = four_bars_name(loops);
+    format!(
+        "/// {loops} four-bar linkages side by side.
+        pub {name};
+        const N = {loops};
+        coordinates {{
+            repeat i in 0..=N {{ crank_[i] [rad]; }}
+            repeat i in 1..=N {{ coupler_[i] [rad]; }}
+        }}
+        {PARAMETERS}
+        repeat i in 0..=N {{
+            let u_[i] = l*[cos(crank_[i]), sin(crank_[i])];
+            let B_[i] = [i*l, 0] + u_[i];
+            bodies {{ crank_rod_[i]: mass m at [i*l, 0] + u_[i]/2, inertia m*l^2/12, angle crank_[i]; }}
+        }}
+        repeat i in 1..=N {{
+            let w_[i] = l*[cos(coupler_[i]), sin(coupler_[i])];
+            bodies {{ coupler_rod_[i]: mass m at B_[i-1] + w_[i]/2, inertia m*l^2/12, angle coupler_[i]; }}
+            constraints {{ loop_[i]: B_[i-1] + w_[i] = B_[i]; }}
+        }}
+        loads {{ gravity [0, -g]; }}
+        initial {{ repeat i in 0..=N {{ guess crank_[i] = pi/2; }} }}"
     )
 }

@@ -72,6 +72,17 @@ pub(super) fn parameter(input: ParseStream) -> Result<Parameter> {
     Ok(Parameter { docs, name, unit, value: expression(input)? })
 }
 
+pub(super) fn input(input: ParseStream) -> Result<Parameter> {
+    let docs = docs(input)?;
+    let name = name(input, "an input: `tau [N*m] = 0;`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.parse::<Option<Token![=]>>()?.is_none() {
+        let form = format!("`{name} [unit] = expression;`, of numbers, parameters and `t`");
+        return Err(here(input, format!("input `{name}` needs a course, which it follows until it is set: {form}")));
+    }
+    Ok(Parameter { docs, name, unit, value: expression(input)? })
+}
+
 pub(super) fn definition(input: ParseStream) -> Result<Let> {
     input.parse::<Token![let]>()?;
     let name = name(input, "a name: `let A = ..;`")?;

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 12] = [
+const BLOCKS: [&str; 13] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -22,6 +22,7 @@ const BLOCKS: [&str; 12] = [
     "drawing",
     "kernels",
     "auxiliary",
+    "inputs",
     "joints",
 ];
 
@@ -97,6 +98,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         drawing: vec![],
         kernels: None,
         auxiliary: vec![],
+        inputs: vec![],
         joints: vec![],
     };
     let mut mistakes = Mistakes::default();
@@ -144,6 +146,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
         "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
         "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
         "kernels" => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);

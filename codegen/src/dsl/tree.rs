@@ -11,6 +11,8 @@ pub struct Declaration {
     pub coordinates: Vec<Coordinate>,
     /// `parameters { .. }`
     pub parameters: Vec<Parameter>,
+    /// `inputs { .. }`: each with its declared course.
+    pub inputs: Vec<Parameter>,
     /// `let name = expression;`, in order.
     pub lets: Vec<Let>,
     /// `bodies { .. }`
@@ -62,7 +64,7 @@ pub struct Auxiliary {
     pub unit: Option<Unit>,
 }
 
-/// `m3 [kg] = 0.5;`
+/// `m3 [kg] = 0.5;`: a parameter, or an input.
 pub struct Parameter {
     /// Documentation.
     pub docs: String,
@@ -70,7 +72,7 @@ pub struct Parameter {
     pub name: Ident,
     /// Its unit, in which a plain number is read.
     pub unit: Option<Unit>,
-    /// Its default.
+    /// Its default, or the declared course of an input.
     pub value: Expression,
 }
 

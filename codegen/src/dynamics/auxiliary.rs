@@ -65,6 +65,7 @@ fn same_symbols(from: &Model, to: &mut Model) -> FxHashMap<Symbol, Expr> {
         pairs.extend([(a.position, b.position), (a.speed, b.speed), (a.acceleration, b.acceleration)]);
     }
     pairs.extend(from.parameters.iter().zip(&to.parameters).map(|(a, b)| (a.symbol, b.symbol)));
+    pairs.extend(from.inputs.iter().zip(&to.inputs).map(|(a, b)| (a.symbol, b.symbol)));
     pairs.extend(from.constraints.iter().zip(&to.constraints).map(|(a, b)| (a.multiplier, b.multiplier)));
     pairs.into_iter().map(|(a, b)| (a, to.graph.variable(b))).collect()
 }

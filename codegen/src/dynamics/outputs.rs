@@ -7,7 +7,7 @@ use crate::symbolic::Expr;
 pub struct Outputs {
     /// Their values.
     pub values: Vec<Expr>,
-    /// Their total time derivatives; `None` where an acceleration or a multiplier occurs, whose rates are not
+    /// Their total time derivatives; `None` where an acceleration, a multiplier or an input occurs, whose rates are not
     /// computed.
     pub rates: Vec<Option<Expr>>,
 }
@@ -21,7 +21,7 @@ impl Outputs {
     pub(super) fn derive(model: &mut Model) -> Outputs {
         let mut rate = model.time_derivative();
         let values: Vec<Expr> = model.outputs.iter().map(|output| output.value).collect();
-        let no_rate = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
+        let no_rate = Dependence::ACCELERATION.or(Dependence::MULTIPLIER).or(Dependence::INPUT);
         let rates = values
             .iter()
             .map(|value| {

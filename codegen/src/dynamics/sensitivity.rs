@@ -18,7 +18,10 @@ const MOST_COORDINATES: usize = 12;
 pub(super) fn derive(equations: &mut EquationsOfMotion, derivatives: &mut Derivatives) {
     let model = &equations.model;
     let by_state = model.wants_jacobian.unwrap_or(model.coordinates.len() <= MOST_COORDINATES);
-    let by_parameters = model.wants_sensitivity;
+    // Whether an input follows its declared course is known at run time alone.
+    let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
+    let occurring = model.graph.symbols_of(&courses);
+    let by_parameters = model.wants_sensitivity && !model.parameters.iter().any(|p| occurring.contains(&p.symbol));
     if !by_state && !by_parameters {
         return;
     }

@@ -30,6 +30,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
         }
     });
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
+    let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
     let speed_constraints = between_speeds.map(|(i, _)| size(i));
@@ -62,6 +63,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             declaration: #declaration,
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
+            inputs: &[#(#inputs),*],
             constraints: &[#(#constraints),*],
             speed_constraints: &[#(#speed_constraints),*],
             conditionals: &[#(#conditionals),*],

@@ -266,12 +266,17 @@ fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> Token
                     quote! { #path::#name }
                 }
             };
-            let marker = (fields.is_empty()).then(|| quote! { scalar: ::core::marker::PhantomData });
+            let inputs = match record {
+                Record::Prepared => model.inputs.iter().map(|input| ident(&input.name)).collect(),
+                _ => vec![],
+            };
+            let is_empty = fields.is_empty() && inputs.is_empty();
+            let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData });
             let fields = fields.iter().map(|(name, field)| {
                 let (name, field) = (ident(name), returned(model, field, path));
                 quote! { #name: #field }
             });
-            quote! { #name { #(#fields,)* #marker } }
+            quote! { #name { #(#fields,)* #(#inputs: self.#inputs,)* #marker } }
         }
     }
 }

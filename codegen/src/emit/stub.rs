@@ -61,11 +61,12 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type Drawing = [S; 0];
             type QP = [[S; 0]; 0];
             type LP = [[S; 0]; 0];
+            type Inputs = [#path::Input<S>; 0];
             type Prepared = ();
             type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #path::Description {
-                name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], constraints: &[],
+                name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
                 speed_constraints: &[],
                 conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], drawing: &[],
             };
@@ -82,6 +83,13 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
                 #name(::core::marker::PhantomData)
             }
+            fn inputs(&self) -> Self::Inputs {
+                []
+            }
+            fn with_inputs(&self, inputs: Self::Inputs) -> Self {
+                *self
+            }
+            fn set_inputs(prepared: &mut (), inputs: Self::Inputs) {}
             fn initial(&self) -> #path::Initial<[S; 0]> {
                 loop {}
             }

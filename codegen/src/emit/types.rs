@@ -63,7 +63,7 @@ pub(super) fn types(head: &Head, equations: &EquationsOfMotion, program: &Progra
             path,
         ),
     ];
-    let prepared = prepared(head, model, program);
+    let prepared = prepared(head, model, program, path);
     quote! { #mechanism #(#records)* #prepared }
 }
 
@@ -89,16 +89,23 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
             (ident(&c.field), format!(" Whether constraint `{}` holds: 1, or 0 where it is released.", c.name));
         quote! { #[doc = #docs] pub #field: S, }
     });
-    let is_empty = model.parameters.is_empty() && model.conditionals.is_empty();
-    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, docs) = (ident(&input.name), documented(&input.docs, &input.unit));
+        quote! { #(#[doc = #docs])* pub #name: #path::Input<S>, }
+    });
+    let about = match model.inputs.is_empty() {
+        true => " The fields are its parameters, in SI units; the methods are its kernels.",
+        false => " The fields are its parameters and inputs, in SI units; the methods are its kernels.",
+    };
+    let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     quote! {
         #(#[doc = #docs])*
         ///
-        /// The fields are its parameters, in SI units; the methods are its kernels.
+        #[doc = #about]
         #(#[doc = #written])*
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#activities)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields)* #(#inputs)* #(#activities)* #marker }
 
         impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
@@ -110,10 +117,15 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
 }
 
 /// What the kernels of each step need of the parameters.
-fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
+fn prepared(head: &Head, model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
     let (visibility, name) = (&head.visibility, prepared_name(model));
     let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(ident).collect();
-    let marker = fields.is_empty().then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, docs) = (ident(&input.name), documented(&input.docs, &input.unit));
+        quote! { #(#[doc = #docs])* pub #name: #path::Input<S>, }
+    });
+    let is_empty = fields.is_empty() && model.inputs.is_empty();
+    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData<S>, });
     let docs = format!(
         " What the equations of motion need of the parameters of [`{0}`], from [`{0}::prepare`]; its methods are the \
          kernels of each step.",
@@ -123,8 +135,13 @@ fn prepared(head: &Head, model: &Model, program: &Program) -> TokenStream {
         #[doc = #docs]
         #[allow(non_snake_case)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name<S = ::core::primitive::f64> { #(#fields: S,)* #marker }
+        #visibility struct #name<S = ::core::primitive::f64> { #(#fields: S,)* #(#inputs)* #marker }
     }
+}
+
+/// Whether the mechanism needs a field for its scalar alone.
+fn has_no_fields(model: &Model) -> bool {
+    model.parameters.is_empty() && model.inputs.is_empty() && model.conditionals.is_empty()
 }
 
 fn prepared_fields(kernel: &Kernel) -> Vec<&str> {
@@ -167,8 +184,9 @@ pub(super) fn mechanism_impl(
         .unzip();
     let switched = switched(model);
     let (conditionals, values) = (size(activities.len()), size(kernel_len(program, "event_values")));
-    let is_empty = fields.is_empty() && activities.is_empty();
-    let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData });
+    let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
+    let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
+    let (input_places, input_count): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
     let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
     quote! {
@@ -190,13 +208,14 @@ pub(super) fn mechanism_impl(
             type Drawing = [S; #drawing];
             type QP = [[S; #p]; #n];
             type LP = [[S; #p]; #m];
+            type Inputs = [#path::Input<S>; #input_count];
             type Prepared = #prepared<S>;
             type On<T: #path::Scalar> = #name<T>;
 
             const DESCRIPTION: #path::Description = #description;
 
             fn defaults() -> Self {
-                Self { #(#fields: S::from_f64(#defaults),)* #(#activities: #starts,)* #marker }
+                Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
             }
 
             fn parameters(&self) -> [S; #p] {
@@ -204,11 +223,23 @@ pub(super) fn mechanism_impl(
             }
 
             fn with_parameters(parameters: [S; #p]) -> Self {
-                Self { #(#fields: parameters[#places],)* #(#activities: #starts,)* #marker }
+                Self { #(#fields: parameters[#places],)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
             }
 
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
-                #name { #(#fields: convert(self.#fields),)* #(#activities: convert(self.#activities),)* #marker }
+                #name { #(#fields: convert(self.#fields),)* #(#inputs: self.#inputs.map(&convert),)* #(#activities: convert(self.#activities),)* #marker }
+            }
+
+            fn inputs(&self) -> [#path::Input<S>; #input_count] {
+                [#(self.#inputs),*]
+            }
+
+            fn with_inputs(&self, inputs: [#path::Input<S>; #input_count]) -> Self {
+                Self { #(#inputs: inputs[#input_places],)* ..*self }
+            }
+
+            fn set_inputs(prepared: &mut Self::Prepared, inputs: [#path::Input<S>; #input_count]) {
+                #(prepared.#inputs = inputs[#input_places];)*
             }
 
             #switched

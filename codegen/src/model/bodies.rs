@@ -77,7 +77,7 @@ fn inertial(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option
     i.restrict(
         expression.region,
         &[value],
-        MOVING.or(Dependence::TIME),
+        MOVING.or(Dependence::TIME).or(Dependence::INPUT),
         "a mass or inertia is made of numbers and parameters; it cannot change with the motion",
     )?;
     if i.graph.as_number(value).is_some_and(|number| number.is_negative()) {

@@ -23,6 +23,9 @@ impl Dependence {
     /// On a multiplier.
     pub const MULTIPLIER: Dependence = Dependence(32);
 
+    /// On an input.
+    pub const INPUT: Dependence = Dependence(64);
+
     /// Either or both.
     pub const fn or(self, other: Dependence) -> Dependence {
         Dependence(self.0 | other.0)

@@ -1,7 +1,7 @@
 //! The `constraints` block.
 
 use super::interpret::Interpreter;
-use super::level::BEYOND_POSITION;
+use super::level::{BEYOND_POSITION, no_input};
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::value::{Shape, Value, common_dimension};
@@ -99,6 +99,7 @@ fn constraint_rows(
     let place = equation.left.region.to(equation.right.region);
     let name = plain(&equation.name);
     let components = value.components();
+    no_input(place, &components, "a constraint", i)?;
     match level {
         Level::Positions => {
             i.restrict(place, &components, BEYOND_POSITION, "a constraint holds between positions or speeds")?;

@@ -2,7 +2,7 @@
 
 use super::equations::equation_sides;
 use super::interpret::Interpreter;
-use super::level::MOVING;
+use super::level::{MOVING, no_input};
 use super::scope::{Names, plain};
 use super::start::in_unit;
 use super::value::Shape;
@@ -42,6 +42,7 @@ fn condition(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Expr> {
     let Shape::Scalar(value) = equation_sides(equation, i)?.shape else {
         return i.refuse(place, "an event is an equation between scalars; take a component (`.x`, `.y`)");
     };
+    no_input(place, &[value], "an event", i)?;
     if !i.dependences.of(&i.graph, value).meets(MOVING.or(FORCES).or(Dependence::TIME)) {
         let message = format!(
             "event `{}` never changes; let it depend on a coordinate, a speed, a reaction or `t`",

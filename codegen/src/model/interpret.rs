@@ -363,6 +363,7 @@ impl Interpreter {
             Dependence::MULTIPLIER,
             "a reaction has no derivative here: its rate is not computed",
         )?;
+        self.restrict(region, &components, Dependence::INPUT, "the rate of an input is not known: it may jump")?;
         self.restrict(
             region,
             &components,

@@ -2,7 +2,7 @@
 
 use super::Dependence;
 use super::interpret::Interpreter;
-use crate::dsl::Expression;
+use crate::dsl::{Expression, Region};
 use crate::symbolic::Expr;
 
 pub(super) const MOVING: Dependence = Dependence::COORDINATE.or(Dependence::SPEED).or(Dependence::ACCELERATION);
@@ -18,6 +18,7 @@ pub(super) fn position_level<const N: usize>(
     what: &str,
     i: &mut Interpreter,
 ) -> Option<[Expr; N]> {
+    no_input(expression.region, &values, what, i)?;
     i.restrict(
         expression.region,
         &values,
@@ -25,6 +26,16 @@ pub(super) fn position_level<const N: usize>(
         &format!("{what} is made of coordinates, parameters and time; `dot()` cannot stand in it"),
     )?;
     Some(values)
+}
+
+/// Refuses inputs where derivatives are needed.
+pub(super) fn no_input(place: Region, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
+    i.restrict(
+        place,
+        values,
+        Dependence::INPUT,
+        &format!("{what} cannot depend on an input, which may jump; an input acts by loads, and shows in outputs"),
+    )
 }
 
 pub(super) fn position_scalar(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Expr> {

@@ -45,6 +45,8 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// Parameters, in the order of declaration.
     pub parameters: Vec<Parameter>,
+    /// Inputs, in the order of declaration.
+    pub inputs: Vec<Input>,
     /// Scalars that the declaration names with `let`; components as `A_x`.
     pub named: Vec<(String, Expr)>,
     /// Bodies.
@@ -123,6 +125,20 @@ pub struct Parameter {
     pub symbol: Symbol,
     /// Its default, a constant.
     pub default: Expr,
+}
+
+/// An input: a symbol that follows its declared course until it is set.
+pub struct Input {
+    /// Its name.
+    pub name: String,
+    /// Documentation.
+    pub docs: String,
+    /// The unit it is shown and set in.
+    pub unit: Unit,
+    /// Its symbol.
+    pub symbol: Symbol,
+    /// Its declared course, of numbers, parameters and time.
+    pub course: Expr,
 }
 
 /// A body: a mass at a point, an inertia about an angle, or both.

@@ -5,7 +5,7 @@ use super::level::MOVING;
 use super::scope::{check_reserved, plain};
 use super::start::in_unit;
 use super::value::{Shape, Value};
-use super::{Body, Constraint, Coordinate, Dependence, Parameter, Start, Unit};
+use super::{Body, Constraint, Coordinate, Dependence, Input, Parameter, Start, Unit};
 use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::Expr;
 use syn::Ident;
@@ -85,6 +85,29 @@ fn parameter_default(expression: &Expression, unit: &Unit, i: &mut Interpreter) 
         "the default of a parameter is a number; what follows from other parameters is a `let`",
     )?;
     Some(value)
+}
+
+/// Inputs, each with a course of numbers, parameters and time.
+pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> Vec<Input> {
+    let mut inputs = Vec::new();
+    for input in &declaration.inputs {
+        let name = plain(&input.name);
+        refuse_rate(&input.name, declaration, i);
+        let unit = resolve_unit(&input.unit, i);
+        let symbol = i.graph.symbol(&name);
+        i.dependences.declare(symbol, Dependence::INPUT);
+        let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
+                    at run time, or is a load";
+        let course = in_unit(&input.value, &unit, i).and_then(|course| {
+            i.restrict(input.value.region, &[course], MOVING.or(Dependence::INPUT), rule).map(|()| course)
+        });
+        let variable = i.graph.variable(symbol);
+        define(&input.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        if let Some(course) = course {
+            inputs.push(Input { name, docs: input.docs.clone(), unit, symbol, course });
+        }
+    }
+    inputs
 }
 
 pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Vec<(String, Expr)> {

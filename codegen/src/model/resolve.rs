@@ -8,7 +8,9 @@ use super::events::{Known, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
 use super::outputs::resolve_outputs;
-use super::quantities::{check_coordinates_used, resolve_coordinates, resolve_lets, resolve_parameters};
+use super::quantities::{
+    check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
+};
 use super::scope::{Names, plain};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
@@ -60,6 +62,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let mut coordinates = resolve_coordinates(declaration, i);
     i.motion = time_derivative(&mut i.graph, time, &coordinates, &[]);
     let parameters = resolve_parameters(declaration, i);
+    let inputs = resolve_inputs(declaration, i);
     let auxiliaries = resolve_auxiliaries(declaration, displacements, i);
     let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
     let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
@@ -86,6 +89,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         time,
         coordinates,
         parameters,
+        inputs,
         named,
         bodies: bodies.into_iter().flatten().collect(),
         gravity: loads.gravity,

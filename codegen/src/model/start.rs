@@ -46,7 +46,7 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
 
 fn start_value(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
     let value = in_unit(expression, unit, interpreter)?;
-    let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER);
+    let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER).or(Dependence::INPUT);
     interpreter.restrict(expression.region, &[value], moving, "a start value is made of numbers and parameters")?;
     Some(value)
 }

@@ -60,6 +60,7 @@ fn symbols(model: &Model) -> Names {
         name(c.acceleration, &c.name, 2);
     }
     model.parameters.iter().for_each(|p| name(p.symbol, &p.name, 0));
+    model.inputs.iter().for_each(|input| name(input.symbol, &input.name, 0));
     model.constraints.iter().for_each(|c| name(c.multiplier, &format!("lambda_{}", c.name), 0));
     names
 }
@@ -88,7 +89,9 @@ fn uses(graph: &Graph, used: &[Expr], roots: &[Expr]) -> Vec<Uses> {
 /// A letter that no name of the declaration starts with before an underscore.
 fn free_prefix(model: &Model) -> String {
     let words = model.coordinates.iter().map(|c| &c.name);
-    let words = words.chain(model.parameters.iter().map(|p| &p.name)).chain(model.named.iter().map(|(name, _)| name));
+    let words = words.chain(model.parameters.iter().map(|p| &p.name));
+    let words =
+        words.chain(model.inputs.iter().map(|input| &input.name)).chain(model.named.iter().map(|(name, _)| name));
     let words: Vec<&String> = words.collect();
     let mut prefix = String::from("s");
     while words.iter().any(|word| word.split('_').next() == Some(&prefix)) {

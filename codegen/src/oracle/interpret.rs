@@ -3,6 +3,7 @@
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
+use super::parameters::is_plain;
 use super::state::State;
 use super::value::{Value, inner};
 use crate::dsl::{Declaration, Expression, Kind, Unit};
@@ -20,6 +21,8 @@ pub(super) struct Setting {
     auxiliaries: Vec<Jet>,
     /// What `dot` means.
     rates: Rates,
+    /// What each input is set to, where inputs may stand.
+    inputs: Option<Vec<Option<f64>>>,
     /// The multipliers of each constraint and the forces conjugate to auxiliary displacements, where they are known.
     reactions: Option<Vec<Value>>,
 }
@@ -38,7 +41,8 @@ impl Setting {
     /// Parameters alone.
     pub(super) fn fixed(parameters: &[f64]) -> Setting {
         let parameters = constants(parameters, 0);
-        Setting { variables: 0, parameters, motion: None, auxiliaries: vec![], rates: Rates::None, reactions: None }
+        let (motion, auxiliaries, rates) = (None, vec![], Rates::None);
+        Setting { variables: 0, parameters, motion, auxiliaries, rates, inputs: None, reactions: None }
     }
 
     /// Positions: jets in the variables (q, t, s), s being the auxiliary displacements.
@@ -74,6 +78,7 @@ impl Setting {
             motion: Some((q, Jet::variable(time, n, variables))),
             auxiliaries: (0..auxiliaries).map(|k| Jet::variable(0.0, n + 1 + k, variables)).collect(),
             rates: Rates::None,
+            inputs: None,
             reactions: None,
         }
     }
@@ -86,8 +91,14 @@ impl Setting {
             motion: Some((coordinates, Jet::variable(time, 0, 1))),
             auxiliaries: vec![],
             rates: Rates::AlongTime,
+            inputs: None,
             reactions: None,
         }
+    }
+
+    /// The same with what each input is set to.
+    pub(super) fn with_inputs(self, inputs: &[Option<f64>]) -> Setting {
+        Setting { inputs: Some(inputs.to_vec()), ..self }
     }
 
     /// The same with the multipliers of each constraint, in order, and the forces conjugate to auxiliary displacements.
@@ -191,6 +202,9 @@ impl<'d> Interpreter<'d> {
             let known = self.setting.parameters.get(index).cloned();
             return known.map(Value::Scalar).ok_or_else(|| OracleError::new(format!("`{name}` is declared later")));
         }
+        if let Some(index) = declaration.inputs.iter().position(|input| input.name == *name) {
+            return self.input(index);
+        }
         if let Some(index) = declaration.auxiliary.iter().position(|a| a.name == *name) {
             let variable = self.setting.auxiliaries.get(index).cloned();
             return Ok(variable.map_or_else(|| self.constant(0.0), Value::Scalar));
@@ -212,6 +226,21 @@ impl<'d> Interpreter<'d> {
     fn coordinate(&self, index: usize, name: &Ident) -> Result<Value> {
         let varies = |_| OracleError::new(format!("`{name}` varies; only parameters may stand here"));
         self.coordinate_jet(index).map(Value::Scalar).map_err(varies)
+    }
+
+    /// What an input is set to, or its declared course: plain numbers are in its unit.
+    fn input(&mut self, index: usize) -> Result<Value> {
+        let input = &self.declaration.inputs[index];
+        match self.setting.inputs.as_ref().and_then(|inputs| inputs.get(index)) {
+            Some(Some(value)) => Ok(self.constant(*value)),
+            Some(None) => {
+                let course = self.scalar(&input.value)?;
+                let unit = input.unit.as_ref().filter(|_| is_plain(&input.value));
+                let size = self.constant(unit.map_or(1.0, self.si_factor)).scalar()?;
+                Ok(Value::Scalar(&course * &size))
+            }
+            None => refuse(format!("input `{}` cannot stand here", input.name)),
+        }
     }
 
     fn defined(&mut self, index: usize) -> Result<Value> {

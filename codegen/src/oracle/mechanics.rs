@@ -56,7 +56,7 @@ impl Mechanics {
             fixed: interpreter(Setting::fixed(at.parameters)),
             positions: interpreter(Setting::positions(at.time, at.parameters, at.coordinates, auxiliaries)),
             motion: interpreter(at.motion()),
-            speeds: interpreter(Setting::speeds(at, auxiliaries)),
+            speeds: interpreter(Setting::speeds(at, auxiliaries).with_inputs(at.inputs)),
         };
         let bodies = declaration.bodies.iter().map(|body| builder.body(body)).collect::<Result<Vec<_>>>()?;
         let mut efforts = Vec::new();

@@ -13,6 +13,8 @@ pub struct State<'s> {
     pub time: f64,
     /// The value of each parameter.
     pub parameters: &'s [f64],
+    /// What each input is set to; none where it follows its declared course.
+    pub inputs: &'s [Option<f64>],
     /// q \[n\].
     pub coordinates: &'s [f64],
     /// q' \[n\].
@@ -23,6 +25,7 @@ impl State<'_> {
     pub(super) fn check(&self, declaration: &Declaration) -> Result<()> {
         let lengths = [
             ("parameters", self.parameters.len(), declaration.parameters.len()),
+            ("inputs", self.inputs.len(), declaration.inputs.len()),
             ("coordinates", self.coordinates.len(), declaration.coordinates.len()),
             ("speeds", self.speeds.len(), declaration.coordinates.len()),
         ];
@@ -54,6 +57,6 @@ impl State<'_> {
             Jet::of_time(Measured::given(*q), &derivatives)
         };
         let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates)
+        Setting::motion(self.time, self.parameters, coordinates).with_inputs(self.inputs)
     }
 }

@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) struct Lowering<'a> {
     graph: &'a Graph,
     inputs: &'a FxHashMap<Symbol, Input>,
-    /// What symbols stand for that are no inputs.
+    /// What symbols stand for, and the courses of the mechanism's inputs.
     definitions: &'a FxHashMap<Symbol, Expr>,
     /// Other forms of expressions.
     alternatives: &'a FxHashMap<Expr, Expr>,
@@ -109,6 +109,10 @@ impl<'a> Lowering<'a> {
             return *computed;
         }
         match (self.inputs.get(&symbol), self.definitions.get(&symbol)) {
+            (Some(input), Some(course)) => {
+                let (held, course) = (self.values.add(Operation::Input(*input)), self.lower_form(*course));
+                self.values.add(Operation::Held(held, course))
+            }
             (Some(input), _) => self.values.add(Operation::Input(*input)),
             (_, Some(definition)) => self.lower_form(*definition),
             // The model has no other symbols; were there one, its value would be unknown.

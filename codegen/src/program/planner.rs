@@ -47,10 +47,18 @@ impl<'a> Planner<'a> {
             inputs.extend(levels);
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
+        inputs.extend(model.inputs.iter().enumerate().map(|(i, input)| (input.symbol, Input::Held(i))));
+        let courses = model.inputs.iter().map(|input| (input.symbol, input.course));
         let definitions = equations.intermediates.iter().flat_map(|y| {
             y.symbols.into_iter().zip([y.definition.position, y.definition.velocity, y.acceleration, y.time_derivative])
         });
-        Planner { equations, inputs, definitions: definitions.collect(), alternatives, labels: labels(equations) }
+        Planner {
+            equations,
+            inputs,
+            definitions: definitions.chain(courses).collect(),
+            alternatives,
+            labels: labels(equations),
+        }
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
@@ -126,6 +134,9 @@ impl<'a> Planner<'a> {
         for (i, conditional) in model.conditionals.iter().enumerate() {
             enter(Input::Activity(i), Tree::Field(conditional.field.clone()));
         }
+        for (i, held) in model.inputs.iter().enumerate() {
+            enter(Input::Held(i), Tree::Field(held.name.clone()));
+        }
         let mut name = |input: Input, wished: String| {
             let name = needed.contains_key(&input).then(|| names.unique(&wished))?;
             enter(input, Tree::Name(name.clone()));
@@ -148,6 +159,9 @@ impl<'a> Planner<'a> {
 fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     let model = &equations.model;
     let mut labels: Vec<(Expr, String)> = model.named.iter().map(|(name, expr)| (*expr, name.clone())).collect();
+    labels.extend(
+        model.inputs.iter().filter_map(|input| Some((model.graph.existing(input.symbol)?, input.name.clone()))),
+    );
     for y in &equations.intermediates {
         let rates = [y.definition.position, y.definition.velocity, y.definition.convective];
         let suffixes = ["", "_dot", "_convective"];

@@ -75,6 +75,9 @@ fn name_fields(
     parameters.iter().map(|p| &p.name).chain(conditionals.iter().map(|c| &c.field)).for_each(|name| {
         names.unique(name);
     });
+    planner.equations.model.inputs.iter().for_each(|input| {
+        names.unique(&input.name);
+    });
     let mut named: IndexMap<Value, String> = IndexMap::new();
     for value in fields {
         let name = match values.operation(value) {

@@ -35,6 +35,8 @@ pub(super) enum Operation {
     Power(Value, Value),
     /// The angle of the point (x, y), as (y, x).
     Atan2(Value, Value),
+    /// An input: what it is set to, or its declared course.
+    Held(Value, Value),
 }
 
 /// An input of a kernel; numbers count in the order of declaration.
@@ -44,6 +46,8 @@ pub(super) enum Input {
     Parameter(usize),
     /// The activity of a constraint that events switch.
     Activity(usize),
+    /// What an input of the mechanism is set to, if it is.
+    Held(usize),
     /// Time.
     Time,
     /// A coordinate.
@@ -265,7 +269,9 @@ impl Values {
             Operation::Constant(_) | Operation::Input(_) => vec![],
             Operation::Sum(terms) => terms.iter().map(|(_, term)| *term).collect(),
             Operation::Product(factors) => factors.clone(),
-            Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) => vec![*a, *b],
+            Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) | Operation::Held(a, b) => {
+                vec![*a, *b]
+            }
             Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) => vec![*a],
         }
     }

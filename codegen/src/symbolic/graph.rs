@@ -138,6 +138,11 @@ impl Graph {
         self.intern(Node::Symbol(symbol))
     }
 
+    /// The same, if it has been made.
+    pub fn existing(&self, symbol: Symbol) -> Option<Expr> {
+        self.nodes.get_index_of(&Node::Symbol(symbol)).map(|index| Expr(index as u32))
+    }
+
     /// An exact rational.
     pub fn number(&mut self, value: Number) -> Expr {
         self.intern(Node::Number(value))

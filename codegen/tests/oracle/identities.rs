@@ -140,7 +140,13 @@ fn magnitudes_bound_what_errors_can_do() -> Outcome {
         for pattern in 0..32u32 {
             let off = |(i, p): (usize, &f64)| p * if pattern >> (i % 5) & 1 == 1 { 1.0 + ERROR } else { 1.0 - ERROR };
             let parameters: Vec<f64> = parameters.iter().enumerate().map(off).collect();
-            let state = codegen::oracle::State { time: t, parameters: &parameters, coordinates: &q, speeds: &speeds };
+            let state = codegen::oracle::State {
+                time: t,
+                parameters: &parameters,
+                inputs: &[],
+                coordinates: &q,
+                speeds: &speeds,
+            };
             let solution = oracle.accelerations(&oracle.terms(&state)?)?;
             let outputs = oracle.outputs(&state, &solution)?;
             let wrong = solution.accelerations.iter().chain(&solution.multipliers).chain(&outputs);

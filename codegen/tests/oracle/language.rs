@@ -41,7 +41,7 @@ fn events_are_left_minus_right_in_order() -> Outcome {
         "pub Events; coordinates { x [m]; } bodies { b: mass 1 at [x, 0]; }
         events { turning: dot(x)^2 = 4; late: 3*x = t; }",
     )?;
-    let state = State { time: 0.5, parameters: &[], coordinates: &[0.7], speeds: &[3.0] };
+    let state = State { time: 0.5, parameters: &[], inputs: &[], coordinates: &[0.7], speeds: &[3.0] };
     let solution = mechanism.oracle().accelerations(&mechanism.oracle().terms(&state)?)?;
     assert_values(&mechanism.oracle().events(&state, &solution)?, &[5.0, 3.0 * 0.7 - 0.5]);
     Ok(())
@@ -54,7 +54,7 @@ fn parameters_are_variable() -> Outcome {
         "pub Variable; coordinates { x; } parameters { m = 1; F = 1; } bodies { b: mass m at [x, 0]; }
         loads { force [F, 0] at [x, 0]; }",
     )?;
-    let state = State { time: 0.0, parameters: &[4.0, 6.0], coordinates: &[0.0], speeds: &[0.0] };
+    let state = State { time: 0.0, parameters: &[4.0, 6.0], inputs: &[], coordinates: &[0.0], speeds: &[0.0] };
     let terms = mechanism.oracle().terms(&state)?;
     assert_value(terms.mass_matrix[0][0], 4.0);
     assert_values(&mechanism.oracle().accelerations(&terms)?.accelerations, &[1.5]);

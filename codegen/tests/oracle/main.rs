@@ -41,7 +41,7 @@ impl Mechanism {
     fn at(&self, time: f64, coordinates: &[f64], speeds: &[f64]) -> Outcome<Answer> {
         let oracle = self.oracle();
         let parameters = oracle.default_parameters()?;
-        let state = State { time, parameters: &parameters, coordinates, speeds };
+        let state = State { time, parameters: &parameters, inputs: &[], coordinates, speeds };
         let terms = oracle.terms(&state)?;
         let solution = oracle.accelerations(&terms)?;
         let outputs = oracle.outputs(&state, &solution)?;

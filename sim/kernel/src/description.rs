@@ -17,6 +17,8 @@ pub struct Description {
     pub coordinates: &'static [Coordinate],
     /// Parameters.
     pub parameters: &'static [Quantity],
+    /// Inputs.
+    pub inputs: &'static [Quantity],
     /// Constraint rows. The unit is that of the multiplier.
     pub constraints: &'static [Quantity],
     /// Those constraint rows, by index, that hold between speeds alone: positions are not corrected by them.

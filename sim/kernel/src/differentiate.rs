@@ -49,7 +49,8 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
     qd: &M::Q,
 ) -> DynamicsSensitivity<S, M::QP, M::LP> {
     let [q, qd] = [q, qd].map(|values| Q::<S, M>::from_fn(|i| Dual::constant(values[i])));
-    let parameters = mechanism.on(Dual::constant).parameters();
+    let constant = mechanism.on(Dual::constant);
+    let (parameters, inputs) = (constant.parameters(), constant.inputs());
     let zero = M::Parameters::filled(S::from_f64(0.0));
     let mut found = DynamicsSensitivity {
         accelerations: M::QP::filled(zero),
@@ -57,7 +58,8 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
         refused: S::Mask::NONE,
     };
     for j in 0..M::Parameters::LEN {
-        let solved = InDuals::<S, M>::with_parameters(varied(&parameters, j)).dynamics(Dual::constant(t), &q, &qd);
+        let solved = InDuals::<S, M>::with_parameters(varied(&parameters, j)).with_inputs(inputs);
+        let solved = solved.dynamics(Dual::constant(t), &q, &qd);
         enter::<S, M, M::Parameters, _, _>(&solved, j, &mut found.accelerations, &mut found.multipliers);
         found.refused = found.refused | solved.refused;
     }

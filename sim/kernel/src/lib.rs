@@ -10,6 +10,7 @@ mod description;
 mod differentiate;
 mod dual;
 pub mod event;
+mod input;
 mod lanes;
 mod mechanism;
 mod scalar;
@@ -18,6 +19,7 @@ mod wave;
 pub use array::Array;
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
 pub use dual::Dual;
+pub use input::Input;
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
     ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,

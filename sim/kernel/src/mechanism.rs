@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 
 use crate::differentiate::{jacobian, sensitivity};
-use crate::{Array, Description, Scalar};
+use crate::{Array, Description, Input, Scalar};
 
 /// A mechanism with the values of its parameters, as `mechanism!` generates it.
 ///
@@ -26,6 +26,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type ZZ: Array<Self::Z>;
     /// Parameters.
     type Parameters: Array<S>;
+    /// Inputs, each following its declared course or held.
+    type Inputs: Array<Input<S>>;
     /// Outputs.
     type Outputs: Array<S>;
     /// Rates of the outputs that have one.
@@ -54,7 +56,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn defaults() -> Self;
     /// The parameters in the order of declaration, in SI units.
     fn parameters(&self) -> Self::Parameters;
-    /// The mechanism with these parameters.
+    /// The mechanism with these parameters, its inputs following their declared courses.
     fn with_parameters(parameters: Self::Parameters) -> Self;
     /// For each constraint that events switch 1 while it holds, and 0 while it is released.
     fn activities(&self) -> Self::Activities {
@@ -65,7 +67,13 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
         let _ = activities;
         self
     }
-    /// The same mechanism on other numbers, each parameter converted.
+    /// The inputs in the order of declaration.
+    fn inputs(&self) -> Self::Inputs;
+    /// The mechanism with these inputs.
+    fn with_inputs(&self, inputs: Self::Inputs) -> Self;
+    /// Sets the inputs of what has been prepared.
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: Self::Inputs);
+    /// The same mechanism on other numbers, each parameter and input converted.
     fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Self::On<T>;
     /// The declared start.
     fn initial(&self) -> Initial<Self::Q>;

@@ -216,6 +216,10 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub(super) initial: Vec<String>,
 
+    /// Holds an input at a value instead of its declared course, as in `--input tau=0.5`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) input: Vec<String>,
+
     /// Where to write [default: out/MODEL].
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,

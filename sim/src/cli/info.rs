@@ -67,6 +67,7 @@ fn as_json(facts: &Facts) -> Value {
         "redundant_constraints": facts.mobility.as_ref().map_or(Vec::new(), |mobility| mobility.dependent.clone()),
         "coordinates": coordinates.collect::<Vec<_>>(),
         "parameters": d.parameters.iter().zip(&facts.defaults).map(|(p, si)| valued(p, *si)).collect::<Vec<_>>(),
+        "inputs": d.inputs.iter().map(quantity).collect::<Vec<_>>(),
         "speed_constraints": d.speed_constraints.iter().map(|i| d.constraints[*i].name).collect::<Vec<_>>(),
         "constraints": d.constraints.iter().map(quantity).collect::<Vec<_>>(),
         "outputs": d.outputs.iter().map(quantity).collect::<Vec<_>>(),
@@ -117,6 +118,9 @@ fn as_text(facts: &Facts) -> String {
     let parameters = d.parameters.iter().zip(&facts.defaults);
     let parameters = parameters.map(|(p, si)| [p.name.to_owned(), short(si / p.factor), unit(p), p.docs.to_owned()]);
     text += &section("Parameters, with their defaults", parameters.collect());
+    let inputs =
+        d.inputs.iter().map(|input| [input.name.to_owned(), unit(input), String::new(), input.docs.to_owned()]);
+    text += &section("Inputs", inputs.collect());
     let equations = equations(d);
     let constraints = d.constraints.iter().map(|c| {
         let name = format!("lambda_{}", c.name);

@@ -20,6 +20,7 @@ mod compare;
 mod files;
 mod generate;
 mod info;
+mod json;
 mod kinematics;
 mod list;
 mod new;
@@ -37,6 +38,7 @@ use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArgument
 use clap::Parser;
 use codegen::nearest;
 use kinematics::KinematicsArguments;
+use run_file::RunFile;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
 use std::io::Write;
@@ -88,7 +90,7 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();
     let arguments = Arguments::parse_from(&words);
-    match with_run_file(arguments, &words).and_then(|arguments| execute(mechanisms, arguments)) {
+    match with_run_file(mechanisms, arguments, &words) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Stop::Usage(message)) => {
             eprintln!("error: {message}");
@@ -105,13 +107,21 @@ pub fn main(mechanisms: &[Entry]) -> ExitCode {
     }
 }
 
-/// The command line with what a run file says put before the user's own words.
-fn with_run_file(arguments: Arguments, words: &[OsString]) -> Result<Arguments, Stop> {
-    let Command::Run(run) = &arguments.command else { return Ok(arguments) };
-    if !run.model.ends_with(".json") {
-        return Ok(arguments);
-    }
-    Ok(Arguments::parse_from(run_file::expand(&run.model, words)?))
+/// Does what the command line says; what a run file says is put before the user's own words.
+fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString]) -> Result<(), Stop> {
+    let path = match &arguments.command {
+        Command::Run(run) if run.model.ends_with(".json") => run.model.clone(),
+        _ => return execute(mechanisms, arguments),
+    };
+    let file = RunFile::open(&path)?;
+    let arguments = Arguments::try_parse_from(file.expand(words)?).map_err(|error| {
+        let said = error.to_string();
+        Stop::Usage(file.blamed(said.trim_start_matches("error: ").trim_end()))
+    })?;
+    execute(mechanisms, arguments).map_err(|stop| match stop {
+        Stop::Usage(message) => Stop::Usage(file.blamed(&message)),
+        other => other,
+    })
 }
 
 fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {

@@ -8,7 +8,7 @@ use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
 use crate::happening::impulses;
 use crate::{Run, Start, Stepping, Table, What, assemble, declared_start, mobility, run, summary};
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Array, Description, Input, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -17,6 +17,7 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let description = const { &M::DESCRIPTION };
     let clock = Instant::now();
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let mechanism = held_at(&mechanism, description, &arguments.input)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
@@ -75,10 +76,28 @@ pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: 
         if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
             return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
         }
+        if description.inputs.iter().any(|input| input.name == name) {
+            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
+        }
         let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
         parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
     }
     Ok(M::with_parameters(parameters))
+}
+
+/// The mechanism with inputs held at what the user says.
+fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
+    let mut inputs = mechanism.inputs();
+    for text in settings {
+        let (name, value) = split_assignment("--input", text)?;
+        let known = || description.inputs.iter().map(|input| input.name);
+        if description.parameters.iter().any(|p| p.name == name) {
+            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+        }
+        let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
+        inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
+    }
+    Ok(mechanism.with_inputs(inputs))
 }
 
 pub(super) fn start_with<M: Mechanism>(
@@ -142,6 +161,10 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
+    for passed in run.steps.singularities.iter().take(8) {
+        let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
+        rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
+    }
     if M::L::LEN > 0 {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((

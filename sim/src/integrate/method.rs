@@ -17,6 +17,11 @@ pub trait Advance<M: Mechanism> {
         None
     }
 
+    /// The place in a step that is farthest from its stages, as a fraction: there a singular position does no harm.
+    fn gap(&self) -> f64 {
+        0.5
+    }
+
     /// Advances from a sample to `time`.
     ///
     /// # Errors

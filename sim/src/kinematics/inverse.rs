@@ -90,7 +90,7 @@ pub(super) fn prescribed<M: Mechanism>(
     let driving: f64 = forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
     let power = mechanism.power(time, q, &qd, &qdd, &lambda) + driving;
     let state = State { time, positions: *q, speeds: qd, work: 0.0 };
-    let sample = Sample { state, accelerations: qdd, multipliers: lambda, power };
+    let sample = Sample { state, accelerations: qdd, multipliers: lambda, power, inputs: mechanism.inputs() };
     Ok(Prescribed { sample, forces, determinant, columns })
 }
 

@@ -73,7 +73,9 @@ mod declared {
     fn evaluate<M: Mechanism>(oracle: &Oracle, parameters: &[f64], sample: &Sample<M>) -> Option<Vec<f64>> {
         let list = |values: &M::Q| values.iter().copied().collect::<Vec<f64>>();
         let (coordinates, speeds) = (list(&sample.state.positions), list(&sample.state.speeds));
-        let state = State { time: sample.state.time, parameters, coordinates: &coordinates, speeds: &speeds };
+        let inputs: Vec<Option<f64>> = sample.inputs.iter().map(|input| input.held()).collect();
+        let (time, coordinates, speeds) = (sample.state.time, &coordinates, &speeds);
+        let state = State { time, parameters, inputs: &inputs, coordinates, speeds };
         let solution = Solution {
             accelerations: sample.accelerations.iter().copied().map(Measured::given).collect(),
             multipliers: sample.multipliers.iter().copied().map(Measured::given).collect(),

@@ -72,6 +72,13 @@ fn lagrange_difference<M: Mechanism>(
     let (n, m, state) = (M::Q::LEN, M::L::LEN, &sample.state);
     let parameters = mechanism.parameters();
     let model = &declared.model;
+    let inputs = mechanism.inputs();
+    let given = |symbol| {
+        let of_parameter = || model.parameters.iter().position(|p| p.symbol == symbol).map(|i| parameters[i]);
+        let of_time = || (symbol == model.time).then_some(state.time);
+        of_parameter().or_else(of_time).unwrap_or(f64::NAN)
+    };
+    let course = |i: usize| evaluate(&model.graph, &[model.inputs[i].course], given)[0];
     let values = |exprs: &[Expr]| {
         evaluate(&model.graph, exprs, |symbol| {
             let of_coordinate = model.coordinates.iter().enumerate().find_map(|(i, c)| match symbol {
@@ -79,9 +86,9 @@ fn lagrange_difference<M: Mechanism>(
                 _ if symbol == c.speed => Some(state.speeds[i]),
                 _ => None,
             });
-            let of_parameter = || model.parameters.iter().position(|p| p.symbol == symbol).map(|i| parameters[i]);
-            let of_time = || (symbol == model.time).then_some(state.time);
-            of_coordinate.or_else(of_parameter).or_else(of_time).unwrap_or(f64::NAN)
+            let of_input =
+                || model.inputs.iter().position(|input| input.symbol == symbol).map(|i| inputs[i].or(course(i)));
+            of_coordinate.or_else(of_input).unwrap_or_else(|| given(symbol))
         })
     };
     let (mass, force) = (values(&declared.lagrange.mass_matrix.concat()), values(&declared.lagrange.right_hand_side));
@@ -166,7 +173,14 @@ fn compare_terms<M: Mechanism>(
     let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
     let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
     let (oracle, parameters) = (declared.oracle(mechanism), mechanism.parameters());
-    let at = State { time: t, parameters: parameters.as_ref(), coordinates: q.as_ref(), speeds: qd.as_ref() };
+    let inputs = held(mechanism);
+    let at = State {
+        time: t,
+        parameters: parameters.as_ref(),
+        inputs: &inputs,
+        coordinates: q.as_ref(),
+        speeds: qd.as_ref(),
+    };
     let terms = oracle.terms(&at).map_err(uninterpreted)?;
     let flat = |rows: &mut dyn Iterator<Item = &M::Q>| rows.flat_map(|row| row.iter().copied()).collect::<Vec<f64>>();
     found.compare("mass matrix", &flat(&mut mechanism.mass_matrix(t, q).iter()), &terms.mass_matrix.concat());
@@ -194,6 +208,11 @@ fn compare_terms<M: Mechanism>(
     Ok(())
 }
 
+/// What each input of a mechanism is set to.
+fn held<M: Mechanism>(mechanism: &M) -> Vec<Option<f64>> {
+    mechanism.inputs().iter().map(|input| input.held()).collect()
+}
+
 fn uninterpreted(error: codegen::oracle::OracleError) -> VerifyError {
     VerifyError::Declaration(error.to_string())
 }
@@ -218,7 +237,7 @@ pub fn reactions_against_balance<M: Mechanism>(
     declared: &Declared,
     samples: &[Sample<M>],
 ) -> Result<Check, VerifyError> {
-    let parameters = mechanism.parameters();
+    let (parameters, inputs) = (mechanism.parameters(), held(mechanism));
     let oracle = declared.oracle(mechanism);
     let mut worst = (0.0, "");
     for sample in samples {
@@ -226,6 +245,7 @@ pub fn reactions_against_balance<M: Mechanism>(
         let at = State {
             time: sample.state.time,
             parameters: parameters.as_ref(),
+            inputs: &inputs,
             coordinates: q.as_ref(),
             speeds: qd.as_ref(),
         };

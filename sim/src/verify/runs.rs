@@ -9,7 +9,7 @@ use sim_kernel::{Array, Mechanism};
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     let (mut worst, mut meaning) = (0.0, String::from("largest |C| and |C_q q' + C_t|"));
     for (mechanism, sample) in run.trajectory.with_mechanisms(&run.mechanism) {
-        let (position, velocity) = residuals(mechanism, &sample.state);
+        let (position, velocity) = residuals(&mechanism, &sample.state);
         if !(position.max(velocity) <= worst) || position.is_nan() || velocity.is_nan() {
             worst = if position.is_nan() { f64::NAN } else { position.max(velocity) };
             meaning = format!(

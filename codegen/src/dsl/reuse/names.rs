@@ -5,18 +5,19 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use std::collections::BTreeMap;
 use syn::{Error, Result};
 
-/// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one.
+/// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one, and a free body
+/// has coordinates.
 const NAMING: [&str; 5] = ["coordinates", "parameters", "inputs", "auxiliary", "outputs"];
 
 /// Words that say what a line or a clause is, and those with a meaning everywhere.
-const WORDS: [&str; 26] = [
-    "mass", "inertia", "angle", "at", "on", "along", "radius", "about", "force", "torque", "gravity", "guess", "line",
-    "slider", "ground", "point", "circle", "t", "pi", "e", "let", "use", "as", "repeat", "in", "sum",
-];
+const WORDS: &str = "mass inertia angle at on along radius about force torque gravity guess line slider ground point circle spring \
+    damper potential dissipation length rest stretch rate from to between and through free initially active \
+    released rising falling record stop set swap activate release impact restitution after if else t pi e let use \
+    as repeat in sum";
 
 /// Refuses a name that could be taken for a word of the language.
 pub(super) fn check_free(name: &Ident) -> Result<()> {
-    if !WORDS.contains(&plain(name).as_str()) {
+    if !WORDS.split_whitespace().any(|word| plain(name) == word) {
         return Ok(());
     }
     let message = format!("`{name}` is a word of the language, which an index or a name in a fragment cannot be");
@@ -55,6 +56,9 @@ fn in_block(tokens: &[TokenTree], names_lead: bool, names: &mut BTreeMap<String,
             && (names_lead || is_punct(tokens.get(at + 1), ':'))
         {
             add(name, names);
+            if is_word(tokens.get(at + 2), "free") {
+                ["x", "y", "phi"].iter().for_each(|own| add(&Ident::new(&format!("{name}_{own}"), name.span()), names));
+            }
         }
         starts = is_punct(tokens.get(at), ';');
         if let Some(inner) = group(tokens.get(at), Delimiter::Brace) {

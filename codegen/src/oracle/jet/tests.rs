@@ -116,7 +116,8 @@ fn along(function: Function, point: [f64; 3], i: usize, j: usize) -> (f64, f64, 
     second_partial_derivative(shifted, (0.0, 0.0))
 }
 
-const STATE: State = State { time: 0.4, parameters: &[1.5], coordinates: &[0.7, -1.3], speeds: &[2.1, 0.6] };
+const STATE: State =
+    State { time: 0.4, parameters: &[1.5], inputs: &[], coordinates: &[0.7, -1.3], speeds: &[2.1, 0.6] };
 const ACCELERATIONS: [f64; 2] = [-0.9, 3.2];
 
 fn accelerated() -> Setting {

@@ -1,0 +1,114 @@
+//! A crate of all generated kernels that prints what they compute.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A mechanism with the states at which it is evaluated.
+pub(crate) struct Case {
+    pub(crate) name: String,
+    pub(crate) declaration: String,
+    pub(crate) states: Vec<State>,
+}
+
+pub(crate) struct State {
+    pub(crate) time: f64,
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) coordinates: Vec<f64>,
+    pub(crate) speeds: Vec<f64>,
+}
+
+/// Prints every kernel's values of a state on one line, as bits, under their names.
+const DRIVER: &str = r#"
+use sim_kernel::{Array, Mechanism};
+
+fn print(name: &str, values: impl IntoIterator<Item = f64>) {
+    print!("{name}");
+    for value in values {
+        print!(" {:x}", value.to_bits());
+    }
+    print!(";");
+}
+
+fn rows<R: AsRef<[f64]>>(rows: impl AsRef<[R]>) -> Vec<f64> {
+    rows.as_ref().iter().flat_map(|row| row.as_ref().to_vec()).collect()
+}
+
+fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
+    let mechanism = M::with_parameters(M::Parameters::from_fn(|i| p[i]));
+    let (q, qd) = (&M::Q::from_fn(|i| q[i]), &M::Q::from_fn(|i| qd[i]));
+    let vector = |values: &dyn AsRef<[f64]>| values.as_ref().to_vec();
+    print("mass_matrix", rows(mechanism.mass_matrix(t, q)));
+    print("convective", vector(&mechanism.convective_forces(t, q, qd)));
+    print("forces", vector(&mechanism.generalized_forces(t, q, qd)));
+    print("constraints", vector(&mechanism.constraints(t, q)));
+    print("jacobian", rows(mechanism.constraint_jacobian(t, q)));
+    print("time_derivative", vector(&mechanism.constraint_time_derivative(t, q)));
+    print("constraint_convective", vector(&mechanism.constraint_convective(t, q, qd)));
+    print("energy", [mechanism.kinetic_energy(t, q, qd)]);
+    let solved = mechanism.dynamics(t, q, qd);
+    print("refused", [if solved.refused { 1.0 } else { 0.0 }]);
+    print("accelerations", vector(&solved.accelerations));
+    print("multipliers", vector(&solved.multipliers));
+    print("power", [solved.power]);
+    print("events", vector(&mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers)));
+    print("outputs", vector(&mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers)));
+    println!();
+}
+"#;
+
+/// What the kernels of all cases compute: for each case and state, names with values.
+pub(crate) fn run(cases: &[Case]) -> Vec<Vec<(String, Vec<f64>)>> {
+    let folder = made(cases);
+    let mut command = Command::new(env!("CARGO"));
+    command.args(["run", "--quiet"]).current_dir(&folder).env("CARGO_NET_OFFLINE", "true");
+    command.env("CARGO_TARGET_DIR", folder.join("target"));
+    for (setting, value) in [("OPT_LEVEL", "0"), ("DEBUG", "0")] {
+        command.env(format!("CARGO_PROFILE_DEV_{setting}"), value);
+    }
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap().lines().map(values).collect()
+}
+
+fn values(line: &str) -> Vec<(String, Vec<f64>)> {
+    let entry = |entry: &str| {
+        let mut words = entry.split(' ');
+        let name = words.next().unwrap().to_owned();
+        (name, words.map(|bits| f64::from_bits(u64::from_str_radix(bits, 16).unwrap())).collect())
+    };
+    line.split_terminator(';').map(entry).collect()
+}
+
+/// Writes the crate.
+fn made(cases: &[Case]) -> PathBuf {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz");
+    fs::create_dir_all(folder.join("src")).unwrap();
+    let manifest = format!(
+        "[package]\nname = \"fuzz\"\nedition = \"2024\"\n[dependencies]\n\
+         sim-kernel = {{ path = {:?}, default-features = false }}\n[workspace]\n",
+        workspace.join("sim/kernel")
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    fs::copy(workspace.join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
+    let mut source = String::from(DRIVER);
+    let mut calls = String::new();
+    for case in cases {
+        let module = case.name.to_lowercase();
+        let items = codegen::generate_text(&case.declaration, "sim_kernel").unwrap();
+        writeln!(source, "#[allow(warnings)] mod {module} {{\n{items}\n}}").unwrap();
+        for State { time, parameters, coordinates, speeds } in &case.states {
+            writeln!(
+                calls,
+                "evaluate::<{module}::{}>({time:?}, &{parameters:?}, &{coordinates:?}, &{speeds:?});",
+                case.name
+            )
+            .unwrap();
+        }
+    }
+    writeln!(source, "fn main() {{\n{calls}}}").unwrap();
+    fs::write(folder.join("src/main.rs"), source).unwrap();
+    folder
+}

@@ -1,0 +1,64 @@
+//! Inputs that a program sets while a motion runs.
+
+use crate::failure::Failure;
+use crate::trajectory::{Sample, State};
+use sim_kernel::Mechanism;
+
+/// The law of a controller: the inputs that follow from a sample.
+type Law<'c, M> = Box<dyn FnMut(&Sample<M>) -> <M as Mechanism>::Inputs + 'c>;
+
+/// What sets the inputs of a run: asked at its start and after every period, of the sample that is reached; between, what it
+/// sets is held. Steps end where periods do, so that a motion is smooth within a step.
+pub struct Controller<'c, M: Mechanism> {
+    period: f64,
+    law: Law<'c, M>,
+}
+
+impl<'c, M: Mechanism> Controller<'c, M> {
+    /// A law that is asked every `period` seconds; `None` unless that is above zero.
+    pub fn new(period: f64, law: impl FnMut(&Sample<M>) -> M::Inputs + 'c) -> Option<Controller<'c, M>> {
+        (period > 0.0).then(|| Controller { period, law: Box::new(law) })
+    }
+
+    /// How long inputs are held, in seconds.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+}
+
+/// A controller along a run, if there is one.
+pub(crate) struct Control<'r, 'c, M: Mechanism> {
+    controller: Option<&'r mut Controller<'c, M>>,
+    begin: f64,
+    /// How often it has been asked.
+    asked: u32,
+}
+
+impl<'r, 'c, M: Mechanism> Control<'r, 'c, M> {
+    pub(crate) fn new(controller: Option<&'r mut Controller<'c, M>>, begin: f64) -> Control<'r, 'c, M> {
+        Control { controller, begin, asked: 0 }
+    }
+
+    /// Until when inputs are held, in a run that ends at `end`.
+    pub(crate) fn holds_until(&self, end: f64) -> f64 {
+        let period = self.controller.as_ref().map(|controller| controller.period);
+        period.map_or(end, |period| (self.begin + f64::from(self.asked) * period).min(end))
+    }
+
+    /// The mechanism with the inputs that the controller sets at a state, if a period ends there. It sees a sample that
+    /// follows from the inputs so far.
+    ///
+    /// # Errors
+    /// As the sample.
+    pub(crate) fn ask(
+        &mut self,
+        mechanism: M,
+        at: &State<M>,
+        sample: impl FnOnce(&M) -> Result<Sample<M>, Failure>,
+    ) -> Result<M, Failure> {
+        let is_due = at.time >= self.holds_until(f64::INFINITY);
+        let Some(controller) = self.controller.as_mut().filter(|_| is_due) else { return Ok(mechanism) };
+        self.asked += 1;
+        Ok(mechanism.with_inputs((controller.law)(&sample(&mechanism)?)))
+    }
+}
