@@ -194,15 +194,16 @@ fn steps_do_not_end_where_the_motion_is_not_determined() {
         let run = run_with(Parallelogram { g: 0.0, ..Default::default() }, &settings).unwrap();
         assert_eq!((&run.trajectory.failure, run.steps.singularities.len()), (&None, 1));
         assert!((run.steps.singularities[0].time - flat).abs() < 1e-9);
-        let mut worst = 0.0f64;
+        let (mut worst, mut acceleration) = (0.0f64, 0.0f64);
         for sample in &run.trajectory.samples {
             let crank = 1.0 + 10.0 * sample.state.time;
             let pairs = sample.state.positions.into_iter().zip([crank, 0.0, crank]);
             worst = pairs.fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
-            worst = worst.max(sample.accelerations.iter().fold(0.0, |worst, a| worst.max(a.abs())));
+            acceleration = sample.accelerations.iter().fold(acceleration, |worst, a| worst.max(a.abs()));
         }
-        println!("{:<7} {worst:.1e}", method.name());
-        assert!(worst < 1e-9, "{}: {worst:e}", method.name());
+        println!("{:<7} {worst:.1e}, accelerations {acceleration:.1e}", method.name());
+        // In the flat position accelerations are differences of speeds over a hundredth of a step.
+        assert!(worst < 1e-9 && acceleration < 1e-6, "{}: {worst:e} {acceleration:e}", method.name());
     }
 }
 
