@@ -63,7 +63,7 @@ pub fn poincare<M: Mechanism>(
     let most = if section.crossing.is_some() { 2 * section.count } else { section.count };
     let stop = Some(StopAt { event: section.event, occurrence: most });
     let found = run(mechanism, start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
-    let name = M::DESCRIPTION.events[section.event];
+    let name = M::DESCRIPTION.events[section.event].name;
     let is_wanted = |event: &&Occurrence<M>| {
         event.name == name && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };
@@ -74,7 +74,7 @@ pub fn poincare<M: Mechanism>(
     Ok(Section {
         mechanism,
         period: period(&states),
-        trajectory: Trajectory { samples, failure: found.trajectory.failure },
+        trajectory: Trajectory { samples, phases: vec![], failure: found.trajectory.failure },
     })
 }
 

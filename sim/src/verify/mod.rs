@@ -121,9 +121,9 @@ fn parts<M: Mechanism>(run: &Run<M>) -> Vec<(M, Vec<Sample<M>>)> {
     };
     let stride = (run.trajectory.samples.len() / STATES).max(1);
     for (mechanism, sample) in run.trajectory.with_mechanisms(&run.mechanism).step_by(stride) {
-        match parts.iter_mut().find(|(other, _)| is_same(mechanism, other)) {
+        match parts.iter_mut().find(|(other, _)| is_same(&mechanism, other)) {
             Some((_, samples)) => samples.push(*sample),
-            None => parts.push((*mechanism, vec![*sample])),
+            None => parts.push((mechanism, vec![*sample])),
         }
     }
     parts
