@@ -479,6 +479,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type Drawing = [S; 9];
     type QP = [[S; 6]; 2];
     type LP = [[S; 6]; 1];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = BouncingBallPrepared<S>;
     type On<T: sim_kernel::Scalar> = BouncingBall<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -570,6 +571,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
                 docs: "",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "floor",
@@ -693,6 +695,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
             floor_activity: convert(self.floor_activity),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     fn activities(&self) -> [S; 1] {
         [self.floor_activity]
     }

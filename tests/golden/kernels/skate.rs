@@ -623,6 +623,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Drawing = [S; 10];
     type QP = [[S; 5]; 3];
     type LP = [[S; 5]; 1];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = SkatePrepared<S>;
     type On<T: sim_kernel::Scalar> = Skate<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -730,6 +731,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
                 docs: "",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "blade",
@@ -814,6 +816,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
             g: convert(self.g),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> SkatePrepared<S> {
         self.prepare()
