@@ -99,7 +99,8 @@ impl Writer {
         let mut text = String::from("bodies {\n");
         for (i, coordinate) in self.coordinates.clone().iter().enumerate() {
             let mass = self.random.between(0.5, 2.0);
-            text += &format!("own{i}: mass {mass:.2} at [{coordinate}, {}], ", self.scalar(1));
+            let cut = if i == 0 { " + cut" } else { "" };
+            text += &format!("own{i}: mass {mass:.2} at [{coordinate}{cut}, {}], ", self.scalar(1));
             text += &format!("inertia 0.1, angle {coordinate};\n");
         }
         for i in 0..self.random.below(3) {
