@@ -6,7 +6,8 @@
 use super::joint::{Joint, JointKind};
 use super::made::{across, binary, call, component, difference, direction, inner, product, zero};
 use super::{
-    Action, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
+    Action, Body, Choice, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
+    Region, Shape,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
@@ -127,6 +128,10 @@ impl Frames {
                 Ok(())
             }
             Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
+            Kind::If(choice) => {
+                let Choice { left, right, yes, no, .. } = &mut **choice;
+                [left, right, yes, no].into_iter().try_for_each(|part| self.write_out(part))
+            }
         }
     }
 
@@ -193,7 +198,7 @@ fn of_action(action: &mut Action) -> Option<&mut Expression> {
 fn of_element(element: &mut Element) -> Vec<&mut Expression> {
     let law = match &mut element.law {
         Law::Force(law) | Law::Damper(law) => vec![law],
-        Law::Spring(law, rest) => vec![law, rest],
+        Law::Spring(law, rest) | Law::Friction(law, rest) => vec![law, rest],
     };
     let extent = match &mut element.extent {
         Extent::Distance(a, b) | Extent::Difference(a, b) => vec![a, b],

@@ -360,6 +360,7 @@ pub enum Kind {
 }
 
 /// `if left > right then yes else no`
+#[derive(Clone)]
 pub struct Choice {
     /// What is compared.
     pub left: Expression,
