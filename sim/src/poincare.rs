@@ -7,7 +7,7 @@ use crate::kinematics::Driven;
 use crate::motion::Motion;
 use crate::run::run;
 use crate::settings::{Rows, Settings, StopAt};
-use crate::trajectory::{State, Trajectory};
+use crate::trajectory::{Phase, State, Trajectory};
 use sim_kernel::{Array, Mechanism};
 use std::f64::consts::TAU;
 
@@ -63,19 +63,29 @@ pub fn poincare<M: Mechanism>(
     let most = if section.crossing.is_some() { 2 * section.count } else { section.count };
     let stop = Some(StopAt { event: section.event, occurrence: most });
     let found = run(mechanism, start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
-    let name = M::DESCRIPTION.events[section.event];
     let is_wanted = |event: &&Occurrence<M>| {
-        event.name == name && section.crossing.is_none_or(|crossing| event.crossing == crossing)
+        event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };
-    let motion = Motion::new(&mechanism, settings.stabilisation);
-    let states = found.events.iter().filter(is_wanted).take(section.count).map(|event| event.state);
-    let samples = states.map(|state| motion.sample(state)).collect::<Result<Vec<_>, _>>()?;
+    let (mut samples, mut phases) = (Vec::new(), Vec::new());
+    for event in found.events.iter().filter(is_wanted).take(section.count) {
+        let phase = phase_before(&found.trajectory, &event.state);
+        let mechanism = phase.map_or(mechanism, |phase| phase.mechanism);
+        phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
+        samples.push(Motion::new(&mechanism, settings.stabilisation).sample(event.state)?);
+    }
     let states: Vec<State<M>> = samples.iter().map(|sample| sample.state).collect();
     Ok(Section {
         mechanism,
         period: period(&states),
-        trajectory: Trajectory { samples, failure: found.trajectory.failure },
+        trajectory: Trajectory { samples, phases, failure: found.trajectory.failure },
     })
+}
+
+/// The phase that an event ends or lies in.
+fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M>) -> Option<&'t Phase<M>> {
+    let begins = |phase: &Phase<M>| trajectory.samples[phase.first].state.time;
+    let later = trajectory.phases.partition_point(|phase| begins(phase) < state.time);
+    trajectory.phases.get(later.saturating_sub(1))
 }
 
 /// The least number of crossings after which all states are the same again.

@@ -83,7 +83,7 @@ mechanism! {
     coordinates { theta [rad]; s [mm]; phi [rad]; u [m]; v [m]; }
     parameters { r [m] = 0.1; l [m] = 0.3; m [kg] = 1; }
     let A = r*[cos(theta), sin(theta)];
-    let P = [0.05, 0.02] + s*[cos(0.4), sin(0.4)];
+    let P = [0.05 [m], 0.02 [m]] + s*[cos(0.4), sin(0.4)];
     bodies { slider: mass m at P; wedge: mass m at [u, v]; crank: inertia m*r^2, angle theta; rod: inertia m*l^2, angle phi; }
     constraints { rod: A + l*[cos(phi), sin(phi)] = P; wedge: [u + v, u - v] = A; }
     initial { theta = 1; guess s = 300; guess phi = 0.2; }

@@ -11,7 +11,7 @@ mechanism! {
     parameters { M [kg] = 3; m [kg] = 1; l [m] = 0.5; k [N/m] = 40; c [N*s/m] = 2; F [N] = 0; }
     let P = [x + l*sin(phi), -l*cos(phi)];
     bodies { cart: mass M at [x, 0]; bob: mass m at P; }
-    loads { gravity [0, -9.81]; force [F - k*x - c*dot(x), 0] at [x, 0]; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [F - k*x - c*dot(x), 0] at [x, 0]; }
     outputs { bob [mm] = P.x; acceleration [m/s^2] = ddot(x); push [N] = F; }
 }
 

@@ -10,7 +10,7 @@ fn section<M: Mechanism>(
     crossing: Option<Crossing>,
     count: usize,
 ) -> Section<M> {
-    let event = M::DESCRIPTION.events.iter().position(|name| *name == event).unwrap();
+    let event = M::DESCRIPTION.events.iter().position(|other| other.name == event).unwrap();
     let settings = Settings::adaptive(Method::Dop853, 200.0, 1e-12);
     poincare(mechanism, start, &Sectioning { event, crossing, count }, &settings).unwrap()
 }

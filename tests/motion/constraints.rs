@@ -14,9 +14,9 @@ mechanism! {
     let u = [cos(coupler), sin(coupler)];
     let v = [cos(rocker), sin(rocker)];
     bodies {
-        one: mass 2 at A/2, inertia 2*a^2/12, angle crank;
+        one: mass 2 [kg] at A/2, inertia 2 [kg]*a^2/12, angle crank;
         two: mass m at A + b/2*u, inertia m*b^2/12, angle coupler;
-        three: mass 3 at [d, 0] + c/2*v, inertia 3*c^2/12, angle rocker;
+        three: mass 3 [kg] at [d, 0] + c/2*v, inertia 3 [kg]*c^2/12, angle rocker;
     }
     loads { gravity [0, -g]; }
     constraints { closure: A + b*u = [d, 0] + c*v; again: 3*A + 3*b*u = [3*d, 0] + 3*c*v; }
@@ -32,9 +32,9 @@ mechanism! {
     let u = [cos(coupler), sin(coupler)];
     let third = a*[cos(middle), sin(middle)];
     bodies {
-        one: inertia 0.1, angle crank;
+        one: inertia 0.1 [kg*m^2], angle crank;
         two: mass m at A + 0.3*b*u, inertia m*b^2/12, angle coupler;
-        three: inertia 0.2, angle rocker;
+        three: inertia 0.2 [kg*m^2], angle rocker;
         four: mass n at [b/2, 0] + third/2, inertia n*a^2/12, angle middle;
     }
     loads { gravity [0, -g]; torque -c*dot(crank) on one; }
@@ -54,9 +54,9 @@ mechanism! {
     let u = [cos(coupler), sin(coupler)];
     let third = a*[cos(middle), sin(middle)];
     bodies {
-        one: inertia 0.1, angle crank;
+        one: inertia 0.1 [kg*m^2], angle crank;
         two: mass m at A + 0.3*b*u, inertia m*b^2/12, angle coupler;
-        three: inertia 0.2, angle rocker;
+        three: inertia 0.2 [kg*m^2], angle rocker;
         four: mass n at [b/2, 0] + third/2, inertia n*a^2/12, angle middle;
     }
     loads { gravity [0, -g]; torque -c*dot(crank) on one; }

@@ -12,9 +12,9 @@ mechanism! {
     parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
     let A = a*[cos(crank), sin(crank)];
     bodies {
-        one: inertia 0.1, angle crank;
+        one: inertia 0.1 [kg*m^2], angle crank;
         two: mass m at A + b/2*[cos(coupler), sin(coupler)], inertia m*b^2/12, angle coupler;
-        three: inertia 0.2, angle rocker;
+        three: inertia 0.2 [kg*m^2], angle rocker;
     }
     loads { gravity [0, -g]; }
     constraints { closure: A + b*[cos(coupler), sin(coupler)] = [b, 0] + a*[cos(rocker), sin(rocker)]; }
@@ -26,7 +26,7 @@ mechanism! {
     ParallelogramAlone;
     coordinates { crank [rad]; }
     parameters { a [m] = 0.2; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
-    bodies { two: mass m at a*[cos(crank), sin(crank)]; cranks: inertia 0.3, angle crank; }
+    bodies { two: mass m at a*[cos(crank), sin(crank)]; cranks: inertia 0.3 [kg*m^2], angle crank; }
     loads { gravity [0, -g]; }
     initial { crank = start; dot(crank) = w; }
 }
@@ -39,9 +39,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = A + a*[cos(rod), -sin(rod)];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle rod;
-        slider: mass 0.4 at [x, 0];
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle rod;
+        slider: mass 0.4 [kg] at [x, 0];
     }
     loads { gravity [0, -g]; }
     constraints { pin: B = [x, 0]; }
@@ -56,9 +56,9 @@ mechanism! {
     let A = a*[cos(crank), sin(crank)];
     let B = [2*a*cos(crank), 0];
     bodies {
-        one: mass 1 at A/2, inertia 0.02, angle crank;
-        two: mass 0.7 at (A + B)/2, inertia 0.01, angle crank;
-        slider: mass 0.4 at B;
+        one: mass 1 [kg] at A/2, inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at (A + B)/2, inertia 0.01 [kg*m^2], angle crank;
+        slider: mass 0.4 [kg] at B;
     }
     loads { gravity [0, -g]; }
     initial { crank = 0.3; dot(crank) = w; }
@@ -194,15 +194,16 @@ fn steps_do_not_end_where_the_motion_is_not_determined() {
         let run = run_with(Parallelogram { g: 0.0, ..Default::default() }, &settings).unwrap();
         assert_eq!((&run.trajectory.failure, run.steps.singularities.len()), (&None, 1));
         assert!((run.steps.singularities[0].time - flat).abs() < 1e-9);
-        let mut worst = 0.0f64;
+        let (mut worst, mut acceleration) = (0.0f64, 0.0f64);
         for sample in &run.trajectory.samples {
             let crank = 1.0 + 10.0 * sample.state.time;
             let pairs = sample.state.positions.into_iter().zip([crank, 0.0, crank]);
             worst = pairs.fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
-            worst = worst.max(sample.accelerations.iter().fold(0.0, |worst, a| worst.max(a.abs())));
+            acceleration = sample.accelerations.iter().fold(acceleration, |worst, a| worst.max(a.abs()));
         }
-        println!("{:<7} {worst:.1e}", method.name());
-        assert!(worst < 1e-9, "{}: {worst:e}", method.name());
+        println!("{:<7} {worst:.1e}, accelerations {acceleration:.1e}", method.name());
+        // In the flat position accelerations are differences of speeds over a hundredth of a step.
+        assert!(worst < 1e-9 && acceleration < 1e-6, "{}: {worst:e} {acceleration:e}", method.name());
     }
 }
 

@@ -6,8 +6,7 @@
 use super::joint::{Joint, JointKind};
 use super::made::{across, binary, call, component, difference, direction, inner, product, zero};
 use super::{
-    Action, Body, Choice, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
-    Region, Shape,
+    Action, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
@@ -129,8 +128,8 @@ impl Frames {
             }
             Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
             Kind::If(choice) => {
-                let Choice { left, right, yes, no, .. } = &mut **choice;
-                [left, right, yes, no].into_iter().try_for_each(|part| self.write_out(part))
+                let parts = [&mut choice.left, &mut choice.right, &mut choice.yes, &mut choice.no];
+                parts.into_iter().try_for_each(|part| self.write_out(part))
             }
         }
     }
@@ -198,7 +197,7 @@ fn of_action(action: &mut Action) -> Option<&mut Expression> {
 fn of_element(element: &mut Element) -> Vec<&mut Expression> {
     let law = match &mut element.law {
         Law::Force(law) | Law::Damper(law) => vec![law],
-        Law::Spring(law, rest) | Law::Friction(law, rest) => vec![law, rest],
+        Law::Spring(law, other) | Law::Friction(law, other) => vec![law, other],
     };
     let extent = match &mut element.extent {
         Extent::Distance(a, b) | Extent::Difference(a, b) => vec![a, b],

@@ -12,6 +12,7 @@ mod limits;
 mod load;
 mod made;
 mod parse;
+mod print;
 mod rates;
 mod region;
 mod reuse;

@@ -1,7 +1,8 @@
 //! `if`, `min` and `max`.
 
+use super::homogeneity::Measured;
 use super::interpret::Interpreter;
-use super::value::{Shape, Value, common_dimension};
+use super::value::{Shape, Value};
 use crate::dsl::{self, Comparison, Expression, Region};
 use crate::symbolic::{Expr, Graph};
 
@@ -10,8 +11,12 @@ impl Interpreter {
     pub(super) fn choice(&mut self, choice: &dsl::Choice) -> Option<Value> {
         let (left, right) = (self.scalar_value(&choice.left), self.scalar_value(&choice.right));
         let (yes, no) = (self.value(&choice.yes), self.value(&choice.no));
-        let ((left, _), (right, _), yes, no) = (left?, right?, yes?, no?);
-        let dimension = common_dimension(yes.dimension.clone(), no.dimension.clone());
+        let ((left, of_left), (right, of_right), yes, no) = (left?, right?, yes?, no?);
+        let compared = [(&choice.left, &of_left), (&choice.right, &of_right)];
+        let [a, b] = compared.map(|(expression, dimension)| Measured { expression, dimension });
+        self.common_dimension(a, b, "only quantities of one dimension can be compared")?;
+        let (a, b) = (yes.measured(&choice.yes), no.measured(&choice.no));
+        let dimension = self.common_dimension(a, b, "both values of an `if` are of one dimension")?;
         let mut choose = |yes: Expr, no: Expr| {
             // `a >= b` is what `b > a` is not.
             let (difference, above, otherwise) = match choice.comparison {
@@ -46,12 +51,19 @@ impl Interpreter {
         if values.len() < 2 {
             return self.refuse(region, format!("`{name}` is written `{name}(a, b)`, of two values or more"));
         }
-        let mut values = values.into_iter();
-        let mut extreme = values.next()??;
-        for value in values {
-            let (value, dimension) = value?;
-            extreme = (of_two(&mut self.graph, extreme.0, value), common_dimension(extreme.1, dimension));
+        let rule = format!("`{name}` takes quantities of one dimension");
+        let mut values = arguments.iter().zip(values);
+        let (first, value) = values.next()?;
+        let (mut extreme, mut dimension) = value?;
+        for (argument, value) in values {
+            let (value, own) = value?;
+            let (a, b) = (
+                Measured { expression: first, dimension: &dimension },
+                Measured { expression: argument, dimension: &own },
+            );
+            dimension = self.common_dimension(a, b, &rule)?;
+            extreme = of_two(&mut self.graph, extreme, value);
         }
-        Some(Value::scalar(extreme.0, extreme.1))
+        Some(Value::scalar(extreme, dimension))
     }
 }

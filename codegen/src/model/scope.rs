@@ -48,6 +48,18 @@ impl<T: Clone> Names<T> {
         self.entries.get(name).map(|(region, _)| *region)
     }
 
+    /// The thing of that name, if there is one without mistakes.
+    pub(super) fn get(&self, name: &str) -> Option<&T> {
+        self.entries.get(name).and_then(|(_, thing)| thing.as_ref())
+    }
+
+    /// Changes the thing of that name.
+    pub(super) fn change(&mut self, name: &str, change: impl FnOnce(&mut T)) {
+        if let Some((_, Some(thing))) = self.entries.get_mut(name) {
+            change(thing);
+        }
+    }
+
     /// The names, in order.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.entries.keys().map(String::as_str)

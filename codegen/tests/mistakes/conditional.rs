@@ -1,6 +1,6 @@
 //! Constraints that events switch or hit.
 
-use super::check;
+use super::check_without_units as check;
 
 /// Constraints and events in front of `initial {` of line 7, the constraint alone on it.
 fn switched(constraint: &str, events: &str, expected: &[&str]) {

@@ -1,6 +1,6 @@
 //! Loads along scalars: springs, dampers, potentials, dissipation functions.
 
-use super::check;
+use super::check_without_units as check;
 
 fn check_each(table: &[(&str, &[&str])]) {
     for (line, expected) in table {

@@ -1,6 +1,6 @@
 //! Events: directions and actions.
 
-use super::check;
+use super::check_without_units as check;
 
 /// Replaces `initial {` of line 7 by a block of events in front of it.
 fn events(block: &str, expected: &[&str]) {
@@ -59,7 +59,7 @@ fn actions() {
         &["7:34 the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression"],
     );
     events("top: phi = 0 { set phi 1; }", &["7:33 what is set: `set x = 0;`, `set dot(x) = 0;` or `set m = 2;`"]);
-    events("top: phi = 0 { set m = m + 1; set m = 2; }", &["7:44 `m` is set twice at once; keep one"]);
+    events("top: phi = 0 { set m = m*1.5; set m = 2; }", &["7:44 `m` is set twice at once; keep one"]);
     events(
         "top: phi = 0 { set dot(phi) = ddot(phi); }",
         &[

@@ -7,7 +7,7 @@
 //!     coordinates { y [m]; }
 //!     parameters { m [kg] = 1; }
 //!     bodies { ball: mass m at [0, y]; }
-//!     loads { gravity [0, -9.81]; }
+//!     loads { gravity [0, -9.81 [m/s^2]]; }
 //! }
 //!
 //! fn main() -> std::process::ExitCode {

@@ -82,7 +82,7 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
-    let events = || description.events.iter().copied();
+    let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|name| name == arguments.event);
     let event = event.ok_or_else(|| unknown("event", &arguments.event, events()))?;
     if !(1e-14..=0.1).contains(&arguments.rtol) {

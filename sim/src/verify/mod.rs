@@ -116,14 +116,16 @@ fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, 
 fn parts<M: Mechanism>(run: &Run<M>) -> Vec<(M, Vec<Sample<M>>)> {
     let mut parts: Vec<(M, Vec<Sample<M>>)> = Vec::new();
     let is_same = |a: &M, b: &M| {
-        let (parameters, activities) = (a.parameters(), a.activities());
-        parameters.as_ref() == b.parameters().as_ref() && activities.as_ref() == b.activities().as_ref()
+        let (parameters, inputs, activities) = (a.parameters(), a.inputs(), a.activities());
+        parameters.as_ref() == b.parameters().as_ref()
+            && inputs.as_ref() == b.inputs().as_ref()
+            && activities.as_ref() == b.activities().as_ref()
     };
     let stride = (run.trajectory.samples.len() / STATES).max(1);
     for (mechanism, sample) in run.trajectory.with_mechanisms(&run.mechanism).step_by(stride) {
-        match parts.iter_mut().find(|(other, _)| is_same(mechanism, other)) {
+        match parts.iter_mut().find(|(other, _)| is_same(&mechanism, other)) {
             Some((_, samples)) => samples.push(*sample),
-            None => parts.push((*mechanism, vec![*sample])),
+            None => parts.push((mechanism, vec![*sample])),
         }
     }
     parts

@@ -3032,6 +3032,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
     type Drawing = [S; 38];
     type QP = [[S; 42]; 7];
     type LP = [[S; 42]; 6];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = AndrewsPrepared<S>;
     type On<T: sim_kernel::Scalar> = Andrews<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -3449,6 +3450,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
                 docs: "",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "loop3_x",
@@ -3760,6 +3762,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
             fa: convert(self.fa),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> AndrewsPrepared<S> {
         self.prepare()

@@ -815,6 +815,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
     type Drawing = [S; 14];
     type QP = [[S; 3]; 5];
     type LP = [[S; 3]; 0];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = ChainPrepared<S>;
     type On<T: sim_kernel::Scalar> = Chain<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -954,6 +955,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
                 docs: "Acceleration of free fall.",
             },
         ],
+        inputs: &[],
         constraints: &[],
         speed_constraints: &[],
         conditionals: &[],
@@ -1014,6 +1016,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
             g: convert(self.g),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> ChainPrepared<S> {
         self.prepare()

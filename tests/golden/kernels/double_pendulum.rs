@@ -618,6 +618,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
     type Drawing = [S; 10];
     type QP = [[S; 5]; 2];
     type LP = [[S; 5]; 0];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = DoublePendulumPrepared<S>;
     type On<T: sim_kernel::Scalar> = DoublePendulum<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -703,6 +704,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
                 docs: "",
             },
         ],
+        inputs: &[],
         constraints: &[],
         speed_constraints: &[],
         conditionals: &[],
@@ -790,6 +792,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
             g: convert(self.g),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> DoublePendulumPrepared<S> {
         self.prepare()

@@ -1039,6 +1039,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
     type Drawing = [S; 18];
     type QP = [[S; 9]; 3];
     type LP = [[S; 9]; 2];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = FourBarPrepared<S>;
     type On<T: sim_kernel::Scalar> = FourBar<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -1170,6 +1171,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
                 docs: "Torque on crank 2.",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "closure_x",
@@ -1352,6 +1354,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
             T: convert(self.T),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> FourBarPrepared<S> {
         self.prepare()

@@ -421,6 +421,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type Drawing = [S; 9];
     type QP = [[S; 4]; 1];
     type LP = [[S; 4]; 0];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = PendulumPrepared<S>;
     type On<T: sim_kernel::Scalar> = Pendulum<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -478,6 +479,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
                 docs: "Where it is let go.",
             },
         ],
+        inputs: &[],
         constraints: &[],
         speed_constraints: &[],
         conditionals: &[],
@@ -569,6 +571,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
             amplitude: convert(self.amplitude),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> PendulumPrepared<S> {
         self.prepare()

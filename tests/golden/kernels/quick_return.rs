@@ -1083,6 +1083,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type Drawing = [S; 24];
     type QP = [[S; 17]; 3];
     type LP = [[S; 17]; 2];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = QuickReturnPrepared<S>;
     type On<T: sim_kernel::Scalar> = QuickReturn<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -1262,6 +1263,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
                 docs: "Torque on crank 2.",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "guide",
@@ -1477,6 +1479,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
             T: convert(self.T),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> QuickReturnPrepared<S> {
         self.prepare()

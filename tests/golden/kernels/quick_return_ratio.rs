@@ -1154,6 +1154,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
     type Drawing = [S; 24];
     type QP = [[S; 17]; 3];
     type LP = [[S; 17]; 2];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = QuickReturnRatioPrepared<S>;
     type On<T: sim_kernel::Scalar> = QuickReturnRatio<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -1333,6 +1334,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
                 docs: "Torque on crank 2.",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "guide",
@@ -1342,7 +1344,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             },
             sim_kernel::Quantity {
                 name: "slot",
-                unit: "J",
+                unit: "N*m",
                 factor: 1f64,
                 docs: "",
             },
@@ -1548,6 +1550,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             T: convert(self.T),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> QuickReturnRatioPrepared<S> {
         self.prepare()

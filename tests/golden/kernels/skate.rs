@@ -623,13 +623,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Drawing = [S; 10];
     type QP = [[S; 5]; 3];
     type LP = [[S; 5]; 1];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = SkatePrepared<S>;
     type On<T: sim_kernel::Scalar> = Skate<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "skate",
         type_name: "Skate",
         docs: "A skate on sloping ice, let go turning: a cycloid across the slope.",
-        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    ground [0, 0];\n    line P - 0.15*along, P + 0.15*along;\n    point P, G;\n}\n",
+        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    ground [0, 0];\n    line P - 0.15 [m]*along, P + 0.15 [m]*along;\n    point P, G;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -730,6 +731,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
                 docs: "",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "blade",
@@ -814,6 +816,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
             g: convert(self.g),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> SkatePrepared<S> {
         self.prepare()

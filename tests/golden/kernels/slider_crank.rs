@@ -755,6 +755,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type Drawing = [S; 11];
     type QP = [[S; 8]; 2];
     type LP = [[S; 8]; 1];
+    type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = SliderCrankPrepared<S>;
     type On<T: sim_kernel::Scalar> = SliderCrank<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
@@ -858,6 +859,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 docs: "Torque on the crank.",
             },
         ],
+        inputs: &[],
         constraints: &[
             sim_kernel::Quantity {
                 name: "guide",
@@ -996,6 +998,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
             T: convert(self.T),
         }
     }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
     #[inline(always)]
     fn prepare(&self) -> SliderCrankPrepared<S> {
         self.prepare()
