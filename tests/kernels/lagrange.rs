@@ -73,5 +73,6 @@ fn random_state(model: &Model, random: &mut Random) -> HashMap<Symbol, f64> {
         state.insert(p.symbol, default * random.between(0.8, 1.2));
     }
     state.extend(model.inputs.iter().map(|input| (input.symbol, random.between(-2.0, 2.0))));
+    state.extend(model.conditionals.iter().map(|conditional| (conditional.symbol, 1.0)));
     state
 }
