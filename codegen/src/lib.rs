@@ -37,7 +37,7 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 /// ```
 /// // In build.rs, where `text` is read from a file and the result written into OUT_DIR:
 /// let text = "pub Pendulum; coordinates { phi [rad]; } parameters { l [m] = 1; }
-///     bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81]; }";
+///     bodies { bob: mass 1 [kg] at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81 [m/s^2]]; }";
 /// match codegen::generate_text(text, "sim_kernel") {
 ///     Ok(items) => assert!(items.contains("pub struct Pendulum")),
 ///     Err(mistakes) => {

@@ -9,10 +9,10 @@ parameters { l [m] = 1; m [kg] = 2; }
 AUXILIARY
 let A = [x, 0] + l*[cos(a), sin(a)] + SHIFT;
 let B = A + 2*l*[cos(b), sin(b)];
-bodies { one: mass m at A/2, inertia 1, angle a; two: mass 3*m at (A + B)/2 + SHIFT, inertia m*l^2, angle b + TURN;
-    three: inertia 2, angle c; }
-loads { gravity [0, -9.81]; force [sin(t), 1] at B + SHIFT; torque 2*dot(b) on two; }
-constraints { closure: B + SHIFT = [3, 0] + l*[cos(c), sin(c)]; blade: inner(dot(A), [sin(b), cos(b)]) = 0; }
+bodies { one: mass m at A/2, inertia 1 [kg*m^2], angle a; two: mass 3*m at (A + B)/2 + SHIFT, inertia m*l^2, angle b + TURN;
+    three: inertia 2 [kg*m^2], angle c; }
+loads { gravity [0, -9.81 [m/s^2]]; force 1 [N]*[sin(1 [rad/s]*t), 1] at B + SHIFT; torque 2 [N*m*s]*dot(b) on two; }
+constraints { closure: B + SHIFT = [3 [m], 0] + l*[cos(c), sin(c)]; blade: inner(dot(A), [sin(b), cos(b)]) = 0; }
 outputs { height [m] = B.y; pull [N] = reaction(closure).x; REACTIONS }
 drawing { line A, B; }
 ";

@@ -37,7 +37,9 @@ fn names(declaration: &str) -> Vec<String> {
 }
 
 fn double_pendulum(middle: &str) -> String {
-    format!("pub P; coordinates {{ a [rad]; b [rad]; }} {middle} loads {{ gravity [0, -9.81]; }} initial {{ a = 1; }}")
+    format!(
+        "pub P; coordinates {{ a [rad]; b [rad]; }} {middle} loads {{ gravity [0, -9.81 [m/s^2]]; }} initial {{ a = 1; }}"
+    )
 }
 
 #[test]
@@ -69,7 +71,7 @@ fn a_chain_by_repetition_is_the_chain_written_out() {
         repeat i in 1..=n {
             let u_[i] = [sin(phi_[i]), -cos(phi_[i])];
             let P_[i] = P_[i-1] + l*u_[i];
-            bodies { rod_[i]: mass m at (P_[i-1] + P_[i])/2, inertia i*m, angle phi_[i]; }
+            bodies { rod_[i]: mass m at (P_[i-1] + P_[i])/2, inertia i*m*l^2, angle phi_[i]; }
         }
         outputs { height [m] = P_[n].y; sum [rad] = sum(i in 1..=n, i*phi_[i]); }";
     let by_hand = "pub Chain; coordinates { phi_1 [rad]; phi_2 [rad]; phi_3 [rad]; }
@@ -77,9 +79,9 @@ fn a_chain_by_repetition_is_the_chain_written_out() {
         let u_1 = [sin(phi_1), -cos(phi_1)]; let P_1 = P_0 + l*u_1;
         let u_2 = [sin(phi_2), -cos(phi_2)]; let P_2 = P_1 + l*u_2;
         let u_3 = [sin(phi_3), -cos(phi_3)]; let P_3 = P_2 + l*u_3;
-        bodies { rod_1: mass m at (P_0 + P_1)/2, inertia m, angle phi_1;
-            rod_2: mass m at (P_1 + P_2)/2, inertia 2*m, angle phi_2;
-            rod_3: mass m at (P_2 + P_3)/2, inertia 3*m, angle phi_3; }
+        bodies { rod_1: mass m at (P_0 + P_1)/2, inertia m*l^2, angle phi_1;
+            rod_2: mass m at (P_1 + P_2)/2, inertia 2*m*l^2, angle phi_2;
+            rod_3: mass m at (P_2 + P_3)/2, inertia 3*m*l^2, angle phi_3; }
         outputs { height [m] = P_3.y; sum [rad] = phi_1 + 2*phi_2 + 3*phi_3; }";
     assert_eq!(text(chain), text(by_hand));
     assert_eq!(names(chain), names(by_hand));
@@ -90,18 +92,18 @@ fn a_chain_by_repetition_is_the_chain_written_out() {
 #[test]
 fn fragments_stand_in_fragments_and_in_repetitions() {
     let text_of = |body: &str| {
-        text(&format!("pub Legs; coordinates {{ x [m]; }} parameters {{ g = 2; }} {body} loads {{ gravity [g, 0]; }}"))
+        text(&format!("pub Legs; coordinates {{ x; }} parameters {{ g = 2; }} {body} loads {{ gravity [g, 0]; }}"))
     };
     let nested = text_of(
-        "fragment Foot(at_, size) { parameters { m [kg] = 1; } let P = at_ + [size, 0];
+        "fragment Foot(at_, size) { parameters { m = 1; } let P = at_ + [size, 0];
             repeat k in 1..=size { bodies { toe_[k]: mass k*m*g at P; } } }
-        fragment Leg(hip, g) { coordinates { phi [rad]; } let knee = hip + g*[cos(phi), sin(phi)];
+        fragment Leg(hip, g) { coordinates { phi; } let knee = hip + g*[cos(phi), sin(phi)];
             use Foot(knee, 2) as foot; outputs { height = foot_P.y; } }
         repeat i in 1..=2 { use Leg([x, i], 3) as leg_[i]; outputs { h_[i] = leg_[i]_foot_P.x; } }",
     );
     let leg = |i: usize| {
         format!(
-            "coordinates {{ leg_{i}_phi [rad]; }} parameters {{ leg_{i}_foot_m [kg] = 1; }}
+            "coordinates {{ leg_{i}_phi; }} parameters {{ leg_{i}_foot_m = 1; }}
             let leg_{i}_hip = [x, {i}]; let leg_{i}_knee = leg_{i}_hip + 3*[cos(leg_{i}_phi), sin(leg_{i}_phi)];
             let leg_{i}_foot_P = leg_{i}_knee + [2, 0];
             bodies {{ leg_{i}_foot_toe_1: mass leg_{i}_foot_m*g at leg_{i}_foot_P;
@@ -117,7 +119,7 @@ fn fragments_stand_in_fragments_and_in_repetitions() {
 fn names_are_not_captured() {
     let text_of = |middle: &str| {
         text(&format!(
-            "pub P; coordinates {{ x [m]; }} parameters {{ k = 5; }} {middle}
+            "pub P; coordinates {{ x; }} parameters {{ k = 5; }} {middle}
             bodies {{ b: mass 1 at [x, 0]; }} loads {{ force [o_f, 0] at [x, 0]; }}"
         ))
     };
@@ -133,14 +135,13 @@ fn names_are_not_captured() {
 #[test]
 fn units_stay_units() {
     let declaration = "pub P; coordinates { x_ [m]; } fragment F { parameters { m [kg] = 2 [kg]; s [m/s] = 1; } }
-        use F as f; bodies { b: mass f_m*f_s at [x_, 0]; }";
+        use F as f; bodies { b: mass f_m at [x_*f_s/1 [m/s], 0]; }";
     assert_eq!(names(declaration), ["x_", "f_m", "f_s"]);
 }
 
 #[test]
 fn an_empty_range_by_name_repeats_nothing() {
-    let declaration =
-        "pub P; const n = 1; coordinates { x [m]; repeat i in 2..=n { y_[i] [m]; } } bodies { b: mass 1 at [x, 0]; }";
+    let declaration = "pub P; const n = 1; coordinates { x [m]; repeat i in 2..=n { y_[i] [m]; } } bodies { b: mass 1 [kg] at [x, 0]; }";
     assert_eq!(names(declaration), ["x"]);
 }
 
@@ -148,7 +149,7 @@ fn an_empty_range_by_name_repeats_nothing() {
 fn indices_are_computed() {
     let declaration =
         "pub P; const n = 2*(3 - 1); const k = -n/2; coordinates { repeat i in 0..n { x_[i, (i + 3) % n] [m]; } }
-        bodies { b: mass 1 at [x_0_3 + x_1_0, x_2_1*k + x_3_2]; }";
+        bodies { b: mass 1 [kg] at [x_0_3 + x_1_0, x_2_1*k + x_3_2]; }";
     assert_eq!(names(declaration), ["x_0_3", "x_1_0", "x_2_1", "x_3_2"]);
 }
 

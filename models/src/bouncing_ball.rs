@@ -57,7 +57,7 @@ mechanism! {
 
     drawing {
         ground [0, 0];
-        line [-0.2, 0], [2, 0];
+        line [-0.2 [m], 0], [2 [m], 0];
         circle P radius r;
     }
 }

@@ -29,7 +29,7 @@ mechanism! {
 
     inputs {
         /// Force of the drive, to the right.
-        push [N] = 3*sin(4*t);
+        push [N] = 3 [N]*sin(4 [rad/s]*t);
     }
 
     let O = [x, 0];

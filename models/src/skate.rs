@@ -59,7 +59,7 @@ mechanism! {
 
     drawing {
         ground [0, 0];
-        line P - 0.15*along, P + 0.15*along;
+        line P - 0.15 [m]*along, P + 0.15 [m]*along;
         point P, G;
     }
 }

@@ -1,5 +1,6 @@
 //! A start on the constraints, from given values and guesses.
 
+use crate::dyads::{Branches, close_loops, nearest};
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::between_positions;
 use crate::project::{is_met, project_positions, rates};
@@ -37,7 +38,8 @@ const MOST_STEPS: usize = 200;
 
 /// The state at time 0 nearest to a start that satisfies the constraints and all that is given.
 ///
-/// Positions by Gauss-Newton with least-norm steps in the free coordinates, halved until the residual falls; speeds
+/// Loops that close in closed form are closed so, on the branch nearest to the guesses: see [`branches`]. Otherwise, and
+/// for the last bits, positions by Gauss-Newton with least-norm steps in the free coordinates, halved until the residual falls; speeds
 /// by least squares of least norm, so that a freedom that nothing drives starts at rest.
 ///
 /// # Errors
@@ -49,7 +51,25 @@ pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M
 }
 
 fn assemble_positions<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<M::Q, Failure> {
-    let mut q = start.positions;
+    correct_positions(mechanism, start, nearest(mechanism, start).unwrap_or(start.positions))
+}
+
+/// All configurations that have the coordinates that the start gives, as far as loops close in closed form: elbow up and
+/// elbow down. Coordinates of other loops are found by Gauss-Newton from their guesses; where that fails there is no
+/// configuration. Angles are within half a turn of their guesses.
+pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
+    let mut found = close_loops(mechanism, start);
+    if !found.open.is_empty() {
+        let is_open = |j: usize| found.open.contains(&M::DESCRIPTION.coordinates[j].position.name);
+        let held = Start { position_given: (0..M::Q::LEN).map(|j| !is_open(j)).collect(), ..start.clone() };
+        let corrected = found.positions.iter().filter_map(|q| correct_positions(mechanism, &held, *q).ok());
+        found.positions = corrected.collect();
+        found.sort(start);
+    }
+    found
+}
+
+fn correct_positions<M: Mechanism>(mechanism: &M, start: &Start<M>, mut q: M::Q) -> Result<M::Q, Failure> {
     let mut linear = mechanism.constraint_linearization(0.0, &q);
     let norm = |values: &M::L| values.iter().map(|value| value * value).sum::<f64>().sqrt();
     for _ in 0..MOST_STEPS {

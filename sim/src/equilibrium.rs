@@ -3,6 +3,7 @@
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
 use crate::level::between_positions;
+use crate::linearize::linearize;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
 use crate::trajectory::State;
@@ -57,7 +58,7 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     if !(largest <= 1e-8) {
         return Err(Failure::at::<M>(What::NoEquilibrium { acceleration: largest }, state.time, &state.positions));
     }
-    let eigenvalues = eigenvalues(&motion, &state)?;
+    let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
     Ok(Equilibrium { state, multipliers: sample.multipliers, eigenvalues })
 }
 
@@ -80,38 +81,4 @@ fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMa
     let constraints = between_positions::<M>(&motion.mechanism().constraint_jacobian(state.time, &state.positions));
     let n = M::Q::LEN;
     Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
-}
-
-/// Of u' = N'(A H y + B N u) with y' = H'N u, where the columns of H span the changes of position that the constraints
-/// leave and those of N the speeds, and A and B are d(q'')/dq and d(q'')/dq'. Without constraints between speeds H is N.
-fn eigenvalues<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<Vec<Complex<f64>>, Failure> {
-    let (by_positions, by_speeds) = motion.jacobian(&motion.sample(*state)?)?;
-    let n = M::Q::LEN;
-    let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
-    let (moves, free) = (free_directions(&between_positions::<M>(&jacobian), n), free_directions(&jacobian, n));
-    let reduced = |matrix: &M::QQ, columns: &DMatrix<f64>| {
-        free.transpose() * DMatrix::from_fn(n, n, |i, j| matrix[i][j]) * columns
-    };
-    let (a, b) = (reduced(&by_positions, &moves), reduced(&by_speeds, &free));
-    let (h, f) = (moves.ncols(), free.ncols());
-    let rates = moves.transpose() * &free;
-    let system = DMatrix::from_fn(h + f, h + f, |i, j| match (i < h, j < h) {
-        (true, true) => 0.0,
-        (true, false) => rates[(i, j - h)],
-        (false, true) => a[(i - h, j)],
-        (false, false) => b[(i - h, j - h)],
-    });
-    let mut eigenvalues: Vec<Complex<f64>> = system.complex_eigenvalues().iter().copied().collect();
-    eigenvalues
-        .sort_by(|a, b| a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re)));
-    Ok(eigenvalues)
-}
-
-/// An orthonormal basis of the null space of C_q, by columns.
-fn free_directions<LQ: Array<Q>, Q: Array<f64>>(jacobian: &LQ, n: usize) -> DMatrix<f64> {
-    let gram = DMatrix::from_fn(n, n, |i, j| jacobian.iter().map(|row| row[i] * row[j]).sum::<f64>());
-    let eigen = gram.symmetric_eigen();
-    let largest: f64 = eigen.eigenvalues.amax();
-    let null: Vec<_> = (0..n).filter(|i| eigen.eigenvalues[*i] <= 1e-14 * largest.max(f64::MIN_POSITIVE)).collect();
-    eigen.eigenvectors.select_columns(&null)
 }

@@ -147,8 +147,8 @@ impl<M: Mechanism> EventSearch<M> {
             return Ok(());
         }
         if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
-            let middle = step.at(from.time + h / 2.0)?;
-            let middle = Point::of(step.motion, &step.motion.sample(middle)?, h / 2.0)?;
+            let middle = step.sample(from.time + h / 2.0)?;
+            let middle = Point::of(step.motion, &middle, h / 2.0)?;
             self.search_one(step, event, from, &middle, halvings - 1)?;
             return self.search_one(step, event, &middle, to, halvings - 1);
         }

@@ -64,8 +64,8 @@ pub enum What {
     },
     /// Constraints that are independent elsewhere depend on each other here.
     #[error(
-        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here, and \
-             from here there may be more than one way to go on. Equal steps may pass it (`--method rk4 --steps N`); or change a length \
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here. It \
+             comes to rest or turns back here, or more than one way leads on, and the equations do not say which. Change a length \
              or the start a little"
     )]
     SingularPosition {
@@ -140,14 +140,22 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
-    /// Where a constraint holds between speeds alone, positions are no function of what is driven.
+    /// Constraints between speeds do not tell where a drive leads.
     #[error(
-        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on the way that it takes, and no sweep shows \
-             that; run its motion instead"
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+             Use `run`, with a load that drives it"
     )]
-    PathDependent {
+    NotHolonomic {
         /// The constraint.
         constraint: &'static str,
+    },
+    /// A parameter that constraints depend on cannot be an input.
+    #[error(
+        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
+    )]
+    NotAnInput {
+        /// Its name.
+        parameter: &'static str,
     },
     /// The branch of the motion could not be followed.
     #[error(

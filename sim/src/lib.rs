@@ -10,6 +10,7 @@ mod batch;
 pub mod cli;
 mod conditional;
 mod control;
+mod dyads;
 mod equilibrium;
 mod events;
 mod failure;
@@ -20,16 +21,19 @@ mod interpolate;
 mod kinematics;
 mod least_norm;
 mod level;
+mod linearize;
 mod mobility;
 mod motion;
 mod onset;
 mod partition;
+mod poincare;
 mod project;
 mod record;
 mod root;
 mod run;
 mod settings;
 pub mod show;
+mod singular;
 mod solve;
 mod table;
 mod trajectory;
@@ -48,10 +52,11 @@ mod documents {
 }
 
 pub use act::{Change, act};
-pub use assemble::{Start, assemble, declared_start};
+pub use assemble::{Start, assemble, branches, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
 pub use conditional::is_active;
 pub use control::Controller;
+pub use dyads::{Branches, Form, Loop};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
@@ -62,15 +67,18 @@ pub use integrate::{
 };
 pub use interpolate::hermite;
 pub use kinematics::{
-    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
-    kinematics,
+    DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
+    dead_points, inverse_dynamics, kinematics,
 };
+pub use linearize::{Linearization, Mode, linearize};
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::{Motion, accelerate, residuals};
+pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Input, Lanes, Mechanism, Scalar, mechanism};
+pub use singular::Singularity;
 pub use table::{Column, Table};
 pub use trajectory::{Phase, Rates, Sample, State, Trajectory};
 pub use vector::{Vectors, Work};

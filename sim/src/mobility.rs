@@ -80,14 +80,6 @@ fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> 
         .collect()
 }
 
-/// The constraint that is nearest to depending on those before it, of those that do not, with the sine of its angle to them.
-pub(crate) fn weakest_constraint<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<(&'static str, f64)> {
-    let angles = independence::<M>(&mechanism.constraint_jacobian(time, q));
-    let independent = angles.iter().enumerate().filter(|(_, sine)| **sine > 0.0);
-    let (row, sine) = independent.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some((constraint_name::<M>(row), *sine))
-}
-
 /// For each row of C_q the sine of its angle to the space of those before it.
 fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();

@@ -4,8 +4,9 @@ use crate::conditional::released_rows;
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::least_norm::least_norm;
 use crate::partition::Partition;
-use crate::project::{by_mass, project, rates};
+use crate::project::{by_mass, project, project_measured, rates};
 use crate::settings::Stabilisation;
+use crate::singular::{AT, weakest_constraint};
 use crate::solve::{Solved, solve};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Dynamics, Mechanism};
@@ -21,6 +22,12 @@ pub struct Motion<'m, M: Mechanism> {
     /// How many constraints depend on others everywhere, or are released.
     redundant: usize,
     evaluations: Cell<u64>,
+    /// The squares of the longest rows of C_q so far.
+    longest: Cell<M::L>,
+    /// 1/s^2 where a state was last kept on the constraints; s is the smallest sine between a row of C_q and those before.
+    closeness: Cell<f64>,
+    /// Whether states inside a step are brought onto the constraints too.
+    keeps_stages: Cell<bool>,
 }
 
 impl<'m, M: Mechanism> Motion<'m, M> {
@@ -39,6 +46,9 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             partition,
             redundant: redundant + released_rows(mechanism),
             evaluations: Cell::new(0),
+            longest: Cell::new(M::L::filled(0.0)),
+            closeness: Cell::new(0.0),
+            keeps_stages: Cell::new(false),
         }
     }
 
@@ -57,11 +67,13 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     ///
     /// # Errors
     /// As [`accelerate`], and as the solution of the constraints.
-    #[inline]
+    #[inline(always)]
     pub fn sample(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
         self.evaluations.set(self.evaluations.get() + 1);
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow().follow(self.mechanism, &mut state)?;
+        } else if self.keeps_stages.get() {
+            self.keep_stage(&mut state)?;
         }
         let mut dynamics =
             solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?;
@@ -70,6 +82,11 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
+    }
+
+    #[cold]
+    fn keep_stage(&self, state: &mut State<M>) -> Result<(), Failure> {
+        project(self.mechanism, state, self.redundant)
     }
 
     /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
@@ -113,11 +130,44 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     #[inline]
     pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
-            Stabilisation::Projection => project(self.mechanism, state, self.redundant),
-            Stabilisation::MassProjection => by_mass(self.mechanism, state),
-            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, state),
-            Stabilisation::Baumgarte(_) | Stabilisation::None => Ok(()),
+            Stabilisation::Projection => {
+                self.closeness.set(project_measured(self.mechanism, state, self.redundant, &self.longest)?);
+                return Ok(());
+            }
+            Stabilisation::MassProjection => by_mass(self.mechanism, state)?,
+            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, state)?,
+            Stabilisation::Baumgarte(_) | Stabilisation::None => {}
         }
+        self.closeness.set(weakest_constraint(self, state).map_or(0.0, |(_, sine)| sine.powi(-2)));
+        Ok(())
+    }
+
+    /// The smallest sine between a row of C_q and those before it, where a state was last kept on the constraints.
+    #[inline]
+    pub(crate) fn least_sine(&self) -> f64 {
+        1.0 / self.closeness.get().sqrt()
+    }
+
+    /// Whether that state was known better before it was kept, so near is a singular position.
+    pub(crate) fn is_at_singularity(&self) -> bool {
+        self.closeness.get() > const { 1.0 / (AT * AT) }
+    }
+
+    /// Has states inside a step brought onto the constraints too, or no longer.
+    pub(crate) fn keep_stages(&self, keeps: bool) {
+        self.keeps_stages
+            .set(keeps && matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection));
+    }
+
+    /// The squares of the longest rows of C_q so far.
+    pub(crate) fn longest(&self) -> M::L {
+        self.longest.get()
+    }
+
+    /// Takes note of the squares of the lengths of rows.
+    pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
+        let longest = self.longest.get();
+        self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
     }
 
     /// Makes ready for a step from a state: chooses independent coordinates again if the choice has aged.

@@ -10,6 +10,7 @@ use crate::motion::by_inertia;
 use crate::solve::Definite;
 use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
+use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
@@ -34,20 +35,40 @@ type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
 /// As those, and [`What::SingularPosition`] where more constraints depend on others.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usize) -> Result<(), Failure> {
+    project_measured(mechanism, state, redundant, &Cell::new(M::L::filled(0.0))).map(|_| ())
+}
+
+/// The same; gives 1/s^2, where s is the smallest sine between a row of C_q and those before it, of those that are
+/// independent. Rows count relative to the longest that they have been, of which it keeps the squares.
+#[inline]
+pub(crate) fn project_measured<M: Mechanism>(
+    mechanism: &M,
+    state: &mut State<M>,
+    redundant: usize,
+    longest: &Cell<M::L>,
+) -> Result<f64, Failure> {
     if M::L::LEN == 0 {
-        return Ok(());
+        return Ok(0.0);
     }
     let (time, q) = (state.time, &mut state.positions);
     let found = correct_positions(mechanism, time, q)?;
     let open = rates::<M>(&found.linear, &state.speeds);
     let serves =
         !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
-    let factors = if serves { found.factors } else { factorise::<M>(&found.linear, time, q)? };
+    let factors = if serves { found.factors } else { factorise_again::<M>(&found.linear.jacobian, time, q)? };
     if !factors.is_regular() && factors.dependent().count() > redundant {
         let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
         return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
     }
-    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)
+    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)?;
+    let (mut squares, mut closeness) = (longest.get(), 0.0f64);
+    for row in 0..M::L::LEN {
+        let (square, inverse_pivot) = factors.row(row);
+        squares[row] = squares[row].max(square);
+        closeness = closeness.max(squares[row] * inverse_pivot);
+    }
+    longest.set(squares);
+    Ok(closeness)
 }
 
 /// Corrects positions until |C_i| <= max(1e-12, 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|)), once at
@@ -80,7 +101,7 @@ pub fn project_velocities<M: Mechanism>(
     if M::L::LEN == 0 {
         return Ok(());
     }
-    let factors = factorise::<M>(linear, time, q)?;
+    let factors = factorise::<M>(&linear.jacobian, time, q)?;
     correct_speeds::<M>(linear, &factors, &rates::<M>(linear, qd), time, q, qd)
 }
 
@@ -118,9 +139,16 @@ struct Corrected<M: Mechanism> {
 #[inline]
 fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Corrected<M>, Failure> {
     let (linear, (factors, last_change)) = correct(mechanism, time, q, |linear, q| {
-        let between_positions = Linearization::<M> { jacobian: between_positions::<M>(&linear.jacobian), ..*linear };
-        let factors = factorise::<M>(&between_positions, time, q)?;
-        let change = least_change::<M>(&between_positions, &factors, linear.values);
+        let without_speed_rows;
+        let jacobian = match has_speed_rows::<M>() {
+            false => &linear.jacobian,
+            true => {
+                without_speed_rows = between_positions::<M>(&linear.jacobian);
+                &without_speed_rows
+            }
+        };
+        let factors = factorise::<M>(jacobian, time, q)?;
+        let change = least_change::<M>(jacobian, &factors, linear.values);
         let size = change.iter().fold(0.0f64, |size, change| size.max(change.abs()));
         Ok((change, (factors, size)))
     })?;
@@ -138,9 +166,8 @@ fn correct<M: Mechanism, T>(
 ) -> Result<(Linearization<M>, T), Failure> {
     let mut linear = mechanism.constraint_linearization(time, q);
     for _ in 0..MOST_CORRECTIONS {
-        if let Some((row, value)) = largest(linear.values.iter()).filter(|(_, value)| !value.is_finite()) {
-            let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
-            return Err(Failure::at::<M>(What::NotFinite { quantity }, time, q));
+        if !linear.values.iter().all(|value| value.is_finite()) {
+            return Err(not_finite::<M>(&linear.values, time, q));
         }
         let (correction, last) = change(&linear, q)?;
         subtract(q, &correction);
@@ -157,6 +184,13 @@ fn correct<M: Mechanism, T>(
     Err(Failure::at::<M>(what, time, q))
 }
 
+#[cold]
+fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
+    let (row, value) = largest(values.iter()).unwrap_or((0, f64::NAN));
+    let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
+    Failure::at::<M>(What::NotFinite { quantity }, time, q)
+}
+
 /// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
 /// what it leaves of C is of its second order.
 #[inline]
@@ -166,21 +200,30 @@ fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bo
 }
 
 /// The factors of C_q C_q'.
-#[inline]
-fn factorise<M: Mechanism>(linear: &Linearization<M>, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    let jacobian = &linear.jacobian;
-    let gram = M::LL::from_fn(|i| M::L::from_fn(|j| if j <= i { inner(&jacobian[i], &jacobian[j]) } else { 0.0 }));
+#[inline(always)]
+fn factorise<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    let mut gram = M::LL::filled(M::L::filled(0.0));
+    for i in 0..M::L::LEN {
+        for j in 0..=i {
+            gram[i][j] = inner(&jacobian[i], &jacobian[j]);
+        }
+    }
     Definite::new(gram).map_err(|undefined| {
         let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
         Failure::at::<M>(What::NotFinite { quantity }, time, q)
     })
 }
 
+#[inline(never)]
+fn factorise_again<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    factorise::<M>(jacobian, time, q)
+}
+
 /// C_q' (C_q C_q')^-1 r.
 #[inline]
-fn least_change<M: Mechanism>(linear: &Linearization<M>, factors: &Factors<M>, residual: M::L) -> M::Q {
+fn least_change<M: Mechanism>(jacobian: &M::LQ, factors: &Factors<M>, residual: M::L) -> M::Q {
     let weights = factors.solve(residual);
-    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| linear.jacobian[i][j] * weights[i]).sum())
+    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| jacobian[i][j] * weights[i]).sum())
 }
 
 #[inline]
@@ -192,7 +235,7 @@ fn correct_speeds<M: Mechanism>(
     q: &M::Q,
     qd: &mut M::Q,
 ) -> Result<(), Failure> {
-    subtract(qd, &least_change::<M>(linear, factors, *open));
+    subtract(qd, &least_change::<M>(&linear.jacobian, factors, *open));
     match factors.is_regular() {
         true => Ok(()),
         false => check_dependent_rates::<M>(linear, time, q, qd),

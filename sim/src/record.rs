@@ -269,7 +269,7 @@ impl<M: Mechanism> Recorder<M> {
                         break;
                     }
                     let is_end = time == step.to.state.time;
-                    let sample = if is_end { *step.to } else { step.motion.sample(step.at(time)?)? };
+                    let sample = if is_end { *step.to } else { step.sample(time)? };
                     self.samples.push(sample);
                     self.next += 1;
                 }

@@ -124,7 +124,7 @@ fn run_phases<M: Mechanism>(
     steps: &mut Steps,
     evaluations: &mut u64,
 ) -> Result<(), Failure> {
-    let whole = settings.end - state.time;
+    let begin = state.time;
     let (mut is_phase, mut redundant) = (true, 0);
     loop {
         if is_phase {
@@ -133,7 +133,7 @@ fn run_phases<M: Mechanism>(
         mechanism = control.ask(mechanism, &state, |mechanism| {
             Motion::with_redundant(mechanism, settings.stabilisation, redundant).sample(state)
         })?;
-        let span = settings.over(state.time, control.holds_until(settings.end), whole);
+        let span = settings.until(control.holds_until(settings.end), begin);
         let motion = Motion::with_redundant(&mechanism, settings.stabilisation, redundant);
         let ended = motion.prepare(&state).and_then(|()| motion.sample(state)).and_then(|sample| {
             if is_phase {

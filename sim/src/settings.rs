@@ -78,14 +78,15 @@ pub struct Tolerance {
 }
 
 impl Settings {
-    /// The same for a part of the run, with steps of the same length where they are equal; `whole` is how long the run takes.
-    pub(crate) fn over(&self, from: f64, end: f64, whole: f64) -> Settings {
+    /// The same until an earlier end, of a run from `begin`, with steps of the same length where they are equal.
+    pub(crate) fn until(&self, end: f64, begin: f64) -> Settings {
         let stepping = match self.stepping {
-            // A little less than what rounding could add to a whole number of steps.
-            Stepping::Equal(count) => {
-                Stepping::Equal(((end - from) / whole * count as f64 - 1e-6).ceil().max(1.0) as usize)
+            Stepping::Equal(count) if end < self.end => {
+                let part = (end - begin) / (self.end - begin);
+                // A little less than what rounding could add to a whole number of steps.
+                Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
             }
-            adaptive => adaptive,
+            stepping => stepping,
         };
         Settings { end, stepping, ..*self }
     }

@@ -161,6 +161,12 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
         Ok(Definite { lower, inverse_pivots })
     }
 
+    /// The diagonal entry of a row, and the inverse of its pivot: zero if the row depends on those before it.
+    #[inline]
+    pub(crate) fn row(&self, k: usize) -> (f64, f64) {
+        (self.lower[k][k], self.inverse_pivots[k])
+    }
+
     /// Whether no row depends on others.
     #[inline]
     pub(crate) fn is_regular(&self) -> bool {

@@ -18,7 +18,7 @@ pub struct State<M: Mechanism> {
 
 impl<M: Mechanism> State<M> {
     /// The state at `time` after a change of `factor` times some rates.
-    #[inline]
+    #[inline(always)]
     pub fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> State<M> {
         State {
             time,
@@ -79,8 +79,18 @@ impl<M: Mechanism> Rates<M> {
         Rates { positions: M::Q::filled(0.0), speeds: M::Q::filled(0.0), work: 0.0 }
     }
 
+    /// These, times a factor.
+    #[inline(always)]
+    pub fn scaled(&self, factor: f64) -> Rates<M> {
+        Rates {
+            positions: M::Q::from_fn(|i| factor * self.positions[i]),
+            speeds: M::Q::from_fn(|i| factor * self.speeds[i]),
+            work: factor * self.work,
+        }
+    }
+
     /// Adds a multiple of others.
-    #[inline]
+    #[inline(always)]
     pub fn add(&mut self, weight: f64, other: &Rates<M>) {
         for i in 0..M::Q::LEN {
             self.positions[i] += weight * other.positions[i];

@@ -2,6 +2,7 @@
 
 use crate::events::Occurrence;
 use crate::happening::{crossing, does, impulses};
+use crate::kinematics::dead_points;
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
@@ -62,6 +63,14 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         (p.name.to_owned(), value)
     });
     let events: Vec<Value> = run.events.iter().map(event_object).collect();
+    let singularities: Vec<Value> = run
+        .steps
+        .singularities
+        .iter()
+        .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
+        .collect();
+    let dead_points: Vec<Value> =
+        dead_points(run).iter().map(|point| json!({ "of": point.of, "time": point.state.time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
     let samples = &run.trajectory.samples;
@@ -77,9 +86,11 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
+        "singularities": singularities,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period(),
         "events": events,
+        "dead_points": dead_points,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
         "energy_taken_by_events": run.energy_taken,

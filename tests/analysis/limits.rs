@@ -2,14 +2,19 @@
 
 use crate::sweeps::{driven, sweep};
 use models::{DoublePendulum, FourBar, SliderCrank};
-use sim::{Driven, Start, What, declared_start, kinematics, mechanism};
+use sim::{Driven, Settings, Start, What, dead_points, declared_start, kinematics, mechanism};
 use std::f64::consts::PI;
 
-/// Crank and ground link of 0.5 m and 0.6 m, coupler and rocker of 0.4 m and 0.3 m: no link can turn fully.
+/// Crank and ground link of 0.5 m and 0.65 m, coupler and rocker of 0.4 m and 0.3 m: no link can turn fully.
 fn swinging() -> (FourBar, Start<FourBar>) {
-    let linkage = FourBar { a: 0.5, b: 0.4, c: 0.3, d: 0.6, ..FourBar::default() };
+    let linkage = FourBar { a: 0.5, b: 0.4, c: 0.3, d: 0.65, ..FourBar::default() };
     let start = Start { positions: [0.9, 0.2, 1.4], ..declared_start(&linkage) };
     (linkage, start)
+}
+
+/// See below.
+fn furthest() -> f64 {
+    ((0.25 + 0.4225 - 0.49f64) / 0.65).acos()
 }
 
 /// The crank goes no further than where coupler and rocker are in line, stretched:
@@ -17,7 +22,7 @@ fn swinging() -> (FourBar, Start<FourBar>) {
 #[test]
 fn a_crank_stops_where_the_other_links_are_stretched() {
     let (linkage, start) = swinging();
-    let furthest = ((0.25 + 0.36 - 0.49f64) / 0.6).acos();
+    let furthest = furthest();
     for (to, sign) in [(3.0, 1.0), (-3.0, -1.0)] {
         let sweep = sweep::<FourBar>("theta2", [sign * 0.9, to], 1.0, 500);
         let start = Start { positions: start.positions.map(|angle| sign * angle), ..start.clone() };
@@ -36,6 +41,29 @@ fn a_crank_stops_where_the_other_links_are_stretched() {
         assert!((limit.value - last).abs() <= step && found.values.len() > 50, "{last}");
         assert!(found.transmission.last().unwrap() < &0.2);
     }
+}
+
+/// In a run the same positions are passed: the crank swings to and fro, and each time coupler and rocker bend the other way.
+#[test]
+fn a_run_says_which_dead_points_it_passed() {
+    let (linkage, start) = swinging();
+    let run = sim::run(linkage, &Start { speeds: [20.0, 0.0, 0.0], ..start }, &Settings::new(1.0)).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let passed = dead_points(&run);
+    let furthest = furthest();
+    for point in &passed {
+        let (crank, speed) = (point.state.positions[0], point.state.speeds[0]);
+        println!("{:?} at {:.6} s: {crank:.6}, {speed:.1e}", point.of, point.state.time);
+        let off = (crank.abs() - furthest).abs();
+        assert!(point.of == ["theta2"] && off < 1e-9 && speed.abs() < 1e-5, "{point:?}");
+    }
+    // Between two of them the crank turns back once: its speed changes its sign as often.
+    let speeds = run.trajectory.samples.windows(2).map(|pair| pair[0].state.speeds[0] * pair[1].state.speeds[0]);
+    assert!(passed.len() > 3 && speeds.filter(|product| *product < 0.0).count() >= passed.len());
+    assert!(
+        dead_points(&sim::run(FourBar::default(), &declared_start(&FourBar::default()), &Settings::new(2.0)).unwrap())
+            .is_empty()
+    );
 }
 
 /// Both ways round, the piston cannot be pushed beyond where crank and rod are in line.
@@ -127,6 +155,8 @@ fn redundant_constraints_are_named_and_do_no_harm() {
     assert_eq!(found.mobility.dependent, ["again"]);
     for sample in &found.trajectory.samples {
         let [theta, phi] = sample.state.positions;
-        assert!((0.1 * theta.sin() + 0.3 * phi.sin()).abs() < 1e-15 && sample.multipliers[1] == 0.0);
+        assert!((0.1 * theta.sin() + 0.3 * phi.sin()).abs() < 1e-15);
+        // The same constraint twice, once at double size: the shortest share is 1 to 2.
+        assert!((sample.multipliers[1] - 2.0 * sample.multipliers[0]).abs() < 1e-12);
     }
 }

@@ -2,6 +2,9 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+mod dyads;
 mod inverse;
 mod limits;
+mod linear;
+mod sections;
 mod sweeps;

@@ -117,7 +117,7 @@ mechanism! {
     Shaker;
     coordinates { x [mm]; }
     parameters { m [kg] = 2; k [N/m] = 500; c [N*s/m] = 1; stroke [mm] = 5; }
-    let P = [x + stroke*sin(30*t), 0];
+    let P = [x + stroke*sin(30 [rad/s]*t), 0];
     bodies { slider: mass m at P; }
     loads { force [-k*x - c*dot(x), 0] at P; }
     outputs { place [mm] = P.x; speed [m/s] = dot(x); }

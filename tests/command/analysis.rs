@@ -53,3 +53,51 @@ fn what_is_wrong_with_a_sweep_is_said() {
         assert!(!output.status.success() && stderr(&output).contains(message), "{words:?}: {}", stderr(&output));
     }
 }
+
+#[test]
+fn branches_are_listed() {
+    let output = sim(&["assemble", "four-bar", "--branches"]);
+    let text = stdout(&output);
+    assert!(output.status.success() && text.contains("closure_x, closure_y closes theta3, theta4: RRR dyad"), "{text}");
+    assert!(text.contains("branch 1") && text.contains("branch 2") && !text.contains("branch 3"), "{text}");
+    let said: Value = serde_json::from_str(&stdout(&sim(&["assemble", "four-bar", "--branches", "--json"]))).unwrap();
+    assert_eq!(said["branches"].as_array().unwrap().len(), 2);
+    let apart = sim(&["assemble", "four-bar", "--branches", "--set", "d=2"]);
+    assert!(stdout(&apart).contains("do not reach"), "{}", stdout(&apart));
+}
+
+#[test]
+fn linearize_prints_modes_and_writes_matrices() {
+    let directory = fresh("linear");
+    let out = directory.to_str().unwrap();
+    let output = sim(&["linearize", "four-bar", "--input", "T", "--initial", "theta2=-80deg", "--out", out, "--json"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let said: Value = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!(
+        (said["A"].as_array().unwrap().len(), &said["states"][0], &said["inputs"][0]),
+        (2, &"theta2".into(), &"T".into())
+    );
+    assert!(said["modes"][0]["frequency_hz"].as_f64().unwrap() > 0.1);
+    // An archive as `numpy.savez` makes them, of stored files: the header of A says its shape.
+    let archive = fs::read(directory.join("linear.npz")).unwrap();
+    let text = String::from_utf8_lossy(&archive);
+    assert!(archive.starts_with(b"PK") && text.contains("A.npy") && text.contains("'shape': (2,2,)"));
+    let wrong = sim(&["linearize", "four-bar", "--input", "a", "--at", "initial"]);
+    assert!(!wrong.status.success() && stderr(&wrong).contains("constraints depend on `a`"), "{}", stderr(&wrong));
+}
+
+#[test]
+fn poincare_finds_the_period_and_draws_the_section() {
+    let directory = fresh("poincare");
+    let out = directory.to_str().unwrap();
+    let section = ["poincare", "pendulum", "--event", "bottom", "--direction", "rising", "--count", "10", "--out", out];
+    let output = sim(&section);
+    assert!(output.status.success(), "{}", stderr(&output));
+    // 2 pi sqrt(l/g) / agm(1, cos 45 deg).
+    assert!(stdout(&output).contains("period       2.36784194"), "{}", stdout(&output));
+    assert!(directory.join("section_phi.png").is_file());
+    assert_eq!(crate::column(&directory, "t [s]").len(), 10);
+    let never = sim(&["poincare", "pendulum", "--event", "bottom", "--initial", "phi=0", "--t-end", "1", "--out", out]);
+    assert!(!never.status.success() && stderr(&never).contains("has not happened"), "{}", stderr(&never));
+    assert!(stderr(&sim(&["poincare", "pendulum", "--event", "botom"])).contains("did you mean `bottom`"));
+}

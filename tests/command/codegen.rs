@@ -11,8 +11,8 @@ const PENDULUM: &str = "/// 100 % a pendulum & nothing else.
 pub Pendulum;
 coordinates { phi [rad]; }
 parameters { l [m] = 1; }
-bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; }
-loads { gravity [0, -9.81]; }
+bodies { bob: mass 1 [kg] at l*[sin(phi), -cos(phi)]; }
+loads { gravity [0, -9.81 [m/s^2]]; }
 ";
 
 struct Outcome {
@@ -123,7 +123,7 @@ fn mistakes_have_a_file_a_line_and_a_column() {
     let path = file("mistaken.txt", &PENDULUM.replace("l*[", "k*["));
     let mistaken = codegen(&[path.to_str().unwrap()], "");
     assert_eq!((mistaken.status, mistaken.stdout.as_str()), (2, ""));
-    let expected = format!("{}:5:25: no value is called `k`", path.display());
+    let expected = format!("{}:5:30: no value is called `k`", path.display());
     assert!(mistaken.stderr.starts_with(&expected), "{}", mistaken.stderr);
     let rows = [
         ("pub M; coordinates { x [m]; ", "<stdin>:1:"),

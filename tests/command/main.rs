@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod analysis;
+mod run_files;
 
 use serde_json::Value;
 use std::fs;

@@ -99,6 +99,7 @@ fn condition<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q) -> f64 {
         (false, true) => jacobian[i - n][j],
         (false, false) => 0.0,
     });
+    (0..m).filter(|i| !sim::is_active(mechanism, *i)).for_each(|i| matrix[(n + i, n + i)] = -1.0);
     for i in 0..n + m {
         let scale = matrix.row(i).amax().sqrt().recip();
         matrix.row_mut(i).scale_mut(scale);

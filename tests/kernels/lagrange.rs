@@ -41,6 +41,10 @@ fn compare(description: &Description) -> f64 {
                 (false, true) => jacobian[(i - n) * n + j],
                 (false, false) => 0.0,
             });
+            // The multiplier of a released constraint is 0.
+            for i in (0..m).filter(|i| jacobian[i * n..(i + 1) * n].iter().all(|entry| *entry == 0.0)) {
+                matrix[(n + i, n + i)] = -1.0;
+            }
             let mut rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { -constraint_convective[i - n] });
             // Units apart, the condition says what the equations themselves amplify.
             let scale: Vec<f64> = matrix.row_iter().map(|row| row.amax().sqrt().recip()).collect();
@@ -73,5 +77,8 @@ fn random_state(model: &Model, random: &mut Random) -> HashMap<Symbol, f64> {
         state.insert(p.symbol, default * random.between(0.8, 1.2));
     }
     state.extend(model.inputs.iter().map(|input| (input.symbol, random.between(-2.0, 2.0))));
+    for conditional in &model.conditionals {
+        state.insert(conditional.symbol, random.between(0.0, 2.0).floor());
+    }
     state
 }

@@ -45,7 +45,9 @@ fn check<M: Mechanism>() {
             }
         }
         assert_eq!(found.len(), STATES);
-        assert!(found[500].refused && expected_failures.len() < STATES / 20, "{}", expected_failures.len());
+        // The equations of a body that falls freely know of no position.
+        assert_eq!(found[500].refused, expected_failures.iter().any(|(i, _)| *i == 500), "{}", M::DESCRIPTION.name);
+        assert!(expected_failures.len() < STATES / 20, "{}", expected_failures.len());
         // As text, because a NaN in a failure's state is not equal to itself.
         assert_eq!(format!("{failures:?}"), format!("{expected_failures:?}"));
     }

@@ -8,7 +8,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; small [kg] = 1; }
     bodies { sum: mass m at [x + y, 0]; second: mass small at [y, 0]; }
-    loads { force [m, 0] at [x + y, 0]; force [2*small, 0] at [y, 0]; }
+    loads { force m*[1 [m/s^2], 0] at [x + y, 0]; force small*[2 [m/s^2], 0] at [y, 0]; }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 

@@ -25,7 +25,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; }
     bodies { point: mass m at [x, y]; }
-    constraints { low: y = 1; far: x = 3; high: y = 2; }
+    constraints { low: y = 1 [m]; far: x = 3 [m]; high: y = 2 [m]; }
 }
 
 mechanism! {
@@ -34,7 +34,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; }
     bodies { point: mass m at [x, y]; }
-    constraints { circle: x^2 + y^2 = 25; }
+    constraints { circle: x^2 + y^2 = 25 [m^2]; }
     initial { guess x = 3.3; guess y = 4.4; dot(x) = 8; }
 }
 

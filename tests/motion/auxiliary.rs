@@ -120,7 +120,7 @@ mechanism! {
     /// A cart that is pushed, with a mast clamped on it that carries a mass and a sail.
     Mast;
     coordinates { x [m]; }
-    parameters { M [kg] = 3; m [kg] = 0.5; l [m] = 1.2; push [N] = 7; wind [N] = 2; g [m/s^2] = 9.81; }
+    parameters { M [kg] = 3; m [kg] = 0.5; l [m] = 1.2; push [N/s] = 7; wind [N] = 2; g [m/s^2] = 9.81; }
     auxiliary { lean [rad]; lift [mm]; }
     let tip = [x, lift] + l*[sin(lean), cos(lean)];
     bodies { cart: mass M at [x, 0]; top: mass m at tip; }

@@ -11,7 +11,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; }
     bodies { bead: mass m at [x, y]; }
-    constraints { groove: y = sqrt(1 - x); }
+    constraints { groove: y = sqrt(1 [m]*(1 [m] - x)); }
     initial { x = 0; dot(x) = 1; guess y = 1; }
 }
 
@@ -21,7 +21,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; }
     bodies { bead: mass m at [x, y]; }
-    loads { force [1, 0] at [x, y]; }
+    loads { force [1 [N], 0] at [x, y]; }
     constraints { first: y = 0; second: 2*y = 0; }
 }
 
@@ -31,7 +31,7 @@ mechanism! {
     coordinates { x [m]; }
     parameters { m [kg] = 1; at [m] = 0.5; }
     bodies { bead: mass m at [x, 0]; }
-    loads { force [sqrt(at - x), 0] at [x, 0]; }
+    loads { force [1 [N]*sqrt((at - x)/1 [m]), 0] at [x, 0]; }
     initial { dot(x) = 1; }
 }
 
@@ -54,7 +54,7 @@ mechanism! {
     parameters { m [kg] = 1; }
     bodies { bead: mass m at [x, 0]; }
     initial { dot(x) = 1; }
-    outputs { fine [m] = x; broken = sqrt(0.5 - x); }
+    outputs { fine [m] = x; broken = sqrt((0.5 [m] - x)/1 [m]); }
 }
 
 fn failing<M: sim::Mechanism>(mechanism: M) -> (usize, f64, Failure) {

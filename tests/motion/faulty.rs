@@ -166,6 +166,12 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     fn events(&self, t: f64, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Events {
         self.kernels().events(t, q, qd, qdd, lambda)
     }
+    fn activities(&self) -> Self::Activities {
+        self.true_one.activities()
+    }
+    fn with_activities(self, activities: Self::Activities) -> Self {
+        Faulty { true_one: self.true_one.with_activities(activities), ..self }
+    }
     fn event_values(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         self.kernels().event_values(t, q, qd)
     }

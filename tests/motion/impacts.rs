@@ -137,7 +137,7 @@ fn what_holds_at_the_start_happens_if_it_goes_on() {
         let landings = times(&run, "landing");
         assert!((landings[0] - first).abs() < 1e-11, "{landings:?}");
         let after = if speed > 0.0 { landings[0] } else { 2.0 * 0.8 * 2.0 / G };
-        assert!((landings.iter().find(|time| (**time - after).abs() < 1e-11)).is_some(), "{landings:?}");
+        assert!(landings.iter().any(|time| (time - after).abs() < 1e-11), "{landings:?}");
         let flight = landings[landings.iter().position(|time| (time - after).abs() < 1e-11).unwrap() + 1] - after;
         assert!((flight - 2.0 * rebound / G).abs() < 1e-11, "{flight}");
     }
@@ -205,8 +205,8 @@ mechanism! {
 /// m (y'' + g) = 0 where sin(w t) = g/(a w^2); then free flight, to where the table meets it again.
 #[test]
 fn a_block_leaves_its_table_where_the_reaction_vanishes() {
-    let (a, w) = (0.05, 20.0);
-    let lift = (G / (a * w * w) as f64).asin() / w;
+    let (a, w) = (0.05f64, 20.0);
+    let lift = (G / (a * w * w)).asin() / w;
     let (height, speed) = (a * (w * lift).sin(), a * w * (w * lift).cos());
     let apart = |t: f64| height + speed * (t - lift) - G / 2.0 * (t - lift).powi(2) - a * (w * t).sin();
     let (mut above, mut below) = (lift + 0.05, lift + 0.3);
@@ -390,10 +390,10 @@ mechanism! {
     Swapped;
     coordinates { p [m]; q [m]; }
     parameters { m [kg] = 1; k [N/m] = 4; }
-    bodies { one: mass m at [p, 0]; other: mass m at [q, 1]; }
-    loads { force [-k*p, 0] at [p, 0]; force [-k*q, 0] at [q, 1]; }
+    bodies { one: mass m at [p, 0]; other: mass m at [q, 1 [m]]; }
+    loads { force [-k*p, 0] at [p, 0]; force [-k*q, 0] at [q, 1 [m]]; }
     initial { p = 1; q = -0.5; dot(q) = 0.3; }
-    events { halfway: t = 0.5 rising { swap p, q; } }
+    events { halfway: t = 0.5 [s] rising { swap p, q; } }
 }
 
 #[test]
@@ -413,9 +413,9 @@ mechanism! {
     coordinates { x [m]; }
     parameters { m [kg] = 1; }
     bodies { bead: mass m at [x, 0]; }
-    constraints { hook: x = 1 initially released; }
+    constraints { hook: x = 1 [m] initially released; }
     initial { dot(x) = 1; }
-    events { early: x = 0.9 rising { activate hook; } }
+    events { early: x = 0.9 [m] rising { activate hook; } }
 }
 
 #[test]

@@ -48,7 +48,7 @@ mechanism! {
     bodies {
         crank: free, mass m1, inertia m1*r^2/12;
         rod: free, mass m2, inertia m2*l^2/12;
-        piston: free, mass m3, inertia 1;
+        piston: free, mass m3, inertia 1 [kg*m^2];
     }
     loads { gravity [0, -g]; }
     joints {

@@ -22,6 +22,7 @@ mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;
+mod singular;
 mod six_bar;
 mod statics;
 mod stiff;

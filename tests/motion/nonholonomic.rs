@@ -77,7 +77,7 @@ mechanism! {
     coordinates { x [m]; y [m]; phi [rad]; }
     parameters { r [m] = 0.3; d [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
     bodies { disc: mass m at [x, y] + d*[sin(phi), cos(phi)], inertia J, angle phi; }
-    loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01*dot(phi) on disc; }
+    loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01 [N*m*s]*dot(phi) on disc; }
     constraints { roll: dot(x) = r*dot(phi); floor: y = r; }
     initial { x = 0; phi = 0; dot(phi) = 1; guess y = r; }
     outputs { friction [N] = reaction(roll); load [N] = reaction(floor); }
@@ -89,7 +89,7 @@ mechanism! {
     coordinates { x [m]; y [m]; phi [rad]; }
     parameters { r [m] = 0.3; d [m] = 0.1; m [kg] = 2; J [kg*m^2] = 0.05; slope [rad] = 0.1; g [m/s^2] = 9.81; }
     bodies { disc: mass m at [x, y] + d*[sin(phi), cos(phi)], inertia J, angle phi; }
-    loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01*dot(phi) on disc; }
+    loads { gravity g*[sin(slope), -cos(slope)]; torque -0.01 [N*m*s]*dot(phi) on disc; }
     constraints { roll: x = r*phi; floor: y = r; }
     initial { x = 0; phi = 0; dot(phi) = 1; guess y = r; }
     outputs { friction [N] = reaction(roll); load [N] = reaction(floor); }

@@ -47,7 +47,7 @@ mechanism! {
     let support = [a*sin(w*t), 0.5*a*cos(2*w*t)];
     let P = support + l*[sin(phi), -cos(phi)];
     bodies { rod: mass m at P, inertia J, angle phi; }
-    loads { gravity [0, -g]; torque -c*dot(phi) on rod; force [0.3*t, -dot(P.x)] at P; }
+    loads { gravity [0, -g]; torque -c*dot(phi) on rod; force [0.3 [N/s]*t, -1 [N*s/m]*dot(P.x)] at P; }
     initial { phi = 0.4; dot(phi) = -1; }
 }
 

@@ -21,7 +21,7 @@ mechanism! {
         head: mass piston at C;
         slider: mass m at [x, 0];
     }
-    loads { gravity [0, -9.81]; force [pull, 0] at [x, 0]; force [-pull, 0] at C; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [pull, 0] at [x, 0]; force [-pull, 0] at C; }
     constraints { guide: C.y = 0; }
     initial {
         theta = start; dot(theta) = w; guess phi = -0.1;

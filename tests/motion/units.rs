@@ -10,9 +10,9 @@ mechanism! {
     parameters { l [m] = 0.3; m [kg] = 0.5; k [N/m] = 200; w [rad/s] = 3; start [rad] = 0.5; }
     let P = [x + l*sin(phi), -l*cos(phi)];
     bodies { block: mass 2*m at [x, 0]; bob: mass m at P; }
-    loads { gravity [0, -9.81]; force [-k*x, 0] at [x, 0]; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [-k*x, 0] at [x, 0]; }
     initial { x = 0.01; dot(x) = 0.2; phi = start; dot(phi) = w; }
-    outputs { height [m] = P.y; rate [rad/s] = dot(phi); acceleration [m/s^2] = ddot(P.x); weight [N] = 9.81*m; }
+    outputs { height [m] = P.y; rate [rad/s] = dot(phi); acceleration [m/s^2] = ddot(P.x); weight [N] = 9.81 [m/s^2]*m; }
 }
 
 mechanism! {
@@ -22,9 +22,9 @@ mechanism! {
     parameters { l [cm] = 30; m [g] = 500; k [N/mm] = 0.2; w [rpm] = 90/pi; start [deg] = 90/pi; }
     let P = [x + l*sin(phi), -l*cos(phi)];
     bodies { block: mass 2*m at [x, 0]; bob: mass m at P; }
-    loads { gravity [0, -9.81]; force [-k*x, 0] at [x, 0]; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [-k*x, 0] at [x, 0]; }
     initial { x = 10; dot(x) = 720 [m/h]; phi = start; dot(phi) = w; }
-    outputs { height [cm] = P.y; rate [rpm] = dot(phi); acceleration [km/h/s] = ddot(P.x); weight [kN] = 9.81*m; }
+    outputs { height [cm] = P.y; rate [rpm] = dot(phi); acceleration [km/h/s] = ddot(P.x); weight [kN] = 9.81 [m/s^2]*m; }
 }
 
 #[test]

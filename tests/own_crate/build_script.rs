@@ -47,8 +47,8 @@ const PENDULUM: &str = "/// A pendulum.
 pub Pendulum;
 coordinates { phi [rad]; }
 parameters { l [m] = 1; }
-bodies { bob: mass 1 at l*[sin(phi), -cos(phi)]; }
-loads { gravity [0, -9.81]; }
+bodies { bob: mass 1 [kg] at l*[sin(phi), -cos(phi)]; }
+loads { gravity [0, -9.81 [m/s^2]]; }
 ";
 
 fn cargo_run(folder: &Path) -> Output {

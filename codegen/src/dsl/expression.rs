@@ -2,6 +2,7 @@
 //!
 //! Rust's own expression parser would put `^` below `+`.
 
+use super::choice;
 use super::region::here;
 use super::unit::{optional_unit, unbracketed_unit};
 use super::{Expression, Kind, Operator, Region};
@@ -10,7 +11,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 14] = [
+const FOLLOWING_WORDS: [&str; 16] = [
     "at",
     "on",
     "along",
@@ -25,10 +26,12 @@ const FOLLOWING_WORDS: [&str; 14] = [
     "rising",
     "falling",
     "restitution",
+    "then",
+    "else",
 ];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 16] = [
+const LANGUAGE_WORDS: [&str; 18] = [
     "mass",
     "inertia",
     "angle",
@@ -45,11 +48,37 @@ const LANGUAGE_WORDS: [&str; 16] = [
     "damper",
     "potential",
     "dissipation",
+    "friction",
+    "smooth",
+];
+
+/// What to write instead of words that users would try after an equation.
+const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";
+const SWITCHED: &str =
+    "a constraint that events switch is written with `initially`: `contact: y = 0 initially released;`";
+const ADVICE: [(&str, &str); 11] = [
+    ("up", DIRECTION),
+    ("down", DIRECTION),
+    ("upwards", DIRECTION),
+    ("downwards", DIRECTION),
+    ("increasing", DIRECTION),
+    ("decreasing", DIRECTION),
+    ("crossing", DIRECTION),
+    ("active", SWITCHED),
+    ("inactive", SWITCHED),
+    ("released", SWITCHED),
+    ("when", SWITCHED),
 ];
 
 /// Reads one expression.
 pub(super) fn expression(input: ParseStream) -> Result<Expression> {
+    if choice::starts(input) {
+        return choice::choice(input);
+    }
     let sum = sum(input)?;
+    if input.peek(Token![<]) || input.peek(Token![>]) {
+        return Err(here(input, "a comparison stands in a choice: `if a > b then x else y`"));
+    }
     if input.peek(Token![%]) {
         return Err(here(input, "there is no operator `%`"));
     }
@@ -59,7 +88,7 @@ pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     Ok(sum)
 }
 
-fn sum(input: ParseStream) -> Result<Expression> {
+pub(super) fn sum(input: ParseStream) -> Result<Expression> {
     let mut left = product(input)?;
     loop {
         let operator = match () {
@@ -143,6 +172,12 @@ fn atom(input: ParseStream) -> Result<Expression> {
         let bracket = syn::bracketed!(content in input);
         let region = Region::from(bracket.span.open()).to(bracket.span.close().into());
         return Ok(Expression { region, kind: Kind::Vector(list(&content, "`]`")?) });
+    }
+    if choice::starts(input) {
+        return Err(here(
+            input,
+            "a choice inside of an operation stands in parentheses: `a + (if b > c then x else y)`",
+        ));
     }
     if input.peek(Ident::peek_any) {
         let name = Ident::parse_any(input)?;
@@ -231,6 +266,9 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     }
     if word.span().start().line > left.region.end().end().line {
         return Err(syn::Error::new(word.span(), format!("`;` is missing at the end of the line above `{word}`")));
+    }
+    if let Some((_, advice)) = ADVICE.iter().find(|(tried, _)| word == tried) {
+        return Err(syn::Error::new(word.span(), *advice));
     }
     if LANGUAGE_WORDS.iter().any(|known| word == known) {
         return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));

@@ -7,7 +7,7 @@ use super::{Element, Expression, Extent, Kind, Law, Load, Region};
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};
 
-const WORDS: [&str; 7] = ["force", "torque", "gravity", "potential", "dissipation", "spring", "damper"];
+const WORDS: [&str; 8] = ["force", "torque", "gravity", "potential", "dissipation", "spring", "damper", "friction"];
 
 const SPRING: &str = "spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;";
 
@@ -21,6 +21,7 @@ pub(super) fn load(input: ParseStream) -> Result<Load> {
         "potential" => Ok(Load::Potential(expression(input)?)),
         "dissipation" => Ok(Load::Dissipation(expression(input)?)),
         "spring" => spring(input, &word),
+        "friction" => friction(input, &word),
         _ => {
             let law = Law::Damper(expression(input)?);
             element(input, &word, law, "damper c from A to B;")
@@ -67,6 +68,19 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
         )),
         _ => Ok(load),
     }
+}
+
+fn friction(input: ParseStream, word: &Ident) -> Result<Load> {
+    const FORM: &str = "friction F, smooth v0 on x;";
+    let force = expression(input)?;
+    if input.parse::<Option<Token![,]>>()?.is_none() {
+        let message =
+            format!("dry friction states the speed v0 within which it is smoothed, as F*tanh(x'/v0): `{FORM}`");
+        return Err(here(input, message));
+    }
+    expect_word(input, "smooth", FORM)?;
+    let law = Law::Friction(force, expression(input)?);
+    element(input, word, law, FORM)
 }
 
 fn element(input: ParseStream, word: &Ident, law: Law, form: &str) -> Result<Load> {

@@ -1,6 +1,7 @@
 //! Stage 1: text to parsed declaration, with the place of every word kept.
 
 mod block;
+mod choice;
 mod declarations;
 mod event;
 mod expression;
@@ -11,6 +12,7 @@ mod limits;
 mod load;
 mod made;
 mod parse;
+mod print;
 mod rates;
 mod region;
 mod reuse;

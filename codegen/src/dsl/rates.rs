@@ -22,8 +22,6 @@ fn mentions_rate(expression: &Expression, rated: &[&Ident]) -> bool {
         Kind::Number { .. } => false,
         Kind::Name(name) => rated.contains(&name),
         Kind::Call(function, _) if function == "dot" || function == "ddot" => true,
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().any(|part| mentions_rate(part, rated)),
-        Kind::Negate(part) | Kind::Component(part, _) => mentions_rate(part, rated),
-        Kind::Binary(_, left, right) => mentions_rate(left, rated) || mentions_rate(right, rated),
+        _ => expression.parts().into_iter().any(|part| mentions_rate(part, rated)),
     }
 }

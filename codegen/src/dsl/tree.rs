@@ -145,6 +145,8 @@ pub enum Law {
     Force(Expression),
     /// `spring k, length l0 ..` or `spring k, rest l0 ..`: a stiffness, or the force where `stretch` or `rate` stands in it.
     Spring(Expression, Expression),
+    /// `friction F, smooth v0 ..`: dry friction, F tanh(x'/v0).
+    Friction(Expression, Expression),
     /// `damper c ..`: a coefficient, or the force where `rate` stands in it.
     Damper(Expression),
 }
@@ -321,6 +323,7 @@ impl Expression {
             Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().collect(),
             Kind::Negate(part) | Kind::Component(part, _) => vec![part],
             Kind::Binary(_, left, right) => vec![left, right],
+            Kind::If(choice) => vec![&choice.left, &choice.right, &choice.yes, &choice.no],
         }
     }
 
@@ -352,6 +355,33 @@ pub enum Kind {
     Call(Ident, Vec<Expression>),
     /// `C.y`
     Component(Box<Expression>, Ident),
+    /// `if a > b then x else y`
+    If(Box<Choice>),
+}
+
+/// `if left > right then yes else no`
+#[derive(Clone)]
+pub struct Choice {
+    /// What is compared.
+    pub left: Expression,
+    /// How.
+    pub comparison: Comparison,
+    /// What it is compared with.
+    pub right: Expression,
+    /// The value where it is so.
+    pub yes: Expression,
+    /// The value where it is not.
+    pub no: Expression,
+}
+
+/// A comparison of two scalars.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum Comparison {
+    Less,
+    AtMost,
+    Greater,
+    AtLeast,
 }
 
 /// An operation on two operands.

@@ -4,6 +4,7 @@
 //! model that it would be without them, and once with variables, from which the conjugate forces are derived.
 
 use super::interpret::Interpreter;
+use super::origin::Origin;
 use super::quantities::{define, resolve_unit};
 use super::scope::plain;
 use super::value::Value;
@@ -42,9 +43,11 @@ pub(super) fn resolve_auxiliaries(
             Displacements::Zero => i.graph.zero(),
             Displacements::Variable => i.graph.variable(auxiliary.displacement),
         };
-        define(&a.name, Some(Value::scalar(value, Some(unit.dimension().clone()))), i);
+        let dimension = unit.map(|unit| unit.dimension().clone());
+        i.origins.add(plain(&a.name), Origin::Declared(a.unit.as_ref().map(|unit| unit.text.clone())));
+        define(&a.name, Some(Value::scalar(value, dimension.clone())), i);
         let reaction = i.graph.variable(auxiliary.reaction);
-        let force = Value::scalar(reaction, Some(Dimension::energy().over(unit.dimension())));
+        let force = Value::scalar(reaction, dimension.map(|dimension| Dimension::energy().over(&dimension)));
         auxiliaries.push((auxiliary, force));
     }
     auxiliaries

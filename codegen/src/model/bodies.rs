@@ -1,9 +1,9 @@
 //! The `bodies` block.
 
 use super::interpret::Interpreter;
-use super::level::{MOVING, position_level, position_scalar};
+use super::level::{self, MOVING};
 use super::scope::{Names, plain};
-use super::{Body, Dependence, Point};
+use super::{Body, Dependence, Dimension, Point};
 use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::Expr;
 
@@ -30,9 +30,9 @@ fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
     let place = Region::from(&b.name);
     // Every part is looked at before the first mistake counts.
     let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
-    let angle = b.angle.as_ref().map(|angle| position_scalar(angle, "the angle of a body", i));
+    let angle = b.angle.as_ref().map(|angle| level::angle(angle, "the angle of a body", i));
     let inertia = b.inertia.as_ref().map(|inertia| {
-        let value = i.scalar(inertia)?;
+        let value = i.scalar_of(inertia, &Dimension::inertia(), "an inertia")?;
         inertial(inertia, value, i)
     });
     if let (Some(inertia), None) = (&b.inertia, &b.angle) {
@@ -61,14 +61,14 @@ fn resolve_mass(
     body: &str,
     i: &mut Interpreter,
 ) -> Option<(Expr, Point)> {
-    let value = i.scalar(mass).and_then(|value| inertial(mass, value, i));
+    let value = i.scalar_of(mass, &Dimension::mass(), "a mass").and_then(|value| inertial(mass, value, i));
     let Some(position) = position else {
         return i.refuse(
             mass.region,
             format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass"),
         );
     };
-    let at = i.point(position).and_then(|at| position_level(position, at, "the position of a mass", i));
+    let at = level::position(position, "the position of a mass", i);
     value.zip(at)
 }
 

@@ -1,11 +1,9 @@
 //! The `drawing` block.
 
 use super::interpret::Interpreter;
-use super::level::{position_level, position_scalar};
+use super::level;
 use super::{Point, Shape};
 use crate::dsl::{self, Declaration, Expression};
-
-const DRAWN: &str = "what is drawn";
 
 pub(super) fn resolve_drawing(declaration: &Declaration, i: &mut Interpreter) -> Vec<Shape> {
     declaration.drawing.iter().filter_map(|shape| resolve_shape(shape, i)).collect()
@@ -17,11 +15,11 @@ fn resolve_shape(shape: &dsl::Shape, i: &mut Interpreter) -> Option<Shape> {
         dsl::Shape::Ground(points) => drawn_points(points, i).map(Shape::Ground),
         dsl::Shape::Points(points) => drawn_points(points, i).map(Shape::Points),
         dsl::Shape::Slider { at, along } => {
-            let (point, angle) = (drawn_point(at, i), position_scalar(along, DRAWN, i));
+            let (point, angle) = (drawn_point(at, i), level::angle(along, "the angle of a slider", i));
             Some(Shape::Slider(point?, angle?))
         }
         dsl::Shape::Circle { at, radius } => {
-            let (point, radius) = (drawn_point(at, i), position_scalar(radius, DRAWN, i));
+            let (point, radius) = (drawn_point(at, i), level::length(radius, "a radius", i));
             Some(Shape::Circle(point?, radius?))
         }
     }
@@ -33,6 +31,5 @@ fn drawn_points(points: &[Expression], i: &mut Interpreter) -> Option<Vec<Point>
 }
 
 fn drawn_point(expression: &Expression, i: &mut Interpreter) -> Option<Point> {
-    let point = i.point(expression)?;
-    position_level(expression, point, DRAWN, i)
+    level::position(expression, "a drawn point", i)
 }

@@ -1,12 +1,13 @@
 //! Loads along scalars: potentials, dissipation functions, springs, dampers.
 
+use super::homogeneity::Measured;
 use super::interpret::Interpreter;
-use super::level::{position_level, position_scalar};
+use super::level::{self, position_level, position_scalar};
 use super::loads::load_level;
-use super::value::{Value, common_dimension};
+use super::value::Value;
 use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
-use crate::symbolic::{Differential, Expr, Number, Symbol};
+use crate::symbolic::{Differential, Expr, Function, Number, Symbol};
 
 /// How far a spring is from where it has no force, in the law of its force.
 const STRETCH: &str = "stretch";
@@ -15,7 +16,7 @@ const RATE: &str = "rate";
 
 /// -dV/dq: -1 along V.
 pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effort> {
-    let along = position_scalar(energy, "a potential energy", i)?;
+    let along = position_scalar(energy, &Dimension::energy(), "a potential energy", i)?;
     if !i.dependences.of(&i.graph, along).meets(Dependence::COORDINATE) {
         return i.refuse(energy.region, "no coordinate stands in this potential energy, so no force comes of it");
     }
@@ -25,8 +26,8 @@ pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effo
 /// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein,
 /// Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
 pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i: &mut Interpreter) -> Vec<Effort> {
-    let value = i.scalar(function).and_then(|value| load_level(function, [value], i));
-    let Some([value]) = value else { return vec![] };
+    let power = Some(Dimension::energy().over(&Dimension::time()));
+    let Some(value) = load_scalar(function, power, "a dissipation function", i) else { return vec![] };
     if !i.dependences.of(&i.graph, value).meets(Dependence::SPEED) {
         let message = "no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`";
         i.mistakes.add(function.region.error(message));
@@ -39,9 +40,9 @@ pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i:
     along.into_iter().filter(|effort| !i.graph.is_zero(effort.force)).collect()
 }
 
-/// A scalar that a force or torque works along.
-pub(super) fn quantity(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
-    let along = position_scalar(expression, "what a load works along", i)?;
+/// An angle that a torque works along.
+pub(super) fn turned(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
+    let along = level::angle(expression, "the angle that a torque turns", i)?;
     check_moves(expression.region, along, i)?;
     Some(along)
 }
@@ -51,10 +52,12 @@ pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> 
     let along = resolve_extent(element.keyword, &element.extent, i);
     match &element.law {
         Law::Force(force) => {
-            let force = load_scalar(force, i)?;
-            along.map(|along| Effort { force: force.0, along: along.value })
+            let (needed, what) = needed("a force", along.as_ref(), Along::force);
+            let force = load_scalar(force, needed, &what, i)?;
+            along.map(|along| Effort { force, along: along.value })
         }
         Law::Spring(law, rest) => spring(law, rest, along, i),
+        Law::Friction(force, smooth) => friction(force, smooth, along, i),
         Law::Damper(law) => damper(law, along, i),
     }
 }
@@ -67,14 +70,50 @@ struct Along {
     dimension: Option<Dimension>,
 }
 
+impl Along {
+    /// The dimension of a force along it: work per extent.
+    fn force(&self) -> Option<Dimension> {
+        Some(Dimension::energy().over(self.dimension.as_ref()?))
+    }
+
+    fn stiffness(&self) -> Option<Dimension> {
+        Some(self.force()?.over(self.dimension.as_ref()?))
+    }
+
+    fn rate(&self) -> Option<Dimension> {
+        Some(self.dimension.as_ref()?.over(&Dimension::time()))
+    }
+
+    fn damping(&self) -> Option<Dimension> {
+        Some(self.stiffness()?.times(&Dimension::time()))
+    }
+}
+
+/// What the dimension of a part of an element must be, and the part in words: "a force along a length".
+fn needed(
+    part: &str,
+    along: Option<&Along>,
+    dimension: fn(&Along) -> Option<Dimension>,
+) -> (Option<Dimension>, String) {
+    let extent = match along.and_then(|along| along.dimension.as_ref()) {
+        Some(extent) if extent.is_none() => "an angle".to_owned(),
+        Some(extent) if *extent == Dimension::length() => "a length".to_owned(),
+        Some(extent) => format!("[{}]", extent.si_unit()),
+        None => return (None, part.to_owned()),
+    };
+    (along.and_then(dimension), format!("{part} along {extent}"))
+}
+
 fn resolve_extent(keyword: Region, extent: &Extent, i: &mut Interpreter) -> Option<Along> {
     let along = match extent {
         Extent::Distance(from, to) => distance(from, to, i),
         Extent::Difference(from, to) => {
-            let (from, to) = (position(from, i), position(to, i));
-            let ((from, unit), (to, other)) = (from?, to?);
-            let (value, dimension) = (i.graph.sub(to, from), common_dimension(unit, other));
-            Some(Along { value, square: None, dimension })
+            let (a, b) = (position(from, i), position(to, i));
+            let ((a, of_a), (b, of_b)) = (a?, b?);
+            let from = Measured { expression: from, dimension: &of_a };
+            let to = Measured { expression: to, dimension: &of_b };
+            let dimension = i.common_dimension(from, to, "an element works between quantities of one dimension")?;
+            Some(Along { value: i.graph.sub(b, a), square: None, dimension })
         }
         Extent::Quantity(x) => position(x, i).map(|(value, dimension)| Along { value, square: None, dimension }),
     }?;
@@ -84,18 +123,17 @@ fn resolve_extent(keyword: Region, extent: &Extent, i: &mut Interpreter) -> Opti
 
 fn distance(from: &Expression, to: &Expression, i: &mut Interpreter) -> Option<Along> {
     const WHAT: &str = "the end of an element";
-    let (a, b) = (i.point_value(from), i.point_value(to));
-    let ((a, unit), (b, other)) = (a?, b?);
-    let (a, b) = (position_level(from, a, WHAT, i), position_level(to, b, WHAT, i));
+    let (a, b) = (level::position(from, WHAT, i), level::position(to, WHAT, i));
     let (a, b) = (a?, b?);
     let way = [i.graph.sub(b[0], a[0]), i.graph.sub(b[1], a[1])];
     let square = i.inner(way, way);
-    Some(Along { value: i.graph.sqrt(square), square: Some(square), dimension: common_dimension(unit, other) })
+    let dimension = Some(Dimension::length()).filter(|_| i.with_units);
+    Some(Along { value: i.graph.sqrt(square), square: Some(square), dimension })
 }
 
 fn position(expression: &Expression, i: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
     let (value, dimension) = i.scalar_value(expression)?;
-    position_level(expression, [value], "what an element works along", i)?;
+    position_level(expression, &[value], "what an element works along", i)?;
     Some((value, dimension))
 }
 
@@ -106,24 +144,29 @@ fn check_moves(place: Region, along: Expr, i: &mut Interpreter) -> Option<()> {
     }
 }
 
-fn load_scalar(expression: &Expression, i: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
+fn load_scalar(expression: &Expression, needed: Option<Dimension>, what: &str, i: &mut Interpreter) -> Option<Expr> {
     let (value, dimension) = i.scalar_value(expression)?;
     load_level(expression, [value], i)?;
-    Some((value, dimension))
+    if let Some(needed) = needed {
+        i.expect_in_place(Measured { expression, dimension: &dimension }, &needed, what);
+    }
+    Some(value)
 }
 
 /// -k (x - x0), or minus the force that is given for a stretch of x - x0.
 fn spring(law: &Expression, rest: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
-    let rest = load_scalar(rest, i);
+    let (needed_rest, what) = needed("where a spring is at rest", along.as_ref(), |along| along.dimension.clone());
+    let rest = load_scalar(rest, needed_rest, &what, i);
     if !law.mentions(STRETCH) && !law.mentions(RATE) {
-        let stiffness = load_scalar(law, i);
-        let ((stiffness, _), (rest, _), along) = (stiffness?, rest?, along?);
+        let (needed, what) = needed("the stiffness of a spring", along.as_ref(), Along::stiffness);
+        let stiffness = load_scalar(law, needed, &what, i);
+        let (stiffness, rest, along) = (stiffness?, rest?, along?);
         return Some(linear_spring(stiffness, rest, &along, i));
     }
-    let ((rest, _), along) = (rest?, along?);
+    let (rest, along) = (rest?, along?);
     let stretch = Value::scalar(i.graph.sub(along.value, rest), along.dimension.clone());
     let words = vec![(STRETCH, stretch), rate_word(&along, i)];
-    let force = law_of_force(law, words, i)?;
+    let force = law_of_force(law, words, needed("the force of a spring", Some(&along), Along::force), i)?;
     Some(Effort { force: i.graph.neg(force), along: along.value })
 }
 
@@ -147,15 +190,35 @@ fn damper(law: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option
         return i.refuse(law.region, "a damper has no free length to be stretched from; its force depends on `rate`");
     }
     if !law.mentions(RATE) {
-        let coefficient = load_scalar(law, i);
-        let ((coefficient, _), along) = (coefficient?, along?);
+        let (needed, what) = needed("the coefficient of a damper", along.as_ref(), Along::damping);
+        let coefficient = load_scalar(law, needed, &what, i);
+        let (coefficient, along) = (coefficient?, along?);
         let rate = rate_of(&along, i);
         let force = i.graph.mul(coefficient, rate);
         return Some(Effort { force: i.graph.neg(force), along: along.value });
     }
     let along = along?;
     let words = vec![rate_word(&along, i)];
-    let force = law_of_force(law, words, i)?;
+    let force = law_of_force(law, words, needed("the force of a damper", Some(&along), Along::force), i)?;
+    Some(Effort { force: i.graph.neg(force), along: along.value })
+}
+
+/// -F tanh(x'/v0): Coulomb's friction, but for speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models for
+/// sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
+fn friction(force: &Expression, smooth: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+    let (needed_force, of_force) = needed("the size of friction", along.as_ref(), Along::force);
+    let (needed_speed, of_speed) = needed("the speed within which friction is smoothed", along.as_ref(), Along::rate);
+    let size = load_scalar(force, needed_force, &of_force, i);
+    let speed = load_scalar(smooth, needed_speed, &of_speed, i);
+    let (size, speed, along) = (size?, speed?, along?);
+    if i.graph.is_zero(speed) {
+        let message = "the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated";
+        return i.refuse(smooth.region, message);
+    }
+    let rate = rate_of(&along, i);
+    let ratio = i.graph.div(rate, speed);
+    let part = i.graph.call(Function::Tanh, ratio);
+    let force = i.graph.mul(size, part);
     Some(Effort { force: i.graph.neg(force), along: along.value })
 }
 
@@ -165,12 +228,16 @@ fn rate_of(along: &Along, i: &mut Interpreter) -> Expr {
 }
 
 fn rate_word(along: &Along, i: &mut Interpreter) -> (&'static str, Value) {
-    let dimension = along.dimension.as_ref().map(|d| d.over(&Dimension::time()));
-    (RATE, Value::scalar(rate_of(along, i), dimension))
+    (RATE, Value::scalar(rate_of(along, i), along.rate()))
 }
 
 /// A law with the words that stand in it alone.
-fn law_of_force(law: &Expression, words: Vec<(&'static str, Value)>, i: &mut Interpreter) -> Option<Expr> {
+fn law_of_force(
+    law: &Expression,
+    words: Vec<(&'static str, Value)>,
+    (needed, what): (Option<Dimension>, String),
+    i: &mut Interpreter,
+) -> Option<Expr> {
     for (word, _) in &words {
         if law.mentions(word)
             && let Some(own) = i.values.get_region(word)
@@ -182,7 +249,7 @@ fn law_of_force(law: &Expression, words: Vec<(&'static str, Value)>, i: &mut Int
         }
     }
     i.local = words;
-    let force = load_scalar(law, i);
+    let force = load_scalar(law, needed, &what, i);
     i.local.clear();
-    force.map(|(force, _)| force)
+    force
 }

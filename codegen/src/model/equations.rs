@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::level::{BEYOND_POSITION, no_input};
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
-use super::value::{Shape, Value, common_dimension};
+use super::value::{Shape, Value};
 use super::{Conditional, Constraint, Dependence, Dimension, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
@@ -21,6 +21,7 @@ pub(super) fn resolve_constraints(
     for equation in &declaration.constraints {
         let first = rows.len();
         let sides = equation_sides(equation, i);
+        let is_known = sides.as_ref().is_some_and(|sides| sides.dimension.is_some());
         if let Some(sides) = sides {
             let level = if declaration.has_rates(equation) { Level::Speeds } else { Level::Positions };
             constraint_rows(equation, level, sides, &mut rows, i);
@@ -30,7 +31,7 @@ pub(super) fn resolve_constraints(
         }
         let multipliers: Vec<Expr> =
             rows[first..].iter().map(|row: &Constraint| i.graph.variable(row.multiplier)).collect();
-        let dimension = rows.get(first).map(|row| row.unit.dimension().clone());
+        let dimension = rows.get(first).map(|row| row.unit.dimension().clone()).filter(|_| is_known);
         let reaction = match multipliers.as_slice() {
             [one] => Some(Value::scalar(*one, dimension)),
             [x, y] => Some(Value { shape: Shape::Vector([*x, *y]), dimension }),
@@ -77,7 +78,6 @@ fn conditional(
 pub(super) fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
     let (left, right) = (i.value(&equation.left), i.value(&equation.right));
     let (left, right) = (left?, right?);
-    let dimension = common_dimension(left.dimension.clone(), right.dimension.clone());
     let shape = match (left.shape, right.shape) {
         (Shape::Scalar(l), Shape::Scalar(r)) => Shape::Scalar(i.graph.sub(l, r)),
         (Shape::Vector([lx, ly]), Shape::Vector([rx, ry])) => Shape::Vector([i.graph.sub(lx, rx), i.graph.sub(ly, ry)]),
@@ -86,6 +86,8 @@ pub(super) fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> O
             return i.refuse(equation.left.region.to(equation.right.region), message);
         }
     };
+    let rule = "both sides of an equation are of one dimension";
+    let dimension = i.common_dimension(left.measured(&equation.left), right.measured(&equation.right), rule)?;
     Some(Value { shape, dimension })
 }
 

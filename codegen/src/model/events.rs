@@ -3,10 +3,11 @@
 use super::equations::equation_sides;
 use super::interpret::Interpreter;
 use super::level::{MOVING, no_input};
+use super::loads::named;
 use super::scope::{Names, plain};
 use super::start::in_unit;
 use super::value::Shape;
-use super::{Conditional, Coordinate, Dependence, Event, EventStep, Parameter, Target, Unit};
+use super::{Conditional, Coordinate, Dependence, Dimension, Event, EventStep, Parameter, Target, Unit};
 use crate::dsl::{self, Action, Activity, Declaration, Expression, Region};
 use crate::nearest;
 use crate::symbolic::{Expr, evaluate};
@@ -99,7 +100,7 @@ fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Inter
         Action::Stop { after, place } => Some((EventStep::Stop(*after), *place)),
         Action::Set { name, is_speed, value } => {
             let (target, unit) = target(name, *is_speed, known, i)?;
-            let value = assigned(value, &unit, i)?;
+            let value = assigned(value, target, &unit, known, i)?;
             Some((EventStep::Set(vec![(target, value)]), name.into()))
         }
         Action::Swap(first, second) => {
@@ -108,6 +109,13 @@ fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Inter
             if a == b {
                 return i.refuse(second.into(), "a coordinate is swapped with another one, not with itself");
             }
+            let (one, other) = (named(first), named(second));
+            let (of_one, of_other) = (i.value(&one)?, i.value(&other)?);
+            i.common_dimension(
+                of_one.measured(&one),
+                of_other.measured(&other),
+                "only quantities of one dimension are swapped",
+            );
             let of = |index: usize| (known.coordinates[index].position, known.coordinates[index].speed);
             let mut sets = Vec::new();
             for (to, from) in [(a, b), (b, a)] {
@@ -193,17 +201,15 @@ fn conditional(name: &Ident, declaration: &Declaration, known: &Known, i: &mut I
 }
 
 /// A value of a state before: plain numbers are in the unit of what is set.
-fn assigned(expression: &Expression, unit: &Unit, i: &mut Interpreter) -> Option<Expr> {
-    let value = in_unit(expression, unit, i)?;
+fn assigned(expression: &Expression, target: Target, unit: &Unit, known: &Known, i: &mut Interpreter) -> Option<Expr> {
     let rule = "what an event sets follows from coordinates, speeds, parameters and `t`; accelerations and reactions \
                 are not known there";
-    i.restrict(expression.region, &[value], FORCES, rule)?;
-    Some(value)
+    in_unit(expression, told(target, known).trim_matches('`'), unit, (FORCES, rule), i)
 }
 
 /// A ratio of speeds.
 fn coefficient(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
-    let value = i.scalar(expression)?;
+    let value = i.scalar_of(expression, &Dimension::none(), "a coefficient of restitution")?;
     let rule = "a coefficient of restitution follows from coordinates, speeds, parameters and `t`";
     i.restrict(expression.region, &[value], FORCES, rule)?;
     let is_number = i.dependences.of(&i.graph, value) == Dependence::NONE;

@@ -1,7 +1,9 @@
 //! Expressions of the language to symbolic values.
 
+use super::homogeneity::Measured;
+use super::origin::Origins;
 use super::scope::{self, Names, Values, plain};
-use super::value::{Shape, Value, common_dimension};
+use super::value::{Shape, Value};
 use super::{Dependence, Dependences, Dimension, Point, Unit};
 use crate::dsl::{Expression, Kind, Operator, Region};
 use crate::mistakes::Mistakes;
@@ -14,6 +16,9 @@ pub(super) struct Interpreter {
     pub(super) graph: Graph,
     pub(super) dependences: Dependences,
     pub(super) values: Values,
+    pub(super) origins: Origins,
+    /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
+    pub(super) with_units: bool,
     /// Words that have a meaning in one expression alone.
     pub(super) local: Vec<(&'static str, Value)>,
     /// The multipliers of each constraint; absent until constraints are resolved.
@@ -49,10 +54,6 @@ impl Interpreter {
     }
 
     /// A vector of the plane.
-    pub(super) fn point(&mut self, expression: &Expression) -> Option<Point> {
-        self.point_value(expression).map(|(point, _)| point)
-    }
-
     pub(super) fn point_value(&mut self, expression: &Expression) -> Option<(Point, Option<Dimension>)> {
         let value = self.value(expression)?;
         match value.shape {
@@ -76,7 +77,7 @@ impl Interpreter {
     /// Any value.
     pub(super) fn value(&mut self, expression: &Expression) -> Option<Value> {
         let region = expression.region;
-        let value = match &expression.kind {
+        let mut value = match &expression.kind {
             Kind::Number { literal, unit } => self.number(region, literal, unit.as_ref()),
             Kind::Name(name) => self.name(name),
             Kind::Vector(components) => self.vector(region, components),
@@ -87,8 +88,10 @@ impl Interpreter {
             Kind::Binary(operator, left, right) => self.binary(*operator, left, right),
             Kind::Call(function, arguments) => self.call(region, function, arguments),
             Kind::Component(vector, name) => self.component(vector, name),
+            Kind::If(choice) => self.choice(choice),
         }?;
         self.check_constants(region, &value.components())?;
+        value.dimension = value.dimension.filter(|_| self.with_units);
         Some(value)
     }
 
@@ -160,16 +163,14 @@ impl Interpreter {
 
     fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {
         let values: Vec<_> = components.iter().map(|c| self.scalar_value(c)).collect();
-        match values.as_slice() {
-            [x, y] => {
-                let ((x, dx), (y, dy)) = (x.clone()?, y.clone()?);
-                Some(Value { shape: Shape::Vector([x, y]), dimension: common_dimension(dx, dy) })
-            }
-            _ => self.refuse(
-                region,
-                format!("a vector of the plane has two components, `[x, y]`; this has {}", values.len()),
-            ),
-        }
+        let ([x, y], [of_x, of_y]) = (components, values.as_slice()) else {
+            let message = format!("a vector of the plane has two components, `[x, y]`; this has {}", values.len());
+            return self.refuse(region, message);
+        };
+        let ((of_x, dx), (of_y, dy)) = (of_x.as_ref()?, of_y.as_ref()?);
+        let (x, y) = (Measured { expression: x, dimension: dx }, Measured { expression: y, dimension: dy });
+        let dimension = self.common_dimension(x, y, "both components of a vector are of one dimension")?;
+        Some(Value { shape: Shape::Vector([*of_x, *of_y]), dimension })
     }
 
     fn component(&mut self, vector: &Expression, name: &Ident) -> Option<Value> {
@@ -189,23 +190,18 @@ impl Interpreter {
         let (a, b) = (self.value(left), self.value(right));
         let (a, b) = (a?, b?);
         match operator {
-            Operator::Add => self.sum(left, right, a, b, Graph::add),
-            Operator::Subtract => self.sum(left, right, a, b, Graph::sub),
+            Operator::Add | Operator::Subtract => self.sum(operator, left, right, a, b),
             Operator::Multiply => self.multiply(left, right, a, b),
             Operator::Divide => self.divide(right, a, b),
             Operator::Power => self.power(left, right, a, b),
         }
     }
 
-    fn sum(
-        &mut self,
-        left: &Expression,
-        right: &Expression,
-        a: Value,
-        b: Value,
-        operation: fn(&mut Graph, Expr, Expr) -> Expr,
-    ) -> Option<Value> {
-        let dimension = common_dimension(a.dimension.clone(), b.dimension.clone());
+    fn sum(&mut self, operator: Operator, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
+        let (operation, rule): (fn(&mut Graph, Expr, Expr) -> Expr, _) = match operator {
+            Operator::Subtract => (Graph::sub, "only quantities of one dimension can be subtracted"),
+            _ => (Graph::add, "only quantities of one dimension can be added"),
+        };
         let shape = match (a.shape, b.shape) {
             (Shape::Scalar(a), Shape::Scalar(b)) => Shape::Scalar(operation(&mut self.graph, a, b)),
             (Shape::Vector([ax, ay]), Shape::Vector([bx, by])) => {
@@ -219,7 +215,8 @@ impl Interpreter {
                 return self.refuse(left.region.to(right.region), message);
             }
         };
-        Some(Value { shape, dimension })
+        let (left, right) = (a.measured(left), b.measured(right));
+        Some(Value { shape, dimension: self.common_dimension(left, right, rule)? })
     }
 
     fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
@@ -260,19 +257,23 @@ impl Interpreter {
         let Shape::Scalar(exponent) = b.shape else {
             return self.refuse(right.region, "an exponent is a scalar");
         };
-        let dimension = match self.graph.as_number(exponent) {
-            Some(number) => a.dimension.map(|d| d.to_the(number)),
-            None => a.dimension.filter(|d| *d == Dimension::none()),
-        };
+        let dimension = self.dimension_of_power(a.measured(left), exponent, b.measured(right))?;
         Some(Value::scalar(self.graph.power(base, exponent), dimension))
     }
 
     fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
         let text = plain(name);
-        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text && *f != Function::Sign) {
+        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text) {
             let [argument] = self.arguments(region, &text, arguments, ["x"])?;
             let (x, dimension) = self.scalar_value(argument)?;
-            let dimension = if function == Function::Abs { dimension } else { Some(Dimension::none()) };
+            let dimension = match function {
+                Function::Abs => dimension,
+                Function::Sign => Some(Dimension::none()),
+                _ => {
+                    self.expect_pure(&text, Measured { expression: argument, dimension: &dimension })?;
+                    Some(Dimension::none())
+                }
+            };
             return Some(Value::scalar(self.graph.call(function, x), dimension));
         }
         match text.as_str() {
@@ -284,9 +285,14 @@ impl Interpreter {
             }
             "atan2" => {
                 let [y, x] = self.arguments(region, &text, arguments, ["y", "x"])?;
-                let (y, x) = (self.scalar(y), self.scalar(x));
-                Some(Value::scalar(self.graph.atan2(y?, x?), Some(Dimension::none())))
+                let (of_y, of_x) = (self.scalar_value(y), self.scalar_value(x));
+                let ((of_y, dy), (of_x, dx)) = (of_y?, of_x?);
+                let (y, x) = (Measured { expression: y, dimension: &dy }, Measured { expression: x, dimension: &dx });
+                self.common_dimension(y, x, "`atan2(y, x)` takes two of one dimension")?;
+                Some(Value::scalar(self.graph.atan2(of_y, of_x), Some(Dimension::none())))
             }
+            "min" => self.extreme(region, &text, arguments, Graph::min),
+            "max" => self.extreme(region, &text, arguments, Graph::max),
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
                 let (a, dimension) = self.point_value(a)?;

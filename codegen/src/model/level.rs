@@ -1,7 +1,8 @@
 //! What an expression in a given place may depend on.
 
-use super::Dependence;
+use super::homogeneity::Measured;
 use super::interpret::Interpreter;
+use super::{Dependence, Dimension, Point};
 use crate::dsl::{Expression, Region};
 use crate::symbolic::Expr;
 
@@ -12,20 +13,10 @@ pub(super) const BEYOND_POSITION: Dependence =
 
 pub(super) const BEYOND_SPEED: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
 
-pub(super) fn position_level<const N: usize>(
-    expression: &Expression,
-    values: [Expr; N],
-    what: &str,
-    i: &mut Interpreter,
-) -> Option<[Expr; N]> {
-    no_input(expression.region, &values, what, i)?;
-    i.restrict(
-        expression.region,
-        &values,
-        BEYOND_POSITION,
-        &format!("{what} is made of coordinates, parameters and time; `dot()` cannot stand in it"),
-    )?;
-    Some(values)
+pub(super) fn position_level(expression: &Expression, values: &[Expr], what: &str, i: &mut Interpreter) -> Option<()> {
+    no_input(expression.region, values, what, i)?;
+    let rule = format!("{what} is made of coordinates, parameters and time; `dot()` cannot stand in it");
+    i.restrict(expression.region, values, BEYOND_POSITION, &rule)
 }
 
 /// Refuses inputs where derivatives are needed.
@@ -38,7 +29,32 @@ pub(super) fn no_input(place: Region, values: &[Expr], what: &str, i: &mut Inter
     )
 }
 
-pub(super) fn position_scalar(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Expr> {
-    let value = i.scalar(expression)?;
-    position_level(expression, [value], what, i).map(|[value]| value)
+/// An angle, with what it is for messages: "the angle of a body".
+pub(super) fn angle(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Expr> {
+    position_scalar(expression, &Dimension::none(), what, i)
+}
+
+/// A length.
+pub(super) fn length(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Expr> {
+    position_scalar(expression, &Dimension::length(), what, i)
+}
+
+/// A position in the plane.
+pub(super) fn position(expression: &Expression, what: &str, i: &mut Interpreter) -> Option<Point> {
+    let (point, dimension) = i.point_value(expression)?;
+    position_level(expression, &point, what, i)?;
+    i.expect_in_place(Measured { expression, dimension: &dimension }, &Dimension::length(), what);
+    Some(point)
+}
+
+pub(super) fn position_scalar(
+    expression: &Expression,
+    needed: &Dimension,
+    what: &str,
+    i: &mut Interpreter,
+) -> Option<Expr> {
+    let (value, dimension) = i.scalar_value(expression)?;
+    position_level(expression, &[value], what, i)?;
+    i.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
+    Some(value)
 }

@@ -1,10 +1,10 @@
 //! The `loads` block.
 
-use super::elements::{dissipation, element, potential, quantity};
+use super::elements::{dissipation, element, potential, turned};
 use super::interpret::Interpreter;
-use super::level::{BEYOND_SPEED, position_level};
+use super::level::{self, BEYOND_SPEED};
 use super::scope::{Names, plain};
-use super::{Body, Effort, Force, Point};
+use super::{Body, Dimension, Effort, Force, Point};
 use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
 use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
@@ -28,9 +28,9 @@ pub(super) fn resolve_loads(
     for load in &declaration.loads {
         match load {
             dsl::Load::Force { force, point } => {
-                let (value, at) = (i.point(force), i.point(point));
+                let value = i.point_of(force, &Dimension::force(), "a force");
                 let value = value.and_then(|value| load_level(force, value, i));
-                let at = at.and_then(|at| position_level(point, at, "the point of a force", i));
+                let at = level::position(point, "the point of a force", i);
                 if let (Some(force), Some(at)) = (value, at) {
                     loads.forces.push(Force { force, at });
                 }
@@ -52,7 +52,8 @@ pub(super) fn resolve_loads(
                     mistake.combine(first.error("it is first declared here"));
                     i.mistakes.add(mistake);
                 }
-                let value = i.point(acceleration).and_then(|value| load_level(acceleration, value, i));
+                let value = i.point_of(acceleration, &Dimension::acceleration(), "gravity");
+                let value = value.and_then(|value| load_level(acceleration, value, i));
                 loads.gravity = value.or(loads.gravity);
                 let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
                 if massless && !declaration.bodies.is_empty() {
@@ -75,9 +76,9 @@ fn torque(
     names: &Names<usize>,
     i: &mut Interpreter,
 ) -> Option<Effort> {
-    let value = i.scalar(moment).and_then(|value| load_level(moment, [value], i));
+    let value = i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, [value], i));
     let is_body = names.get_region(&plain(on)).is_some() || i.values.get_region(&plain(on)).is_none();
-    let along = if is_body { angle_of(on, bodies, names, i) } else { quantity(&named(on), i) };
+    let along = if is_body { angle_of(on, bodies, names, i) } else { turned(&named(on), i) };
     let ([force], along) = (value?, along?);
     Some(Effort { force, along })
 }
@@ -100,7 +101,7 @@ fn angle_of(body: &Ident, bodies: &[Option<Body>], names: &Names<usize>, i: &mut
     }
 }
 
-fn named(name: &Ident) -> Expression {
+pub(super) fn named(name: &Ident) -> Expression {
     Expression { region: name.into(), kind: Kind::Name(name.clone()) }
 }
 

@@ -3,15 +3,18 @@
 
 mod auxiliary;
 mod bodies;
+mod choice;
 mod dependence;
 mod dimension;
 mod drawing;
 mod elements;
 mod equations;
 mod events;
+mod homogeneity;
 mod interpret;
 mod level;
 mod loads;
+mod origin;
 mod outputs;
 mod quantities;
 mod rates;
@@ -178,7 +181,8 @@ pub struct Constraint {
     pub value: Expr,
     /// The multiplier's symbol.
     pub multiplier: Symbol,
-    /// The multiplier's unit: joules per unit of C, or watts per unit of a row between speeds. `1` where the constraint's own unit is not known.
+    /// The multiplier's unit, joules per unit of C or watts per unit of a row between speeds: `N` for a constraint between
+    /// lengths, `N*m` for one between angles or other pure numbers. `1` where the constraint's own unit is not known.
     pub unit: Unit,
     /// 1 while it holds and 0 while it does not, if events switch it.
     pub activity: Option<Expr>,

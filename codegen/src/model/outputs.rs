@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::quantities::resolve_unit;
 use super::scope::{Names, plain};
 use super::value::Shape;
-use super::{Constraint, Coordinate, Output, OutputGroup};
+use super::{Constraint, Coordinate, Output, OutputGroup, Unit};
 use crate::dsl::{self, Declaration, Region};
 use crate::symbolic::Expr;
 use syn::Ident;
@@ -41,7 +41,8 @@ pub(super) fn resolve_outputs(
                 );
             }
             let unit = resolve_unit(&output.unit, i);
-            if let Some(value) = output_value(output, &name, i) {
+            let value = output_value(output, &name, unit.as_ref(), i);
+            if let (Some(value), Some(unit)) = (value, unit) {
                 outputs.push(Output { name, docs: output.docs.clone(), unit, value });
             }
         }
@@ -70,10 +71,13 @@ fn define_figure(name: &Ident, figures: &mut Vec<(String, Region)>, i: &mut Inte
     figures.push((file, name.into()));
 }
 
-fn output_value(output: &dsl::Output, name: &str, i: &mut Interpreter) -> Option<Expr> {
+fn output_value(output: &dsl::Output, name: &str, unit: Option<&Unit>, i: &mut Interpreter) -> Option<Expr> {
     let value = i.value(&output.value)?;
     match value.shape {
-        Shape::Scalar(value) => Some(value),
+        Shape::Scalar(scalar) => {
+            i.expect_unit(value.measured(&output.value), &format!("output `{name}` is declared"), name, unit?);
+            Some(scalar)
+        }
         Shape::Vector(_) => i.refuse(
             output.value.region,
             format!("output `{name}` is a vector; write one output for each component: `{name}_x = (..).x;`"),

@@ -2,19 +2,29 @@
 
 use super::interpret::Interpreter;
 use super::level::MOVING;
+use super::origin::Origin;
 use super::scope::{check_reserved, plain};
 use super::start::in_unit;
 use super::value::{Shape, Value};
 use super::{Body, Constraint, Coordinate, Dependence, Input, Parameter, Start, Unit};
 use crate::dsl::{self, Declaration, Expression, Region};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
 
-pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, i: &mut Interpreter) -> Unit {
+/// What a declared unit means; `None` is a mistake, noted.
+pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, i: &mut Interpreter) -> Option<Unit> {
     match unit {
-        Some(unit) => i.mistakes.note(Unit::resolve(unit)).unwrap_or_else(Unit::none),
-        None => Unit::none(),
+        Some(unit) => i.mistakes.note(Unit::resolve(unit)),
+        None => Some(Unit::none()),
     }
+}
+
+/// Defines a coordinate or parameter. One whose unit is mistaken has a dimension that fits everywhere.
+fn define_symbol(name: &Ident, symbol: Symbol, written: &Option<dsl::Unit>, unit: Option<&Unit>, i: &mut Interpreter) {
+    let origin = Origin::Declared(written.as_ref().map(|unit| unit.text.clone()));
+    i.origins.add(plain(name), origin);
+    let variable = i.graph.variable(symbol);
+    define(name, Some(Value::scalar(variable, unit.map(|unit| unit.dimension().clone()))), i);
 }
 
 pub(super) fn define(name: &Ident, value: Option<Value>, i: &mut Interpreter) {
@@ -36,8 +46,8 @@ pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter
         i.dependences.declare(position, Dependence::COORDINATE);
         i.dependences.declare(speed, Dependence::SPEED);
         i.dependences.declare(acceleration, Dependence::ACCELERATION);
-        let variable = i.graph.variable(position);
-        define(&c.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        define_symbol(&c.name, position, &c.unit, unit.as_ref(), i);
+        let unit = unit.unwrap_or_else(Unit::none);
         let (docs, start, start_speed) = (c.docs.clone(), Start::Free, None);
         coordinates.push(Coordinate { name, docs, unit, position, speed, acceleration, start, start_speed });
     }
@@ -65,26 +75,23 @@ pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter)
         let unit = resolve_unit(&p.unit, i);
         let symbol = i.graph.symbol(&name);
         i.dependences.declare(symbol, Dependence::PARAMETER);
-        let default = parameter_default(&p.value, &unit, i);
-        let variable = i.graph.variable(symbol);
-        define(&p.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        let default = match &unit {
+            Some(unit) => parameter_default(&p.value, &name, unit, i),
+            None => i.scalar(&p.value),
+        };
+        define_symbol(&p.name, symbol, &p.unit, unit.as_ref(), i);
         if let Some(default) = default {
+            let unit = unit.unwrap_or_else(Unit::none);
             parameters.push(Parameter { name, docs: p.docs.clone(), unit, symbol, default });
         }
     }
     parameters
 }
 
-fn parameter_default(expression: &Expression, unit: &Unit, i: &mut Interpreter) -> Option<Expr> {
-    let value = in_unit(expression, unit, i)?;
+fn parameter_default(expression: &Expression, name: &str, unit: &Unit, i: &mut Interpreter) -> Option<Expr> {
     let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
-    i.restrict(
-        expression.region,
-        &[value],
-        any,
-        "the default of a parameter is a number; what follows from other parameters is a `let`",
-    )?;
-    Some(value)
+    let rule = "the default of a parameter is a number; what follows from other parameters is a `let`";
+    in_unit(expression, name, unit, (any, rule), i)
 }
 
 /// Inputs, each with a course of numbers, parameters and time.
@@ -98,12 +105,13 @@ pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> 
         i.dependences.declare(symbol, Dependence::INPUT);
         let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
                     at run time, or is a load";
-        let course = in_unit(&input.value, &unit, i).and_then(|course| {
-            i.restrict(input.value.region, &[course], MOVING.or(Dependence::INPUT), rule).map(|()| course)
-        });
-        let variable = i.graph.variable(symbol);
-        define(&input.name, Some(Value::scalar(variable, Some(unit.dimension().clone()))), i);
+        let course = match &unit {
+            Some(unit) => in_unit(&input.value, &name, unit, (MOVING.or(Dependence::INPUT), rule), i),
+            None => i.scalar(&input.value),
+        };
+        define_symbol(&input.name, symbol, &input.unit, unit.as_ref(), i);
         if let Some(course) = course {
+            let unit = unit.unwrap_or_else(Unit::none);
             inputs.push(Input { name, docs: input.docs.clone(), unit, symbol, course });
         }
     }
@@ -123,10 +131,12 @@ pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Ve
         refuse_rate(&definition.name, declaration, i);
         let name = plain(&definition.name);
         match value.as_ref().map(|value| value.shape) {
-            Some(Shape::Scalar(scalar)) => named.push((name, scalar)),
+            Some(Shape::Scalar(scalar)) => named.push((name.clone(), scalar)),
             Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), x), (format!("{name}_y"), y)]),
             None => {}
         }
+        let origin = Origin::Defined(i.parts(&definition.value));
+        i.origins.add(name, origin);
         define(&definition.name, value, i);
     }
     named
@@ -136,7 +146,6 @@ pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Ve
 fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> {
     use dsl::Kind;
     match &expression.kind {
-        Kind::Number { .. } => None,
         Kind::Name(name) => {
             let at = later.iter().position(|definition| definition.name == *name)?;
             let message = match at {
@@ -145,9 +154,7 @@ fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> 
             };
             Some(Region::from(name).error(message))
         }
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().find_map(|part| later_use(part, later)),
-        Kind::Negate(part) | Kind::Component(part, _) => later_use(part, later),
-        Kind::Binary(_, left, right) => later_use(left, later).or_else(|| later_use(right, later)),
+        _ => expression.parts().into_iter().find_map(|part| later_use(part, later)),
     }
 }
 

@@ -7,6 +7,7 @@ use super::equations::resolve_constraints;
 use super::events::{Known, resolve_events};
 use super::interpret::Interpreter;
 use super::loads::resolve_loads;
+use super::origin::Origins;
 use super::outputs::resolve_outputs;
 use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
@@ -47,6 +48,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         graph,
         dependences,
         values: Names::new("value"),
+        origins: Origins::default(),
+        with_units: has_units(declaration),
         local: vec![],
         reactions: None,
         outputs: declaration
@@ -106,4 +109,14 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
+}
+
+/// Whether anything is declared with a unit. A declaration without any is not checked for them.
+fn has_units(declaration: &Declaration) -> bool {
+    let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
+    declaration.coordinates.iter().any(|c| c.unit.is_some())
+        || declaration.inputs.iter().any(|input| input.unit.is_some())
+        || declaration.auxiliary.iter().any(|a| a.unit.is_some())
+        || declaration.parameters.iter().any(|p| p.unit.is_some())
+        || outputs.into_iter().any(|output| output.unit.is_some())
 }

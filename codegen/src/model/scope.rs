@@ -10,7 +10,8 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 /// Functions of the language that are not functions of the engine.
-pub(super) const OTHER_FUNCTIONS: [&str; 8] = ["atan2", "sqrt", "norm", "inner", "dot", "ddot", "reaction", "on"];
+pub(super) const OTHER_FUNCTIONS: [&str; 10] =
+    ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {
@@ -45,6 +46,18 @@ impl<T: Clone> Names<T> {
     /// Whether a name is taken.
     pub(super) fn get_region(&self, name: &str) -> Option<Region> {
         self.entries.get(name).map(|(region, _)| *region)
+    }
+
+    /// The thing of that name, if there is one without mistakes.
+    pub(super) fn get(&self, name: &str) -> Option<&T> {
+        self.entries.get(name).and_then(|(_, thing)| thing.as_ref())
+    }
+
+    /// Changes the thing of that name.
+    pub(super) fn change(&mut self, name: &str, change: impl FnOnce(&mut T)) {
+        if let Some((_, Some(thing))) = self.entries.get_mut(name) {
+            change(thing);
+        }
     }
 
     /// The names, in order.
@@ -96,7 +109,7 @@ fn is_function(name: &str) -> bool {
 
 /// The functions a user may call.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
-    Function::ALL.into_iter().filter(|f| *f != Function::Sign).map(Function::name).chain(OTHER_FUNCTIONS)
+    Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }
 
 /// Coordinates, parameters and `let`s.

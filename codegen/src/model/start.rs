@@ -1,5 +1,6 @@
 //! The `initial` block.
 
+use super::homogeneity::Measured;
 use super::interpret::Interpreter;
 use super::level::MOVING;
 use super::scope::plain;
@@ -34,8 +35,11 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
             continue;
         }
         seen.push((name, is_speed, place));
-        let unit = if is_speed { coordinates[at].unit.per_time(1) } else { coordinates[at].unit.clone() };
-        let Some(value) = start_value(&line.value, &unit, interpreter) else { continue };
+        let (unit, what) = match is_speed {
+            true => (coordinates[at].unit.per_time(1), format!("dot({})", coordinates[at].name)),
+            false => (coordinates[at].unit.clone(), coordinates[at].name.clone()),
+        };
+        let Some(value) = start_value(&line.value, &what, &unit, interpreter) else { continue };
         match line.kind {
             InitialKind::Position => coordinates[at].start = Start::Given(value),
             InitialKind::Guess => coordinates[at].start = Start::Guess(value),
@@ -44,28 +48,34 @@ pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordin
     }
 }
 
-fn start_value(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
-    let value = in_unit(expression, unit, interpreter)?;
+fn start_value(expression: &Expression, what: &str, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
     let moving = MOVING.or(Dependence::TIME).or(Dependence::MULTIPLIER).or(Dependence::INPUT);
-    interpreter.restrict(expression.region, &[value], moving, "a start value is made of numbers and parameters")?;
-    Some(value)
+    in_unit(expression, what, unit, (moving, "a start value is made of numbers and parameters"), interpreter)
 }
 
-/// A scalar; if it is made of plain numbers only, they are in the declared unit.
-pub(super) fn in_unit(expression: &Expression, unit: &Unit, interpreter: &mut Interpreter) -> Option<Expr> {
+/// A scalar for what has the unit, with what it must not depend on and why; if it is made of plain numbers only, they
+/// are in that unit.
+pub(super) fn in_unit(
+    expression: &Expression,
+    what: &str,
+    unit: &Unit,
+    (forbidden, rule): (Dependence, &str),
+    interpreter: &mut Interpreter,
+) -> Option<Expr> {
     let (value, dimension) = interpreter.scalar_value(expression)?;
+    interpreter.restrict(expression.region, &[value], forbidden, rule)?;
     if !is_plain(expression) {
-        let known = dimension.filter(|_| is_of_numbers(expression) && unit.is_declared());
-        return match known {
-            Some(dimension) if dimension != *unit.dimension() => {
-                let (given, needed) = (dimension.si_unit(), unit.text());
-                interpreter.refuse(
-                    expression.region,
-                    format!("a value in `[{needed}]` belongs here, and this is one in `[{given}]`"),
-                )
-            }
-            _ => Some(value),
+        let found = Measured { expression, dimension: &dimension };
+        let (name, is) = match what.strip_prefix("dot(").and_then(|rest| rest.strip_suffix(')')) {
+            Some(name) => (name, "is"),
+            None => (what, "is declared"),
         };
+        // Whatever stands here fits if the unit of the name is mistaken.
+        let is_mistaken = interpreter.values.get(name).is_some_and(|value| value.dimension.is_none());
+        if !is_mistaken {
+            interpreter.expect_unit(found, &format!("`{what}` {is}"), name, unit);
+        }
+        return Some(value);
     }
     let factor = unit.factor_expression(&mut interpreter.graph);
     let value = interpreter.graph.mul(value, factor);
@@ -78,9 +88,7 @@ fn is_of_numbers(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { .. } => true,
         Kind::Name(name) => name == "pi" || name == "e",
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_of_numbers),
-        Kind::Negate(part) | Kind::Component(part, _) => is_of_numbers(part),
-        Kind::Binary(_, left, right) => is_of_numbers(left) && is_of_numbers(right),
+        _ => expression.parts().into_iter().all(is_of_numbers),
     }
 }
 
@@ -93,8 +101,6 @@ fn has_unit(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { unit, .. } => unit.is_some(),
         Kind::Name(_) => false,
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().any(has_unit),
-        Kind::Negate(part) | Kind::Component(part, _) => has_unit(part),
-        Kind::Binary(_, left, right) => has_unit(left) || has_unit(right),
+        _ => expression.parts().into_iter().any(has_unit),
     }
 }

@@ -139,7 +139,11 @@ impl Unit {
 
     /// The coherent SI unit of its dimension, as the user writes it if that is one: `N*m`, `rad`.
     pub fn si_text(&self) -> String {
-        if self.rational.is_one() && self.pi_power == 0 { self.text.clone() } else { self.dimension.si_unit() }
+        match self.dimension == Dimension::energy() && self.text.contains('J') {
+            _ if self.rational.is_one() && self.pi_power == 0 => self.text.clone(),
+            true => "J".to_owned(),
+            false => self.dimension.si_unit(),
+        }
     }
 
     /// The unit of this quantity's rate of the given order: `rad/s^2`.
@@ -228,7 +232,8 @@ mod tests {
     fn names_of_dimensions() {
         for (text, si) in [
             ("kg*m/s^2", "N"),
-            ("N*mm", "J"),
+            ("N*mm", "N*m"),
+            ("kg/s^2", "N/m"),
             ("m/s", "m/s"),
             ("rad", "1"),
             ("kg/(m*s)", "kg/(m*s)"),

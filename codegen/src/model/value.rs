@@ -1,6 +1,8 @@
 //! What an expression of the language stands for: a scalar or a vector of the plane, with its dimension.
 
+use super::homogeneity::Measured;
 use super::{Dimension, Point};
+use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
 /// A scalar or a vector.
@@ -20,6 +22,11 @@ pub(super) struct Value {
 impl Value {
     pub(super) fn scalar(value: Expr, dimension: Option<Dimension>) -> Value {
         Value { shape: Shape::Scalar(value), dimension }
+    }
+
+    /// The expression that it is the value of, with its dimension.
+    pub(super) fn measured<'a>(&'a self, expression: &'a Expression) -> Measured<'a> {
+        Measured { expression, dimension: &self.dimension }
     }
 
     /// The same operation on every component.
@@ -44,13 +51,5 @@ impl Value {
             Shape::Scalar(_) => "a scalar",
             Shape::Vector(_) => "a vector",
         }
-    }
-}
-
-/// The dimension of a sum: the one that is known; unknown where the two differ.
-pub(super) fn common_dimension(a: Option<Dimension>, b: Option<Dimension>) -> Option<Dimension> {
-    match (a, b) {
-        (Some(a), Some(b)) => (a == b).then_some(a),
-        (a, b) => a.or(b),
     }
 }

@@ -21,12 +21,15 @@ pub(super) enum Formula {
     Call(Function, Box<Formula>),
     /// The angle of the point (x, y), given as (y, x).
     Atan2(Box<Formula>, Box<Formula>),
+    /// The second where the first is above zero, and else the third.
+    Choice(Box<Formula>, Box<Formula>, Box<Formula>),
     Transpose(Name),
 }
 
 /// How tightly the outermost operation of a formula binds.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub(super) enum Binding {
+    Choice,
     Sum,
     Product,
     Power,
@@ -67,6 +70,7 @@ impl Formula {
 
     pub(super) fn binding(&self) -> Binding {
         match self {
+            Formula::Choice(..) => Binding::Choice,
             Formula::Sum(_) => Binding::Sum,
             Formula::Product(_) | Formula::Quotient(..) => Binding::Product,
             Formula::Power(..) => Binding::Power,
@@ -86,7 +90,7 @@ impl Formula {
             Formula::Name(name) => 2 + name.dots(),
             Formula::Power(base, _) => base.rank(),
             Formula::Sum(_) | Formula::Product(_) | Formula::Quotient(..) | Formula::Root(..) => 5,
-            Formula::Call(..) | Formula::Atan2(..) | Formula::Transpose(_) => 6,
+            Formula::Call(..) | Formula::Atan2(..) | Formula::Choice(..) | Formula::Transpose(_) => 6,
         }
     }
 }

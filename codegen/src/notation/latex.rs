@@ -36,6 +36,11 @@ fn text(layout: &Layout) -> String {
         Layout::Dots(base, dots) => format!("\\{}ot{{{}}}", "d".repeat(*dots), text(base)),
         Layout::Parentheses(inner) => format!("\\left({}\\right)", text(inner)),
         Layout::Bars(inner) => format!("\\left|{}\\right|", text(inner)),
+        Layout::Cases(rows) => {
+            let row = |(value, case): &(Layout, Layout)| format!("{} & {}", text(value), text(case));
+            format!("\\begin{{cases}} {} \\end{{cases}}", rows.iter().map(row).collect::<Vec<_>>().join(" \\\\ "))
+        }
+        Layout::Text(words) => format!("\\text{{{words}}}"),
         Layout::Matrix(rows) => matrix(rows),
     }
 }
@@ -51,6 +56,7 @@ fn sign(operator: Operator) -> &'static str {
     match operator {
         Operator::Plus => " + ",
         Operator::Minus => " - ",
+        Operator::Greater => " > ",
         Operator::Negative => "-",
         Operator::Times => " \\, ",
         Operator::Dot => " \\cdot ",

@@ -23,6 +23,10 @@ pub(super) enum Layout {
     Parentheses(Box<Layout>),
     Bars(Box<Layout>),
     Matrix(Vec<Vec<Layout>>),
+    /// Values, each with the case in which it holds.
+    Cases(Vec<(Layout, Layout)>),
+    /// Plain words.
+    Text(&'static str),
 }
 
 /// Signs between and before formulas.
@@ -37,6 +41,7 @@ pub(super) enum Operator {
     /// A product between numbers.
     Dot,
     Comma,
+    Greater,
     /// Between a function and its argument.
     Apply,
     /// Above a matrix.
@@ -65,6 +70,11 @@ pub(super) fn layout(formula: &Formula) -> Layout {
             let name = Layout::Function("atan2");
             Layout::Row(vec![name, Layout::Operator(Operator::Apply), Layout::Parentheses(pair.into())])
         }
+        Formula::Choice(difference, above, otherwise) => {
+            let is_above = vec![layout(difference), Layout::Operator(Operator::Greater), Layout::Number("0".into())];
+            let rows = [(above, Layout::Row(is_above)), (otherwise, Layout::Text("otherwise"))];
+            Layout::Cases(rows.map(|(value, case)| (layout(value), case)).into())
+        }
         Formula::Transpose(name) => {
             Layout::Superscript(word(name).into(), Layout::Operator(Operator::Transpose).into())
         }
@@ -81,7 +91,7 @@ pub(super) fn sum(terms: &[(bool, Formula)], starts: bool) -> Layout {
             (false, true) => row.push(Layout::Operator(Operator::Minus)),
             (false, false) => row.push(Layout::Operator(Operator::Plus)),
         }
-        row.push(unless(term.binding() == Binding::Sum, term));
+        row.push(unless(term.binding() <= Binding::Sum, term));
     }
     Layout::Row(row)
 }
@@ -92,7 +102,7 @@ fn product(factors: &[Formula]) -> Layout {
         if at > 0 {
             row.push(Layout::Operator(if starts_with_digit(factor) { Operator::Dot } else { Operator::Times }));
         }
-        row.push(unless(factor.binding() == Binding::Sum, factor));
+        row.push(unless(factor.binding() <= Binding::Sum, factor));
     }
     Layout::Row(row)
 }

@@ -47,6 +47,13 @@ fn text(layout: &Layout) -> String {
         }
         Layout::Parentheses(inner) => fenced("(", &text(inner), ")"),
         Layout::Bars(inner) => fenced("|", &text(inner), "|"),
+        Layout::Cases(rows) => {
+            let cell = |inner: &Layout| format!("<mtd style=\"text-align: left\">{}</mtd>", text(inner));
+            let row = |(value, case): &(Layout, Layout)| element("mtr", &[cell(value), cell(case)].concat());
+            let rows: String = rows.iter().map(row).collect();
+            element("mrow", &format!("<mo fence=\"true\" form=\"prefix\">{{</mo>{}", element("mtable", &rows)))
+        }
+        Layout::Text(words) => element("mtext", words),
         Layout::Matrix(rows) => fenced("(", &matrix(rows), ")"),
     }
 }
@@ -75,6 +82,7 @@ fn element(name: &str, inner: &str) -> String {
 fn sign(operator: Operator) -> &'static str {
     match operator {
         Operator::Plus => "+",
+        Operator::Greater => "&gt;",
         Operator::Minus | Operator::Negative => "−",
         Operator::Times => "\u{2062}",
         Operator::Dot => "·",

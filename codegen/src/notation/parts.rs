@@ -6,6 +6,7 @@ use super::sharing::{LINE, names};
 use super::translate::Translation;
 use super::width::set_width;
 use crate::dynamics::EquationsOfMotion;
+use crate::model::Constraint;
 use crate::symbolic::Expr;
 
 /// The widest system that is also written entry by entry.
@@ -147,7 +148,8 @@ fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Transl
         lines.push(Equation { left: vec![constraints], right: Block::Formula(Formula::number(0)) });
     }
     if n + m <= LARGEST_SYSTEM {
-        lines.push(by_entries(terms, translation, [accelerations, multipliers].concat()));
+        let diagonal = model.constraints.iter().map(|constraint| released(constraint, translation)).collect();
+        lines.push(by_entries(terms, translation, [accelerations, multipliers].concat(), diagonal));
     }
     Part { name: "system", title: "Equations of motion", equations: lines }
 }
@@ -177,15 +179,28 @@ fn by_blocks(terms: &[Term; 6], constraints: usize) -> Equation {
     }
 }
 
+/// What stands on the diagonal for a multiplier: activity - 1 if events switch its constraint.
+fn released(constraint: &Constraint, translation: &Translation) -> Formula {
+    let activity = |activity| vec![(false, translation.formula(activity)), (true, Formula::number(1))];
+    constraint.activity.map_or(Formula::number(0), |expr| Formula::Sum(activity(expr)))
+}
+
 /// The same with all entries.
-fn by_entries(terms: &[Term; 6], translation: &Translation, unknowns: Vec<Vec<Formula>>) -> Equation {
+fn by_entries(
+    terms: &[Term; 6],
+    translation: &Translation,
+    unknowns: Vec<Vec<Formula>>,
+    diagonal: Vec<Formula>,
+) -> Equation {
     let [mass, convective, loads, _, jacobian, rates] = terms.each_ref().map(|term| term.entries(translation));
     let mut matrix = mass;
     for (i, row) in matrix.iter_mut().enumerate() {
         row.extend(jacobian.iter().map(|constraint| constraint[i].clone()));
     }
-    for row in &jacobian {
-        matrix.push([row.clone(), vec![Formula::number(0); jacobian.len()]].concat());
+    for (i, row) in jacobian.iter().enumerate() {
+        let mut of_multipliers = vec![Formula::number(0); jacobian.len()];
+        of_multipliers[i] = diagonal[i].clone();
+        matrix.push([row.clone(), of_multipliers].concat());
     }
     let mut right: Vec<Vec<Formula>> =
         loads.iter().zip(&convective).map(|(q, h)| vec![difference(&q[0], &h[0])]).collect();

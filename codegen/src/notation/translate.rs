@@ -35,6 +35,11 @@ impl Translation<'_> {
             }
             Node::Power { base, exponent } => self.power(*base, *exponent),
             Node::Call(function, argument) => Formula::Call(*function, self.formula(*argument).into()),
+            Node::Choice(difference, above, otherwise) => {
+                let [difference, above, otherwise] =
+                    [difference, above, otherwise].map(|part| self.formula(*part).into());
+                Formula::Choice(difference, above, otherwise)
+            }
             Node::Atan2(y, x) => Formula::Atan2(self.formula(*y).into(), self.formula(*x).into()),
         }
     }

@@ -72,6 +72,10 @@ fn force(law: &Law, along: &Jet, motion: &mut Interpreter) -> Result<Jet> {
             Ok(-&(&motion.scalar(law)? * &stretch))
         }
         Law::Damper(law) if law.mentions("rate") => Ok(-&motion.scalar_with(law, vec![("rate", rate)])?),
+        Law::Friction(size, smooth) => {
+            let part = (&rate / &motion.scalar(smooth)?).call("tanh").ok_or_else(|| OracleError::new("no tanh"))?;
+            Ok(-&(&motion.scalar(size)? * &part))
+        }
         Law::Damper(coefficient) => Ok(-&(&motion.scalar(coefficient)? * &rate)),
     }
 }

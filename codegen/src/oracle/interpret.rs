@@ -6,7 +6,7 @@ use super::measured::Measured;
 use super::parameters::is_plain;
 use super::state::State;
 use super::value::{Value, inner};
-use crate::dsl::{Declaration, Expression, Kind, Unit};
+use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Unit};
 use syn::Ident;
 
 /// What the names of a declaration stand for.
@@ -150,6 +150,7 @@ impl<'d> Interpreter<'d> {
             Kind::Negate(operand) => Ok(self.value(operand)?.negate()),
             Kind::Binary(operator, left, right) => self.value(left)?.combine(*operator, self.value(right)?),
             Kind::Call(function, arguments) => self.call(function, arguments),
+            Kind::If(choice) => self.choice(choice),
             Kind::Component(vector, name) => self.value(vector)?.component(&name.to_string()),
         }
     }
@@ -282,9 +283,42 @@ impl<'d> Interpreter<'d> {
             }
             ("inner", [a, b]) => Ok(Value::Scalar(inner(&self.vector(a)?, &self.vector(b)?))),
             ("atan2", [y, x]) => Ok(Value::Scalar(self.scalar(y)?.atan2(&self.scalar(x)?))),
+            ("min", _) => self.extreme(arguments, |value, least| value < least),
+            ("max", _) => self.extreme(arguments, |value, most| value > most),
             (_, [x]) => known(self.scalar(x)?.call(&name), &name),
             _ => refuse(format!("`{name}` is no function of {} arguments", arguments.len())),
         }
+    }
+
+    /// Only what is chosen is evaluated.
+    fn choice(&mut self, choice: &Choice) -> Result<Value> {
+        let (left, right) = (self.scalar(&choice.left)?.value().value, self.scalar(&choice.right)?.value().value);
+        if left.is_nan() || right.is_nan() {
+            return Ok(self.value(&choice.yes)?.multiplied(f64::NAN));
+        }
+        let holds = match choice.comparison {
+            Comparison::Less => left < right,
+            Comparison::AtMost => left <= right,
+            Comparison::Greater => left > right,
+            Comparison::AtLeast => left >= right,
+        };
+        self.value(if holds { &choice.yes } else { &choice.no })
+    }
+
+    /// The first of the values that no other is beyond.
+    fn extreme(&mut self, values: &[Expression], is_beyond: fn(f64, f64) -> bool) -> Result<Value> {
+        let mut extreme: Option<Jet> = None;
+        for value in values {
+            let value = self.scalar(value)?;
+            let replaces = extreme.as_ref().is_none_or(|so_far| {
+                let (value, so_far) = (value.value().value, so_far.value().value);
+                is_beyond(value, so_far) || value.is_nan()
+            });
+            if replaces {
+                extreme = Some(value);
+            }
+        }
+        extreme.map(Value::Scalar).ok_or_else(|| OracleError::new("the extreme of nothing"))
     }
 
     fn dot(&mut self, x: &Expression) -> Result<Value> {

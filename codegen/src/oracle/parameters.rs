@@ -21,8 +21,6 @@ pub(super) fn is_plain(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { unit, .. } => unit.is_none(),
         Kind::Name(name) => name == "pi" || name == "e",
-        Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().all(is_plain),
-        Kind::Negate(operand) | Kind::Component(operand, _) => is_plain(operand),
-        Kind::Binary(_, left, right) => is_plain(left) && is_plain(right),
+        _ => expression.parts().into_iter().all(is_plain),
     }
 }

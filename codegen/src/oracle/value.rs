@@ -43,6 +43,11 @@ impl Value {
         }
     }
 
+    /// A multiple.
+    pub(super) fn multiplied(&self, factor: f64) -> Value {
+        self.map(|jet| jet.compose([factor * jet.value().value, factor, 0.0, 0.0]))
+    }
+
     pub(super) fn negate(&self) -> Value {
         self.map(|jet| -jet)
     }

@@ -95,6 +95,10 @@ impl<'a> Lowering<'a> {
                 let argument = self.lower_form(*argument);
                 self.values.add(Operation::Call(*function, argument))
             }
+            Node::Choice(difference, above, otherwise) => {
+                let [difference, above, otherwise] = [difference, above, otherwise].map(|part| self.lower_form(*part));
+                self.values.add(Operation::Choice(difference, above, otherwise))
+            }
             Node::Atan2(y, x) => {
                 let (y, x) = (self.lower_form(*y), self.lower_form(*x));
                 self.values.add(Operation::Atan2(y, x))

@@ -69,7 +69,7 @@ impl Operations {
             Tree::Method(name, arguments) => {
                 match *name {
                     "sqrt" => self.square_roots += 1,
-                    "abs" | "sign" => self.additions += 1,
+                    "abs" | "sign" | "choose" => self.additions += 1,
                     // A choice that is the same at every step.
                     "or" => {}
                     _ => self.other_functions += 1,

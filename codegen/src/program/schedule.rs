@@ -152,6 +152,10 @@ impl<'a> Schedule<'a> {
             Operation::Call(function, argument) => Tree::Method(function.name(), vec![self.tree(*argument)]),
             Operation::Sqrt(argument) => Tree::Method("sqrt", vec![self.tree(*argument)]),
             Operation::Power(base, exponent) => Tree::Method("powf", vec![self.tree(*base), self.tree(*exponent)]),
+            Operation::Choice(difference, above, otherwise) => Tree::Method(
+                "choose",
+                [difference, above, otherwise].into_iter().map(|part| self.tree(*part)).collect(),
+            ),
             Operation::Held(held, course) => Tree::Method("or", vec![self.tree(*held), self.tree(*course)]),
             Operation::Atan2(y, x) => Tree::Method("atan2", vec![self.tree(*y), self.tree(*x)]),
         }

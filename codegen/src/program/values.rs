@@ -35,6 +35,8 @@ pub(super) enum Operation {
     Power(Value, Value),
     /// The angle of the point (x, y), as (y, x).
     Atan2(Value, Value),
+    /// The second where the first is above zero, and else the third.
+    Choice(Value, Value, Value),
     /// An input: what it is set to, or its declared course.
     Held(Value, Value),
 }
@@ -272,6 +274,7 @@ impl Values {
             Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) | Operation::Held(a, b) => {
                 vec![*a, *b]
             }
+            Operation::Choice(a, b, c) => vec![*a, *b, *c],
             Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) => vec![*a],
         }
     }

@@ -57,6 +57,10 @@ impl Differential {
                 let slope = slope(graph, function, expr, argument);
                 graph.mul(slope, rate)
             }
+            Node::Choice(difference, above, otherwise) => {
+                let (above, otherwise) = (self.of(graph, above), self.of(graph, otherwise));
+                graph.choice(difference, above, otherwise)
+            }
             Node::Atan2(y, x) => {
                 let (dy, dx) = (self.of(graph, y), self.of(graph, x));
                 let (x_dy, y_dx) = (graph.mul(x, dy), graph.mul(y, dx));

@@ -29,6 +29,14 @@ impl Facts {
             Node::Constant(_) => Facts { nonnegative: true, nonzero: true, finite: true },
             Node::Symbol(_) => Facts { finite: true, ..Facts::default() },
             Node::Atan2(y, x) => Facts { finite: graph.facts(*y).finite && graph.facts(*x).finite, ..Facts::default() },
+            Node::Choice(difference, above, otherwise) => {
+                let (difference, a, b) = (graph.facts(*difference), graph.facts(*above), graph.facts(*otherwise));
+                Facts {
+                    nonnegative: a.nonnegative && b.nonnegative,
+                    nonzero: a.nonzero && b.nonzero,
+                    finite: difference.finite && a.finite && b.finite,
+                }
+            }
             Node::Sum { constant, terms } => {
                 let nonnegative = !constant.is_negative()
                     && terms.iter().all(|(term, c)| !c.is_negative() && graph.facts(*term).nonnegative);

@@ -76,6 +76,8 @@ pub enum Node {
     Call(Function, Expr),
     /// The angle of the point (x, y), given as (y, x).
     Atan2(Expr, Expr),
+    /// The second where the first is above zero, and else the third; NaN where the first is.
+    Choice(Expr, Expr, Expr),
 }
 
 /// The owner of expressions.
@@ -204,6 +206,7 @@ impl Graph {
             Node::Power { base, exponent } => vec![*base, *exponent],
             Node::Call(_, argument) => vec![*argument],
             Node::Atan2(y, x) => vec![*y, *x],
+            Node::Choice(difference, above, otherwise) => vec![*difference, *above, *otherwise],
         }
     }
 

@@ -6,7 +6,8 @@
 //! business.
 //!
 //! A rewriting that could change a value, at any real point, infinities and NaN included, is not done.
-//! The one exception is the customary one: `0*x` is 0 and `x - x` is 0 whatever x is.
+//! The one exception is the customary one: `0*x` is 0 and `x - x` is 0 whatever x is, and a choice between equals is that,
+//! whatever it is made by. `choice(d, x, y)` is x where d > 0, y where it is not, and NaN where d is NaN.
 //!
 //! # The rules
 //!
@@ -43,11 +44,15 @@
 //! | sign of a number | `sign(-3)*x + sign(2)*y` | `y - x` | a number |
 //! | numbers are exact | `(1/3 + 1/6)*x + 0.1*y + 0.2*y` | `x/2 + 3*y/10` | always |
 //! | powers of numbers are numbers | `(2/3)^(-2)*x` | `9*x/4` | of no more than 4,000 bits |
+//! | a choice between equals is none | `choice(x, y + z, z + y)` | `y + z` | always |
+//! | a choice by a number is made | `choice(2, x, y) + choice(-1/2, y, z) + choice(0, x, z)` | `x + 2*z` | a number |
+//! | the size of a difference does not matter | `choice(2*x - 4*y, x, z) + choice(-3*z, x, y)` | `choice(x - 2*y, x, z) + choice(-z, x, y)` | a positive number |
 //! | what is zero everywhere is 0 | `x*(y - y) + sin(z - z)` | `0` | always |
 //!
 //! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. Not among them is [`Graph::expand`], which
 //! its user has to ask for.
 
+mod choice;
 mod derivative;
 mod evaluate;
 mod expand;

@@ -58,5 +58,6 @@ fn rebuilt(graph: &mut Graph, node: Node, new: impl Fn(Expr) -> Expr) -> Expr {
         Node::Power { base, exponent } => graph.power(new(base), new(exponent)),
         Node::Call(function, argument) => graph.call(function, new(argument)),
         Node::Atan2(y, x) => graph.atan2(new(y), new(x)),
+        Node::Choice(difference, above, otherwise) => graph.choice(new(difference), new(above), new(otherwise)),
     }
 }

@@ -14,7 +14,7 @@ fn check(block: &str, point: &str, output: &str, expected: &[&str]) {
 fn auxiliary_displacements() {
     let displaced = "[s, 0] + l*[sin(phi), -cos(phi)]";
     check("s [m];", displaced, "pin [N] = reaction(s);", &[]);
-    check("s [m];", displaced, "speed [m/s] = dot(P.x) + s; second = ddot(s);", &[]);
+    check("s [m];", displaced, "speed [m/s] = dot(P.x) + dot(s); second [m/s^2] = ddot(s);", &[]);
     check(
         "s [m];",
         "l*[sin(phi), -cos(phi)]",
@@ -51,14 +51,17 @@ fn auxiliary_displacements() {
     );
     let inertia = SOUND.replacen("let P =", "auxiliary { s [m]; }\nlet P = [0, s] +", 1).replacen(
         "mass m at P",
-        "mass m*(1 + s) at P",
+        "mass m*(1 + s/l) at P",
         1,
     );
     assert_eq!(
         mistakes(&inertia),
         ["6:20 a mass or inertia is made of numbers and parameters; it cannot change with the motion"]
     );
-    let start =
-        SOUND.replacen("let P =", "auxiliary { s [m]; }\nlet P = [0, s] +", 1).replacen("phi = 0.5", "phi = s + 1", 1);
+    let start = SOUND.replacen("let P =", "auxiliary { s [m]; }\nlet P = [0, s] +", 1).replacen(
+        "phi = 0.5",
+        "phi = s/l + 1",
+        1,
+    );
     assert_eq!(mistakes(&start), ["8:17 a start value is made of numbers and parameters"]);
 }

@@ -29,7 +29,7 @@ fn whole_blocks() {
     check("pub Pendulum;", "pub Pendulum", &["2:1 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
     check(
         "bodies { bob: mass m at P, angle phi; }",
-        "bodies { bob: mass mm at P, angle fi; bar: inertia 1; }",
+        "bodies { bob: mass mm at P, angle fi; bar: inertia 1 [kg*m^2]; }",
         &[
             "5:20 no value is called `mm`; declared: `phi`, `l`, `m`, `g`, `P`",
             "5:35 no value is called `fi`; declared: `phi`, `l`, `m`, `g`, `P`",

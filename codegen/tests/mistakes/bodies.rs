@@ -33,7 +33,7 @@ fn bodies() {
         "mass m*phi at P",
         &["5:20 a mass or inertia is made of numbers and parameters; it cannot change with the motion"],
     );
-    check("mass m at P", "mass -2 at P", &["5:20 a mass or inertia cannot be negative"]);
+    check("mass m at P", "mass -2 [kg] at P", &["5:20 a mass or inertia cannot be negative"]);
     check(
         "mass m at P",
         "mass m at dot(P)",

@@ -6,7 +6,7 @@ use super::check;
 fn constraints_and_events() {
     check(
         "initial {",
-        "constraints { stop: l = 1; } initial {",
+        "constraints { stop: l = 1 [m]; } initial {",
         &[
             "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or let it depend on a coordinate",
         ],
@@ -19,7 +19,7 @@ fn constraints_and_events() {
     check("initial {", "constraints { stop: P.y == 1; } initial {", &["7:25 an equation is written with one `=`"]);
     check(
         "initial {",
-        "constraints { stop: P.y = 1; stop: P.x = 1; } initial {",
+        "constraints { stop: P.y = l; stop: P.x = l; } initial {",
         &[
             "7:30 two constraint rows would be called `stop`; choose another name for one of them",
             "7:30 `stop` is defined twice; choose another name for one of them",
@@ -35,7 +35,7 @@ fn constraints_and_events() {
         "initial {",
         "constraint { stop: P.y = 1; } initial {",
         &[
-            "7:1 `constraint` is not a block (did you mean `constraints`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `joints`",
+            "7:1 `constraint` is not a block (did you mean `constraints`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`",
         ],
     );
     check(
@@ -45,7 +45,7 @@ fn constraints_and_events() {
     );
     check(
         "initial {",
-        "events { top: l = 1; } initial {",
+        "events { top: l = 1 [m]; } initial {",
         &["7:10 event `top` never changes; let it depend on a coordinate, a speed, a reaction or `t`"],
     );
 }

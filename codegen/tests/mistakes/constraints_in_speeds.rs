@@ -1,6 +1,6 @@
 //! Constraints between speeds.
 
-use super::check;
+use super::check_without_units as check;
 
 /// In place of the block of start values.
 fn constraint(written: &str, expected: &[&str]) {

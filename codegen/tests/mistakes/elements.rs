@@ -1,6 +1,6 @@
 //! Loads along scalars: springs, dampers, potentials, dissipation functions.
 
-use super::check;
+use super::check_without_units as check;
 
 fn check_each(table: &[(&str, &[&str])]) {
     for (line, expected) in table {
@@ -37,7 +37,7 @@ fn dampers_and_forces_along_scalars() {
         ("damper 3*stretch from [1, 0] to P;", &["6:16 a damper has no free length to be stretched from; its force depends on `rate`"]),
         ("damper 3*ddot(phi) on phi;", &["6:16 a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it"]),
         ("damper -3*rate on dot(phi);", &["6:27 what an element works along is made of coordinates, parameters and time; `dot()` cannot stand in it"]),
-        ("dampers 3 on phi;", &["6:9 `dampers` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`"]),
+        ("dampers 3 on phi;", &["6:9 `dampers` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`, `friction`"]),
         ("force 3 on bob;", &["6:20 `bob` is a body; a force on it acts at a point: `force [F, 0] at P;`"]),
         ("force [3, 0] on phi;", &["6:15 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
         ("force 3 between phi;", &["6:28 expected `and`: `between alpha and beta`"]),

@@ -1,6 +1,6 @@
 //! Events: directions and actions.
 
-use super::check;
+use super::check_without_units as check;
 
 /// Replaces `initial {` of line 7 by a block of events in front of it.
 fn events(block: &str, expected: &[&str]) {
@@ -11,7 +11,11 @@ fn events(block: &str, expected: &[&str]) {
 fn conditions_and_directions() {
     events(
         "top: phi = 0 upwards;",
-        &["7:23 expected `;` at the end of this line, or `rising`, `falling`, `{ .. }` with what happens then"],
+        &["7:23 crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`"],
+    );
+    events(
+        "top: phi = 0 rising falling;",
+        &["7:30 expected `;` at the end of this line, or `rising`, `falling`, `{ .. }` with what happens then"],
     );
     events("top: P = 0 rising;", &["7:15 a vector stands left and a scalar right; both sides are of one kind"]);
     events("top: P = [0, 0] rising;", &["7:15 an event is an equation between scalars; take a component (`.x`, `.y`)"]);
@@ -55,7 +59,7 @@ fn actions() {
         &["7:34 the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression"],
     );
     events("top: phi = 0 { set phi 1; }", &["7:33 what is set: `set x = 0;`, `set dot(x) = 0;` or `set m = 2;`"]);
-    events("top: phi = 0 { set m = m + 1; set m = 2; }", &["7:44 `m` is set twice at once; keep one"]);
+    events("top: phi = 0 { set m = m*1.5; set m = 2; }", &["7:44 `m` is set twice at once; keep one"]);
     events(
         "top: phi = 0 { set dot(phi) = ddot(phi); }",
         &[

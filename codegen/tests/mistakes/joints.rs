@@ -1,6 +1,6 @@
 //! Joints, and points on bodies.
 
-use super::{SOUND, check, mistakes};
+use super::{SOUND, check_without_units as check, mistakes, without_units};
 
 fn joint(written: &str, expected: &[&str]) {
     check("initial {", &format!("joints {{ {written} }} initial {{"), expected);
@@ -30,7 +30,7 @@ fn joints() {
 
 /// The sound declaration with another body.
 fn body(line: &str, expected: &[&str]) {
-    let text = SOUND.replacen("bodies {", &format!("bodies {{ {line}"), 1);
+    let text = without_units(SOUND).replacen("bodies {", &format!("bodies {{ {line}"), 1);
     assert_eq!(mistakes(&text), expected, "\nin: {text}");
 }
 

@@ -18,13 +18,13 @@ fn loads() {
         "gravity [0, -g]",
         "gravitation [0, -g]",
         &[
-            "6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`",
+            "6:9 `gravitation` is not known here; expected one of `force`, `torque`, `gravity`, `potential`, `dissipation`, `spring`, `damper`, `friction`",
         ],
     );
-    check("gravity [0, -g]", "torque 3 on bop", &["6:21 no body is called `bop` (did you mean `bob`?)"]);
+    check("gravity [0, -g]", "torque 3 [N*m] on bop", &["6:27 no body is called `bop` (did you mean `bob`?)"]);
     check(
         "gravity [0, -g]",
-        "force [ddot(phi), 0] at P",
+        "force [m*l*ddot(phi), 0] at P",
         &["6:15 a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it"],
     );
     check("gravity [0, -g]", "force [1, 0]", &["6:21 expected `at`: `force [F, 0] at P;`"]);

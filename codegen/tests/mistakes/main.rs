@@ -21,6 +21,7 @@ mod outputs;
 mod parameters;
 mod reuse;
 mod start;
+mod units;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -50,6 +51,18 @@ fn mistakes(text: &str) -> Vec<String> {
 fn check(replace: &str, by: &str, expected: &[&str]) {
     assert!(SOUND.contains(replace), "{replace}");
     assert_eq!(mistakes(&SOUND.replacen(replace, by, 1)), expected, "\nin: {by}");
+}
+
+/// The same text without its units, which is not checked for them; a mistake in a line that has none keeps its place.
+fn without_units(text: &str) -> String {
+    ["rad", "m", "kg", "m/s^2"].iter().fold(text.to_owned(), |text, unit| text.replace(&format!(" [{unit}]"), ""))
+}
+
+/// As [`check`], in the declaration without units: for mistakes that have nothing to do with them.
+fn check_without_units(replace: &str, by: &str, expected: &[&str]) {
+    let sound = without_units(SOUND);
+    assert!(sound.contains(replace), "{replace}");
+    assert_eq!(mistakes(&sound.replacen(replace, by, 1)), expected, "\nin: {by}");
 }
 
 #[test]

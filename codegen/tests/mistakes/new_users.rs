@@ -4,8 +4,8 @@ use super::check;
 
 #[test]
 fn what_new_users_write() {
-    check("l [m] = 1;", "l [m] = 1 [kg];", &["3:22 a value in `[m]` belongs here, and this is one in `[kg]`"]);
-    check("phi = 0.5;", "phi = 2 [m];", &["7:17 a value in `[rad]` belongs here, and this is one in `[m]`"]);
+    check("l [m] = 1;", "l [m] = 1 [kg];", &["3:22 `l` is declared in [m], and `1 [kg]` is in [kg]"]);
+    check("phi = 0.5;", "phi = 2 [m];", &["7:17 `phi` is declared in [rad], and `2 [m]` is in [m]"]);
     check(
         "phi = 0.5;",
         "phi_dot = 0.5;",
@@ -23,12 +23,12 @@ fn what_new_users_write() {
     check("height [m] = P.y", "h = phi % 2", &["8:19 there is no operator `%`"]);
     check(
         "height [m] = P.y",
-        "H = P.y; h = P.x",
-        &["8:20 two figures would be called `h`; choose another name for one of them", "8:11 the other one is here"],
+        "H [m] = P.y; h [m] = P.x",
+        &["8:24 two figures would be called `h`; choose another name for one of them", "8:11 the other one is here"],
     );
     check(
         "height [m] = P.y",
-        "mechanism \"Title\" { a = P.y; }",
+        "mechanism \"Title\" { a [m] = P.y; }",
         &["8:11 `mechanism` is the figure of the mechanism itself; choose another name"],
     );
     check("height [m] = P.y", "height [Nm] = P.y", &["8:19 `Nm` is not a known unit; write `N*m`"]);
@@ -36,7 +36,7 @@ fn what_new_users_write() {
         "bodies { bob",
         "body { bob",
         &[
-            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `joints`",
+            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`",
         ],
     );
     check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);
@@ -59,7 +59,7 @@ fn what_new_users_write() {
     );
     check(
         "initial {",
-        "constraints { pin: P = [0, 1]; pin_x: P.y = 1; } initial {",
+        "constraints { pin: P = [0, l]; pin_x: P.y = l; } initial {",
         &["7:32 two constraint rows would be called `pin_x`; choose another name for one of them"],
     );
     check(

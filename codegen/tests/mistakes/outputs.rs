@@ -30,7 +30,7 @@ fn outputs() {
     );
     check(
         "height [m] = P.y",
-        "h = P.y; h = P.x",
-        &["8:20 `h` is defined twice; choose another name for one of them", "8:11 the first definition of `h` is here"],
+        "h [m] = P.y; h [m] = P.x",
+        &["8:24 `h` is defined twice; choose another name for one of them", "8:11 the first definition of `h` is here"],
     );
 }

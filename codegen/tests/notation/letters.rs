@@ -58,7 +58,7 @@ pub(crate) const GREEK: [(&str, &str); 9] = [
 #[test]
 fn no_two_names_look_the_same() {
     use codegen::notation::Notation;
-    let clash = "Clash; coordinates { x [m]; } parameters { m3 [kg] = 1; m_3 [kg] = 2; _m = 1; }
+    let clash = "Clash; coordinates { x [m]; } parameters { m3 [kg] = 1; m_3 [kg] = 2; _m [m] = 1; }
         bodies { a: mass m3 at [x, 0]; b: mass m_3 at [2*x, _m]; }";
     let text = super::part(clash, Notation::Latex, "mass_matrix");
     assert!(text.contains(r"m_{3} + 4 \, \mathrm{m\_3}"), "{text}");

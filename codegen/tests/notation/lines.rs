@@ -28,7 +28,7 @@ fn text_grows_with_the_graph_and_not_with_the_tree() {
 
 /// n rods in relative angles.
 fn chain(n: usize) -> String {
-    let coordinates: String = (1..=n).map(|i| format!("a{i} [rad]; ")).collect();
+    let coordinates: String = (1..=n).map(|i| format!("a{i}; ")).collect();
     let mut text = format!("Chain; coordinates {{ {coordinates} }} let P0 = [0, 0]; let p0 = 0;");
     let mut bodies = String::new();
     for i in 1..=n {

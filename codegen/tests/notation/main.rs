@@ -19,19 +19,19 @@ const CART: &str = "
     Cart;
     coordinates { x [m]; theta_2 [rad]; b [rad]; }
     parameters { M [kg] = 3; m [kg] = 1; n [kg] = 0.5; l1 [m] = 0.8; BC [m] = 0.6; J [kg*m^2] = 0.05; g [m/s^2] = 9.81; w [1/s] = 2; }
-    let O = [x, 0.1*sin(w*t)];
+    let O = [x, 0.1 [m]*sin(w*t)];
     let A = O + l1*[sin(theta_2), -cos(theta_2)];
     let B = A + BC*[sin(b), -cos(b)];
     bodies { cart: mass M at O; first: mass m at A, inertia J, angle theta_2; second: mass n at B, inertia J*BC/l1, angle b - theta_2/3; }
-    loads { gravity [0.1*t, -g]; force [-2*x - dot(x)*abs(dot(x)), 0] at O; torque -0.1*dot(b - theta_2) on second; }
-    constraints { leash: norm(B - [0.2, 0.3*cos(w*t)]) = 1.1 + 0.05*sin(3*t); }
+    loads { gravity [0.1 [m/s^3]*t, -g]; force [-2 [N/m]*x - 1 [kg/m]*dot(x)*abs(dot(x)), 0] at O; torque -0.1 [N*m*s]*dot(b - theta_2) on second; }
+    constraints { leash: norm(B - [0.2 [m], 0.3 [m]*cos(w*t)]) = 1.1 [m] + 0.05 [m]*sin(3 [rad/s]*t); }
 ";
 
 /// Every function of the language, and powers of every kind.
 const FUNCTIONS: &str = "
     Functions;
-    coordinates { x [m]; y [m]; }
-    parameters { m [kg] = 1; p = 1.7; }
+    coordinates { x; y; }
+    parameters { m = 1; p = 1.7; }
     let u = sin(x)*cos(y) + tan(x/4) + asin(x/9) + acos(y/9) + atan(x*y) + atan2(y, x + 5);
     let v = sqrt(x^2 + y^2 + 1) + exp(-x^2) + ln(x^2 + 3) + abs(x - 2*y) + sinh(x/3) + cosh(y/3) + tanh(x);
     let w = (x^2 + 1)^p + (y^2 + 2)^(1/3) + (x^2 + y^2 + 1)^(-3/2) + (y^2 + 1)^-2 + p^(x/5) + pi*e*x^5/p + 3*2^x;

@@ -3,7 +3,7 @@
 use codegen::notation::Notation;
 
 const PENDULUM: &str = "Pendulum; coordinates { phi [rad]; } parameters { m [kg] = 1; l [m] = 1; }
-    bodies { bob: mass m at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81]; }";
+    bodies { bob: mass m at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81 [m/s^2]]; }";
 
 #[test]
 fn without_constraints_there_is_no_block_for_them() {

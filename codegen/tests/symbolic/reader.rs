@@ -90,6 +90,12 @@ impl<'a> Reader<'a> {
         let first = self.sum();
         let tree = match name {
             "sqrt" => Tree::Power(first.into(), 1, 2),
+            "choice" => {
+                self.expect(",");
+                let above = self.sum();
+                self.expect(",");
+                Tree::Choice(first.into(), above.into(), self.sum().into())
+            }
             "atan2" => {
                 self.expect(",");
                 Tree::Atan2(first.into(), self.sum().into())

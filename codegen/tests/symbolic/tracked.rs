@@ -161,6 +161,19 @@ impl Tracked {
         }
     }
 
+    /// The first where this is above zero, the second where it is not.
+    pub(crate) fn choose(self, above: Tracked, otherwise: Tracked) -> Tracked {
+        match self {
+            Tracked::Finite(difference) => match difference.sign() {
+                Some(1) => above,
+                Some(_) => otherwise,
+                None => Tracked::Unknown,
+            },
+            Tracked::Nan => Tracked::Nan,
+            Tracked::Pole | Tracked::Unknown => Tracked::Unknown,
+        }
+    }
+
     pub(crate) fn atan2(self, x: Tracked) -> Tracked {
         use Tracked::*;
         match (self, x) {

@@ -21,6 +21,7 @@ pub(crate) enum Tree {
     SymbolicPower(Box<Tree>, Box<Tree>),
     Call(Function, Box<Tree>),
     Atan2(Box<Tree>, Box<Tree>),
+    Choice(Box<Tree>, Box<Tree>, Box<Tree>),
 }
 
 pub(crate) const NAMES: [&str; 4] = ["x", "y", "z", "w"];
@@ -81,6 +82,10 @@ impl Workspace {
                 let (a, b) = (operand(a), operand(b));
                 self.graph.atan2(a, b)
             }
+            Tree::Choice(a, b, c) => {
+                let (a, b, c) = (operand(a), operand(b), operand(c));
+                self.graph.choice(a, b, c)
+            }
         }
     }
 
@@ -116,6 +121,15 @@ impl Workspace {
             Tree::SymbolicPower(a, b) => self.track(a, point).to_the(self.track(b, point), 10_000_000),
             Tree::Call(function, argument) => self.track(argument, point).call(*function),
             Tree::Atan2(y, x) => self.track(y, point).atan2(self.track(x, point)),
+            Tree::Choice(difference, above, otherwise) => {
+                let chosen =
+                    self.track(difference, point).choose(self.track(above, point), self.track(otherwise, point));
+                // A choice between equals is that, whatever it is made by.
+                match self.build(above) == self.build(otherwise) {
+                    true => self.track(above, point),
+                    false => chosen,
+                }
+            }
         }
     }
 
@@ -149,6 +163,7 @@ impl Tree {
             Tree::SymbolicPower(a, b) => Tree::SymbolicPower(sub(a), sub(b)),
             Tree::Call(function, argument) => Tree::Call(*function, sub(argument)),
             Tree::Atan2(y, x) => Tree::Atan2(sub(y), sub(x)),
+            Tree::Choice(a, b, c) => Tree::Choice(sub(a), sub(b), sub(c)),
         }
     }
 }
@@ -170,6 +185,7 @@ impl fmt::Debug for Tree {
             Tree::SymbolicPower(a, b) => write!(f, "({a:?} ^ {b:?})"),
             Tree::Call(function, a) => write!(f, "{}({a:?})", function.name()),
             Tree::Atan2(y, x) => write!(f, "atan2({y:?}, {x:?})"),
+            Tree::Choice(a, b, c) => write!(f, "choice({a:?}, {b:?}, {c:?})"),
         }
     }
 }
@@ -224,8 +240,9 @@ pub(crate) fn tree() -> impl Strategy<Value = Tree> {
             4 => (inner.clone(), select(vec![(1, 2), (3, 2), (-1, 2), (1, 3)]))
                 .prop_map(|(a, (p, q))| Tree::Power(a.into(), p, q)),
             2 => pair.clone().prop_map(|(a, b)| Tree::SymbolicPower(a.into(), b.into())),
-            8 => (select(&Function::ALL[..]), inner).prop_map(|(f, a)| call(f, a)),
+            8 => (select(&Function::ALL[..]), inner.clone()).prop_map(|(f, a)| call(f, a)),
             2 => pair.clone().prop_map(|(a, b)| Tree::Atan2(a.into(), b.into())),
+            3 => (inner.clone(), pair.clone()).prop_map(|(a, (b, c))| Tree::Choice(a.into(), b.into(), c.into())),
             4 => pair.prop_flat_map(|(a, b)| select(repetitions(a, b))),
         ]
     })

@@ -37,7 +37,9 @@ const player = {
   step(samples) {
     this.pause();
     const { index, share } = locate(this.time);
-    const next = samples < 0 && share > 0 ? index : index + samples;
+    let next = samples < 0 && share > 0 ? index : index + samples;
+    // Events that change something have two samples at their time.
+    while (samples < 0 && next > 0 && times[next] >= this.time) next -= 1;
     this.seek(times[Math.min(times.length - 1, Math.max(0, next))]);
   },
 

@@ -38,6 +38,14 @@ pub trait Scalar:
     /// `yes` where the mask is true and `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
+    /// `above` where `self > 0`, `otherwise` where it is not, and NaN where it is NaN. What is not chosen may be anything.
+    #[inline(always)]
+    fn choose(self, above: Self, otherwise: Self) -> Self {
+        let is_number = self.abs().greater(Self::from_f64(-1.0));
+        let no = Self::select(is_number, otherwise, self);
+        Self::select(self.greater(Self::from_f64(0.0)), above, no)
+    }
+
     /// Sines and cosines of several angles side by side: the same bits as one by one.
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
     #[inline(always)]

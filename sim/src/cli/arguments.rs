@@ -1,6 +1,8 @@
 //! What can be said on the command line.
 
 use super::kinematics::KinematicsArguments;
+use super::linearize::LinearizeArguments;
+use super::poincare::PoincareArguments;
 use super::settings::SettingsArguments;
 use crate::Format;
 use clap::{Args, Parser, Subcommand};
@@ -47,11 +49,15 @@ pub(super) enum Command {
     /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
     Verify(VerifyArguments),
     /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
-    Assemble(StartArguments),
+    Assemble(AssembleArguments),
     /// Finds the equilibrium near the start and the eigenvalues of small motions about it.
     Equilibrium(StartArguments),
     /// Drives a mechanism through a range: positions, velocities, reactions, driving torque, strokes, limit positions.
     Kinematics(Box<KinematicsArguments>),
+    /// Linearises a mechanism about a state: matrices for a controller, eigenvalues, modes.
+    Linearize(LinearizeArguments),
+    /// Takes the states of a motion each time an event happens, and finds its period.
+    Poincare(Box<PoincareArguments>),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.
@@ -271,6 +277,18 @@ pub(super) struct VerifyArguments {
     /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub(super) initial: Vec<String>,
+}
+
+/// What to assemble.
+#[derive(Args)]
+pub(super) struct AssembleArguments {
+    #[command(flatten)]
+    pub(super) start: StartArguments,
+
+    /// Lists the loops that close in closed form, and all configurations that have what the start gives: elbow up and elbow
+    /// down.
+    #[arg(long)]
+    pub(super) branches: bool,
 }
 
 /// A mechanism and its start.

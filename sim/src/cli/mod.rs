@@ -7,7 +7,7 @@
 //!     coordinates { y [m]; }
 //!     parameters { m [kg] = 1; }
 //!     bodies { ball: mass m at [0, y]; }
-//!     loads { gravity [0, -9.81]; }
+//!     loads { gravity [0, -9.81 [m/s^2]]; }
 //! }
 //!
 //! fn main() -> std::process::ExitCode {
@@ -20,10 +20,13 @@ mod compare;
 mod files;
 mod generate;
 mod info;
+mod json;
 mod kinematics;
+mod linearize;
 mod list;
 mod new;
 mod plot;
+mod poincare;
 mod progress;
 mod quantity;
 mod run;
@@ -33,10 +36,13 @@ mod statics;
 mod stored;
 mod verify;
 
-use arguments::{Arguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
+use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
 use clap::Parser;
 use codegen::nearest;
 use kinematics::KinematicsArguments;
+use linearize::LinearizeArguments;
+use poincare::PoincareArguments;
+use run_file::RunFile;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
 use std::io::Write;
@@ -49,9 +55,11 @@ pub struct Entry {
     run: fn(&RunArguments, Voice) -> Result<(), Stop>,
     facts: fn() -> info::Facts,
     verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
-    assemble: fn(&StartArguments, Voice) -> Result<(), Stop>,
+    assemble: fn(&AssembleArguments, Voice) -> Result<(), Stop>,
     equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
     kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
+    linearize: fn(&LinearizeArguments, Voice) -> Result<(), Stop>,
+    poincare: fn(&PoincareArguments, Voice) -> Result<(), Stop>,
 }
 
 /// Makes a mechanism known to [`main`].
@@ -64,6 +72,8 @@ pub fn entry<M: Mechanism>() -> Entry {
         assemble: statics::assemble_command::<M>,
         equilibrium: statics::equilibrium_command::<M>,
         kinematics: kinematics::kinematics_command::<M>,
+        linearize: linearize::linearize_command::<M>,
+        poincare: poincare::poincare_command::<M>,
     }
 }
 
@@ -88,7 +98,7 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();
     let arguments = Arguments::parse_from(&words);
-    match with_run_file(arguments, &words).and_then(|arguments| execute(mechanisms, arguments)) {
+    match with_run_file(mechanisms, arguments, &words) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Stop::Usage(message)) => {
             eprintln!("error: {message}");
@@ -105,13 +115,21 @@ pub fn main(mechanisms: &[Entry]) -> ExitCode {
     }
 }
 
-/// The command line with what a run file says put before the user's own words.
-fn with_run_file(arguments: Arguments, words: &[OsString]) -> Result<Arguments, Stop> {
-    let Command::Run(run) = &arguments.command else { return Ok(arguments) };
-    if !run.model.ends_with(".json") {
-        return Ok(arguments);
-    }
-    Ok(Arguments::parse_from(run_file::expand(&run.model, words)?))
+/// Does what the command line says; what a run file says is put before the user's own words.
+fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString]) -> Result<(), Stop> {
+    let path = match &arguments.command {
+        Command::Run(run) if run.model.ends_with(".json") => run.model.clone(),
+        _ => return execute(mechanisms, arguments),
+    };
+    let file = RunFile::open(&path)?;
+    let arguments = Arguments::try_parse_from(file.expand(words)?).map_err(|error| {
+        let said = error.to_string();
+        Stop::Usage(file.blamed(said.trim_start_matches("error: ").trim_end()))
+    })?;
+    execute(mechanisms, arguments).map_err(|stop| match stop {
+        Stop::Usage(message) => Stop::Usage(file.blamed(&message)),
+        other => other,
+    })
 }
 
 fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
@@ -121,9 +139,11 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
         Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
         Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.model)?.assemble)(&arguments, voice),
+        Command::Assemble(arguments) => (find(mechanisms, &arguments.start.model)?.assemble)(&arguments, voice),
         Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
         Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
+        Command::Linearize(arguments) => (find(mechanisms, &arguments.start.model)?.linearize)(&arguments, voice),
+        Command::Poincare(arguments) => (find(mechanisms, &arguments.start.model)?.poincare)(&arguments, voice),
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),

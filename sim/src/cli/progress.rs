@@ -2,10 +2,9 @@
 
 use super::Stop;
 use super::arguments::Voice;
+use crate::Failure;
 use crate::settings::Settings;
-use crate::{Failure, Run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use sim_kernel::Mechanism;
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -21,11 +20,11 @@ const BETWEEN: Duration = Duration::from_millis(100);
 
 /// Runs with a bar on a terminal, from the second second on. Ctrl-C ends the run, and what it has is kept; a second
 /// one ends the program.
-pub(super) fn watched<M: Mechanism>(
+pub(super) fn watched<T>(
     settings: &Settings,
     voice: Voice,
-    run: impl FnOnce(&Settings) -> Result<Run<M>, Failure>,
-) -> Result<Run<M>, Stop> {
+    run: impl FnOnce(&Settings) -> Result<T, Failure>,
+) -> Result<T, Stop> {
     // A program that has its own handler keeps it.
     let _ = ctrlc::set_handler(|| {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {

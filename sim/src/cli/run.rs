@@ -7,7 +7,7 @@ use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
 use crate::happening::impulses;
-use crate::{Run, Start, Stepping, Table, What, assemble, declared_start, mobility, run, summary};
+use crate::{Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary};
 use sim_kernel::{Array, Description, Input, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -160,7 +160,15 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         let more: String = impulses.collect();
         rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
     }
+    for point in dead_points(run).iter().take(8) {
+        let (of, time) = (point.of.join(", "), point.state.time);
+        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
+    }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
+    for passed in run.steps.singularities.iter().take(8) {
+        let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
+        rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
+    }
     if M::L::LEN > 0 {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((

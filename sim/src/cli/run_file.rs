@@ -1,7 +1,7 @@
 //! Run files: everything that `run` takes, as JSON; read as words of the command line, so that both mean the same.
 
 use super::arguments::{Arguments, RunArguments};
-use super::{Stop, program, unknown};
+use super::{Stop, json, program, unknown};
 use crate::Start;
 use crate::settings::{Rows, Settings, Stepping};
 use clap::CommandFactory;
@@ -157,26 +157,57 @@ fn quoted(text: &str) -> String {
     if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
-/// The command line that a run file stands for, with the user's own words after the file's.
-pub(super) fn expand(path: &str, words: &[OsString]) -> Result<Vec<OsString>, Stop> {
-    let text =
-        fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
-    let wrong = |what: String| Stop::Usage(format!("{path}: {what}"));
-    let file: Value = serde_json::from_str(&text).map_err(|why| wrong(format!("not JSON: {why}")))?;
-    let own: Vec<&OsString> = words.iter().skip(1).filter(|word| *word != path).collect();
-    let mentioned: Vec<String> = own.iter().map(|word| word.to_string_lossy().into_owned()).collect();
-    let said = read(&file, &mentioned).map_err(wrong)?;
-    let mut all: Vec<OsString> = words.first().cloned().into_iter().collect();
-    all.push("run".into());
-    all.extend(said.into_iter().map(OsString::from));
-    let at = own.iter().position(|word| *word == "run");
-    all.extend(own.into_iter().enumerate().filter(|(i, _)| Some(*i) != at).map(|(_, word)| word.clone()));
-    Ok(all)
+/// A run file that was read.
+pub(super) struct RunFile {
+    path: String,
+    file: Value,
+}
+
+impl RunFile {
+    /// Reads a file.
+    pub(super) fn open(path: &str) -> Result<RunFile, Stop> {
+        let text =
+            fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
+        let file = json::parse(&text).map_err(|why| Stop::Usage(format!("{path}: not JSON: {why}")))?;
+        Ok(RunFile { path: path.to_owned(), file })
+    }
+
+    /// The command line that it stands for, with the user's own words after its.
+    pub(super) fn expand(&self, words: &[OsString]) -> Result<Vec<OsString>, Stop> {
+        let own: Vec<&OsString> = words.iter().skip(1).filter(|word| **word != *self.path).collect();
+        let mentioned: Vec<String> = own.iter().map(|word| word.to_string_lossy().into_owned()).collect();
+        let said = read(&self.file, &mentioned).map_err(|what| Stop::Usage(format!("{}: {what}", self.path)))?;
+        let mut all: Vec<OsString> = words.first().cloned().into_iter().collect();
+        all.push("run".into());
+        all.extend(said.into_iter().map(OsString::from));
+        let at = own.iter().position(|word| *word == "run");
+        all.extend(own.into_iter().enumerate().filter(|(i, _)| Some(*i) != at).map(|(_, word)| word.clone()));
+        Ok(all)
+    }
+
+    /// What is wrong with its words, with the path of the entry that the message speaks of.
+    pub(super) fn blamed(&self, message: &str) -> String {
+        let members = |entry: &'static str| {
+            let object = self.file.get(entry).and_then(Value::as_object);
+            object.into_iter().flat_map(Map::keys).map(move |name| (entry, name))
+        };
+        let speaks_of = |(entry, name): &(&str, &String)| match *entry {
+            "options" => message.contains(&format!("--{name}")),
+            _ => message.contains(&format!("`{name}`")) || message.starts_with(&format!("{name}:")),
+        };
+        let found = members("parameters").chain(members("initial")).chain(members("options")).find(speaks_of);
+        let field = match found {
+            Some((entry, name)) => format!("{entry}.{name}: "),
+            None if message.contains("no mechanism") => "model: ".to_owned(),
+            None => String::new(),
+        };
+        format!("{}: {field}{message}", self.path)
+    }
 }
 
 /// A run file's words: the model, then options. Steps and tolerances give way to the user's own.
 fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
-    let file = file.as_object().ok_or("a run file is an object")?;
+    let file = file.as_object().ok_or_else(|| format!("a run file is an object, not {}", kind(file)))?;
     for key in file.keys() {
         let known = ["$schema", "format", "model", "parameters", "initial", "inputs", "options"];
         if !known.contains(&key.as_str()) {
@@ -184,34 +215,55 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
         }
     }
     if let Some(other) = file.get("format").filter(|format| *format != FORMAT) {
-        return Err(format!("its format is {other}, but this program reads \"{FORMAT}\""));
+        return Err(format!("format: it is {other}, but this program reads \"{FORMAT}\""));
     }
-    let model = file.get("model").and_then(Value::as_str).ok_or("`model` is missing: the name of a mechanism")?;
+    let model = match file.get("model") {
+        Some(Value::String(model)) => model,
+        Some(other) => return Err(format!("model: the name of a mechanism is needed, not {}", kind(other))),
+        None => return Err("`model` is missing: the name of a mechanism".to_owned()),
+    };
     let mut words = vec![model.to_owned()];
     for (entry, option) in [("parameters", "--set"), ("initial", "--initial"), ("inputs", "--input")] {
         for (name, value) in object(file, entry)? {
-            let value = word(value).ok_or_else(|| format!("`{name}` needs a number, or text like \"180 mm\""))?;
+            let wrong = || format!("{entry}.{name}: a number, or text like \"180 mm\", is needed, not {}", kind(value));
+            let value = Some(value).filter(|value| !value.is_array()).and_then(word).ok_or_else(wrong)?;
             words.extend([option.to_owned(), format!("{name}={value}")]);
         }
     }
-    let long_options = long_options();
+    let options = long_options();
     let steps = ["steps", "step", "rtol", "atol"];
     let says_steps = own.iter().any(|word| steps.iter().any(|step| mentions(word, step)));
     for (name, value) in object(file, "options")? {
-        if !long_options.contains(name) {
-            return Err(message(unknown("option of a run file", name, long_options.iter().map(String::as_str))));
-        }
+        let Some((_, takes_value)) = options.iter().find(|(known, _)| known == name) else {
+            let known = options.iter().map(|(known, _)| known.as_str());
+            return Err(message(unknown("option of a run file", name, known)));
+        };
         if says_steps && steps.contains(&name.as_str()) || own.iter().any(|word| mentions(word, name)) {
             continue;
         }
-        match value {
-            Value::Bool(true) => words.push(format!("--{name}")),
-            Value::Bool(false) => {}
-            value => words
-                .push(format!("--{name}={}", word(value).ok_or_else(|| format!("`{name}` needs a number or text"))?)),
+        match (value, takes_value) {
+            (Value::Bool(true), false) => words.push(format!("--{name}")),
+            (Value::Bool(false), false) => {}
+            (other, false) => return Err(format!("options.{name}: true or false is needed, not {}", kind(other))),
+            (value, true) => {
+                let wrong = || format!("options.{name}: a number or text is needed, not {}", kind(value));
+                words.push(format!("--{name}={}", word(value).ok_or_else(wrong)?));
+            }
         }
     }
     Ok(words)
+}
+
+/// What a value is.
+fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "true or false",
+        Value::Number(_) => "a number",
+        Value::String(_) => "text",
+        Value::Array(_) => "a list",
+        Value::Object(_) => "an object",
+    }
 }
 
 fn mentions(word: &str, option: &str) -> bool {
@@ -228,9 +280,10 @@ fn message(stop: Stop) -> String {
 fn object<'a>(file: &'a Map<String, Value>, entry: &str) -> Result<Vec<(&'a String, &'a Value)>, String> {
     match file.get(entry) {
         None => Ok(Vec::new()),
-        Some(value) => {
-            value.as_object().map(|o| o.iter().collect()).ok_or_else(|| format!("`{entry}` needs an object"))
-        }
+        Some(value) => value
+            .as_object()
+            .map(|o| o.iter().collect())
+            .ok_or_else(|| format!("{entry}: an object is needed, not {}", kind(value))),
     }
 }
 
@@ -244,12 +297,14 @@ fn word(value: &Value) -> Option<String> {
     }
 }
 
-/// What `options` of a run file may hold: the long options of `run`, but for those that have entries of their own.
-fn long_options() -> Vec<String> {
+/// What `options` of a run file may hold: the long options of `run`, but for those that have entries of their own; with
+/// whether they take a value.
+fn long_options() -> Vec<(String, bool)> {
     let command = Arguments::command();
     let run = command.find_subcommand("run");
-    let options = run.into_iter().flat_map(clap::Command::get_arguments).filter_map(clap::Arg::get_long);
-    options.filter(|name| !NOT_OF_A_RUN.contains(name)).map(String::from).collect()
+    let options = run.into_iter().flat_map(clap::Command::get_arguments);
+    let named = options.filter_map(|option| Some((option.get_long()?.to_owned(), option.get_action().takes_values())));
+    named.filter(|(name, _)| !NOT_OF_A_RUN.contains(&name.as_str())).collect()
 }
 
 /// The schema of run files.
@@ -265,10 +320,11 @@ mod tests {
         let schema: Value = serde_json::from_str(SCHEMA).unwrap();
         let options = schema["properties"]["options"]["properties"].as_object().unwrap();
         let mut described: Vec<&String> = options.keys().collect();
-        let mut known = long_options();
+        let options_of_run = long_options();
+        let mut known: Vec<&String> = options_of_run.iter().map(|(name, _)| name).collect();
         described.sort();
         known.sort();
-        assert_eq!(described, known.iter().collect::<Vec<_>>());
+        assert_eq!(described, known);
         assert_eq!(schema["properties"]["format"]["const"], FORMAT);
     }
 

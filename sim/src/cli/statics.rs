@@ -1,19 +1,23 @@
 //! `sim assemble` and `sim equilibrium`.
 
-use super::arguments::{StartArguments, Voice};
+use super::arguments::{AssembleArguments, StartArguments, Voice};
 use super::list::counted;
 use super::run::{mechanism_with, start_with};
 use super::{Stop, print};
-use crate::{assemble, check_masses, equilibrium, mobility, residuals};
+use crate::{Branches, Loop, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Array, Mechanism, Quantity};
 use std::io::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
-pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
+pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
-    let state = assemble(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    if arguments.branches {
+        return say_branches(&branches(&mechanism, &start), voice);
+    }
+    let state = assemble(&mechanism, &start)?;
     check_masses(&mechanism, state.time, &state.positions)?;
     let found = mobility(&mechanism, state.time, &state.positions);
     let (position, velocity) = residuals(&mechanism, &state);
@@ -50,6 +54,42 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &StartArguments, voice: 
         )?;
     }
     Ok(writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?)
+}
+
+/// Prints in which ways the loops close, and the configurations.
+fn say_branches<M: Mechanism>(found: &Branches<M>, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let positions = || description.coordinates.iter().map(|c| &c.position);
+    let coordinates = |q: &M::Q| named(positions(), q);
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let of = |l: &Loop| json!({ "form": l.form.to_string(), "constraints": l.constraints, "coordinates": l.coordinates });
+        let said = json!({
+            "model": description.name,
+            "loops": found.loops.iter().map(of).collect::<Vec<_>>(),
+            "not_in_closed_form": found.open,
+            "branches": found.positions.iter().map(coordinates).collect::<Vec<_>>(),
+        });
+        return print(&format!("{said:#}\n"));
+    }
+    let mut out = std::io::stdout().lock();
+    for Loop { constraints, coordinates, form } in &found.loops {
+        let (constraints, coordinates) = (constraints.join(", "), coordinates.join(", "));
+        writeln!(out, "loop         {constraints} closes {coordinates}: {form}")?;
+    }
+    for name in &found.open {
+        writeln!(out, "loop         {name} is not found in closed form; its guess decides")?;
+    }
+    if found.positions.is_empty() {
+        writeln!(out, "branches     none: the links do not reach each other")?;
+    }
+    for (k, q) in found.positions.iter().enumerate() {
+        let values = positions().zip(q.iter()).map(|(c, q)| format!("{} = {:.12} {}", c.name, q / c.factor, c.unit));
+        writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
+    }
+    Ok(())
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.

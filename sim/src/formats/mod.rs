@@ -1,7 +1,7 @@
 //! Tables as files, in the formats that other programs read.
 
 mod lines;
-mod numpy;
+pub(crate) mod numpy;
 #[cfg(feature = "parquet")]
 mod parquet;
 

@@ -4,6 +4,7 @@
 
 use crate::table::{Column, Table};
 use crate::write::WriteError;
+use nalgebra::DMatrix;
 use std::fs::File;
 use std::io::{BufWriter, Result, Seek, Write};
 use std::path::Path;
@@ -15,7 +16,7 @@ pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), W
     let write = || -> Result<()> {
         let mut out = BufWriter::new(File::create(path)?);
         let rows = table.times().len();
-        out.write_all(&header(&fields(&table.columns), rows))?;
+        out.write_all(&header(&fields(&table.columns), &[rows]))?;
         for row in 0..rows {
             for column in &table.columns {
                 out.write_all(&column.values[row].to_le_bytes())?;
@@ -28,21 +29,42 @@ pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), W
 
 /// An archive with an array for each column: `numpy.load(path)["alpha"]`.
 pub(super) fn write_npz(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
-    let write = || -> Result<()> { archive(table, BufWriter::new(File::create(path)?)) };
+    let columns =
+        table.columns.iter().map(|column| (column.name.as_str(), vec![column.values.len()], column.values.as_slice()));
+    write_archive(columns, path)
+}
+
+/// An archive with these matrices: `numpy.load(path)["A"]`.
+#[cfg(feature = "cli")]
+pub(crate) fn write_matrices(matrices: &[(&str, &DMatrix<f64>)], path: &Path) -> std::result::Result<(), WriteError> {
+    // nalgebra's matrices are stored by columns, NumPy's by rows.
+    let rows: Vec<DMatrix<f64>> = matrices.iter().map(|(_, matrix)| matrix.transpose()).collect();
+    let arrays = matrices.iter().zip(&rows);
+    write_archive(
+        arrays.map(|((name, matrix), rows)| (*name, vec![matrix.nrows(), matrix.ncols()], rows.as_slice())),
+        path,
+    )
+}
+
+fn write_archive<'a>(
+    arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>,
+    path: &Path,
+) -> std::result::Result<(), WriteError> {
+    let write = || -> Result<()> { archive(arrays, BufWriter::new(File::create(path)?)) };
     write().map_err(|why| WriteError::new(path, why))
 }
 
-fn archive(table: &Table, out: impl Write + Seek) -> Result<()> {
+fn archive<'a>(arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>, out: impl Write + Seek) -> Result<()> {
     // Stored, as numpy.savez does, and without the time of day: the same table gives the same bytes.
     let stored = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
-        .last_modified_time(DateTime::default())
-        .large_file(8 * table.times().len() > u32::MAX as usize / 2);
+        .last_modified_time(DateTime::default());
     let mut archive = ZipWriter::new(out);
-    for column in &table.columns {
-        archive.start_file(format!("{}.npy", column.name), stored)?;
-        archive.write_all(&header("'<f8'", column.values.len()))?;
-        let bytes: Vec<u8> = column.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    for (name, shape, values) in arrays {
+        let stored = stored.large_file(8 * values.len() > u32::MAX as usize / 2);
+        archive.start_file(format!("{name}.npy"), stored)?;
+        archive.write_all(&header("'<f8'", &shape))?;
+        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
         archive.write_all(&bytes)?;
     }
     archive.finish()?.flush()
@@ -55,8 +77,9 @@ fn fields(columns: &[Column]) -> String {
 }
 
 /// Magic, version, length and a Python dictionary, padded so that the numbers start at a multiple of 64 bytes.
-fn header(kind: &str, rows: usize) -> Vec<u8> {
-    let text = format!("{{'descr': {kind}, 'fortran_order': False, 'shape': ({rows},), }}");
+fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
+    let sides: String = shape.iter().map(|side| format!("{side},")).collect();
+    let text = format!("{{'descr': {kind}, 'fortran_order': False, 'shape': ({sides}), }}");
     // Version 1 counts to 65535 and knows no letters beyond Latin; version 3 is for all others.
     let old = text.is_ascii() && text.len() < 65_000;
     let before = if old { 10 } else { 12 };
@@ -83,13 +106,13 @@ mod tests {
     #[test]
     fn numbers_start_at_multiples_of_64_bytes() {
         for rows in [0, 1, 12_345_678] {
-            let header = header("'<f8'", rows);
+            let header = header("'<f8'", &[rows]);
             assert!(
                 header.len().is_multiple_of(64) && header.ends_with(b"\n") && header.starts_with(b"\x93NUMPY\x01\x00")
             );
             assert_eq!(usize::from(header[8]) + 256 * usize::from(header[9]), header.len() - 10);
         }
-        let greek = header("[('\u{3b1}', '<f8')]", 3);
+        let greek = header("[('\u{3b1}', '<f8')]", &[3]);
         assert!(greek.len().is_multiple_of(64) && greek[6] == 3);
     }
 }

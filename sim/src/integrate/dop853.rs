@@ -58,6 +58,10 @@ impl<M: Mechanism> Default for Dop853<M> {
 }
 
 impl<M: Mechanism> Advance<M> for Dop853<M> {
+    fn gap(&self) -> f64 {
+        self.method.gap()
+    }
+
     fn control_order(&self) -> Option<f64> {
         self.method.control_order()
     }

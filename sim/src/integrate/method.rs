@@ -17,6 +17,16 @@ pub trait Advance<M: Mechanism> {
         None
     }
 
+    /// The place in a step that is farthest from its stages, as a fraction: there a singular position does no harm.
+    fn gap(&self) -> f64 {
+        0.5
+    }
+
+    /// Whether its stages follow one from another, so that each may be brought onto the constraints first.
+    fn is_explicit(&self) -> bool {
+        true
+    }
+
     /// Advances from a sample to `time`.
     ///
     /// # Errors

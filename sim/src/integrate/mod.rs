@@ -19,12 +19,13 @@ pub use radau::Radau5;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
-use crate::mobility::weakest_constraint;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
+use crate::singular::{Lie, Singularity, end_of_step, may_be_ahead, parts_at, passed, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
 use sim_kernel::{Array, Mechanism};
+use std::mem::swap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -45,29 +46,78 @@ impl<M: Mechanism, A: Advance<M>> Step<'_, M, A> {
         self.to.state.time - self.from.state.time
     }
 
-    /// The state at a time inside it, on the constraints.
+    /// The state at a time inside it, on the constraints; at a singular position as the method interpolates it.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
     pub fn at(&mut self, time: f64) -> Result<State<M>, Failure> {
+        self.find(time).map(|(state, _)| state)
+    }
+
+    /// The state at a time inside it with what follows from it. At a singular position the equations of motion do not
+    /// determine that: there accelerations are the rates of the interpolated speeds, and reactions, which have a pole, and
+    /// power are those of the nearer end.
+    ///
+    /// # Errors
+    /// As the projection and the right-hand side.
+    pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
+        let (state, is_singular) = self.find(time)?;
+        if !is_singular {
+            return self.motion.sample(state);
+        }
+        let (begin, h) = (self.from.state.time, self.length());
+        // Differences of fourth order; 1e-2 to the fourth is beside what the interpolant itself loses.
+        let d = 0.01;
+        let s = ((time - begin) / h).clamp(2.0 * d, 1.0 - 2.0 * d);
+        let [a, b, c, e] = [s - 2.0 * d, s - d, s + d, s + 2.0 * d]
+            .map(|s| self.method.inside(self.motion, self.from, self.to, s).map(|state| state.speeds));
+        let (a, b, c, e) = (a?, b?, c?, e?);
+        let accelerations = M::Q::from_fn(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - e[i]) / (12.0 * d * h));
+        let nearer = if s < 0.5 { self.from } else { self.to };
+        Ok(Sample { state, accelerations, ..*nearer })
+    }
+
+    /// The state at a time, and whether it is at a singular position.
+    fn find(&mut self, time: f64) -> Result<(State<M>, bool), Failure> {
         if time == self.to.state.time {
-            return Ok(self.to.state);
+            return Ok((self.to.state, false));
         }
         let fraction = (time - self.from.state.time) / self.length();
         let mut state = self.method.inside(self.motion, self.from, self.to, fraction)?;
         state.time = time;
-        self.motion.keep(&mut state)?;
-        Ok(state)
+        let interpolated = state;
+        match self.motion.keep(&mut state) {
+            Ok(()) if self.motion.is_at_singularity() => Ok((interpolated, true)),
+            Err(Failure { what: What::SingularPosition { .. }, .. }) => Ok((interpolated, true)),
+            kept => kept.map(|()| (state, false)),
+        }
     }
 }
 
 /// How many steps were made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Steps {
     /// Accepted.
     pub accepted: u64,
     /// Attempted and refused, because their error was too large or they failed.
     pub rejected: u64,
+    /// The singular positions that they passed, in order.
+    pub singularities: Vec<Singularity>,
+}
+
+impl Steps {
+    /// Notes the singular position that a step has passed, if any, by the parts of C_q at its ends.
+    fn note<M: Mechanism, A: Advance<M>>(
+        &mut self,
+        motion: &Motion<M>,
+        method: &mut A,
+        [from, to]: [&Sample<M>; 2],
+        parts: [&M::LQ; 2],
+    ) -> Result<(), Failure> {
+        let inside = |fraction| method.inside(motion, from, to, fraction);
+        self.singularities.extend(passed(motion, [&from.state, &to.state], parts, inside)?);
+        Ok(())
+    }
 }
 
 /// When and how far to integrate.
@@ -115,20 +165,39 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let (begin, mut from) = (course.begin, start);
+    let begin = course.begin;
+    // Both ends of a step stay where they are, and the next one starts where the last ended.
+    let (mut from, mut to) = (&mut { start }, &mut { start });
+    let length = (course.end - begin) / count as f64;
+    let mut sines = [0.0; 2];
     for step in 1..=count {
-        check_interrupt(course, &from)?;
         // From the start each time, so that times do not accumulate rounding.
-        let time = if step == count { course.end } else { begin + (course.end - begin) * (step as f64 / count as f64) };
-        if time - from.state.time <= 4.0 * f64::EPSILON * time.abs() {
-            continue;
+        let goal = if step == count { course.end } else { begin + (course.end - begin) * (step as f64 / count as f64) };
+        // A step over a singular position may end near one of these times or beyond it, which is then left out.
+        let rest = if step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
+        while goal - from.state.time > rest {
+            check_interrupt(course, from)?;
+            let is_near = may_be_ahead(sines);
+            let lie = Lie {
+                goal,
+                longest: length,
+                gap: method.gap(),
+                keeps_stages: method.is_explicit(),
+                least_sine: LEAST_SINE,
+            };
+            let time = if is_near { end_of_step(motion, from, &lie).min(course.end) } else { goal };
+            attempt(motion, method, from, time, None, to).map_err(|failure| explained(motion, &from.state, failure))?;
+            sines = [sines[1], motion.least_sine()];
+            steps.accepted += 1;
+            if is_near {
+                let parts = [parts_at(motion, &from.state), parts_at(motion, &to.state)];
+                steps.note(motion, method, [from, to], parts.each_ref())?;
+            }
+            if watch(&mut Step { motion, method, from, to })?.is_break() {
+                return Ok(());
+            }
+            swap(&mut from, &mut to);
         }
-        let (to, _) = attempt(motion, method, &from, time, None)?;
-        steps.accepted += 1;
-        if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
-            return Ok(());
-        }
-        from = to;
     }
     Ok(())
 }
@@ -142,27 +211,43 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     steps: &mut Steps,
     mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
-    let mut from = start;
+    let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);
-    let mut h = initial_step(motion, &from, course.end - from.state.time, order, tolerance)?;
+    let mut sines = [0.0; 2];
+    let mut parts = parts_at(motion, &from.state);
+    let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
     while from.state.time < course.end {
-        check_interrupt(course, &from)?;
+        check_interrupt(course, from)?;
         let now = from.state.time;
         // The last step is not followed by a tiny one.
-        let time = if now + 1.01 * h >= course.end { course.end } else { now + h };
-        let made = attempt(motion, method, &from, time, Some(tolerance));
-        match made {
-            Ok((to, error)) if error <= 1.0 => {
+        let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
+        let lie = Lie {
+            goal: wanted,
+            longest: wanted - now,
+            gap: method.gap(),
+            keeps_stages: method.is_explicit(),
+            least_sine: 0.0,
+        };
+        let time = if may_be_ahead(sines) { end_of_step(motion, from, &lie) } else { wanted };
+        match attempt(motion, method, from, time, Some(tolerance), to) {
+            Ok(error) if error <= 1.0 => {
+                sines = [sines[1], motion.least_sine()];
                 steps.accepted += 1;
-                if watch(&mut Step { motion, method, from: &from, to: &to })?.is_break() {
+                // These steps may be so long that nothing foretells what they pass.
+                let there = parts_at(motion, &to.state);
+                steps.note(motion, method, [from, to], [&parts, &there])?;
+                parts = there;
+                if watch(&mut Step { motion, method, from, to })?.is_break() {
                     return Ok(());
                 }
-                h = (time - now) * controller.accepted(error);
-                from = to;
+                let next = (time - now) * controller.accepted(error);
+                // A step that was cut short says little of how long they may be.
+                h = if time < wanted { next.max(h) } else { next };
+                swap(&mut from, &mut to);
             }
             refused => {
                 steps.rejected += 1;
-                h = (time - now) * controller.rejected(refused.as_ref().ok().map(|(_, error)| *error));
+                h = (time - now) * controller.rejected(refused.as_ref().ok().copied());
                 if h < 16.0 * f64::EPSILON * now.abs().max(1e-3 * course.end) {
                     return Err(too_small(motion, &from.state, h, refused.err()));
                 }
@@ -172,15 +257,25 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     Ok(())
 }
 
-/// A constraint whose rows are this near to depending on others, as a sine, explains why no step is small enough.
-const NEARLY_SINGULAR: f64 = 1e-3;
+/// The least sine of the angle between a row of C_q and those before it from which equal steps lead over a singular
+/// position: rounding of speeds, which grows with its square, stays near 1e-12, and longer steps are needed for it only
+/// where they are short.
+const LEAST_SINE: f64 = 0.01;
+/// A constraint whose rows are this near to depending on others, as a sine, explains why a step fails.
+const NEARLY_SINGULAR: f64 = 1e-2;
 
 /// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
 fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
-    let weakest = weakest_constraint(motion.mechanism(), at.time, &at.positions);
-    match weakest.filter(|(_, sine)| *sine < NEARLY_SINGULAR) {
+    let cause = cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions));
+    explained(motion, at, cause)
+}
+
+/// A failure that a singular position explains, as such.
+fn explained<M: Mechanism>(motion: &Motion<M>, at: &State<M>, failure: Failure) -> Failure {
+    let has_reason = matches!(failure.what, What::NotFinite { .. } | What::Interrupted);
+    match weakest_constraint(motion, at).filter(|(_, sine)| !has_reason && *sine < NEARLY_SINGULAR) {
         Some((constraint, _)) => Failure::at::<M>(What::SingularPosition { constraint }, at.time, &at.positions),
-        None => cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions)),
+        None => failure,
     }
 }
 
@@ -192,7 +287,7 @@ fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
     (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
 }
 
-/// One step, with its end on the constraints and the estimate of its error.
+/// One step, with its end on the constraints; gives the estimate of its error.
 #[inline]
 fn attempt<M: Mechanism, A: Advance<M>>(
     motion: &Motion<M>,
@@ -200,16 +295,22 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     from: &Sample<M>,
     time: f64,
     tolerance: Option<&Tolerance>,
-) -> Result<(Sample<M>, f64), Failure> {
+    to: &mut Sample<M>,
+) -> Result<f64, Failure> {
     motion.prepare(&from.state)?;
     let Attempt { mut end, error } = method.step(motion, from, time, tolerance)?;
     if !(error <= 1.0) {
-        return Ok((*from, error));
+        return Ok(error);
     }
+    let Some(tolerance) = tolerance else {
+        motion.keep(&mut end)?;
+        *to = motion.sample(end)?;
+        return Ok(error);
+    };
     let before = end;
     motion.keep(&mut end)?;
-    let moved = tolerance.map_or(0.0, |tolerance| tolerance.norm(&before, &end, &difference(&before, &end)));
-    Ok((motion.sample(end)?, error.max(moved / MOST_MOVED)))
+    *to = motion.sample(end)?;
+    Ok(error.max(tolerance.norm(&before, &end, &difference(&before, &end)) / MOST_MOVED))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {

@@ -19,6 +19,31 @@ pub struct Tableau {
     pub error: ErrorEstimate,
 }
 
+impl Tableau {
+    /// How many stages the step itself weighs.
+    #[inline]
+    pub(super) const fn stages_of_step(&self) -> usize {
+        let (mut stages, mut i) = (0, 0);
+        while i < self.b.len() {
+            stages = if self.b[i].0 >= stages { self.b[i].0 + 1 } else { stages };
+            i += 1;
+        }
+        stages
+    }
+
+    /// The middle of the widest gap between nodes, the last of several.
+    pub(super) fn gap(&self) -> f64 {
+        let mut widest = (0.0, 0.5);
+        for begin in self.c {
+            let end = self.c.iter().copied().filter(|end| end > begin).fold(1.0, f64::min);
+            if end - begin >= widest.0 {
+                widest = (end - begin, (begin + end) / 2.0);
+            }
+        }
+        widest.1
+    }
+}
+
 /// How the error of a step is estimated, from weights of its stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ErrorEstimate {

@@ -3,14 +3,13 @@
 use super::driven::Driven;
 use super::system::{Law, System};
 use crate::failure::{Failure, What};
-use crate::least_norm::least_norm;
 use crate::trajectory::{Sample, State};
 use nalgebra::DVector;
 use sim_kernel::{Array, Mechanism};
 
 /// A determinant this small beside the product of its columns' lengths is zero: of what would be divided by it, fewer than
 /// six digits were left.
-const SINGULAR: f64 = 1e-10;
+pub(super) const SINGULAR: f64 = 1e-10;
 
 /// A motion that drives prescribe.
 #[derive(Clone, Debug)]
@@ -81,11 +80,7 @@ pub(super) fn prescribed<M: Mechanism>(
         return Err(Failure::at::<M>(What::NotFinite { quantity: "a load".into() }, time, q));
     }
     let multipliers = linear.jacobian.transpose().lu().solve(&rest).ok_or_else(singular)?;
-    let (mut lambda, reactions) = system.split(&multipliers);
-    let rank = M::Q::LEN - system.laws.len();
-    if rank < M::L::LEN {
-        lambda = least_norm::<M>(mechanism.constraint_jacobian(time, q), &lambda, rank);
-    }
+    let (lambda, reactions) = system.split(&multipliers, q, p);
     let forces: Vec<f64> = reactions.iter().map(|reaction| -reaction).collect();
     let driving: f64 = forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
     let power = mechanism.power(time, q, &qd, &qdd, &lambda) + driving;

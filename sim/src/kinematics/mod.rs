@@ -1,5 +1,6 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
+mod dead_points;
 mod driven;
 mod extremes;
 mod inverse;
@@ -9,11 +10,12 @@ mod system;
 mod tabulate;
 
 use crate::assemble::Start;
-use crate::failure::{Failure, What, constraint_name};
+use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
 use sim_kernel::{Array, Mechanism};
 
+pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
 pub use extremes::{Extreme, Extremes, Range, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};
@@ -59,17 +61,13 @@ pub struct Kinematics<M: Mechanism> {
 /// of the start closes the loops; from there drive and holds are first brought to where the sweep begins.
 ///
 /// # Errors
-/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::PathDependent`], or if where the sweep begins cannot be reached. What ends
-/// the sweep on the way does not lose it: it stands in its trajectory.
+/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if where the sweep begins
+/// cannot be reached. What ends the sweep on the way does not lose it: it stands in its trajectory.
 pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
     let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
     if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
         let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
         return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, &start.positions));
-    }
-    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
-        let constraint = constraint_name::<M>(*row);
-        return Err(Failure::at::<M>(What::PathDependent { constraint }, 0.0, &start.positions));
     }
     let mut swept = sweep::sweep(&mechanism, start, sweep)?;
     balance_energy(&mechanism, &mut swept.motion);

@@ -5,7 +5,7 @@ use super::inverse::{Prescribed, prescribed};
 use super::path::{Path, Point, Span, Special};
 use super::system::{Law, System};
 use crate::assemble::{Start, assemble};
-use crate::failure::{Failure, What};
+use crate::failure::{Failure, What, constraint_name, largest};
 use crate::mobility::Mobility;
 use sim_kernel::{Array, Mechanism};
 
@@ -79,6 +79,10 @@ pub(super) fn sweep<'m, M: Mechanism>(
     start: &Start<M>,
     sweep: &Sweep,
 ) -> Result<Swept<'m, M>, Failure> {
+    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
+        let what = What::NotHolonomic { constraint: constraint_name::<M>(*row) };
+        return Err(Failure::at::<M>(what, 0.0, &start.positions));
+    }
     let none = vec![false; M::Q::LEN];
     let assembled = assemble(mechanism, &Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() })?;
     let (system, mobility, q) = approach(mechanism, assembled.positions, sweep)?;
@@ -184,8 +188,8 @@ fn sample<M: Mechanism>(
 fn checked<M: Mechanism>(system: &System<M>, q: &M::Q, p: f64) -> Result<Prescribed<M>, Failure> {
     if !system.holds(q, p) {
         let values = system.mechanism.constraints(system.time(p), q);
-        let (row, residual) = crate::failure::largest(values.iter()).unwrap_or((0, f64::NAN));
-        let constraint = crate::failure::constraint_name::<M>(row);
+        let (row, residual) = largest(values.iter()).unwrap_or((0, f64::NAN));
+        let constraint = constraint_name::<M>(row);
         return Err(Failure::at::<M>(What::NotProjected { constraint, residual, iterations: 1 }, system.time(p), q));
     }
     prescribed(system, q, p, &[])

@@ -5,6 +5,7 @@
 
 use super::driven::Driven;
 use crate::failure::{Failure, What};
+use crate::least_norm::least_norm;
 use crate::mobility::{Mobility, mobility};
 use crate::project::is_met;
 use nalgebra::{DMatrix, DVector};
@@ -98,10 +99,15 @@ impl<'m, M: Mechanism> System<'m, M> {
         DVector::from_iterator(M::Q::LEN, of_rows.chain(of_drives))
     }
 
-    /// Multipliers of all constraints and of the drives from those of F.
-    pub(super) fn split(&self, multipliers: &DVector<f64>) -> (M::L, Vec<f64>) {
+    /// Multipliers of all constraints and of the drives from those of F. Where constraints depend on others they share
+    /// the reactions with least norm, as in runs.
+    pub(super) fn split(&self, multipliers: &DVector<f64>, q: &M::Q, p: f64) -> (M::L, Vec<f64>) {
         let mut constraints = M::L::filled(0.0);
         self.rows.iter().enumerate().for_each(|(k, i)| constraints[*i] = multipliers[k]);
+        if self.rows.len() < M::L::LEN {
+            let jacobian = self.mechanism.constraint_jacobian(self.time(p), q);
+            constraints = least_norm::<M>(jacobian, &constraints, self.rows.len());
+        }
         (constraints, multipliers.iter().skip(self.rows.len()).copied().collect())
     }
 

@@ -19,6 +19,7 @@ mod plot;
 mod png;
 mod report;
 mod scene;
+mod section;
 mod svg;
 mod sweep;
 mod symbols;
@@ -37,6 +38,7 @@ pub use figures::{Figures, figures};
 #[cfg(feature = "cli")]
 pub(crate) use names::printed;
 pub use report::{About, report};
+pub use section::section_figures;
 #[cfg(feature = "cli")]
 pub(crate) use sweep::SWEEP_FIGURES;
 pub use sweep::sweep_figures;

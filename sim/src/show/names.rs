@@ -49,7 +49,7 @@ pub(crate) use words::printed;
 /// Expressions as they were written.
 #[cfg(feature = "analysis")]
 mod words {
-    use codegen::dsl::{Expression, Kind, Operator};
+    use codegen::dsl::{Comparison, Expression, Kind, Operator};
 
     pub(crate) fn printed(expression: &Expression) -> String {
         let list = |items: &[Expression]| items.iter().map(printed).collect::<Vec<_>>().join(", ");
@@ -64,14 +64,28 @@ mod words {
             }
             Kind::Call(function, arguments) => format!("{function}({})", list(arguments)),
             Kind::Component(vector, name) => format!("{}.{name}", operand_of(vector)),
+            Kind::If(choice) => {
+                let [left, right, yes, no] = [&choice.left, &choice.right, &choice.yes, &choice.no].map(printed);
+                let than = compared(choice.comparison);
+                format!("if {left} {than} {right} then {yes} else {no}")
+            }
         }
     }
 
     /// Sums within other operations stand in parentheses.
     fn operand_of(expression: &Expression) -> String {
         match &expression.kind {
-            Kind::Binary(Operator::Add | Operator::Subtract, ..) => format!("({})", printed(expression)),
+            Kind::Binary(Operator::Add | Operator::Subtract, ..) | Kind::If(_) => format!("({})", printed(expression)),
             _ => printed(expression),
+        }
+    }
+
+    fn compared(comparison: Comparison) -> &'static str {
+        match comparison {
+            Comparison::Less => "<",
+            Comparison::AtMost => "<=",
+            Comparison::Greater => ">",
+            Comparison::AtLeast => ">=",
         }
     }
 

@@ -26,7 +26,7 @@ pub(super) use declared::vectors;
 mod declared {
     use super::Vector;
     use crate::{Run, Sample};
-    use codegen::dsl::{self, Declaration, Expression, Kind, Load, Operator, Output, OutputGroup};
+    use codegen::dsl::{self, Choice, Declaration, Expression, Kind, Load, Operator, Output, OutputGroup};
     use codegen::oracle::{Measured, Oracle, Solution, State};
     use sim_kernel::{Array, Mechanism};
 
@@ -119,6 +119,7 @@ mod declared {
                         arrows.push(load_arrow(format!("weight of {body}"), weight, point));
                     }
                 }
+                // Their forces follow from an energy, or act along two points or an angle.
                 Load::Torque { .. } | Load::Potential(_) | Load::Dissipation(_) | Load::Element(_) => {}
             }
         }
@@ -206,6 +207,7 @@ mod declared {
             Kind::Call(function, operands) => {
                 (function == "dot" || function == "ddot") && operands.iter().all(|x| is_vector(x, vectors))
             }
+            Kind::If(choice) => is_vector(&choice.yes, vectors),
             Kind::Number { .. } | Kind::Component(..) => false,
         }
     }
@@ -214,10 +216,7 @@ mod declared {
     fn named(expression: &Expression) -> Vec<String> {
         let mut names: Vec<String> = match &expression.kind {
             Kind::Name(name) => vec![name.to_string()],
-            Kind::Number { .. } => Vec::new(),
-            Kind::Vector(items) | Kind::Call(_, items) => items.iter().flat_map(named).collect(),
-            Kind::Negate(operand) | Kind::Component(operand, _) => named(operand),
-            Kind::Binary(_, left, right) => named(left).into_iter().chain(named(right)).collect(),
+            _ => expression.parts().into_iter().flat_map(named).collect(),
         };
         names.sort();
         names.dedup();
@@ -258,6 +257,13 @@ mod declared {
             Kind::Binary(operator, left, right) => Kind::Binary(*operator, boxed(left), boxed(right)),
             Kind::Call(function, items) => Kind::Call(function.clone(), items.iter().map(again).collect()),
             Kind::Component(vector, axis) => Kind::Component(boxed(vector), axis.clone()),
+            Kind::If(choice) => Kind::If(Box::new(Choice {
+                left: again(&choice.left),
+                comparison: choice.comparison,
+                right: again(&choice.right),
+                yes: again(&choice.yes),
+                no: again(&choice.no),
+            })),
         };
         Expression { region: expression.region, kind }
     }

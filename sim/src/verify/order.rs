@@ -73,7 +73,7 @@ fn state_at<M: Mechanism, A: Advance<M>>(
 ) -> Result<State<M>, Failure> {
     let redundant = mobility(mechanism, start.time, &start.positions).dependent.len();
     let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
-    let course = Course { begin: 0.0, end, stepping: Stepping::Equal(steps), interrupt: None };
+    let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps), interrupt: None };
     let mut last = start;
     integrate(&motion, &mut method, &course, motion.sample(start)?, &mut Steps::default(), |step| {
         last = step.to.state;

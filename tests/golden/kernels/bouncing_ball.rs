@@ -18,7 +18,7 @@
 /// [
 ///     m, 0, 0;
 ///     0, m, floor_activity;
-///     0, floor_activity, 0
+///     0, floor_activity, floor_activity - 1
 /// ] * [x_ddot; y_ddot; lambda_floor] = [0; -m*g; 0]
 ///
 /// mass_matrix = [m, 0; 0, m]
@@ -486,7 +486,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
         name: "bouncing-ball",
         type_name: "BouncingBall",
         docs: "A ball that falls on a floor and bounces, each time to a lesser height.",
-        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// height of the ball above the floor\n    height [m] = P.y - r;\n    /// speed upwards\n    climb [m/s] = dot(P.y);\n    /// kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    ground [0, 0];\n    line [-0.2, 0], [2, 0];\n    circle P radius r;\n}\n",
+        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// height of the ball above the floor\n    height [m] = P.y - r;\n    /// speed upwards\n    climb [m/s] = dot(P.y);\n    /// kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    ground [0, 0];\n    line [-0.2 [m], 0], [2 [m], 0];\n    circle P radius r;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {

@@ -41,9 +41,9 @@ pub struct HalfCar<S = ::core::primitive::f64> {
     pub lf: S,
     /// From the centre of mass to the rear axle, in `m`.
     pub lr: S,
-    /// Stiffness of the front spring, in `kg/s^2`.
+    /// Stiffness of the front spring, in `N/m`.
     pub kf: S,
-    /// Stiffness of the rear spring, in `kg/s^2`.
+    /// Stiffness of the rear spring, in `N/m`.
     pub kr: S,
     /// Damping in front, in `N*s/m`.
     pub cf: S,

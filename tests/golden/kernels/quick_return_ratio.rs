@@ -1344,7 +1344,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             },
             sim_kernel::Quantity {
                 name: "slot",
-                unit: "J",
+                unit: "N*m",
                 factor: 1f64,
                 docs: "",
             },

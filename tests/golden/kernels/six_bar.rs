@@ -2519,7 +2519,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
         constraints: &[
             sim_kernel::Quantity {
                 name: "drive",
-                unit: "J",
+                unit: "N*m",
                 factor: 1f64,
                 docs: "",
             },

@@ -1130,7 +1130,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
         constraints: &[
             sim_kernel::Quantity {
                 name: "drive",
-                unit: "J",
+                unit: "N*m",
                 factor: 1f64,
                 docs: "",
             },

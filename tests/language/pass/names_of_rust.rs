@@ -8,16 +8,16 @@ const N: f64 = 1.0;
 struct P;
 
 sim_kernel::mechanism! {
-    /// A spring pendulum.
+    /// A spring pendulum, in numbers without units.
     pub Names;
-    coordinates { r#type [m]; q [rad]; N [rad]; r#gen [m]; }
-    parameters { S [m] = 1; r#fn [kg] = 2; value = 3; self_mass [kg] = 1; lambda [N/m] = 50; f64 = 1; }
+    coordinates { r#type; q; N; r#gen; }
+    parameters { S = 1; r#fn = 2; value = 3; self_mass = 1; lambda = 50; f64 = 1; }
     let Some = (S + r#type)*[sin(q), -cos(q)];
     let P = N + q;
     bodies { r#loop: mass r#fn + self_mass at Some, inertia value, angle P*sin(P); other: mass value at [r#gen, P^2]; }
     loads { gravity [0, -9.81]; force -lambda*r#type*[sin(q), -cos(q)]*f64 at Some; }
     initial { q = 0.3; }
-    outputs { refused [m] = Some.x*value; Ok = dot(q); }
+    outputs { refused = Some.x*value; Ok = dot(q); }
 }
 
 fn main() {

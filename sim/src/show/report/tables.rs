@@ -120,6 +120,12 @@ fn accuracy<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
     if run.energy_taken != 0.0 {
         row("impact loss", run.energy_taken, "J of kinetic energy that events have taken");
     }
+    for passed in run.steps.singularities.iter().take(MOST_EVENTS) {
+        let (name, time) = (escaped(passed.constraint), number(passed.time, 9));
+        rows.push(format!(
+            "<tr><th>singular position</th><td colspan=\"2\">{name} depends on other constraints at t = {time} s; passed straight on</td></tr>"
+        ));
+    }
     let undefined = summary["undefined_outputs"].as_object().into_iter().flatten();
     for (name, from) in undefined {
         let from = from["from"].as_f64().map_or(String::new(), |time| number(time, 6));

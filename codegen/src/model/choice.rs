@@ -1,0 +1,69 @@
+//! `if`, `min` and `max`.
+
+use super::homogeneity::Measured;
+use super::interpret::Interpreter;
+use super::value::{Shape, Value};
+use crate::dsl::{self, Comparison, Expression, Region};
+use crate::symbolic::{Expr, Graph};
+
+impl Interpreter {
+    /// `if a > b then x else y`: x or y, of one kind.
+    pub(super) fn choice(&mut self, choice: &dsl::Choice) -> Option<Value> {
+        let (left, right) = (self.scalar_value(&choice.left), self.scalar_value(&choice.right));
+        let (yes, no) = (self.value(&choice.yes), self.value(&choice.no));
+        let ((left, of_left), (right, of_right), yes, no) = (left?, right?, yes?, no?);
+        let compared = [(&choice.left, &of_left), (&choice.right, &of_right)];
+        let [a, b] = compared.map(|(expression, dimension)| Measured { expression, dimension });
+        self.common_dimension(a, b, "only quantities of one dimension can be compared")?;
+        let (a, b) = (yes.measured(&choice.yes), no.measured(&choice.no));
+        let dimension = self.common_dimension(a, b, "both values of an `if` are of one dimension")?;
+        let mut choose = |yes: Expr, no: Expr| {
+            // `a >= b` is what `b > a` is not.
+            let (difference, above, otherwise) = match choice.comparison {
+                Comparison::Greater => (self.graph.sub(left, right), yes, no),
+                Comparison::Less => (self.graph.sub(right, left), yes, no),
+                Comparison::AtLeast => (self.graph.sub(right, left), no, yes),
+                Comparison::AtMost => (self.graph.sub(left, right), no, yes),
+            };
+            self.graph.choice(difference, above, otherwise)
+        };
+        let shape = match (yes.shape, no.shape) {
+            (Shape::Scalar(yes), Shape::Scalar(no)) => Shape::Scalar(choose(yes, no)),
+            (Shape::Vector([a, b]), Shape::Vector([c, d])) => Shape::Vector([choose(a, c), choose(b, d)]),
+            _ => {
+                let message =
+                    format!("{} stands after `then` and {} after `else`; both are of one kind", yes.kind(), no.kind());
+                return self.refuse(choice.yes.region.to(choice.no.region), message);
+            }
+        };
+        Some(Value { shape, dimension })
+    }
+
+    /// The smallest or the largest of two or more scalars.
+    pub(super) fn extreme(
+        &mut self,
+        region: Region,
+        name: &str,
+        arguments: &[Expression],
+        of_two: fn(&mut Graph, Expr, Expr) -> Expr,
+    ) -> Option<Value> {
+        let values: Vec<_> = arguments.iter().map(|argument| self.scalar_value(argument)).collect();
+        if values.len() < 2 {
+            return self.refuse(region, format!("`{name}` is written `{name}(a, b)`, of two values or more"));
+        }
+        let rule = format!("`{name}` takes quantities of one dimension");
+        let mut values = arguments.iter().zip(values);
+        let (first, value) = values.next()?;
+        let (mut extreme, mut dimension) = value?;
+        for (argument, value) in values {
+            let (value, own) = value?;
+            let (a, b) = (
+                Measured { expression: first, dimension: &dimension },
+                Measured { expression: argument, dimension: &own },
+            );
+            dimension = self.common_dimension(a, b, &rule)?;
+            extreme = of_two(&mut self.graph, extreme, value);
+        }
+        Some(Value::scalar(extreme, dimension))
+    }
+}

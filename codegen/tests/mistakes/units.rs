@@ -1,0 +1,584 @@
+//! Units: what is added, compared or put in a place is of the dimension that belongs there. A mistake says what is in which
+//! unit, and where that comes from.
+
+use super::{SOUND, check, mistakes, without_units};
+
+/// Sums, differences, and what else is compared.
+#[test]
+fn sums() {
+    check(
+        "height [m] = P.y",
+        "h [m] = l + m",
+        &[
+            "8:23 `l` is in [m] and `m` is in [kg]; only quantities of one dimension can be added",
+            "3:14 `l` is declared in [m] here",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l - m*g",
+        &[
+            "8:23 `l` is in [m] and `m*g` is in [N] (m [kg], g [m/s^2]); only quantities of one dimension can be subtracted",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = m*g*l - m*g",
+        &[
+            "8:27 `m*g*l` is in [N*m] (m [kg], g [m/s^2], l [m]) and `m*g` is in [N] (m [kg], g [m/s^2]); only quantities of one dimension can be subtracted",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = P.x + 1",
+        &[
+            "8:25 `P.x` is in [m] and `1` is a pure number; only quantities of one dimension can be added; write `1 [m]`",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = 1 + l^2/l",
+        &[
+            "8:19 `1` is a pure number and `l^2/l` is in [m] (l [m]); only quantities of one dimension can be added; write `1 [m]`",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m^2] = l^2 + 2*l*P.x + m + g*dot(phi)^2/sin(phi)*abs(cos(phi) + sin(phi))",
+        &[
+            "8:37 `l^2 + 2*l*P.x` is in [m^2] (l [m], P [m]) and `m` is in [kg]; only quantities of one dimension can be added",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l + dot(P.x)",
+        &[
+            "8:23 `l` is in [m] and `dot(P.x)` is in [m/s] (P [m]); only quantities of one dimension can be added",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l^(1/2)*l^0.5 + l^2",
+        &[
+            "8:35 `l^(1/2)*l^0.5` is in [m] (l [m]) and `l^2` is in [m^2] (l [m]); only quantities of one dimension can be added",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [rad] = atan2(P.y, phi)",
+        &[
+            "8:32 `P.y` is in [m] and `phi` is in [rad]; `atan2(y, x)` takes two of one dimension",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+            "2:15 `phi` is declared in [rad] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = norm([l, phi])",
+        &[
+            "8:28 `l` is in [m] and `phi` is in [rad]; both components of a vector are of one dimension",
+            "3:14 `l` is declared in [m] here",
+            "2:15 `phi` is declared in [rad] here",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = norm([P.x, 1])",
+        &[
+            "8:30 `P.x` is in [m] and `1` is a pure number; both components of a vector are of one dimension; write `1 [m]`",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+}
+
+/// Functions and powers.
+#[test]
+fn functions() {
+    check(
+        "height [m] = P.y",
+        "h [m] = l*sin(t)",
+        &["8:25 `sin(..)` takes an angle (a rate times `t`: `w*t` with `w [rad/s]`), and `t` is in [s]"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l*sin(P.y)",
+        &["8:25 `sin(..)` takes an angle, and `P.y` is in [m]", "4:5 `P` is defined here (l [m], phi [rad])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l*exp(-l)",
+        &["8:25 `exp(..)` takes a pure number, and `-l` is in [m]", "3:14 `l` is declared in [m] here"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l^P.x",
+        &["8:21 an exponent is a pure number, and `P.x` is in [m]", "4:5 `P` is defined here (l [m], phi [rad])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = l^phi",
+        &["8:21 `l` is in [m]; its exponent must be a number such as `2` or `1/3`, since the unit depends on it"],
+    );
+}
+
+/// Outputs in the wrong unit.
+#[test]
+fn outputs() {
+    check(
+        "height [m] = P.y",
+        "h [N] = P.y",
+        &["8:19 output `h` is declared in [N], and `P.y` is in [m]", "4:5 `P` is defined here (l [m], phi [rad])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [N] = m*g*P.y",
+        &["8:19 output `h` is declared in [N], and `m*g*P.y` is in [N*m] (m [kg], g [m/s^2], P [m])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h = P.y",
+        &[
+            "8:15 output `h` is declared without a unit (write `h [m]`), and `P.y` is in [m]",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "height [m] = P.y",
+        "h = dot(phi)",
+        &["8:15 output `h` is declared without a unit (write `h [rad/s]`), and `dot(phi)` is in [rad/s] (phi [rad])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = phi",
+        &["8:19 output `h` is declared in [m], and `phi` is in [rad]", "2:15 `phi` is declared in [rad] here"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = 5",
+        &["8:19 output `h` is declared in [m], and `5` is a pure number; write `5 [m]`"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = sqrt(l)",
+        &["8:19 output `h` is declared in [m], and `sqrt(l)` is in [m^(1/2)] (l [m])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h = sqrt(l)",
+        &["8:15 output `h` is declared without a unit (write `h [m^(1/2)]`), and `sqrt(l)` is in [m^(1/2)] (l [m])"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [m] = inner(P, dot(P))",
+        &["8:19 output `h` is declared in [m], and `inner(P, dot(P))` is in [m^2/s] (P [m])"],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P.x = 0; } outputs { pull [N] = reaction(stop)*l; } initial {",
+        &["7:53 output `pull` is declared in [N], and `reaction(stop)*l` is in [N*m] (reaction(stop) [N], l [m])"],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P.x = 0; } outputs { pull [J] = reaction(stop); } initial {",
+        &[
+            "7:53 output `pull` is declared in [J], and `reaction(stop)` is in [N]",
+            "7:15 the reaction of `stop`, here, is in [N]: work per unit of its sides",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { stop: phi = 0; } outputs { pull [N] = reaction(stop); } initial {",
+        &[
+            "7:53 output `pull` is declared in [N], and `reaction(stop)` is in [N*m]",
+            "7:15 the reaction of `stop`, here, is in [N*m]: work per unit of its sides",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P.x = m; } outputs { pull [N] = reaction(stop); } initial {",
+        &[
+            "7:27 `P.x` is in [m] and `m` is in [kg]; both sides of an equation are of one dimension",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+}
+
+/// Loads.
+#[test]
+fn loads() {
+    check(
+        "gravity [0, -g]",
+        "gravity [0, -9.81]",
+        &["6:22 gravity is in [m/s^2], and `[0, -9.81]` is a pure number; write `9.81 [m/s^2]`"],
+    );
+    check(
+        "gravity [0, -g]",
+        "gravity [0, -m*g]",
+        &["6:17 gravity is in [m/s^2], and `[0, -m*g]` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check("gravity [0, -g]", "gravity [0, -l]", &["6:17 gravity is in [m/s^2], and `[0, -l]` is in [m] (l [m])"]);
+    check(
+        "gravity [0, -g]",
+        "torque m*g on bob",
+        &["6:16 a torque is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g]",
+        "torque 3 on bob",
+        &["6:16 a torque is in [N*m], and `3` is a pure number; write `3 [N*m]`"],
+    );
+    check(
+        "gravity [0, -g]",
+        "torque -0.1*dot(phi) on bob",
+        &[
+            "6:17 a torque is in [N*m], and `-0.1*dot(phi)` is in [1/s] (phi [rad]); if a unit is missing, write `0.1 [N*m*s]`",
+        ],
+    );
+    check(
+        "gravity [0, -g]",
+        "torque [m*g, 0].x*l + m on bob",
+        &[
+            "6:31 `[m*g, 0].x*l` is in [N*m] (m [kg], g [m/s^2], l [m]) and `m` is in [kg]; only quantities of one dimension can be added",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+    check(
+        "gravity [0, -g]",
+        "force [0, m*g*l] at P",
+        &["6:15 a force is in [N], and `[0, m*g*l]` is in [N*m] (m [kg], g [m/s^2], l [m])"],
+    );
+    check(
+        "gravity [0, -g]",
+        "force [m*g, 0] at phi*P/l",
+        &["6:27 the point of a force is in [m], and `phi*P/l` is a pure number (phi [rad], P [m], l [m])"],
+    );
+    check(
+        "gravity [0, -g]",
+        "force [0, -10] at P",
+        &["6:20 a force is in [N], and `[0, -10]` is a pure number; write `10 [N]`"],
+    );
+    check(
+        "gravity [0, -g]",
+        "force -0.2*dot(P) at P",
+        &["6:16 a force is in [N], and `-0.2*dot(P)` is in [m/s] (P [m]); if a unit is missing, write `0.2 [N*s/m]`"],
+    );
+}
+
+/// Loads along scalars.
+#[test]
+fn elements() {
+    check(
+        "gravity [0, -g];",
+        "spring 3, length l from [2*l, 0] to P;",
+        &["6:16 the stiffness of a spring along a length is in [N/m], and `3` is a pure number; write `3 [N/m]`"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g, length l from [2*l, 0] to P;",
+        &["6:16 the stiffness of a spring along a length is in [N/m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g/l, length phi from [2*l, 0] to P;",
+        &[
+            "6:30 where a spring is at rest along a length is in [m], and `phi` is in [rad]",
+            "2:15 `phi` is declared in [rad] here",
+        ],
+    );
+    check("gravity [0, -g];", "spring m*g*l, rest 0.1 on phi;", &[]);
+    check(
+        "gravity [0, -g];",
+        "spring m*g, rest 0.1 on phi;",
+        &["6:16 the stiffness of a spring along an angle is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*stretch, length 0 from [2*l, 0] to P;",
+        &["6:16 the force of a spring along a length is in [N], and `m*stretch` is in [kg*m] (m [kg], stretch [m])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2 from [2*l, 0] to P;",
+        &[
+            "6:16 the coefficient of a damper along a length is in [N*s/m], and `0.2` is a pure number; write `0.2 [N*s/m]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2*dot(phi) from [2*l, 0] to P;",
+        &[
+            "6:16 the coefficient of a damper along a length is in [N*s/m], and `0.2*dot(phi)` is in [1/s] (phi [rad]); if a unit is missing, write `0.2 [kg]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper 0.2*abs(rate)*rate from [2*l, 0] to P;",
+        &[
+            "6:16 the force of a damper along a length is in [N], and `0.2*abs(rate)*rate` is in [m^2/s^2] (rate [m/s]); if a unit is missing, write `0.2 [kg/m]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper m*g*l between phi and 2*phi;",
+        &[
+            "6:16 the coefficient of a damper along an angle is in [N*m*s], and `m*g*l` is in [N*m] (m [kg], g [m/s^2], l [m])",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "damper m*g between phi and l;",
+        &[
+            "6:36 `phi` is in [rad] and `l` is in [m]; an element works between quantities of one dimension",
+            "2:15 `phi` is declared in [rad] here",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "spring m*g/l, length l from [2, 0] to P;",
+        &["6:38 the end of an element is in [m], and `[2, 0]` is a pure number; write `2 [m]`"],
+    );
+    check(
+        "gravity [0, -g];",
+        "potential m*g*phi;",
+        &["6:19 a potential energy is in [N*m], and `m*g*phi` is in [N] (m [kg], g [m/s^2], phi [rad])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "potential -9.81*m*P.y;",
+        &[
+            "6:20 a potential energy is in [N*m], and `-9.81*m*P.y` is in [kg*m] (m [kg], P [m]); if a unit is missing, write `9.81 [m/s^2]`",
+        ],
+    );
+    check(
+        "gravity [0, -g];",
+        "dissipation m*dot(phi)^2;",
+        &["6:21 a dissipation function is in [W], and `m*dot(phi)^2` is in [N/m] (m [kg], phi [rad])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "force m*g on phi;",
+        &["6:15 a force along an angle is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])"],
+    );
+    check(
+        "gravity [0, -g];",
+        "torque m*g on l;",
+        &[
+            "6:16 a torque is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])",
+            "6:23 the angle that a torque turns is in [rad] or [deg] or a pure number, and `l` is in [m]",
+            "3:14 `l` is declared in [m] here",
+            "6:23 no coordinate changes what this works along, so it moves nothing; leave it out",
+        ],
+    );
+}
+
+/// Bodies.
+#[test]
+fn bodies() {
+    check(
+        "mass m at P, angle phi",
+        "mass l at P",
+        &["5:20 a mass is in [kg], and `l` is in [m]", "3:14 `l` is declared in [m] here"],
+    );
+    check(
+        "mass m at P, angle phi",
+        "mass 2 at P",
+        &["5:20 a mass is in [kg], and `2` is a pure number; write `2 [kg]`"],
+    );
+    check(
+        "mass m at P, angle phi",
+        "mass m at [sin(phi), -cos(phi)]",
+        &["5:25 the position of a mass is in [m], and `[sin(phi), -cos(phi)]` is a pure number (phi [rad])"],
+    );
+    check(
+        "mass m at P, angle phi",
+        "mass m at P, inertia m*l, angle phi",
+        &["5:36 an inertia is in [kg*m^2], and `m*l` is in [kg*m] (m [kg], l [m])"],
+    );
+    check(
+        "mass m at P, angle phi",
+        "mass m at P, inertia m*l^2, angle P.x",
+        &[
+            "5:49 the angle of a body is in [rad] or [deg] or a pure number, and `P.x` is in [m]",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+}
+
+/// Start values and defaults.
+#[test]
+fn starts() {
+    check("phi = 0.5", "phi = 2 [m]", &["7:17 `phi` is declared in [rad], and `2 [m]` is in [m]"]);
+    check(
+        "phi = 0.5",
+        "phi = l",
+        &["7:17 `phi` is declared in [rad], and `l` is in [m]", "3:14 `l` is declared in [m] here"],
+    );
+    check("phi = 0.5", "dot(phi) = 75 [rad]", &["7:22 `dot(phi)` is in [rad/s], and `75 [rad]` is in [rad]"]);
+    check(
+        "phi = 0.5",
+        "dot(phi) = sqrt(g*l)",
+        &["7:22 `dot(phi)` is in [rad/s], and `sqrt(g*l)` is in [m/s] (g [m/s^2], l [m])"],
+    );
+    check("phi = 0.5", "dot(phi) = sqrt(g/l)", &[]);
+    check("l [m] = 1;", "l [m] = 1 [kg];", &["3:22 `l` is declared in [m], and `1 [kg]` is in [kg]"]);
+    check(
+        "l [m] = 1;",
+        "l [m] = 3*40 [mm]; k = 3 [N/m];",
+        &["3:37 `k` is declared without a unit (write `k [N/m]`), and `3 [N/m]` is in [N/m]"],
+    );
+}
+
+/// Constraints and events.
+#[test]
+fn equations() {
+    check(
+        "initial {",
+        "constraints { stop: P.y = -m; } initial {",
+        &[
+            "7:27 `P.y` is in [m] and `-m` is in [kg]; both sides of an equation are of one dimension",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P.y = -0.5; } initial {",
+        &[
+            "7:28 `P.y` is in [m] and `-0.5` is a pure number; both sides of an equation are of one dimension; write `0.5 [m]`",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "initial {",
+        "constraints { stop: P = [0.1, 0.2]; } initial {",
+        &[
+            "7:26 `P` is in [m] and `[0.1, 0.2]` is a pure number; both sides of an equation are of one dimension; write `0.1 [m]`",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "initial {",
+        "events { top: dot(phi) = P.y; } initial {",
+        &[
+            "7:26 `dot(phi)` is in [rad/s] (phi [rad]) and `P.y` is in [m]; both sides of an equation are of one dimension",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "initial {",
+        "events { top: dot(phi) = 3; } initial {",
+        &[
+            "7:26 `dot(phi)` is in [rad/s] (phi [rad]) and `3` is a pure number; both sides of an equation are of one dimension; write `3 [rad/s]`",
+        ],
+    );
+    check(
+        "phi [rad]; }",
+        "phi [rad]; x [mm]; } constraints { s: x = 10; }",
+        &[
+            "2:57 `x` is in [mm] and `10` is a pure number; both sides of an equation are of one dimension; write `10 [mm]`",
+            "2:26 `x` is declared in [mm] here",
+        ],
+    );
+    check(
+        "phi [rad]; }",
+        "phi [rad]; x [mm]; } constraints { s: x*phi = 10 + l; }",
+        &[
+            "2:61 `10` is a pure number and `l` is in [m]; only quantities of one dimension can be added; write `10 [m]`",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+}
+
+/// Drawing.
+#[test]
+fn drawing() {
+    check(
+        "line [0, 0], P",
+        "line [0, 1], P",
+        &["9:20 a drawn point is in [m], and `[0, 1]` is a pure number; write `1 [m]`"],
+    );
+    check(
+        "line [0, 0], P",
+        "slider P along P.x",
+        &[
+            "9:26 the angle of a slider is in [rad] or [deg] or a pure number, and `P.x` is in [m]",
+            "4:5 `P` is defined here (l [m], phi [rad])",
+        ],
+    );
+    check(
+        "line [0, 0], P",
+        "circle P radius 0.1",
+        &["9:27 a radius is in [m], and `0.1` is a pure number; write `0.1 [m]`"],
+    );
+}
+
+/// What is declared without its unit, or in the wrong one; no mistake goes on to others.
+#[test]
+fn declared() {
+    check(
+        "l [m] = 1;",
+        "l = 1;",
+        &[
+            "5:25 the position of a mass is in [m], and `P` is a pure number",
+            "4:5 `P` is defined here (l without a unit, phi [rad])",
+        ],
+    );
+    check("l [m] = 1;", "l [mtr] = 1 [m];", &["3:17 `mtr` is not a known unit"]);
+    check("phi [rad];", "phi [red];", &["2:20 `red` is not a known unit (did you mean `rad`?)"]);
+    check(
+        "let P = l*",
+        "let q = l + m; let P = q*",
+        &[
+            "4:13 `l` is in [m] and `m` is in [kg]; only quantities of one dimension can be added",
+            "3:14 `l` is declared in [m] here",
+            "3:25 `m` is declared in [kg] here",
+        ],
+    );
+    check(
+        "let P = l*",
+        "let P = (l + m*t)*",
+        &[
+            "4:14 `l` is in [m] and `m*t` is in [kg*s] (m [kg], t [s]); only quantities of one dimension can be added",
+            "3:14 `l` is declared in [m] here",
+        ],
+    );
+    check(
+        "m [kg] = 2;",
+        "m = 2;",
+        &[
+            "5:20 a mass is in [kg], and `m` is a pure number; declare it as `m [kg]`",
+            "3:25 `m` is declared without a unit here",
+        ],
+    );
+    check(
+        "g [m/s^2] = 9.81;",
+        "g = 9.81;",
+        &["6:17 gravity is in [m/s^2], and `[0, -g]` is a pure number (g without a unit)"],
+    );
+    check("phi [rad];", "phi;", &[]);
+    check(
+        "phi [rad];",
+        "phi [m];",
+        &[
+            "4:16 `sin(..)` takes an angle, and `phi` is in [m]",
+            "2:15 `phi` is declared in [m] here",
+            "4:27 `cos(..)` takes an angle, and `phi` is in [m]",
+            "5:34 the angle of a body is in [rad] or [deg] or a pure number, and `phi` is in [m]",
+        ],
+    );
+}
+
+/// Without any unit nothing is checked.
+#[test]
+fn no_units() {
+    let unlike = SOUND.replace("height [m] = P.y", "height [m] = P.y + m + sin(l) + t; pull = norm([l, phi])");
+    assert!(mistakes(&unlike).len() > 1);
+    assert_eq!(mistakes(&without_units(&unlike)), Vec::<String>::new());
+}

@@ -1,0 +1,156 @@
+//! `sim linearize`.
+
+use super::arguments::{StartArguments, Voice};
+use super::run::{mechanism_with, start_with};
+use super::settings::positive;
+use super::{Stop, print, unknown};
+use crate::formats::numpy::write_matrices;
+use crate::{
+    Linearization, Mode, Settings, Start, State, WriteError, assemble, equilibrium, linearize, run, write_json,
+};
+use clap::Args;
+use nalgebra::DMatrix;
+use serde_json::{Map, Value, json};
+use sim_kernel::{Array, Mechanism};
+use std::path::PathBuf;
+
+/// What is linearised, and where.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  sim linearize four-bar\n  sim linearize four-bar --input T\n  sim linearize double-pendulum --at 0.5\n\n\
+    Files written to DIR:\n  linear.json   the state, A, B, C, D, eigenvalues and modes, in SI units\n  \
+    linear.npz    numpy.load(\"linear.npz\")[\"A\"], and B, C, D"
+)]
+pub(super) struct LinearizeArguments {
+    #[command(flatten)]
+    pub(super) start: StartArguments,
+
+    /// About which state: `equilibrium`, the one nearest to the start; `initial`, the start; or a time of the motion.
+    #[arg(long, value_name = "PLACE|TIME", default_value = "equilibrium", allow_hyphen_values = true)]
+    at: String,
+
+    /// A parameter that is an input, as a torque; may be repeated.
+    #[arg(long, value_name = "PARAMETER")]
+    input: Vec<String>,
+
+    /// Where to write [default: out/MODEL-linear].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Linearises a mechanism, writes the matrices and prints the modes.
+pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let parameters = || description.parameters.iter().map(|p| p.name);
+    let input = |name: &String| {
+        parameters().position(|known| known == name).ok_or_else(|| unknown("parameter", name, parameters()))
+    };
+    let inputs: Vec<usize> = arguments.input.iter().map(input).collect::<Result<_, _>>()?;
+    let state = state_at(&mechanism, &start, &arguments.at)?;
+    let found = linearize(&mechanism, &state, &inputs)?;
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", description.name).into());
+    std::fs::create_dir_all(&directory).map_err(|why| WriteError::new(&directory, why))?;
+    let said = summary(&found, &arguments.at);
+    write_json(&said, &directory.join("linear.json"))?;
+    let matrices = [("A", &found.a), ("B", &found.b), ("C", &found.c), ("D", &found.d)];
+    write_matrices(&matrices, &directory.join("linear.npz"))?;
+    match voice {
+        Voice { quiet: true, .. } => Ok(()),
+        Voice { json: true, .. } => print(&format!("{said:#}\n")),
+        _ => print(&format!("{}written      {}: linear.json, linear.npz\n", report(&found), directory.display())),
+    }
+}
+
+fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Result<State<M>, Stop> {
+    match place {
+        "equilibrium" => Ok(equilibrium(mechanism, start)?.state),
+        "initial" => Ok(assemble(mechanism, start)?),
+        time => {
+            let run = run(*mechanism, start, &Settings::new(positive("--at", time)?))?;
+            match (run.trajectory.failure, run.trajectory.samples.last()) {
+                (Some(failure), _) => Err(failure.into()),
+                (None, Some(sample)) => Ok(sample.state),
+                (None, None) => Err(Stop::Failed(anyhow::anyhow!("nothing was recorded"))),
+            }
+        }
+    }
+}
+
+fn summary<M: Mechanism>(found: &Linearization<M>, place: &str) -> Value {
+    let description = const { &M::DESCRIPTION };
+    let coordinates = description.coordinates;
+    let rows = |matrix: &DMatrix<f64>| -> Value {
+        matrix.row_iter().map(|row| row.iter().copied().collect::<Vec<f64>>()).collect::<Vec<_>>().into()
+    };
+    let values = |values: &M::Q, speed: bool| -> Map<String, Value> {
+        let name = |j: usize| if speed { coordinates[j].speed.name } else { coordinates[j].position.name };
+        (0..M::Q::LEN).map(|j| (name(j).to_owned(), json!(values[j]))).collect()
+    };
+    let mode = |mode: &Mode| {
+        let shape = coordinates
+            .iter()
+            .zip(&mode.shape)
+            .map(|(c, entry)| (c.position.name.to_owned(), json!({ "amplitude": entry.norm(), "phase": entry.arg() })));
+        json!({
+            "eigenvalue": [mode.eigenvalue.re, mode.eigenvalue.im],
+            "frequency_hz": mode.frequency(),
+            "damping_ratio": mode.damping_ratio(),
+            "shape": shape.collect::<Map<_, _>>(),
+        })
+    };
+    json!({
+        "model": description.name,
+        "at": place,
+        "time": found.state.time,
+        "coordinates": values(&found.state.positions, false),
+        "speeds": values(&found.state.speeds, true),
+        "states": states(found),
+        "inputs": found.inputs.iter().map(|p| description.parameters[*p].name).collect::<Vec<_>>(),
+        "outputs": description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
+        "A": rows(&found.a),
+        "B": rows(&found.b),
+        "C": rows(&found.c),
+        "D": rows(&found.d),
+        "eigenvalues": found.eigenvalues.iter().map(|value| json!([value.re, value.im])).collect::<Vec<_>>(),
+        "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
+    })
+}
+
+/// The names of the entries of x.
+fn states<M: Mechanism>(found: &Linearization<M>) -> Vec<&'static str> {
+    let coordinates = M::DESCRIPTION.coordinates;
+    let positions = found.independent.iter().map(|j| coordinates[*j].position.name);
+    positions.chain(found.independent_speeds.iter().map(|j| coordinates[*j].speed.name)).collect()
+}
+
+fn report<M: Mechanism>(found: &Linearization<M>) -> String {
+    let coordinates = M::DESCRIPTION.coordinates;
+    let mut text = format!("{:<12} t = {:?} s\n", "at", found.state.time);
+    for (c, q) in coordinates.iter().zip(found.state.positions.iter()) {
+        text += &format!("{:<12} {:>20.12} {}\n", c.position.name, q / c.position.factor, c.position.unit);
+    }
+    text += &format!("{:<12} {}\n", "states", states(found).join(", "));
+    for (k, mode) in found.modes.iter().enumerate() {
+        let Mode { eigenvalue, .. } = mode;
+        text += &format!("{:<12} {:.9} {:+.9} i 1/s", format!("mode {}", k + 1), eigenvalue.re, eigenvalue.im);
+        text += &match (eigenvalue.im == 0.0, eigenvalue.re > 0.0) {
+            (true, true) => ", grows\n".to_owned(),
+            (true, false) => ", does not oscillate\n".to_owned(),
+            _ => format!(", {:.9} Hz, damping ratio {:.6}\n", mode.frequency(), mode.damping_ratio()),
+        };
+        let entries = coordinates.iter().zip(&mode.shape);
+        let entries = entries.map(|(c, entry)| format!("{} {}", c.position.name, polar(entry.norm(), entry.arg())));
+        text += &format!("{:<12} {}\n", "", entries.collect::<Vec<_>>().join(", "));
+    }
+    text
+}
+
+/// A real number where the phase is 0 or half a turn, else amplitude and phase in degrees.
+fn polar(amplitude: f64, phase: f64) -> String {
+    match phase {
+        _ if phase.sin().abs() < 1e-6 || amplitude < 1e-9 => format!("{:.6}", amplitude * phase.cos()),
+        _ => format!("{amplitude:.6} at {:.2} deg", phase.to_degrees()),
+    }
+}

@@ -1,0 +1,147 @@
+//! Loops that close in closed form: which constraints determine which coordinates, and all ways in which they do.
+//!
+//! Dyads (RRR, RRP) are recognised by what their constraints are functions of, asked of the kernels: a coordinate of which
+//! they are a + b cos + c sin is an angle, one of which they are a + b s a length. Constraints in one or two unknown
+//! coordinates, given the others, are closed one after the other. (Assur groups of the second class: Galletti, Mech.
+//! Mach. Theory 21, 1986.)
+
+mod close;
+mod harmonic;
+
+pub use close::Form;
+
+use crate::assemble::Start;
+use crate::failure::constraint_name;
+use crate::level::between_positions;
+use crate::project::is_met;
+use sim_kernel::{Array, Mechanism};
+
+/// A loop that closes in closed form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Loop {
+    /// The constraints that close it.
+    pub constraints: Vec<&'static str>,
+    /// The coordinates that they determine.
+    pub coordinates: Vec<&'static str>,
+    /// How.
+    pub form: Form,
+}
+
+/// All configurations of a mechanism that have what is given of its start.
+#[derive(Clone, Debug)]
+pub struct Branches<M: Mechanism> {
+    /// The loops that close in closed form, in the order in which they do.
+    pub loops: Vec<Loop>,
+    /// The coordinates that are not found so.
+    pub open: Vec<&'static str>,
+    /// The configurations, nearest to the guesses first.
+    pub positions: Vec<M::Q>,
+}
+
+/// The rows and unknowns of a loop, by index.
+type Block = (Vec<usize>, Vec<usize>);
+
+/// Closes what can be closed in closed form, given the coordinates that the start gives; the others keep their guesses.
+pub(crate) fn close_loops<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
+    let mut found = Branches { loops: Vec::new(), open: Vec::new(), positions: vec![start.positions] };
+    let depends = dependence(mechanism, &start.positions);
+    let mut known = start.position_given.clone();
+    let mut refused: Vec<Block> = Vec::new();
+    while let Some(block) = next_block(&depends, &known, &refused) {
+        match close_all(mechanism, &found.positions, &block, start) {
+            None => refused.push(block),
+            Some((form, positions)) => {
+                block.1.iter().for_each(|j| known[*j] = true);
+                found.loops.push(named::<M>(&block, form));
+                found.positions = positions;
+            }
+        }
+    }
+    let names = M::DESCRIPTION.coordinates.iter().zip(&known);
+    found.open = names.filter(|(_, known)| !**known).map(|(c, _)| c.position.name).collect();
+    if found.open.is_empty() {
+        found.positions.retain(|q| is_closed(mechanism, q));
+    }
+    found.sort(start);
+    found
+}
+
+impl<M: Mechanism> Branches<M> {
+    /// Nearest to the guesses first.
+    pub(crate) fn sort(&mut self, start: &Start<M>) {
+        let distance = |q: &M::Q| q.iter().zip(start.positions.iter()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        self.positions.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    }
+}
+
+/// The nearest configuration, if all loops close in closed form.
+pub(crate) fn nearest<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Option<M::Q> {
+    let found = close_loops(mechanism, start);
+    if found.loops.is_empty() || !found.open.is_empty() { None } else { found.positions.first().copied() }
+}
+
+/// Whether all constraints hold, but for what a root next to a dead point loses, which a correction regains.
+fn is_closed<M: Mechanism>(mechanism: &M, q: &M::Q) -> bool {
+    let linear = mechanism.constraint_linearization(0.0, q);
+    let magnitudes = mechanism.constraint_magnitudes(0.0, q);
+    is_met(mechanism, 0.0, q, &linear) || (0..M::L::LEN).all(|i| linear.values[i].abs() <= 1e-9 * magnitudes[i])
+}
+
+/// Which constraint depends on which coordinate: where C_q is exactly zero at several positions it does not.
+fn dependence<M: Mechanism>(mechanism: &M, q: &M::Q) -> Vec<Vec<bool>> {
+    let moved = |k: usize| M::Q::from_fn(|j| q[j] + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64);
+    let jacobians: Vec<M::LQ> =
+        (0..3).map(|k| between_positions::<M>(&mechanism.constraint_jacobian(0.0, &moved(k)))).collect();
+    let depends = |i: usize, j: usize| jacobians.iter().any(|jacobian| jacobian[i][j] != 0.0);
+    (0..M::L::LEN).map(|i| (0..M::Q::LEN).map(|j| depends(i, j)).collect()).collect()
+}
+
+/// One constraint in one unknown coordinate, else two in two, that have not been refused.
+fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Option<Block> {
+    let unknowns = |rows: &[usize]| -> Vec<usize> {
+        (0..known.len()).filter(|j| !known[*j] && rows.iter().any(|i| depends[*i][*j])).collect()
+    };
+    let rows = depends.len();
+    let single = (0..rows).map(|i| vec![i]);
+    let pairs = (0..rows).flat_map(|i| (i + 1..rows).map(move |k| vec![i, k]));
+    let blocks = single.chain(pairs).map(|rows| (unknowns(&rows), rows)).map(|(unknowns, rows)| (rows, unknowns));
+    let determines = |(rows, unknowns): &Block| {
+        rows.len() == unknowns.len() && rows.iter().all(|i| unknowns.iter().any(|j| depends[*i][*j]))
+    };
+    blocks.filter(determines).find(|block| !refused.contains(block))
+}
+
+/// All ways to close a loop from each configuration so far; `None` if it is of no known form.
+fn close_all<M: Mechanism>(
+    mechanism: &M,
+    so_far: &[M::Q],
+    (rows, unknowns): &Block,
+    start: &Start<M>,
+) -> Option<(Form, Vec<M::Q>)> {
+    let mut form = None;
+    let mut closed = Vec::new();
+    for q in so_far {
+        let with = |values: &[f64]| {
+            let mut q = *q;
+            unknowns.iter().zip(values).for_each(|(j, value)| q[*j] = *value);
+            q
+        };
+        let residual = |values: &[f64]| -> Vec<f64> {
+            let all = mechanism.constraints(0.0, &with(values));
+            rows.iter().map(|i| all[*i]).collect()
+        };
+        let guesses: Vec<f64> = unknowns.iter().map(|j| start.positions[*j]).collect();
+        let (found, solutions) = close::close(&residual, &guesses)?;
+        form = Some(found);
+        closed.extend(solutions.iter().map(|values| with(values)));
+    }
+    form.map(|form| (form, closed))
+}
+
+fn named<M: Mechanism>((rows, unknowns): &Block, form: Form) -> Loop {
+    Loop {
+        constraints: rows.iter().map(|i| constraint_name::<M>(*i)).collect(),
+        coordinates: unknowns.iter().map(|j| M::DESCRIPTION.coordinates[*j].position.name).collect(),
+        form,
+    }
+}

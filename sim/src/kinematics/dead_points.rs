@@ -1,0 +1,68 @@
+//! Dead points that a run has passed.
+
+use super::driven::Driven;
+use super::inverse::SINGULAR;
+use super::system::{Law, System};
+use crate::interpolate::hermite;
+use crate::level::has_speed_rows;
+use crate::root::find_root;
+use crate::run::Run;
+use crate::trajectory::State;
+use sim_kernel::{Array, Mechanism, Start};
+use std::convert::Infallible;
+
+/// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on upon
+/// another branch: a knee that was bent to one side is bent to the other.
+#[derive(Clone, Debug)]
+pub struct DeadPoint<M: Mechanism> {
+    /// The independent coordinates.
+    pub of: Vec<&'static str>,
+    /// When and where, from dense output.
+    pub state: State<M>,
+}
+
+/// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
+/// degrees of freedom: where det C_qd changes its sign between two rows, with C_qd the columns of the constraint
+/// Jacobian of all other coordinates. None where the declaration gives fewer, or where constraints
+/// hold between speeds.
+pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
+    let Some((independent, system)) = independent(run) else { return Vec::new() };
+    let determinant = |state: &State<M>| {
+        let jacobian = system.linear(&state.positions, state.time).jacobian;
+        let size: f64 = jacobian.column_iter().map(|column| column.norm()).product();
+        jacobian.determinant() / size
+    };
+    let mut found = Vec::new();
+    let mut last: Option<(usize, f64)> = None;
+    let samples = &run.trajectory.samples;
+    for (i, sample) in samples.iter().enumerate() {
+        let value = determinant(&sample.state);
+        // What is nearly zero has no sign.
+        if !(value.abs() > SINGULAR) {
+            continue;
+        }
+        if let Some((before, known)) = last.filter(|(_, known)| known * value < 0.0) {
+            let between = |fraction: f64| hermite(&samples[before], sample, fraction);
+            let place = find_root(known, value, 1e-14, |s| Ok::<f64, Infallible>(determinant(&between(s))));
+            found.push(DeadPoint { of: independent.clone(), state: between(place.unwrap_or(1.0)) });
+        }
+        last = Some((i, value));
+    }
+    found
+}
+
+/// The names of the independent coordinates, and the system in which they are held.
+fn independent<M: Mechanism>(run: &Run<M>) -> Option<(Vec<&'static str>, System<'_, M>)> {
+    let coordinates = M::DESCRIPTION.coordinates;
+    let given = (0..M::Q::LEN).filter(|i| coordinates[*i].start == Start::Given);
+    let chosen: Vec<usize> = given.take(run.mobility.degrees_of_freedom).collect();
+    if M::L::LEN == 0 || has_speed_rows::<M>() {
+        return None;
+    }
+    let law = |i: &usize| Law { driven: Driven::Coordinate(*i), start: 0.0, rate: 0.0 };
+    let laws: Vec<Law> = chosen.iter().map(law).collect();
+    let start = &run.trajectory.samples.first()?.state;
+    let (system, _) = System::new(&run.mechanism, laws.clone(), &start.positions).ok()?;
+    let names = chosen.iter().map(|i| coordinates[*i].position.name).collect();
+    Some((names, system.running(laws)))
+}

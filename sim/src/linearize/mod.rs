@@ -1,0 +1,97 @@
+//! Linearisation about a state: small motions of the independent coordinates, their modes, and the matrices of a controller.
+
+mod derivatives;
+mod modes;
+mod reduce;
+
+use crate::failure::{Failure, What};
+use crate::trajectory::State;
+use derivatives::{Derivatives, constraints_depend_on, output_slope};
+use nalgebra::{Complex, DMatrix, DVector};
+use reduce::Reduction;
+use sim_kernel::{Array, Mechanism};
+
+pub use modes::Mode;
+
+/// x' = A x + B u, y = C x + D u about a state, in SI units.
+///
+/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of parameters that stand
+/// for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
+/// alone; eigenvalues away from an equilibrium are those of an instant.
+#[derive(Clone, Debug)]
+pub struct Linearization<M: Mechanism> {
+    /// Where.
+    pub state: State<M>,
+    /// The independent coordinates, by index: those whose values the declaration gives at the start, if they determine the
+    /// others here, else those that pivoting chooses.
+    pub independent: Vec<usize>,
+    /// The independent speeds, likewise: of the same coordinates, unless constraints hold between speeds alone.
+    pub independent_speeds: Vec<usize>,
+    /// The parameters that are inputs, by index.
+    pub inputs: Vec<usize>,
+    /// A, h + f square with h independent coordinates and f independent speeds.
+    pub a: DMatrix<f64>,
+    /// B, h + f x inputs.
+    pub b: DMatrix<f64>,
+    /// C, outputs x h + f.
+    pub c: DMatrix<f64>,
+    /// D, outputs x inputs.
+    pub d: DMatrix<f64>,
+    /// The eigenvalues of A, 2 for each degree of freedom, by imaginary part; a positive real part is unstable.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// The modes: one for each pair of conjugate eigenvalues and each real one, slowest first.
+    pub modes: Vec<Mode>,
+}
+
+/// Linearises the equations of motion about a state on the constraints.
+///
+/// With q = (q_i, q_d) the changes of dependent coordinates and speeds are those that keep C = 0 and C_q q' + C_t = 0 to
+/// first order, and q_i'' follows from the derivatives of the motion, d(q'')/d(q, q'). (de Jalón and Bayo, Kinematic and
+/// Dynamic Simulation of Multibody Systems, 1994, ch. 9; there for equilibria.)
+///
+/// # Errors
+/// [`What::NotAnInput`] for a parameter that constraints depend on; as the right-hand side.
+pub fn linearize<M: Mechanism>(mechanism: &M, state: &State<M>, inputs: &[usize]) -> Result<Linearization<M>, Failure> {
+    if let Some(input) = inputs.iter().find(|p| constraints_depend_on(mechanism, state, **p)) {
+        let what = What::NotAnInput { parameter: M::DESCRIPTION.parameters[*input].name };
+        return Err(Failure::at::<M>(what, state.time, &state.positions));
+    }
+    let derivatives = Derivatives::at(mechanism, state, inputs)?;
+    let reduction = Reduction::at(mechanism, state);
+    let h = reduction.independent.len();
+    let size = h + reduction.independent_speeds.len();
+    // Each column: how the state, with accelerations and multipliers, changes with one entry of x or u.
+    let columns: Vec<Change> = (0..size).map(|k| derivatives.follow(reduction.change(k))).collect();
+    let forced: Vec<Change> = (0..inputs.len()).map(|k| derivatives.forced(k)).collect();
+    let rate = |change: &Change, i: usize| match i < h {
+        true => change.speeds[reduction.independent[i]],
+        false => change.accelerations[reduction.independent_speeds[i - h]],
+    };
+    let slope = |change: &Change, i: usize, input: Option<usize>| {
+        output_slope(mechanism, state, &derivatives, change, input, i)
+    };
+    let outputs = M::Outputs::LEN;
+    let a = DMatrix::from_fn(size, size, |i, k| rate(&columns[k], i));
+    let eigenvalues = modes::eigenvalues(&a);
+    Ok(Linearization {
+        state: *state,
+        b: DMatrix::from_fn(size, inputs.len(), |i, k| rate(&forced[k], i)),
+        c: DMatrix::from_fn(outputs, size, |i, k| slope(&columns[k], i, None)),
+        d: DMatrix::from_fn(outputs, inputs.len(), |i, k| slope(&forced[k], i, Some(inputs[k]))),
+        modes: modes::modes(&a, &eigenvalues, |x| reduction.positions(x)),
+        a,
+        eigenvalues,
+        independent: reduction.independent,
+        independent_speeds: reduction.independent_speeds,
+        inputs: inputs.to_vec(),
+    })
+}
+
+/// A small change of everything at a state.
+#[derive(Clone, Debug)]
+struct Change {
+    positions: DVector<f64>,
+    speeds: DVector<f64>,
+    accelerations: DVector<f64>,
+    multipliers: DVector<f64>,
+}

@@ -1,0 +1,159 @@
+//! Linearisation, modes and the matrices of a controller.
+
+use models::{DoublePendulum, FourBar, Pendulum};
+use nalgebra::DMatrix;
+use sim::{Mechanism, Start, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
+
+mechanism! {
+    /// A cart on a spring and a damper, pushed by a force, with a pendulum hung from it.
+    Cart;
+    coordinates { x [m]; phi [rad]; }
+    parameters { M [kg] = 3; m [kg] = 1; l [m] = 0.5; k [N/m] = 40; c [N*s/m] = 2; F [N] = 0; }
+    let P = [x + l*sin(phi), -l*cos(phi)];
+    bodies { cart: mass M at [x, 0]; bob: mass m at P; }
+    loads { gravity [0, -9.81 [m/s^2]]; force [F - k*x - c*dot(x), 0] at [x, 0]; }
+    outputs { bob [mm] = P.x; acceleration [m/s^2] = ddot(x); push [N] = F; }
+}
+
+/// (M + m) x'' + m l phi'' + c x' + k x = F, x'' + l phi'' + g phi = 0, by hand: A, B, C and D.
+#[test]
+fn the_matrices_of_a_cart_with_a_pendulum() {
+    let cart = Cart::default();
+    let state = equilibrium(&cart, &declared_start(&cart)).unwrap().state;
+    let force = Cart::<f64>::DESCRIPTION.parameters.iter().position(|p| p.name == "F").unwrap();
+    let found = linearize(&cart, &state, &[force]).unwrap();
+    let (big, m, l, k, c, g) = (3.0, 1.0, 0.5, 40.0, 2.0, 9.81);
+    // x'' = (F - c x' - k x + m g phi) / M.
+    let x = [-k / big, m * g / big, -c / big, 0.0];
+    let phi = [-x[0] / l, -(g + x[1]) / l, -x[2] / l, 0.0];
+    let a = DMatrix::from_row_slice(4, 4, &[[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], x, phi].concat());
+    let b = DMatrix::from_row_slice(4, 1, &[0.0, 0.0, 1.0 / big, -1.0 / (big * l)]);
+    let c = DMatrix::from_row_slice(3, 4, &[[1.0, l, 0.0, 0.0], x, [0.0; 4]].concat());
+    let d = DMatrix::from_row_slice(3, 1, &[0.0, 1.0 / big, 1.0]);
+    // Entries below 30, by a few operations each.
+    for (found, expected) in [(&found.a, a), (&found.b, b), (&found.c, c), (&found.d, d)] {
+        assert!((found - &expected).amax() < 1e-12, "{found}{expected}");
+    }
+    // What constraints depend on is no input.
+    let linkage = FourBar::default();
+    let failure = linearize(&linkage, &assemble(&linkage, &declared_start(&linkage)).unwrap(), &[0]).unwrap_err();
+    assert!(matches!(failure.what, What::NotAnInput { parameter: "a" }), "{failure}");
+}
+
+/// The modes of two equal slender rods: (4/3) a'' + b''/2 + (3/2)(g/l) a = 0 and a''/2 + b''/3 + (g/l) b/2 = 0, so that
+/// s = w^2 l/g solves 7 s^2/36 - 7 s/6 + 3/4 = 0 and b/a = (3/2 - 4 s/3) / (s/2).
+#[test]
+fn the_modes_of_a_double_pendulum() {
+    let double = DoublePendulum::default();
+    let start = Start { positions: [0.1, -0.1], ..declared_start(&double) };
+    let found = linearize(&double, &equilibrium(&double, &start).unwrap().state, &[]).unwrap();
+    let squares = [-1.0, 1.0].map(|sign: f64| (7.0 / 6.0 + sign * (49.0f64 / 36.0 - 7.0 / 12.0).sqrt()) / (7.0 / 18.0));
+    assert_eq!(found.modes.len(), 2);
+    for (mode, square) in found.modes.iter().zip(squares) {
+        let hertz = (square * 9.81 / 0.6).sqrt() / std::f64::consts::TAU;
+        let ratio = (1.5 - 4.0 * square / 3.0) / (square / 2.0);
+        let shape = mode.shape[1] / mode.shape[0];
+        assert!((mode.frequency() - hertz).abs() < 1e-9 * hertz && mode.damping_ratio().abs() < 1e-9);
+        assert!((shape.re - ratio).abs() < 1e-8 && shape.im.abs() < 1e-8, "{shape} {ratio}");
+    }
+}
+
+#[test]
+fn a_pendulum_swings_and_falls() {
+    let pendulum = Pendulum::default();
+    let at = |phi: f64| State { time: 0.0, positions: [phi], speeds: [0.0], work: 0.0 };
+    let down = linearize(&pendulum, &at(0.0), &[]).unwrap();
+    assert!((down.modes[0].eigenvalue.im - 9.81f64.sqrt()).abs() < 1e-12 && down.modes.len() == 1);
+    let up = linearize(&pendulum, &at(std::f64::consts::PI), &[]).unwrap();
+    assert!(up.modes.len() == 2 && up.modes.iter().any(|mode| (mode.eigenvalue.re - 9.81f64.sqrt()).abs() < 1e-12));
+}
+
+/// Of the four-bar at rest, by another way: potential and kinetic energy as functions of the crank angle alone, from its
+/// geometry; w^2 = V'' / I.
+#[test]
+fn a_four_bar_about_its_equilibrium_has_the_frequency_of_its_energy() {
+    let linkage = FourBar::default();
+    let start = Start { positions: [-1.4, 0.9, 1.6], ..declared_start(&linkage) };
+    let at = equilibrium(&linkage, &start).unwrap().state;
+    let found = linearize(&linkage, &at, &[]).unwrap();
+    assert_eq!((found.independent.as_slice(), found.modes.len()), (&[0][..], 1));
+    let angles = |crank: f64| {
+        let [x, y] = [0.2 * crank.cos() - 0.6, 0.2 * crank.sin()];
+        let length = x.hypot(y);
+        let corner = ((length * length + 0.25 - 0.36) / (2.0 * length * 0.5)).acos();
+        // The rocker on the side on which it was assembled.
+        let side = [1.0, -1.0].into_iter().map(|side| y.atan2(x) - side * corner);
+        let rocker = side.min_by(|a, b| apart(*a, at.positions[2]).total_cmp(&apart(*b, at.positions[2]))).unwrap();
+        let [bx, by] = [0.6 + 0.5 * rocker.cos() - 0.2 * crank.cos(), 0.5 * rocker.sin() - 0.2 * crank.sin()];
+        [crank, by.atan2(bx), rocker]
+    };
+    let potential = |crank: f64| {
+        let [a, b, c] = angles(crank);
+        9.81 * (2.0 * 0.1 * a.sin() + 4.0 * (0.2 * a.sin() + 0.3 * b.sin()) + 3.0 * 0.25 * c.sin())
+    };
+    let h = 1e-3;
+    let at_crank = at.positions[0];
+    let d = |f: &dyn Fn(f64) -> f64| (8.0 * (f(h) - f(-h)) - f(2.0 * h) + f(-2.0 * h)) / (12.0 * h);
+    let [b, c] = [1, 2].map(|i| d(&|step| angles(at_crank + step)[i]));
+    let (m2, m3, m4) = (2.0 * 0.04 / 3.0, 4.0, 3.0 * 0.25 / 3.0);
+    let turned = at.positions[1] - at_crank;
+    let inertia = m2 + m3 * (0.04 + 0.09 * b * b + 0.12 * b * turned.cos()) + 0.12 * b * b + m4 * c * c;
+    let v = |k: f64| potential(at_crank + k * h);
+    let second = (-v(2.0) + 16.0 * v(1.0) - 30.0 * v(0.0) + 16.0 * v(-1.0) - v(-2.0)) / (12.0 * h * h);
+    let expected = (second / inertia).sqrt();
+    let found = found.modes[0].eigenvalue.im;
+    println!("four-bar about its equilibrium: {found} {expected}");
+    // Rounding of the second difference: 40 J times 1e-16 over 1e-6.
+    assert!((found - expected).abs() < 1e-7 * expected, "{found} {expected}");
+}
+
+/// The distance between two angles.
+fn apart(a: f64, b: f64) -> f64 {
+    (0.5 * (a - b)).sin().abs()
+}
+
+/// In motion too: rows of A are the derivatives of theta2'' as a function of theta2 and its speed alone, the rest assembled.
+#[test]
+fn the_matrices_hold_in_motion() {
+    let linkage = FourBar::default();
+    let start = declared_start(&linkage);
+    let acceleration = |change: [f64; 2]| {
+        let start =
+            Start { positions: [0.3 + change[0], 1.0, 1.7], speeds: [10.0 + change[1], 0.0, 0.0], ..start.clone() };
+        let state = assemble(&linkage, &start).unwrap();
+        (state, linkage.dynamics(0.0, &state.positions, &state.speeds).accelerations[0])
+    };
+    let found = linearize(&linkage, &acceleration([0.0; 2]).0, &[]).unwrap();
+    let h = 1e-4;
+    for (k, direction) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
+        let at = |factor: f64| acceleration(direction.map(|entry| factor * entry)).1;
+        let slope = (8.0 * (at(1.0) - at(-1.0)) - at(2.0) + at(-2.0)) / (12.0 * h);
+        println!("{slope} {}", found.a[(1, k)]);
+        // Rounding of accelerations of some 100 over 1e-4.
+        assert!((slope - found.a[(1, k)]).abs() < 1e-8 * found.a.amax(), "{k}: {slope} {}", found.a);
+    }
+    assert_eq!((found.a[(0, 0)], found.a[(0, 1)]), (0.0, 1.0));
+}
+
+/// A skate: it goes where it points. Its place and heading are three coordinates, its speeds two.
+#[test]
+fn constraints_between_speeds_leave_more_coordinates_than_speeds() {
+    let skate = Skate::default();
+    let state = assemble(&skate, &declared_start(&skate)).unwrap();
+    let found = linearize(&skate, &state, &[]).unwrap();
+    assert_eq!((found.independent.len(), found.independent_speeds.len(), found.a.nrows()), (3, 2, 5));
+    // x' = u cos psi, y' = u sin psi at psi = 0, u = 2: a turn by dpsi leads aside, y' = 2 dpsi.
+    let heading = found.independent.iter().position(|j| *j == 2).unwrap();
+    let aside = found.independent.iter().position(|j| *j == 1).unwrap();
+    assert!((found.a[(aside, heading)] - 2.0).abs() < 1e-12, "{}", found.a);
+}
+
+mechanism! {
+    /// A blade on ice.
+    Skate;
+    coordinates { x [m]; y [m]; psi [rad]; }
+    parameters { m [kg] = 70; J [kg*m^2] = 4; }
+    bodies { skater: mass m at [x, y], inertia J, angle psi; }
+    constraints { blade: dot(x)*sin(psi) = dot(y)*cos(psi); }
+    initial { x = 0; y = 0; psi = 0; dot(x) = 2; }
+}

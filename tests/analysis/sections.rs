@@ -1,0 +1,73 @@
+//! Poincaré sections and periods.
+
+use models::{DoublePendulum, Pendulum};
+use sim::{Crossing, Mechanism, Method, Section, Sectioning, Settings, Start, declared_start, mechanism, poincare};
+
+fn section<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    event: &str,
+    crossing: Option<Crossing>,
+    count: usize,
+) -> Section<M> {
+    let event = M::DESCRIPTION.events.iter().position(|other| other.name == event).unwrap();
+    let settings = Settings::adaptive(Method::Dop853, 200.0, 1e-12);
+    poincare(mechanism, start, &Sectioning { event, crossing, count }, &settings).unwrap()
+}
+
+/// 2 pi sqrt(l/g) / agm(1, cos(amplitude/2)), by Gauss.
+#[test]
+fn a_pendulum_has_the_period_of_its_elliptic_integral() {
+    let (mut a, mut b) = (1.0f64, std::f64::consts::FRAC_PI_4.cos());
+    for _ in 0..6 {
+        (a, b) = ((a + b) / 2.0, (a * b).sqrt());
+    }
+    let expected = 2.0 * std::f64::consts::PI / 9.81f64.sqrt() / a;
+    let pendulum = Pendulum::default();
+    for (crossing, crossings, states) in [(Some(Crossing::Rising), 1, 20), (None, 2, 40)] {
+        let found = section(pendulum, &declared_start(&pendulum), "bottom", crossing, states);
+        let period = found.period.unwrap();
+        println!("period off by {:.1e}", period.seconds - expected);
+        assert_eq!((period.crossings, found.trajectory.samples.len()), (crossings, states));
+        // 20 periods at 1e-12 a step.
+        assert!((period.seconds - expected).abs() < 1e-10 * expected, "{period:?} {expected}");
+    }
+}
+
+mechanism! {
+    /// The double pendulum, with a section where the upper bar hangs.
+    Double;
+    coordinates { phi1 [rad]; phi2 [rad]; }
+    parameters { l [m] = 0.6; m [kg] = 0.5; g [m/s^2] = 9.81; }
+    let elbow = l*[sin(phi1), -cos(phi1)];
+    let half = l/2*[sin(phi2), -cos(phi2)];
+    bodies {
+        upper: mass m at elbow/2, inertia m*l^2/12, angle phi1;
+        lower: mass m at elbow + half, inertia m*l^2/12, angle phi2;
+    }
+    loads { gravity [0, -g]; }
+    initial { phi1 = 0.9; phi2 = 0; }
+    events { hangs: sin(phi1) = 0; }
+    outputs {
+        energy [J] = m*l^2*(dot(phi1)^2/6 + dot(phi2)^2/24) + m*norm(dot(elbow + half))^2/2
+            + m*g*(elbow.y/2 + elbow.y + half.y);
+    }
+}
+
+/// Every point of the section is on the surface of the start's energy and on the section; and the motion is no cycle.
+#[test]
+fn the_return_map_of_a_conservative_mechanism_stays_on_its_energy() {
+    let double = Double::default();
+    let found = section(double, &declared_start(&double), "hangs", Some(Crossing::Rising), 60);
+    assert_eq!((found.trajectory.samples.len(), found.period), (60, None));
+    let energy = |q: [f64; 2], qd: [f64; 2]| double.outputs(0.0, &q, &qd, &[0.0; 2], &[]).energy;
+    let start = energy([0.9, 0.0], [0.0; 2]);
+    for sample in &found.trajectory.samples {
+        let state = &sample.state;
+        // 60 returns at 1e-12 a step.
+        assert!((energy(state.positions, state.speeds) - start).abs() < 1e-9, "{state:?}");
+        assert!(state.positions[0].sin().abs() < 1e-10 && state.positions[0].cos() * state.speeds[0] > 0.0);
+    }
+    // A mechanism without events has no sections, and says so on the command line.
+    assert!(DoublePendulum::<f64>::DESCRIPTION.events.is_empty());
+}
