@@ -18,19 +18,25 @@ fn block(readme: &str, language: &str) -> String {
     readme[start..start + end + 1].to_owned()
 }
 
-/// Where all crates here are built, so that what they share is built once.
-fn shared_target() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("crates")
+/// Where the workspace is built, so that what it shares with the crates here is built once.
+fn shared_target() -> &'static Path {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap()
 }
+
+/// The profile of the workspace, without which nothing could be shared.
+const PROFILE: [&str; 5] = [
+    "profile.dev.opt-level=1",
+    "profile.dev.debug='line-tables-only'",
+    "profile.dev.package.'*'.debug=false",
+    "profile.dev.build-override.opt-level=1",
+    "profile.dev.build-override.debug='line-tables-only'",
+];
 
 /// Cargo, in a folder, without network.
 fn cargo(folder: &Path, words: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO"));
+    command.args(PROFILE.iter().flat_map(|setting| ["--config", setting]));
     command.args(words).current_dir(folder).env("CARGO_NET_OFFLINE", "true").env("CARGO_TARGET_DIR", shared_target());
-    // One profile for all, the quickest to build: otherwise nothing could be shared.
-    for (setting, value) in [("OPT_LEVEL", "0"), ("DEBUG", "0"), ("BUILD_OVERRIDE_OPT_LEVEL", "1")] {
-        command.env(format!("CARGO_PROFILE_DEV_{setting}"), value);
-    }
     command.output().unwrap()
 }
 
