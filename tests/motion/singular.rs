@@ -71,8 +71,8 @@ mechanism! {
     parameters { r [m] = 0.3; g [m/s^2] = 9.81; w [rad/s] = 9; }
     let A = [0, r] + r*[cos(crank), sin(crank)];
     bodies {
-        one: mass 1 at [0, r] + r/2*[cos(crank), sin(crank)], inertia 0.02, angle crank;
-        two: mass 0.7 at 0.4*[cos(link), sin(link)], inertia 0.05, angle link;
+        one: mass 1 [kg] at [0, r] + r/2*[cos(crank), sin(crank)], inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at 0.4 [m]*[cos(link), sin(link)], inertia 0.05 [kg*m^2], angle link;
     }
     loads { gravity [0, -g]; }
     constraints { slot: A.y*cos(link) = A.x*sin(link); }
