@@ -53,6 +53,8 @@ pub(crate) struct Lie {
     pub(crate) longest: f64,
     /// The place in a step that is farthest from its stages.
     pub(crate) gap: f64,
+    /// Whether its stages may be brought onto the constraints.
+    pub(crate) keeps_stages: bool,
     /// Below this sine it does not start, but at the end of one that leads over a singular position, which may be longer.
     pub(crate) least_sine: f64,
 }
@@ -60,11 +62,11 @@ pub(crate) struct Lie {
 /// Where a step from a sample should end, so that its stages keep away from the singular position ahead, if there is one:
 /// before it, or beyond it.
 ///
-/// Stages of a step that leads over it are evaluated on the constraints, so that what they are off is not divided by s.
+/// Explicit stages of a step that leads over it are evaluated on the constraints, so that what they are off is not divided by s.
 pub(crate) fn end_of_step<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> f64 {
     let now = from.state.time;
     let ahead = singularity_ahead(motion, from, lie);
-    motion.keep_stages(ahead.is_some_and(|(ahead, h)| ahead <= lie.gap * h));
+    motion.keep_stages(lie.keeps_stages && ahead.is_some_and(|(ahead, h)| ahead <= lie.gap * h));
     match ahead {
         Some((ahead, h)) if ahead <= lie.gap * h => now + ahead / lie.gap,
         Some((ahead, h)) => lie.goal.min(now + ahead - APPROACH * lie.gap * h),

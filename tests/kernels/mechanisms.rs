@@ -310,6 +310,33 @@ mechanism! {
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
+mechanism! {
+    /// A cart with a pendulum and stops, a one-sided spring, dry friction and a wheel of two radii: choices in loads, in a position
+    /// and in a constraint, with branches that have no value where they are not taken: of numbers without units.
+    pub(crate) Chosen;
+    coordinates { x; a; s; }
+    parameters { M = 2; m = 0.7; l = 0.6; k = 400; F = 3; v0 = 0.05; c = 2; }
+    let O = [x, if s > 0.2 then 0.1*(s - 0.2)^2 else 0];
+    let P = O + l*[sin(a), -cos(a)];
+    let hill = if x >= 0 then [x, sqrt(x)^3/9] else [x, -x^2/3];
+    bodies { cart: mass M at O; bob: mass m at P, angle a; follower: mass m/2 at [s, max(0.2*s, -s, s^2 - 1)]; bead: mass 0.1 at hill; }
+    loads {
+        gravity [0, -9.81];
+        spring max(k*stretch, 0), length 0.4 from [1.5, 0] to O;
+        spring if stretch < 0 then k*stretch + c*min(rate, 0) else 0, rest 0.1 on s;
+        friction F, smooth v0 on x;
+        friction F/3, smooth v0/l between 0 and a;
+        friction F/2, smooth v0 from [0, 1] to P;
+        force -sign(x)*0.3 on x;
+        force if dot(s) <= 0 then -c*dot(s) else -c*dot(s)^2 on s;
+        damper if (abs(rate) < 1) then c*rate else c*sqrt(rate^2 - 1)*sign(rate) + c*rate on s - a;
+    }
+    constraints { lift: s = if x < 0 then 0.4*x^3 else 0.2*x^2; }
+    initial { x = 0.3; a = 0.4; dot(x) = 0.2; guess s = 0; }
+    outputs { height = min(O.y, P.y, 0.1); rate = dot(max(P.x, s)); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
 /// Calls a macro with the types of all mechanisms, the shipped ones first.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -341,7 +368,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Hoist,
             crate::mechanisms::Sprung,
             crate::mechanisms::Switched,
-            crate::mechanisms::Actuated
+            crate::mechanisms::Actuated,
+            crate::mechanisms::Chosen
         )
     };
 }
@@ -354,7 +382,8 @@ pub(crate) fn all() -> Vec<&'static Description> {
     }
     [
         tests::shipped(),
-        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated).to_vec(),
+        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated, Switched)
+            .to_vec(),
     ]
     .concat()
 }

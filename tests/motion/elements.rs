@@ -69,6 +69,27 @@ mechanism! {
     outputs { x [m] = P.x; y [m] = P.y; }
 }
 
+mechanism! {
+    /// A block that dry friction stops.
+    Sliding;
+    coordinates { x [m]; }
+    parameters { m [kg] = 2; mu = 0.3; g [m/s^2] = 9.81; v0 [m/s] = 0.01; }
+    bodies { block: mass m at [x, 0]; }
+    loads { friction mu*m*g, smooth v0 on x; }
+    initial { x = 0; dot(x) = 2; }
+}
+
+mechanism! {
+    /// A ball on a spring that only pushes.
+    Bumper;
+    coordinates { y [m]; }
+    parameters { m [kg] = 2; k [N/m] = 5000; g [m/s^2] = 9.81; h [m] = 0.3; }
+    bodies { ball: mass m at [0, y]; }
+    loads { gravity [0, -g]; spring min(k*stretch, 0), rest 0 on y; }
+    initial { y = h; }
+    events { touch: y = 0; turn: dot(y) = 0; }
+}
+
 /// 5 s at a relative tolerance of 1e-11, with a row every 5 ms.
 fn run<M: Mechanism>(mechanism: M, end: f64) -> Run<M> {
     let settings = Settings { rows: Rows::Even(1000), ..Settings::adaptive(Method::Dop853, end, 1e-11) };
@@ -156,4 +177,37 @@ fn a_dissipation_function_brakes_exponentially_and_its_power_is_in_the_balance()
         assert!((sample.power + c * speed * speed).abs() < 10.0 * TOLERANCE);
     }
     assert!(run.energy_balance < TOLERANCE);
+}
+
+/// m v' = -F tanh(v/v0): sinh(v/v0) decays as exp(-F t/(m v0)), and the way to rest is the integral of
+/// v dv/(a tanh(v/v0)), that is v^2/(2 a) + pi^2 v0^2/(12 a) for a start of many v0; a = mu g, and Coulomb's is v^2/(2 a).
+#[test]
+fn dry_friction_stops_where_coulomb_says_but_for_the_smoothing() {
+    let run = run(Sliding::default(), 2.0);
+    let Sliding { mu, g, v0, .. } = run.mechanism;
+    let (a, start) = (mu * g, 2.0f64);
+    let coulomb = start * start / (2.0 * a);
+    let smoothed = coulomb + std::f64::consts::PI.powi(2) * v0 * v0 / (12.0 * a);
+    let last = run.trajectory.samples.last().unwrap().state;
+    assert!((last.positions[0] - smoothed).abs() < TOLERANCE, "{} {smoothed}", last.positions[0]);
+    assert!(last.speeds[0].abs() < TOLERANCE && (last.positions[0] / coulomb - 1.0).abs() < 5e-5);
+    assert!(run.energy_balance < TOLERANCE);
+}
+
+/// Falling h, pushing through half a period about the sag m g/k, and back: the closed form of each piece.
+#[test]
+fn a_spring_that_only_pushes_is_left_and_met_again() {
+    let run = run(Bumper::default(), 1.2);
+    let Bumper { m, k, g, h } = run.mechanism;
+    let (falling, w, sag) = ((2.0 * h / g).sqrt(), (k / m).sqrt(), m * g / k);
+    // y = -sag + sag cos(w s) - v/w sin(w s) is 0 again after 2 (pi - atan(v/(w sag)))/w.
+    let pushed = 2.0 * (std::f64::consts::PI - (g * falling / (w * sag)).atan()) / w;
+    let times = [falling, falling + pushed, 3.0 * falling + pushed];
+    let touches: Vec<f64> = run.events.iter().filter(|e| e.name == "touch").map(|e| e.state.time).collect();
+    assert!(touches.len() >= 3);
+    for (found, exact) in touches.iter().zip(times) {
+        // The force has a kink there, at which a step that crosses it is refused until it is short.
+        assert!((found - exact).abs() < 1e-8, "{found} {exact}");
+    }
+    assert!(run.energy_balance < 1e-8);
 }

@@ -86,8 +86,8 @@ mechanism! {
     parameters { r [m] = 0.3; g [m/s^2] = 9.81; w [rad/s] = 9; }
     let link = crank/2 + pi/4;
     bodies {
-        one: mass 1 at [0, r] + r/2*[cos(crank), sin(crank)], inertia 0.02, angle crank;
-        two: mass 0.7 at 0.4*[cos(link), sin(link)], inertia 0.05, angle link;
+        one: mass 1 [kg] at [0, r] + r/2*[cos(crank), sin(crank)], inertia 0.02 [kg*m^2], angle crank;
+        two: mass 0.7 [kg] at 0.4 [m]*[cos(link), sin(link)], inertia 0.05 [kg*m^2], angle link;
     }
     loads { gravity [0, -g]; }
     initial { crank = 0; dot(crank) = w; }
@@ -99,7 +99,7 @@ mechanism! {
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 1; v [m/s] = -1; }
     bodies { bead: mass m at [x, y]; }
-    constraints { rail: y^2 = x^3; }
+    constraints { rail: y^2 = x^3/(1 [m]); }
     initial { x = 0.5; dot(x) = v; guess y = 0.35; }
 }
 
@@ -194,15 +194,16 @@ fn steps_do_not_end_where_the_motion_is_not_determined() {
         let run = run_with(Parallelogram { g: 0.0, ..Default::default() }, &settings).unwrap();
         assert_eq!((&run.trajectory.failure, run.steps.singularities.len()), (&None, 1));
         assert!((run.steps.singularities[0].time - flat).abs() < 1e-9);
-        let mut worst = 0.0f64;
+        let (mut worst, mut acceleration) = (0.0f64, 0.0f64);
         for sample in &run.trajectory.samples {
             let crank = 1.0 + 10.0 * sample.state.time;
             let pairs = sample.state.positions.into_iter().zip([crank, 0.0, crank]);
             worst = pairs.fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
-            worst = worst.max(sample.accelerations.iter().fold(0.0, |worst, a| worst.max(a.abs())));
+            acceleration = sample.accelerations.iter().fold(acceleration, |worst, a| worst.max(a.abs()));
         }
-        println!("{:<7} {worst:.1e}", method.name());
-        assert!(worst < 1e-9, "{}: {worst:e}", method.name());
+        println!("{:<7} {worst:.1e}, accelerations {acceleration:.1e}", method.name());
+        // In the flat position accelerations are differences of speeds over a hundredth of a step.
+        assert!(worst < 1e-9 && acceleration < 1e-6, "{}: {worst:e} {acceleration:e}", method.name());
     }
 }
 

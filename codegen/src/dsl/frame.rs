@@ -197,7 +197,7 @@ fn of_action(action: &mut Action) -> Option<&mut Expression> {
 fn of_element(element: &mut Element) -> Vec<&mut Expression> {
     let law = match &mut element.law {
         Law::Force(law) | Law::Damper(law) => vec![law],
-        Law::Spring(law, rest) | Law::Friction(law, rest) => vec![law, rest],
+        Law::Spring(law, other) | Law::Friction(law, other) => vec![law, other],
     };
     let extent = match &mut element.extent {
         Extent::Distance(a, b) | Extent::Difference(a, b) => vec![a, b],

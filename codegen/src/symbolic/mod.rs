@@ -7,7 +7,7 @@
 //!
 //! A rewriting that could change a value, at any real point, infinities and NaN included, is not done.
 //! The one exception is the customary one: `0*x` is 0 and `x - x` is 0 whatever x is, and a choice between equals is that,
-//! whatever it is made by. `choice(d, x, y)` is x where d > 0, y where it is not, and NaN where d is NaN.
+//! whatever it is made by. `if d > 0 then x else y` is NaN where d is NaN.
 //!
 //! # The rules
 //!
@@ -44,9 +44,9 @@
 //! | sign of a number | `sign(-3)*x + sign(2)*y` | `y - x` | a number |
 //! | numbers are exact | `(1/3 + 1/6)*x + 0.1*y + 0.2*y` | `x/2 + 3*y/10` | always |
 //! | powers of numbers are numbers | `(2/3)^(-2)*x` | `9*x/4` | of no more than 4,000 bits |
-//! | a choice between equals is none | `choice(x, y + z, z + y)` | `y + z` | always |
-//! | a choice by a number is made | `choice(2, x, y) + choice(-1/2, y, z) + choice(0, x, z)` | `x + 2*z` | a number |
-//! | the size of a difference does not matter | `choice(2*x - 4*y, x, z) + choice(-3*z, x, y)` | `choice(x - 2*y, x, z) + choice(-z, x, y)` | a positive number |
+//! | a choice between equals is none | `if x > 0 then y + z else z + y` | `y + z` | always |
+//! | a choice by a number is made | `(if 2 > 0 then x else y) + (if -1/2 > 0 then y else z) + (if 0 > 0 then x else z)` | `x + 2*z` | a number |
+//! | the size of a difference does not matter | `if 2*x - 4*y > 0 then x else z` | `if x - 2*y > 0 then x else z` | a positive number |
 //! | what is zero everywhere is 0 | `x*(y - y) + sin(z - z)` | `0` | always |
 //!
 //! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. Not among them is [`Graph::expand`], which

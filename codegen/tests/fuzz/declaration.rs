@@ -99,13 +99,14 @@ impl Writer {
         let mut text = String::from("bodies {\n");
         for (i, coordinate) in self.coordinates.clone().iter().enumerate() {
             let mass = self.random.between(0.5, 2.0);
-            text += &format!("own{i}: mass {mass:.2} at [{coordinate}, {}], ", self.scalar(1));
+            let cut = if i == 0 { " + cut" } else { "" };
+            text += &format!("own{i}: mass {mass:.2} at [{coordinate}{cut}, {}], ", self.scalar(1));
             text += &format!("inertia 0.1, angle {coordinate};\n");
         }
         for i in 0..self.random.below(3) {
             let (mass, inertia) = (self.random.pick(&["p1", "p2*p3", "2"]), self.random.pick(&["p2", "0", "p1^2/12"]));
             let (at, angle) = (self.vector(2), self.scalar(2));
-            text += &format!("body{i}: mass {mass} at {at} + [cut, 0], inertia {inertia}, angle {angle};\n");
+            text += &format!("body{i}: mass {mass} at {at} + [cut + q_1, 0], inertia {inertia}, angle {angle};\n");
         }
         text + "}\n"
     }
@@ -131,7 +132,10 @@ impl Writer {
         match self.random.below(6) {
             0 => format!("spring p1, rest {} on {coordinate} + {};\n", self.scalar(0), self.scalar(2)),
             1 => format!("spring p2*stretch^3, rest 0.3 between {} and {coordinate};\n", self.scalar(1)),
-            2 => format!("spring p1, length 0.4 from {} to [9 + {coordinate}, 7];\n", self.vector(1)),
+            2 => format!(
+                "spring p1, length 0.4 from {} to [9 + sin({coordinate}), 7 - {coordinate}^2];\n",
+                self.vector(1)
+            ),
             3 => format!("damper p3*rate*abs(rate) on {coordinate} - {};\n", self.scalar(2)),
             4 => format!("potential {coordinate}*({});\n", self.scalar(2)),
             _ => format!("dissipation p2/2*dot({coordinate}*({}))^2;\n", self.scalar(1)),
@@ -170,7 +174,7 @@ impl Writer {
     fn scalar(&mut self, depth: usize) -> String {
         if depth == 0 {
             return match self.random.below(4) {
-                0 => format!("{}", self.random.below(30) as f64 / 10.0 + 0.1),
+                0 => format!("{:.1}", self.random.below(30) as f64 / 10.0 + 0.1),
                 _ => self.random.pick(&self.scalars).clone(),
             };
         }

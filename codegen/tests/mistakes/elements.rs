@@ -76,3 +76,95 @@ fn own_names_for_the_words_of_laws() {
         &["6:67 in the law of an element `rate` is its own rate", "6:5 choose another name than `rate` for this"],
     );
 }
+
+#[test]
+fn friction() {
+    #[rustfmt::skip]
+    check_each(&[
+        ("friction 3 on phi;", &["6:20 dry friction states the speed v0 within which it is smoothed, as F*tanh(x'/v0): `friction F, smooth v0 on x;`"]),
+        ("friction 3, within 1 on phi;", &["6:21 expected `smooth`: `friction F, smooth v0 on x;`"]),
+        ("friction 3, smooth 0 on phi;", &["6:28 the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated"]),
+        ("friction 3, smooth 1 on P;", &["6:33 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+    ]);
+}
+
+#[test]
+fn choices() {
+    #[rustfmt::skip]
+    check_each(&[
+        ("torque if phi > 0 then 1 on bob;", &["6:34 expected `else`: `if a > b then x else y`"]),
+        ("torque if phi then 1 else 2 on bob;", &["6:23 expected a comparison, `<`, `<=`, `>` or `>=`: `if a > b then x else y`"]),
+        ("torque if phi == 0 then 1 else 2 on bob;", &["6:23 what varies is equal at points alone; compare with `<`, `<=`, `>` or `>=`"]),
+        ("torque if 0 < phi < 1 then 1 else 2 on bob;", &["6:27 one comparison at a time; for a range write `if` inside of `if`"]),
+        ("torque if P > 0 then 1 else 2 on bob;", &["6:19 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("torque if phi > 0 then P else 2 on bob;", &["6:32 a vector stands after `then` and a scalar after `else`; both are of one kind"]),
+        ("torque phi > 0 on bob;", &["6:20 a comparison stands in a choice: `if a > b then x else y`"]),
+        ("torque 1 + if phi > 0 then 1 else 2 on bob;", &["6:20 a choice inside of an operation stands in parentheses: `a + (if b > c then x else y)`"]),
+        ("torque if(phi > 0, 1, 2) on bob;", &["6:23 a comparison stands in a choice: `if a > b then x else y`"]),
+        ("torque if (phi > 0) then 1 else 2 on bob;", &[]),
+        ("torque max(phi) on bob;", &["6:16 `max` is written `max(a, b)`, of two values or more"]),
+        ("torque min(phi, P) on bob;", &["6:25 a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`"]),
+        ("torque sign(phi, 1) on bob;", &["6:16 `sign` is written `sign(x)`: 1 wanted, 2 given"]),
+    ]);
+}
+
+#[test]
+fn inputs() {
+    let table: [(&str, &str, &[&str]); 9] = [
+        (
+            "let P = l",
+            "inputs { tau [N*m]; } let P = l",
+            &[
+                "4:19 input `tau` needs a course, which it follows until it is set: `tau [unit] = expression;`, of numbers, parameters and `t`",
+            ],
+        ),
+        (
+            "let P = l",
+            "inputs { tau [N*m] = phi; } let P = l",
+            &[
+                "4:22 the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set at run time, or is a load",
+            ],
+        ),
+        (
+            "let P = l",
+            "inputs { tau [N*m] = 3 [N]; } let P = l",
+            &["4:22 `tau` is declared in [N*m], and `3 [N]` is in [N]"],
+        ),
+        (
+            "let P = l",
+            "inputs { tau [N*m] = 3; m = 1; } let P = l",
+            &[
+                "4:25 `m` is defined twice; choose another name for one of them",
+                "3:25 the first definition of `m` is here",
+            ],
+        ),
+        (
+            "let P = l",
+            "inputs { u [m] = 0; } let P = (l + u)",
+            &[
+                "5:25 the position of a mass cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
+                "9:24 a drawn point cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
+            ],
+        ),
+        ("let P = l*", "inputs { u = 0; } let P = l*", &[]),
+        ("mass m at P", "mass m*u at P", &["5:22 no value is called `u`; declared: `phi`, `l`, `m`, `g`, `P`"]),
+        (
+            "outputs { height [m] = P.y; }",
+            "outputs { height [m] = P.y; } inputs { u = 0; } constraints { c: phi = u; }",
+            &[
+                "8:66 a constraint cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
+            ],
+        ),
+        (
+            "outputs { height [m] = P.y; }",
+            "outputs { height [m] = P.y; v = dot(u); } inputs { u = 0; } events { e: u = 1; }",
+            &[
+                "8:73 an event cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
+                "8:37 the rate of an input is not known: it may jump",
+            ],
+        ),
+    ];
+    for (replace, by, expected) in table {
+        super::check(replace, by, expected);
+    }
+}

@@ -65,11 +65,12 @@ impl Interpreter {
             Tree::Power(a, p, q) => nonzero(at(a).powf(*p as f64 / *q as f64)),
             Tree::SymbolicPower(a, b) => nonzero(at(a).powd(at(b))),
             Tree::Call(function, a) => apply(*function, at(a)),
-            Tree::Choice(difference, above, otherwise) => match at(difference).re() {
-                nan if nan.is_nan() => D::from(nan),
-                difference if difference > 0.0 => at(above),
-                _ => at(otherwise),
-            },
+            Tree::Choice(difference, above, otherwise) => {
+                // Next to the switch rounding decides.
+                let difference = nonzero(at(difference)).re();
+                let chosen = if difference > 0.0 { at(above) } else { at(otherwise) };
+                only_if(!difference.is_nan(), chosen)
+            }
             Tree::Atan2(y, x) => {
                 let (y, x) = (at(y), at(x));
                 self.angle(nonzero(y), x)

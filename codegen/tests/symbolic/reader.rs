@@ -79,10 +79,20 @@ impl<'a> Reader<'a> {
         match NAMES.iter().position(|name| *name == word) {
             Some(at) => Tree::Symbol(at),
             None if word.starts_with(|c: char| c.is_ascii_digit()) => number(word),
+            None if word == "if" => self.choice(),
             None if word == "pi" => Tree::Constant(Constant::Pi),
             None if word == "e" => Tree::Constant(Constant::E),
             None => self.call(word),
         }
+    }
+
+    /// `if d > 0 then x else y`, after its first word.
+    fn choice(&mut self) -> Tree {
+        let difference = self.sum();
+        self.expect("> 0 then");
+        let above = self.sum();
+        self.expect("else");
+        Tree::Choice(difference.into(), above.into(), self.sum().into())
     }
 
     fn call(&mut self, name: &str) -> Tree {
@@ -90,12 +100,6 @@ impl<'a> Reader<'a> {
         let first = self.sum();
         let tree = match name {
             "sqrt" => Tree::Power(first.into(), 1, 2),
-            "choice" => {
-                self.expect(",");
-                let above = self.sum();
-                self.expect(",");
-                Tree::Choice(first.into(), above.into(), self.sum().into())
-            }
             "atan2" => {
                 self.expect(",");
                 Tree::Atan2(first.into(), self.sum().into())

@@ -44,7 +44,7 @@ const fn rule(
 const ALWAYS: (&str, &str) = ("always", "");
 
 /// The table of `codegen/src/symbolic/mod.rs`, row by row.
-const RULES: [Rule; 29] = [
+const RULES: [Rule; 32] = [
     // Sums.
     rule("sums are flat", ["x + (y + z)", "x + y + z"], ALWAYS, Real),
     rule("like terms merge", ["2*x + y + 3*x/2", "7*x/2 + y"], ALWAYS, Real),
@@ -111,6 +111,19 @@ const RULES: [Rule; 29] = [
         "powers of numbers are numbers",
         ["(2/3)^(-2)*x", "9*x/4"],
         ("of no more than 4,000 bits", "10^1000000*x"),
+        Real,
+    ),
+    rule("a choice between equals is none", ["if x > 0 then y + z else z + y", "y + z"], ALWAYS, Real),
+    rule(
+        "a choice by a number is made",
+        ["(if 2 > 0 then x else y) + (if -1/2 > 0 then y else z) + (if 0 > 0 then x else z)", "x + 2*z"],
+        ("a number", "if x > 0 then y else z"),
+        Real,
+    ),
+    rule(
+        "the size of a difference does not matter",
+        ["if 2*x - 4*y > 0 then x else z", "if x - 2*y > 0 then x else z"],
+        ("a positive number", "if -x > 0 then y else z"),
         Real,
     ),
     rule("what is zero everywhere is 0", ["x*(y - y) + sin(z - z)", "0"], ALWAYS, Real),

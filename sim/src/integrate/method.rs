@@ -22,6 +22,11 @@ pub trait Advance<M: Mechanism> {
         0.5
     }
 
+    /// Whether its stages follow one from another, so that each may be brought onto the constraints first.
+    fn is_explicit(&self) -> bool {
+        true
+    }
+
     /// Advances from a sample to `time`.
     ///
     /// # Errors

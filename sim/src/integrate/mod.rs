@@ -178,7 +178,13 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
             let is_near = may_be_ahead(sines);
-            let lie = Lie { goal, longest: length, gap: method.gap(), least_sine: LEAST_SINE };
+            let lie = Lie {
+                goal,
+                longest: length,
+                gap: method.gap(),
+                keeps_stages: method.is_explicit(),
+                least_sine: LEAST_SINE,
+            };
             let time = if is_near { end_of_step(motion, from, &lie).min(course.end) } else { goal };
             attempt(motion, method, from, time, None, to).map_err(|failure| explained(motion, &from.state, failure))?;
             sines = [sines[1], motion.least_sine()];
@@ -215,7 +221,13 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
         let now = from.state.time;
         // The last step is not followed by a tiny one.
         let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
-        let lie = Lie { goal: wanted, longest: wanted - now, gap: method.gap(), least_sine: 0.0 };
+        let lie = Lie {
+            goal: wanted,
+            longest: wanted - now,
+            gap: method.gap(),
+            keeps_stages: method.is_explicit(),
+            least_sine: 0.0,
+        };
         let time = if may_be_ahead(sines) { end_of_step(motion, from, &lie) } else { wanted };
         match attempt(motion, method, from, time, Some(tolerance), to) {
             Ok(error) if error <= 1.0 => {

@@ -212,6 +212,15 @@ impl<M: Mechanism> Default for Radau5<M> {
 }
 
 impl<M: Mechanism> Advance<M> for Radau5<M> {
+    /// Between its first two nodes, (4 - sqrt 6)/10 and (4 + sqrt 6)/10.
+    fn gap(&self) -> f64 {
+        0.4
+    }
+
+    fn is_explicit(&self) -> bool {
+        false
+    }
+
     fn control_order(&self) -> Option<f64> {
         Some(4.0)
     }

@@ -91,7 +91,7 @@ fn differences<M: Mechanism>(
     let changed = |k: usize, step: f64| {
         let mut parameters = parameters;
         parameters[inputs[k]] += step;
-        M::with_parameters(parameters)
+        M::with_parameters(parameters).with_inputs(mechanism.inputs()).with_activities(mechanism.activities())
     };
     Ok(Derivatives {
         by_positions: columns(n, &|j, step| solve(mechanism, &moved(q, j, step), qd), &|j| q[j])?,
@@ -108,11 +108,11 @@ fn stacked<M: Mechanism>(solved: &Dynamics<f64, M::Q, M::L>) -> DVector<f64> {
 
 /// The mechanism on dual numbers, with a parameter that changes.
 fn lifted<M: Mechanism>(mechanism: &M, parameter: Option<usize>) -> M::On<Dual> {
-    let mut parameters = mechanism.on(Dual::constant).parameters();
-    if let Some(p) = parameter {
-        parameters[p] = Dual::variable(parameters[p].value);
-    }
-    M::On::<Dual>::with_parameters(parameters)
+    let constant = mechanism.on(Dual::constant);
+    let Some(p) = parameter else { return constant };
+    let mut parameters = constant.parameters();
+    parameters[p] = Dual::variable(parameters[p].value);
+    M::On::<Dual>::with_parameters(parameters).with_inputs(constant.inputs()).with_activities(constant.activities())
 }
 
 /// Whether constraints change with a parameter, which then is no input.
