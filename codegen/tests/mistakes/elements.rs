@@ -128,7 +128,7 @@ fn inputs() {
         (
             "let P = l",
             "inputs { tau [N*m] = 3 [N]; } let P = l",
-            &["4:22 a value in `[N*m]` belongs here, and this is one in `[N]`"],
+            &["4:22 `tau` is declared in [N*m], and `3 [N]` is in [N]"],
         ),
         (
             "let P = l",
@@ -140,10 +140,10 @@ fn inputs() {
         ),
         (
             "let P = l",
-            "inputs { u = 0; } let P = (l + u)",
+            "inputs { u [m] = 0; } let P = (l + u)",
             &[
                 "5:25 the position of a mass cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
-                "9:24 what is drawn cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
+                "9:24 a drawn point cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
             ],
         ),
         ("let P = l*", "inputs { u = 0; } let P = l*", &[]),
@@ -165,6 +165,6 @@ fn inputs() {
         ),
     ];
     for (replace, by, expected) in table {
-        check(replace, by, expected);
+        super::check(replace, by, expected);
     }
 }

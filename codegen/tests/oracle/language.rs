@@ -89,7 +89,6 @@ fn what_has_no_meaning_is_refused() -> Outcome {
         "bodies { b: mass m at P; } loads { force [ddot(x), 0] at P; }",
         "bodies { b: mass m at P; } loads { force x at P; }",
         "bodies { b: mass m at P; } loads { force [reaction(c), 0] at P; } constraints { c: x = 0; }",
-        "bodies { b: mass m at P; } constraints { c: dot(x) = 0; }",
         "bodies { b: mass m at P; } constraints { c: P = 0; }",
         "bodies { b: mass m at P; } outputs { v = P; }",
         "bodies { b: mass m at P; } outputs { v = reaction(x); }",
