@@ -314,8 +314,8 @@ mechanism! {
     /// A cart with a pendulum and stops, a one-sided spring, dry friction and a wheel of two radii: choices in loads, in a position
     /// and in a constraint, with branches that have no value where they are not taken.
     pub(crate) Chosen;
-    coordinates { x [m]; a [rad]; s [m]; }
-    parameters { M [kg] = 2; m [kg] = 0.7; l [m] = 0.6; k [N/m] = 400; F [N] = 3; v0 [m/s] = 0.05; c [N*s/m] = 2; }
+    coordinates { x; a; s; }
+    parameters { M = 2; m = 0.7; l = 0.6; k = 400; F = 3; v0 = 0.05; c = 2; }
     let O = [x, if s > 0.2 then 0.1*(s - 0.2)^2 else 0];
     let P = O + l*[sin(a), -cos(a)];
     let hill = if x >= 0 then [x, sqrt(x)^3/9] else [x, -x^2/3];
@@ -333,7 +333,7 @@ mechanism! {
     }
     constraints { lift: s = if x < 0 then 0.4*x^3 else 0.2*x^2; }
     initial { x = 0.3; a = 0.4; dot(x) = 0.2; guess s = 0; }
-    outputs { height [m] = min(O.y, P.y, 0.1); rate [m/s] = dot(max(P.x, s)); }
+    outputs { height = min(O.y, P.y, 0.1); rate = dot(max(P.x, s)); }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
