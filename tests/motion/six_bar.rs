@@ -53,7 +53,8 @@ fn angles(m: &SixBar, theta2: f64) -> [f64; 4] {
     let [theta3, theta4] = join(a, m.b, Complex(m.d, 0.0), m.c, 1.0);
     let p = a + polar(m.p, theta3 + m.delta);
     let [theta5, theta6] = join(p, m.f, Complex(m.O6x, m.O6y), m.h, 1.0);
-    [theta3, theta4, theta5, theta6]
+    // Rocker 6 swings about pi, where an angle between -pi and pi would jump.
+    [theta3, theta4, theta5, theta6.rem_euclid(TAU)]
 }
 
 /// Central differences of order 8, in the angle of the crank.
