@@ -40,7 +40,7 @@ fn every_mistake_names_its_field() {
         (with("format", "1"), &["format: it is 1"]),
         ("{\"parameters\": {}}".into(), &["`model` is missing"]),
         (with("model", "3"), &["model:", "not a number"]),
-        (with("model", "\"quick-retrun\""), &["model:", "did you mean `quick-return`?"]),
+        (with("model", "\"quick-retrun\""), &["no model is called", "did you mean `quick-return`?"]),
         // Parameters and start.
         (with("parameters", "[1]"), &["parameters: an object is needed, not a list"]),
         (with("parameters", "{\"O2AA\": 1}"), &["parameters.O2AA:", "did you mean `O2A`?"]),

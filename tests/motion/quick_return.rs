@@ -98,8 +98,8 @@ fn both_forms_of_the_slot_agree() {
         assert!(difference < 1e-9 * largest, "{name}: {difference:e}");
     }
     let multiplier = ratio.column("lambda_slot").unwrap();
-    assert_eq!(multiplier.unit, "J");
-    // -664.28 J in the report, there plotted as newtons.
+    assert_eq!(multiplier.unit, "N*m");
+    // -664.28 N m in the report, there plotted as newtons.
     assert!((multiplier.values[0] + 664.28).abs() < 0.005, "{}", multiplier.values[0]);
     assert_eq!(metres.column("lambda_slot").unwrap().unit, "N");
 }

@@ -25,8 +25,8 @@ fn shared_target() -> &'static Path {
 
 /// The profile of the workspace, without which nothing could be shared.
 const PROFILE: [&str; 5] = [
-    "profile.dev.opt-level=1",
     "profile.dev.debug='line-tables-only'",
+    "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
     "profile.dev.build-override.opt-level=1",
     "profile.dev.build-override.debug='line-tables-only'",

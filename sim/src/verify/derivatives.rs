@@ -6,6 +6,8 @@ use sim_kernel::{Array, Dual, Mechanism};
 
 /// How much more than its own rounding a derivative may differ; it is relative to the largest entry of its row.
 const BOUND: f64 = 1e-8;
+/// A row this small beside the whole matrix, as that of an acceleration that time prescribes, may be its rounding.
+const SMALL: f64 = 1e-6;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
 pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
@@ -23,28 +25,27 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
         let (n, m) = (M::Q::LEN, M::L::LEN);
         let columns: Vec<[Column; 2]> =
             (0..n).map(|j| [false, true].map(|by_speed| column(mechanism, sample, j, by_speed))).collect();
+        let sizes = row_sizes(&|i, j| columns[j][0].constraints[i], m, n);
         for i in 0..m {
-            let size = row_size(&|j| columns[j][0].constraints[i], n);
-            (0..n).for_each(|j| compare("C_q", jacobian[i][j], columns[j][0].constraints[i], size));
+            (0..n).for_each(|j| compare("C_q", jacobian[i][j], columns[j][0].constraints[i], sizes[i]));
         }
         if generated.refused {
             continue;
         }
+        let sizes = [0, 1].map(|by| row_sizes(&|i, j| columns[j][by].accelerations[i], n, n));
         for i in 0..n {
-            let entry = |by: usize| move |columns: &[[Column; 2]], j: usize| columns[j][by].accelerations[i];
-            let (by_q, by_qd) = (entry(0), entry(1));
-            let sizes = [row_size(&|j| by_q(&columns, j), n), row_size(&|j| by_qd(&columns, j), n)];
-            for j in 0..n {
-                compare("d(q'')/dq", generated.accelerations_by_positions[i][j], by_q(&columns, j), sizes[0]);
-                compare("d(q'')/dq'", generated.accelerations_by_speeds[i][j], by_qd(&columns, j), sizes[1]);
-            }
-        }
-        for i in 0..m {
-            let sizes = [0, 1].map(|by| row_size(&|j| columns[j][by].multipliers[i], n));
             for j in 0..n {
                 let [by_q, by_qd] = &columns[j];
-                compare("d(lambda)/dq", generated.multipliers_by_positions[i][j], by_q.multipliers[i], sizes[0]);
-                compare("d(lambda)/dq'", generated.multipliers_by_speeds[i][j], by_qd.multipliers[i], sizes[1]);
+                compare("d(q'')/dq", generated.accelerations_by_positions[i][j], by_q.accelerations[i], sizes[0][i]);
+                compare("d(q'')/dq'", generated.accelerations_by_speeds[i][j], by_qd.accelerations[i], sizes[1][i]);
+            }
+        }
+        let sizes = [0, 1].map(|by| row_sizes(&|i, j| columns[j][by].multipliers[i], m, n));
+        for i in 0..m {
+            for j in 0..n {
+                let [by_q, by_qd] = &columns[j];
+                compare("d(lambda)/dq", generated.multipliers_by_positions[i][j], by_q.multipliers[i], sizes[0][i]);
+                compare("d(lambda)/dq'", generated.multipliers_by_speeds[i][j], by_qd.multipliers[i], sizes[1][i]);
             }
         }
     }
@@ -55,8 +56,11 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
     Check { name: "Jacobians against dual numbers", figure: worst.0, bound: BOUND, meaning }
 }
 
-fn row_size(entry: &dyn Fn(usize) -> f64, n: usize) -> f64 {
-    (0..n).fold(0.0, |size, j| entry(j).abs().max(size))
+/// What the entries of each row are compared with.
+fn row_sizes(entry: &dyn Fn(usize, usize) -> f64, rows: usize, n: usize) -> Vec<f64> {
+    let row_size = |i: usize| (0..n).fold(0.0f64, |size, j| entry(i, j).abs().max(size));
+    let whole = (0..rows).map(row_size).fold(0.0, f64::max);
+    (0..rows).map(|i| row_size(i).max(SMALL * whole)).collect()
 }
 
 /// The derivatives of everything by one coordinate or speed.
