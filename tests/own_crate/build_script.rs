@@ -79,5 +79,5 @@ fn a_build_script_generates_the_code_and_shows_mistakes() {
     fs::write(folder.join("pendulum.txt"), PENDULUM.replace("l*[", "k*[")).unwrap();
     let output = cargo_run(&folder);
     let text = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && text.contains("pendulum.txt:5:25: no value is called `k`"), "{text}");
+    assert!(!output.status.success() && text.contains("pendulum.txt:5:30: no value is called `k`"), "{text}");
 }
