@@ -9,7 +9,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use std::{fs, iter};
 
-const CASES: usize = 2000;
+const CASES: usize = 500;
 
 /// What is put in for other words.
 const WORDS: &str = "x y q_1 t pi e 0 1 2.5 1e400 99999999999999999999 -1 [m] [rad] [kg*m^2] [x, y] [] () {} (x) ; , : . = + - * \
