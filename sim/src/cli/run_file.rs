@@ -226,7 +226,8 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     for (entry, option) in [("parameters", "--set"), ("initial", "--initial"), ("inputs", "--input")] {
         for (name, value) in object(file, entry)? {
             let wrong = || format!("{entry}.{name}: a number, or text like \"180 mm\", is needed, not {}", kind(value));
-            let value = Some(value).filter(|value| !value.is_array()).and_then(word).ok_or_else(wrong)?;
+            let value = Some(value).filter(|value| !value.is_array()).and_then(word);
+            let value = value.filter(|word| !word.trim().is_empty()).ok_or_else(wrong)?;
             words.extend([option.to_owned(), format!("{name}={value}")]);
         }
     }
