@@ -26,6 +26,10 @@ pub struct DeadPoint<M: Mechanism> {
 /// Jacobian of all other coordinates. None where the declaration gives fewer, or where constraints
 /// hold between speeds.
 pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
+    // Where events switch constraints, which coordinates are independent changes on the way.
+    if !M::DESCRIPTION.conditionals.is_empty() {
+        return Vec::new();
+    }
     let Some((independent, system)) = independent(run) else { return Vec::new() };
     let determinant = |state: &State<M>| {
         let jacobian = system.linear(&state.positions, state.time).jacobian;

@@ -4,6 +4,7 @@
 //! on the way from the assembled start to where the sweep begins, time stands still.
 
 use super::driven::Driven;
+use crate::conditional::is_active;
 use crate::failure::{Failure, What};
 use crate::least_norm::least_norm;
 use crate::mobility::{Mobility, mobility};
@@ -56,7 +57,8 @@ impl<'m, M: Mechanism> System<'m, M> {
             return Err(Failure::at::<M>(what, 0.0, q));
         }
         let is_independent = |i: &usize| !found.dependent.contains(&M::DESCRIPTION.constraints[*i].name);
-        let rows = (0..M::L::LEN).filter(is_independent).collect();
+        let holds = |i: &usize| is_active(mechanism, *i);
+        let rows = (0..M::L::LEN).filter(holds).filter(is_independent).collect();
         Ok((System { mechanism, laws, rows, runs: false }, found))
     }
 
