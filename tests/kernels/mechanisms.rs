@@ -355,6 +355,7 @@ macro_rules! all_mechanisms {
             models::HangingChain,
             models::FourBars,
             models::SpringFollower,
+            models::CamFollower,
             models::HalfCar,
             models::CartPole,
             crate::mechanisms::Bead,
@@ -369,7 +370,8 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Sprung,
             crate::mechanisms::Switched,
             crate::mechanisms::Actuated,
-            crate::mechanisms::Chosen
+            crate::mechanisms::Chosen,
+            crate::tabled::Tabled
         )
     };
 }
@@ -382,8 +384,22 @@ pub(crate) fn all() -> Vec<&'static Description> {
     }
     [
         tests::shipped(),
-        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated, Switched)
-            .to_vec(),
+        descriptions!(
+            Bead,
+            Cart,
+            Functions,
+            Rod,
+            Chain,
+            Arm,
+            Sled,
+            Snake,
+            Hoist,
+            Sprung,
+            Switched,
+            Actuated,
+            crate::tabled::Tabled
+        )
+        .to_vec(),
     ]
     .concat()
 }
