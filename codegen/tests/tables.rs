@@ -214,8 +214,8 @@ fn fragments_have_tables() {
     assert_eq!(names, ["tall", "left_press", "right_press"]);
     let spring = &model.graph.tables()[1];
     assert_eq!(
-        (spring.knots[3], spring.derivative(0, 0.025), spring.docs.as_str()),
-        (0.03, 6.5, "How hard it presses.")
+        (spring.knots[3], spring.derivative(0, 0.02), spring.docs.as_str()),
+        (0.03, 4.0, "How hard it presses.")
     );
     let values = codegen::equations_as(codegen::notation::Notation::Infix, FRAGMENT).unwrap();
     let constraints = values.iter().find(|part| part.name == "constraints").unwrap();
