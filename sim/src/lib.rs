@@ -25,6 +25,7 @@ mod linearize;
 mod mobility;
 mod motion;
 mod onset;
+mod outcome;
 mod partition;
 mod poincare;
 mod project;

@@ -3,10 +3,12 @@
 use super::Stop;
 use super::arguments::RunArguments;
 use super::run_file::Reproduction;
+use crate::outcome::{Outcome, Recorded};
 use crate::show::{self, About, ShowError};
-use crate::{Format, Run, Table, WriteError, summary, write_json, write_table};
+use crate::write::summary_of;
+use crate::{Format, Table, WriteError, write_json, write_table};
 use serde_json::json;
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::Description;
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -51,13 +53,12 @@ pub(super) fn remove_earlier(description: &Description, directory: &Path) -> Res
 }
 
 /// Writes everything: run file, tables, summary, figures, report, and last the times.
-pub(super) fn write<M: Mechanism>(
-    run: &Run<M>,
+pub(super) fn write(
+    run: &dyn Recorded,
+    outcome: &Outcome,
     table: &Table,
     arguments: &RunArguments,
-    reproduction: &Reproduction,
-    directory: &Path,
-    clock: Instant,
+    (reproduction, directory, clock): (&Reproduction, &Path, Instant),
 ) -> Result<Written, Stop> {
     fs::create_dir_all(directory).map_err(|e| WriteError::new(directory, e))?;
     let mut names = vec!["run.json".to_owned()];
@@ -66,7 +67,7 @@ pub(super) fn write<M: Mechanism>(
         write_table(table, *format, directory)?;
         names.push(format!("trajectory.{}", format.name()));
     }
-    let summary = summary(run, table);
+    let summary = summary_of(outcome, table);
     write_json(&summary, &directory.join("summary.json"))?;
     names.push("summary.json".into());
     let without_figures = clock.elapsed().as_secs_f64();
@@ -74,7 +75,7 @@ pub(super) fn write<M: Mechanism>(
     let mut failures = Vec::new();
     if !arguments.no_report && !is_empty {
         let about = About { summary: &summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
-        match show::report(run, table, &about, &directory.join("report.html")) {
+        match show::report_of(run, outcome, table, &about, &directory.join("report.html")) {
             Ok(()) => names.push("report.html".into()),
             Err(failure) => failures.push(failure),
         }
@@ -83,13 +84,13 @@ pub(super) fn write<M: Mechanism>(
     let drawn = if arguments.no_figures || is_empty {
         show::Figures::default()
     } else {
-        show::figures(run, table, directory, size)
+        show::figures_of(run, outcome, table, directory, size)
     };
     failures.extend(drawn.failures);
     names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
     let total = clock.elapsed().as_secs_f64();
     let timing = json!({
-        "integration_seconds": run.integration_time.as_secs_f64(),
+        "integration_seconds": outcome.integration_seconds,
         "without_figures_seconds": without_figures,
         "total_seconds": total,
     });

@@ -7,8 +7,10 @@ use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
 use crate::happening::impulses;
-use crate::{Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary};
-use sim_kernel::{Array, Description, Input, Mechanism};
+use crate::outcome::{Outcome, Recorded};
+use crate::write::summary_of;
+use crate::{Start, Stepping, Table, What, assemble, declared_start, mobility, run};
+use sim_kernel::{Description, Input, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -26,9 +28,21 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let written = files::write(&found, &table, arguments, &reproduction, &directory, clock)?;
-    say(&found, &table, &written, &directory, voice)?;
-    match (found.trajectory.failure, table.undefined_outputs().first()) {
+    told(&found, &table, arguments, (&reproduction, &directory, clock), voice)
+}
+
+/// Writes what was found, prints a short table, and says what went wrong.
+fn told(
+    found: &dyn Recorded,
+    table: &Table,
+    arguments: &RunArguments,
+    (reproduction, directory, clock): (&Reproduction, &Path, Instant),
+    voice: Voice,
+) -> Result<(), Stop> {
+    let outcome = found.outcome();
+    let written = files::write(found, &outcome, table, arguments, (reproduction, directory, clock))?;
+    say(&outcome, table, &written, directory, voice)?;
+    match (outcome.failure, table.undefined_outputs().first()) {
         (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
         (Some(failure), _) => Err(failure.into()),
         (None, Some((name, time))) => Err(Stop::Failed(anyhow::anyhow!(
@@ -49,27 +63,27 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
 }
 
 /// Prints what came of it.
-fn say<M: Mechanism>(
-    run: &Run<M>,
-    table: &Table,
-    written: &Written,
-    directory: &Path,
-    voice: Voice,
-) -> Result<(), Stop> {
+fn say(run: &Outcome, table: &Table, written: &Written, directory: &Path, voice: Voice) -> Result<(), Stop> {
     match voice {
         Voice { quiet: true, .. } => Ok(()),
         Voice { json: true, .. } => {
-            let mut summary = summary(run, table);
+            let mut summary = summary_of(run, table);
             summary["directory"] = directory.to_string_lossy().into();
             summary["files"] = written.names.clone().into();
             print(&format!("{summary:#}\n"))
         }
-        _ => print(&report(run, table, written, directory)),
+        _ => print(&report(run, written, directory)),
     }
 }
 
 pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
+    set(parameters.as_mut(), description, settings)?;
+    Ok(M::with_parameters(parameters))
+}
+
+/// Sets parameters to what the user says.
+fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
         let known = || description.parameters.iter().map(|p| p.name);
@@ -82,12 +96,17 @@ pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: 
         let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
         parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
     }
-    Ok(M::with_parameters(parameters))
+    Ok(())
 }
 
 /// The mechanism with inputs held at what the user says.
 fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut inputs = mechanism.inputs();
+    hold(inputs.as_mut(), description, settings)?;
+    Ok(mechanism.with_inputs(inputs))
+}
+
+fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--input", text)?;
         let known = || description.inputs.iter().map(|input| input.name);
@@ -97,7 +116,7 @@ fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[S
         let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
         inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
     }
-    Ok(mechanism.with_inputs(inputs))
+    Ok(())
 }
 
 pub(super) fn start_with<M: Mechanism>(
@@ -106,15 +125,37 @@ pub(super) fn start_with<M: Mechanism>(
     settings: &[String],
 ) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
+    for (started, value) in started(description, settings)? {
+        match started {
+            Started::Position(at) => {
+                start.positions[at] = value;
+                start.position_given[at] = description.coordinates[at].start != sim_kernel::Start::Guess;
+            }
+            Started::Speed(at) => {
+                start.speeds[at] = value;
+                start.speed_given[at] = true;
+            }
+        }
+    }
+    Ok(start)
+}
+
+/// A coordinate or a speed, by index.
+enum Started {
+    Position(usize),
+    Speed(usize),
+}
+
+/// What the user says of the start.
+fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
+    let mut said = Vec::new();
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;
         let coordinates = description.coordinates;
         if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
-            start.positions[at] = parse_quantity(name, value, coordinates[at].position.unit)?;
-            start.position_given[at] = coordinates[at].start != sim_kernel::Start::Guess;
+            said.push((Started::Position(at), parse_quantity(name, value, coordinates[at].position.unit)?));
         } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
-            start.speeds[at] = parse_quantity(name, value, coordinates[at].speed.unit)?;
-            start.speed_given[at] = true;
+            said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
         } else {
             if description.parameters.iter().any(|p| p.name == name) {
                 return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
@@ -123,11 +164,11 @@ pub(super) fn start_with<M: Mechanism>(
             return Err(unknown("coordinate or speed", name, known));
         }
     }
-    Ok(start)
+    Ok(said)
 }
 
 /// The method, its steps and what they took.
-fn method<M: Mechanism>(run: &Run<M>) -> String {
+fn method(run: &Outcome) -> String {
     let settings = &run.settings;
     let steps = match settings.stepping {
         Stepping::Equal(steps) => format!("{} of {:.6e} s", counted(steps, "step"), settings.end / steps as f64),
@@ -141,13 +182,13 @@ fn method<M: Mechanism>(run: &Run<M>) -> String {
 }
 
 /// The short table for the terminal.
-fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, directory: &Path) -> String {
-    let description = const { &M::DESCRIPTION };
+fn report(run: &Outcome, written: &Written, directory: &Path) -> String {
+    let description = run.description;
     let end = run.settings.end;
-    let reached = table.times().last().copied().unwrap_or(0.0);
+    let reached = run.reached;
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
-    match run.period() {
+    match run.period {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
         None if description.events.iter().any(|event| event.name == "period") => {
             rows.push(("period", "not reached".into()))
@@ -155,13 +196,14 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         None => {}
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
-        let impulses =
-            impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let impulses = impulses(event, description)
+            .into_iter()
+            .map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
         let more: String = impulses.collect();
-        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
+        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
     }
-    for point in dead_points(run).iter().take(8) {
-        let (of, time) = (point.of.join(", "), point.state.time);
+    for (of, time) in run.dead_points.iter().take(8) {
+        let of = of.join(", ");
         rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
@@ -169,7 +211,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
-    if M::L::LEN > 0 {
+    if !description.constraints.is_empty() {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((
             "constraints",
@@ -187,7 +229,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
-    let integration = milliseconds(run.integration_time.as_secs_f64());
+    let integration = milliseconds(run.integration_seconds);
     let (without, total) = (milliseconds(written.without_figures), milliseconds(written.total));
     rows.push((
         "wall time",
