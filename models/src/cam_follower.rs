@@ -90,18 +90,20 @@ mechanism! {
         }
     }
 
+    let top = [0, 4*r];
     // The path of the roller's centre on the cam.
     repeat i in 0..=36 {
         let path_[i] = (r + lift(10*i*pi/180))*[sin(10*i*pi/180 - alpha), cos(10*i*pi/180 - alpha)];
     }
 
     drawing {
-        ground O;
-        repeat i in 1..=36 { line path_[i-1], path_[i]; }
-        line O, path_[0];
+        ground O, top;
+        repeat i in 1..=36 { curve path_[i-1], path_[i]; }
+        curve O, path_[0];
         circle P radius roller;
-        line P, P + [0, 2*r];
-        slider P + [0, 1.5*r] along pi/2;
-        point O, P;
+        line P, P + [0, 1.5*r];
+        slider P + [0, r] along pi/2;
+        spring P + [0, 1.5*r], top;
+        point O;
     }
 }

@@ -1039,8 +1039,9 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
     ///
     /// Operations: 76 additions, 111 multiplications, 37 sine-cosine pairs, 37 table look-ups.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 164] {
+    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 168] {
         let [alpha, y] = *q;
+        let top_y = S::from_f64(4.0) * self.r;
         let [lift] = CamFollower::<S>::TABLE_lift.at(S::from_f64(0.0));
         let w = self.r + lift;
         let w_2 = S::from_f64(0.05555555555555555)
@@ -1405,9 +1406,12 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
         let path_35_y = w_107 * cos_w_70;
         let [lift_37] = CamFollower::<S>::TABLE_lift.at(w_71);
         let w_108 = self.r + lift_37;
+        let w_109 = y + self.r * S::from_f64(1.5);
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
+            S::from_f64(0.0),
+            top_y,
             path_0_x,
             path_0_y,
             path_1_x,
@@ -1562,14 +1566,16 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
             S::from_f64(0.0),
             y,
             S::from_f64(0.0),
-            y + self.r * S::from_f64(2.0),
+            w_109,
             S::from_f64(0.0),
-            y + self.r * S::from_f64(1.5),
+            y + self.r,
             w_18,
             S::from_f64(0.0),
+            w_109,
+            S::from_f64(0.0),
+            top_y,
             S::from_f64(0.0),
             S::from_f64(0.0),
-            y,
         ]
     }
     /// Declared start: values or guesses of the coordinates (2), and speeds (2), in SI units; 0 where nothing is declared.
@@ -1747,7 +1753,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
     type Events = [S; 2];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 164];
+    type Drawing = [S; 168];
     type QP = [[S; 8]; 2];
     type LP = [[S; 8]; 2];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -1757,7 +1763,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
         name: "cam-follower",
         type_name: "CamFollower",
         docs: "Plate cam at constant speed that lifts a roller follower against a spring. The lift is a table of the cycloidal law.",
-        declaration: "/// Plate cam at constant speed that lifts a roller follower against a spring. The lift is a table of the cycloidal law.\npub CamFollower;\n\ncoordinates {\n    /// Angle of the cam.\n    alpha [rad];\n    /// Height of the roller.\n    y [mm];\n}\n\nparameters {\n    /// Speed of the cam.\n    w [rpm] = 300;\n    /// Radius of the base circle and that of the roller together.\n    r [mm] = 40;\n    /// Inertia of the cam and its shaft.\n    J [kg*m^2] = 0.002;\n    /// Mass of the follower.\n    m [kg] = 0.6;\n    /// Stiffness of the spring.\n    k [N/mm] = 2;\n    /// Force of the spring where the follower is down.\n    F0 [N] = 60;\n    /// Radius of the roller, for drawings.\n    roller [mm] = 10;\n    g [m/s^2] = 9.81;\n}\n\nconst n = 30;\n\ntables {\n    /// Lift over the angle of the cam.\n    lift [mm] over [deg] = cubic, periodic {\n        repeat i in 0..n { 120*i/n, 12*(i/n - sin(2*pi*i/n)/(2*pi)); }\n        repeat i in 0..=10 { 120 + 6*i, 12; }\n        repeat i in 1..n { 180 + 120*i/n, 12*(1 - i/n + sin(2*pi*i/n)/(2*pi)); }\n        repeat i in 0..=10 { 300 + 6*i, 0; }\n    }\n}\n\nlet O = [0, 0];\nlet P = [0, y];\n\nbodies {\n    cam: inertia J, angle alpha;\n    follower: mass m at P;\n}\n\nloads {\n    gravity [0, -g];\n    force -(k*(y - r) + F0) on y;\n}\n\nconstraints { drive: alpha = w*t; }\n\njoints { contact: cam P through O along pi/2 on cam radius r by lift; }\n\ninitial { guess y = 40; }\n\nevents {\n    period: alpha = 2*pi;\n    /// The follower loses touch with the cam.\n    float: reaction(contact) = 0 falling;\n}\n\noutputs {\n    follower_lift \"Lift of the follower\" {\n        /// lift\n        s [mm] = y - r;\n    }\n    follower_acceleration \"Acceleration of the follower\" {\n        /// acceleration\n        a [m/s^2] = ddot(y);\n    }\n    contact_force \"Force of the cam on the follower\" {\n        /// contact\n        N [N] = reaction(contact);\n    }\n    torque \"Torque of the drive\" {\n        /// drive\n        T [N*m] = -reaction(drive);\n    }\n}\n\nrepeat i in 0..=36 {\n    let path_[i] = (r + lift(10*i*pi/180))*[sin(10*i*pi/180 - alpha), cos(10*i*pi/180 - alpha)];\n}\n\ndrawing {\n    ground O;\n    repeat i in 1..=36 { line path_[i-1], path_[i]; }\n    line O, path_[0];\n    circle P radius roller;\n    line P, P + [0, 2*r];\n    slider P + [0, 1.5*r] along pi/2;\n    point O, P;\n}\n",
+        declaration: "/// Plate cam at constant speed that lifts a roller follower against a spring. The lift is a table of the cycloidal law.\npub CamFollower;\n\ncoordinates {\n    /// Angle of the cam.\n    alpha [rad];\n    /// Height of the roller.\n    y [mm];\n}\n\nparameters {\n    /// Speed of the cam.\n    w [rpm] = 300;\n    /// Radius of the base circle and that of the roller together.\n    r [mm] = 40;\n    /// Inertia of the cam and its shaft.\n    J [kg*m^2] = 0.002;\n    /// Mass of the follower.\n    m [kg] = 0.6;\n    /// Stiffness of the spring.\n    k [N/mm] = 2;\n    /// Force of the spring where the follower is down.\n    F0 [N] = 60;\n    /// Radius of the roller, for drawings.\n    roller [mm] = 10;\n    g [m/s^2] = 9.81;\n}\n\nconst n = 30;\n\ntables {\n    /// Lift over the angle of the cam.\n    lift [mm] over [deg] = cubic, periodic {\n        repeat i in 0..n { 120*i/n, 12*(i/n - sin(2*pi*i/n)/(2*pi)); }\n        repeat i in 0..=10 { 120 + 6*i, 12; }\n        repeat i in 1..n { 180 + 120*i/n, 12*(1 - i/n + sin(2*pi*i/n)/(2*pi)); }\n        repeat i in 0..=10 { 300 + 6*i, 0; }\n    }\n}\n\nlet O = [0, 0];\nlet P = [0, y];\n\nbodies {\n    cam: inertia J, angle alpha;\n    follower: mass m at P;\n}\n\nloads {\n    gravity [0, -g];\n    force -(k*(y - r) + F0) on y;\n}\n\nconstraints { drive: alpha = w*t; }\n\njoints { contact: cam P through O along pi/2 on cam radius r by lift; }\n\ninitial { guess y = 40; }\n\nevents {\n    period: alpha = 2*pi;\n    /// The follower loses touch with the cam.\n    float: reaction(contact) = 0 falling;\n}\n\noutputs {\n    follower_lift \"Lift of the follower\" {\n        /// lift\n        s [mm] = y - r;\n    }\n    follower_acceleration \"Acceleration of the follower\" {\n        /// acceleration\n        a [m/s^2] = ddot(y);\n    }\n    contact_force \"Force of the cam on the follower\" {\n        /// contact\n        N [N] = reaction(contact);\n    }\n    torque \"Torque of the drive\" {\n        /// drive\n        T [N*m] = -reaction(drive);\n    }\n}\n\nlet top = [0, 4*r];\n\nrepeat i in 0..=36 {\n    let path_[i] = (r + lift(10*i*pi/180))*[sin(10*i*pi/180 - alpha), cos(10*i*pi/180 - alpha)];\n}\n\ndrawing {\n    ground O, top;\n    repeat i in 1..=36 { curve path_[i-1], path_[i]; }\n    curve O, path_[0];\n    circle P radius roller;\n    line P, P + [0, 1.5*r];\n    slider P + [0, r] along pi/2;\n    spring P + [0, 1.5*r], top;\n    point O;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -1934,49 +1940,51 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
-            sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Ground(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
             sim_kernel::Shape::Circle,
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Slider,
-            sim_kernel::Shape::Points(2),
+            sim_kernel::Shape::Spring,
+            sim_kernel::Shape::Points(1),
         ],
     };
     fn defaults() -> Self {
@@ -2125,7 +2133,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 164] {
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 168] {
         self.drawing(t, q)
     }
     #[inline(always)]

@@ -594,6 +594,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Points(1),

@@ -1303,6 +1303,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(4),

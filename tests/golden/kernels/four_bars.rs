@@ -3195,6 +3195,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Ground(1),

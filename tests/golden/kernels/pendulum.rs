@@ -535,6 +535,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Line(2),

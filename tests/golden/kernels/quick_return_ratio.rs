@@ -1454,6 +1454,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(2),

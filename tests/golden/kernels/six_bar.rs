@@ -2631,6 +2631,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(3),
             sim_kernel::Shape::Line(2),

@@ -1218,6 +1218,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(2),
