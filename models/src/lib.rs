@@ -4,6 +4,7 @@
 
 mod andrews;
 mod bouncing_ball;
+mod cam_follower;
 mod cart_pole;
 mod double_pendulum;
 mod four_bar;
@@ -22,6 +23,7 @@ mod whitworth;
 
 pub use andrews::*;
 pub use bouncing_ball::*;
+pub use cam_follower::*;
 pub use cart_pole::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
@@ -56,6 +58,7 @@ macro_rules! all_models {
             $crate::HangingChain,
             $crate::FourBars,
             $crate::SpringFollower,
+            $crate::CamFollower,
             $crate::HalfCar,
             $crate::CartPole,
             $crate::Skate,

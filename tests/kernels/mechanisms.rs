@@ -353,7 +353,8 @@ macro_rules! own_mechanisms {
             crate::mechanisms::Sprung,
             crate::mechanisms::Switched,
             crate::mechanisms::Actuated,
-            crate::mechanisms::Chosen
+            crate::mechanisms::Chosen,
+            crate::tabled::Tabled
         )
     };
 }

@@ -3,7 +3,7 @@
 use super::interpret::Interpreter;
 use super::level::{self, MOVING};
 use super::scope::{Names, plain};
-use super::{Body, Dependence, Dimension, Point};
+use super::{Body, Dependence, Dimension, Level, Point};
 use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::Expr;
 
@@ -30,7 +30,11 @@ fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
     let place = Region::from(&b.name);
     // Every part is looked at before the first mistake counts.
     let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
-    let angle = b.angle.as_ref().map(|angle| level::angle(angle, "the angle of a body", i));
+    let angle = b.angle.as_ref().map(|angle| {
+        const WHAT: &str = "the angle of a body";
+        let value = level::angle(angle, WHAT, i)?;
+        i.smooth(angle.region, &[value], Level::Positions, WHAT).map(|()| value)
+    });
     let inertia = b.inertia.as_ref().map(|inertia| {
         let value = i.scalar_of(inertia, &Dimension::inertia(), "an inertia")?;
         inertial(inertia, value, i)
@@ -68,7 +72,9 @@ fn resolve_mass(
             format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass"),
         );
     };
-    let at = level::position(position, "the position of a mass", i);
+    const WHAT: &str = "the position of a mass";
+    let at =
+        level::position(position, WHAT, i).filter(|at| i.smooth(position.region, at, Level::Positions, WHAT).is_some());
     value.zip(at)
 }
 

@@ -20,7 +20,9 @@ mod quantities;
 mod rates;
 mod resolve;
 mod scope;
+mod spline;
 mod start;
+mod tables;
 mod units;
 mod value;
 

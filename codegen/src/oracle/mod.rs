@@ -21,6 +21,7 @@ mod observe;
 mod parameters;
 mod solve;
 mod state;
+mod table;
 mod value;
 
 pub use error::{OracleError, Result};

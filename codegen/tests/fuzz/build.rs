@@ -54,6 +54,7 @@ fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
     print("power", [solved.power]);
     print("events", vector(&mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers)));
     print("outputs", vector(&mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers)));
+    print("event_values", vector(&mechanism.event_values(t, q, qd)));
     println!();
 }
 "#;

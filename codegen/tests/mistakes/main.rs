@@ -21,6 +21,7 @@ mod outputs;
 mod parameters;
 mod reuse;
 mod start;
+mod tables;
 mod units;
 
 use proc_macro2::TokenStream;
