@@ -67,26 +67,35 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     ///
     /// # Errors
     /// As [`accelerate`], and as the solution of the constraints.
+    pub fn sample(&self, state: State<M>) -> Result<Sample<M>, Failure> {
+        self.sample_in_place(state)
+    }
+
+    /// The same, compiled into its caller: what is evaluated step by step so stays in registers, which saves a quarter of a
+    /// run.
     #[inline(always)]
-    pub fn sample(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
+    pub(crate) fn sample_in_place(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
         self.evaluations.set(self.evaluations.get() + 1);
-        if self.stabilisation == Stabilisation::Partitioning {
-            self.partition.borrow().follow(self.mechanism, &mut state)?;
-        } else if self.keeps_stages.get() {
-            self.keep_stage(&mut state)?;
+        if self.stabilisation == Stabilisation::Partitioning || self.keeps_stages.get() {
+            state = self.brought_to_constraints(state)?;
         }
         let mut dynamics =
             solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?;
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
-            let push = baumgarte(self.mechanism, &state, rate)?;
+            let push = baumgarte(self.mechanism, state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
     }
 
+    /// By value, so that the state of every other stage stays in registers.
     #[cold]
-    fn keep_stage(&self, state: &mut State<M>) -> Result<(), Failure> {
-        project(self.mechanism, state, self.redundant)
+    fn brought_to_constraints(&self, mut state: State<M>) -> Result<State<M>, Failure> {
+        match self.stabilisation {
+            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &mut state)?,
+            _ => project(self.mechanism, &mut state, self.redundant)?,
+        }
+        Ok(state)
     }
 
     /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
@@ -185,7 +194,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
 
 /// What Baumgarte's method takes from the accelerations: x with [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
 #[cold]
-fn baumgarte<M: Mechanism>(mechanism: &M, state: &State<M>, rate: f64) -> Result<M::Q, Failure> {
+fn baumgarte<M: Mechanism>(mechanism: &M, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let speeds = rates::<M>(&linear, &state.speeds);
     let open = M::L::from_fn(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
@@ -260,7 +269,7 @@ pub fn accelerate<M: Mechanism>(
     solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
 }
 
-#[inline]
+#[inline(always)]
 fn solve_equations<M: Mechanism>(
     mechanism: &M,
     prepared: &M::Prepared,
@@ -272,23 +281,25 @@ fn solve_equations<M: Mechanism>(
     if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }
-    accelerate_by_pivoting(mechanism, time, q, qd)
+    accelerate_by_pivoting(mechanism, time, *q, *qd)
 }
 
 /// Whether all of a solution is.
 #[inline(always)]
 fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool {
-    let values = solved.accelerations.iter().chain(solved.multipliers.iter());
-    values.chain([&solved.power]).all(|value| value.is_finite())
+    let all_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    all_finite(solved.accelerations.as_ref()) && all_finite(solved.multipliers.as_ref()) && solved.power.is_finite()
 }
 
+/// By value, so that states that do not come here stay in registers.
 #[cold]
 fn accelerate_by_pivoting<M: Mechanism>(
     mechanism: &M,
     time: f64,
-    q: &M::Q,
-    qd: &M::Q,
+    q: M::Q,
+    qd: M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let (q, qd) = (&q, &qd);
     let fail = |what| Failure::at::<M>(what, time, q);
     let (n, m) = (M::Q::LEN, M::L::LEN);
     let mass = mechanism.mass_matrix(time, q);

@@ -178,14 +178,14 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
             let is_near = may_be_ahead(sines);
-            let lie = Lie {
-                goal,
-                longest: length,
-                gap: method.gap(),
-                keeps_stages: method.is_explicit(),
-                least_sine: LEAST_SINE,
+            let time = match is_near {
+                true => {
+                    let (gap, keeps_stages) = (method.gap(), method.is_explicit());
+                    let lie = Lie { goal, longest: length, gap, keeps_stages, least_sine: LEAST_SINE };
+                    end_of_step(motion, from, &lie).min(course.end)
+                }
+                false => goal,
             };
-            let time = if is_near { end_of_step(motion, from, &lie).min(course.end) } else { goal };
             attempt(motion, method, from, time, None, to).map_err(|failure| explained(motion, &from.state, failure))?;
             sines = [sines[1], motion.least_sine()];
             steps.accepted += 1;
@@ -302,15 +302,11 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     if !(error <= 1.0) {
         return Ok(error);
     }
-    let Some(tolerance) = tolerance else {
-        motion.keep(&mut end)?;
-        *to = motion.sample(end)?;
-        return Ok(error);
-    };
     let before = end;
     motion.keep(&mut end)?;
-    *to = motion.sample(end)?;
-    Ok(error.max(tolerance.norm(&before, &end, &difference(&before, &end)) / MOST_MOVED))
+    *to = motion.sample_in_place(end)?;
+    let moved = |tolerance: &Tolerance| tolerance.norm(&before, &end, &difference(&before, &end));
+    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / MOST_MOVED)))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {
