@@ -109,7 +109,8 @@ impl<M: Mechanism> EventSearch<M> {
             self.search_one(step, event, &from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
             if self.found.len() - first > MOST_IN_A_STEP {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
-                return Err(Failure::at::<M>(what, step.from.state.time, &step.from.state.positions));
+                let begins = &self.found[first].state;
+                return Err(Failure::at::<M>(what, begins.time, &begins.positions));
             }
         }
         self.found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));

@@ -24,6 +24,7 @@ mod level;
 mod linearize;
 mod mobility;
 mod motion;
+mod nearby;
 mod onset;
 mod partition;
 mod poincare;

@@ -1,13 +1,12 @@
 //! `sim poincare`.
 
 use super::arguments::{Size, StartArguments, Voice, format};
+use super::files::Files;
 use super::run::{mechanism_with, start_with};
 use super::settings::positive;
 use super::{Stop, print, progress, unknown};
 use crate::show;
-use crate::{
-    Crossing, Format, Method, Section, Sectioning, Settings, Table, What, WriteError, poincare, write_json, write_table,
-};
+use crate::{Crossing, Format, Method, Section, Sectioning, Settings, Table, What, poincare, write_json};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use sim_kernel::Mechanism;
@@ -91,9 +90,10 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
     let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
-    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
-    let names = write(&found, arguments, &directory)?;
+    let mut files = Files::new(description, &directory, &["mechanism"])?;
+    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
+    write(&found, arguments, &mut files);
     let said = summary(&found, arguments);
     match voice {
         Voice { quiet: true, .. } => {}
@@ -102,44 +102,30 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
             "{}written      {}: {}\n",
             report(&found, arguments),
             directory.display(),
-            names.join(", ")
+            files.names.join(", ")
         ))?,
     }
-    match found.trajectory.failure {
-        Some(failure) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
-        Some(failure) => Err(failure.into()),
-        None if found.trajectory.samples.is_empty() => Err(Stop::Failed(anyhow::anyhow!(
+    let problems = match &found.trajectory.failure {
+        Some(failure) => vec![failure.to_string()],
+        None if found.trajectory.samples.is_empty() => vec![format!(
             "event `{}` has not happened in {end} s{}. Give a longer --t-end, or another event",
             arguments.event,
             if section.crossing.is_some() { " in this direction" } else { "" }
-        ))),
-        None => Ok(()),
+        )],
+        None => Vec::new(),
+    };
+    match (files.check(problems), found.trajectory.failure) {
+        (Err(Stop::Failed(error)), Some(failure)) if failure.what == What::Interrupted => Err(Stop::Interrupted(error)),
+        (ended, _) => ended,
     }
 }
 
-fn write<M: Mechanism>(
-    found: &Section<M>,
-    arguments: &PoincareArguments,
-    directory: &std::path::Path,
-) -> Result<Vec<String>, Stop> {
-    std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why))?;
-    super::files::remove_earlier(&M::DESCRIPTION, directory)?;
-    let table = Table::of(&found.mechanism, &found.trajectory);
-    let mut names = Vec::new();
-    for format in Format::ALL.iter().filter(|format| arguments.format.contains(format)) {
-        write_table(&table, *format, directory)?;
-        names.push(format!("trajectory.{}", format.name()));
+fn write<M: Mechanism>(found: &Section<M>, arguments: &PoincareArguments, files: &mut Files) {
+    files.add_table(&Table::of(&found.mechanism, &found.trajectory), &arguments.format);
+    files.add("summary.json", |path| write_json(&summary(found, arguments), path));
+    if !arguments.no_figures && !found.trajectory.samples.is_empty() {
+        files.add_figures(&show::section_figures(found, files.directory(), arguments.size.show()));
     }
-    write_json(&summary(found, arguments), &directory.join("summary.json"))?;
-    names.push("summary.json".into());
-    if !arguments.no_figures {
-        let drawn = show::section_figures(found, directory, arguments.size.show());
-        if let Some(failure) = drawn.failures.into_iter().next() {
-            return Err(failure.into());
-        }
-        names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-    }
-    Ok(names)
 }
 
 fn summary<M: Mechanism>(found: &Section<M>, arguments: &PoincareArguments) -> Value {

@@ -1,13 +1,17 @@
 //! `sim run`.
 
 use super::arguments::{RunArguments, Voice};
-use super::files::{self, Written};
+use super::files::Files;
 use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
 use crate::happening::impulses;
-use crate::{Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary};
+use crate::show::{self, About};
+use crate::{
+    Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary, write_json,
+};
+use serde_json::json;
 use sim_kernel::{Array, Description, Input, Mechanism};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -22,20 +26,71 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
-    files::remove_earlier(description, &directory)?;
+    let mut files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let written = files::write(&found, &table, arguments, &reproduction, &directory, clock)?;
-    say(&found, &table, &written, &directory, voice)?;
-    match (found.trajectory.failure, table.undefined_outputs().first()) {
-        (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
-        (Some(failure), _) => Err(failure.into()),
-        (None, Some((name, time))) => Err(Stop::Failed(anyhow::anyhow!(
+    let times = write(&mut files, &found, &table, arguments, &reproduction, clock);
+    say(&found, &table, &files, &times, &directory, voice)?;
+    let ended = files.check(failures(&found, &table));
+    match (ended, found.trajectory.failure) {
+        (Err(Stop::Failed(error)), Some(failure)) if failure.what == What::Interrupted => Err(Stop::Interrupted(error)),
+        (ended, _) => ended,
+    }
+}
+
+/// Seconds from the start of a run.
+struct Times {
+    /// Until figures were begun.
+    without_figures: f64,
+    /// Until all was written.
+    total: f64,
+}
+
+/// Writes everything: run file, tables, summary, figures, report, and last the times.
+fn write<M: Mechanism>(
+    files: &mut Files,
+    run: &Run<M>,
+    table: &Table,
+    arguments: &RunArguments,
+    reproduction: &Reproduction,
+    clock: Instant,
+) -> Times {
+    let seconds = || clock.elapsed().as_secs_f64();
+    let summary = summary(run, table);
+    files.add("run.json", |path| write_json(&reproduction.file, path));
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(&summary, path));
+    let without_figures = seconds();
+    let is_empty = table.times().is_empty();
+    if !arguments.no_report && !is_empty {
+        let about = About { summary: &summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
+        files.add("report.html", |path| show::report(run, table, &about, path));
+    }
+    if !arguments.no_figures && !is_empty {
+        files.add_figures(&show::figures(run, table, files.directory(), arguments.size.show()));
+    }
+    let times = Times { without_figures, total: seconds() };
+    let timing = json!({
+        "integration_seconds": run.integration_time.as_secs_f64(),
+        "without_figures_seconds": times.without_figures,
+        "total_seconds": times.total,
+    });
+    files.add("timing.json", |path| write_json(&timing, path));
+    times
+}
+
+/// What went wrong in the motion or its outputs.
+fn failures<M: Mechanism>(run: &Run<M>, table: &Table) -> Vec<String> {
+    let of_output = |(name, time): &(&str, f64)| {
+        format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
-        ))),
-        (None, None) => written.check(),
+        )
+    };
+    match &run.trajectory.failure {
+        Some(failure) => vec![failure.to_string()],
+        None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
     }
 }
 
@@ -52,7 +107,8 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
 fn say<M: Mechanism>(
     run: &Run<M>,
     table: &Table,
-    written: &Written,
+    files: &Files,
+    times: &Times,
     directory: &Path,
     voice: Voice,
 ) -> Result<(), Stop> {
@@ -61,10 +117,10 @@ fn say<M: Mechanism>(
         Voice { json: true, .. } => {
             let mut summary = summary(run, table);
             summary["directory"] = directory.to_string_lossy().into();
-            summary["files"] = written.names.clone().into();
+            summary["files"] = files.names.clone().into();
             print(&format!("{summary:#}\n"))
         }
-        _ => print(&report(run, table, written, directory)),
+        _ => print(&report(run, table, files, times, directory)),
     }
 }
 
@@ -141,7 +197,7 @@ fn method<M: Mechanism>(run: &Run<M>) -> String {
 }
 
 /// The short table for the terminal.
-fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, directory: &Path) -> String {
+fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Times, directory: &Path) -> String {
     let description = const { &M::DESCRIPTION };
     let end = run.settings.end;
     let reached = table.times().last().copied().unwrap_or(0.0);
@@ -188,16 +244,16 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
     let integration = milliseconds(run.integration_time.as_secs_f64());
-    let (without, total) = (milliseconds(written.without_figures), milliseconds(written.total));
+    let (without, total) = (milliseconds(times.without_figures), milliseconds(times.total));
     rows.push((
         "wall time",
         format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
     ));
-    let tables = written.names.iter().filter(|name| !name.ends_with(".svg") && !name.ends_with(".png"));
-    let files: Vec<&str> = tables.map(String::as_str).collect();
-    let figures = counted(written.figures, "figure");
-    rows.push(("written", format!("{}: {}, {figures}", directory.display(), files.join(", "))));
-    if written.names.iter().any(|name| name == "report.html") {
+    let is_figure = |name: &&String| name.ends_with(".svg") || name.ends_with(".png");
+    let others: Vec<&str> = files.names.iter().filter(|name| !is_figure(name)).map(String::as_str).collect();
+    let figures = counted(files.names.iter().filter(|name| name.ends_with(".svg")).count(), "figure");
+    rows.push(("written", format!("{}: {}, {figures}", directory.display(), others.join(", "))));
+    if files.names.iter().any(|name| name == "report.html") {
         rows.push(("look at", format!("{}", directory.join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()

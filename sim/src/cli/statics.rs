@@ -32,6 +32,7 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voic
             "degrees_of_freedom": found.degrees_of_freedom,
             "configuration_freedom": found.configuration_freedom,
             "redundant_constraints": found.dependent,
+            "singular_constraints": found.singular,
             "coordinates": coordinates,
             "speeds": speeds,
             "residuals": { "position": position, "velocity": velocity },
@@ -44,6 +45,9 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voic
     writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
     for line in found.redundancies() {
         writeln!(out, "redundant    {line}")?;
+    }
+    for line in found.singularities() {
+        writeln!(out, "singular     {line}")?;
     }
     for (c, (q, qd)) in description.coordinates.iter().zip(state.positions.iter().zip(state.speeds.iter())) {
         let (position, speed) = (q / c.position.factor, qd / c.speed.factor);

@@ -216,9 +216,13 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     let mut sines = [0.0; 2];
     let mut parts = parts_at(motion, &from.state);
     let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
+    let mut headway = Headway::from(from.state.time);
     while from.state.time < course.end {
         check_interrupt(course, from)?;
         let now = from.state.time;
+        if headway.is_lost(now, course.end - course.begin) {
+            return Err(too_small(motion, &from.state, h, None));
+        }
         // The last step is not followed by a tiny one.
         let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
         let lie = Lie {
@@ -255,6 +259,34 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
         }
     }
     Ok(())
+}
+
+/// How far attempts have come lately.
+struct Headway {
+    since: f64,
+    attempts: u32,
+}
+
+impl Headway {
+    /// So many attempts that lead no further than this part of the whole time each will never come to its end: where a load
+    /// jumps to and fro, steps stay short enough to be accepted.
+    const ATTEMPTS: u32 = 20_000;
+    const LEAST: f64 = 1e-10;
+
+    fn from(time: f64) -> Headway {
+        Headway { since: time, attempts: 0 }
+    }
+
+    /// Whether the last of them have led nowhere.
+    fn is_lost(&mut self, now: f64, whole: f64) -> bool {
+        self.attempts += 1;
+        if self.attempts <= Headway::ATTEMPTS {
+            return false;
+        }
+        let come = now - self.since;
+        *self = Headway::from(now);
+        come < Headway::LEAST * whole * f64::from(Headway::ATTEMPTS)
+    }
 }
 
 /// The least sine of the angle between a row of C_q and those before it from which equal steps lead over a singular
