@@ -188,7 +188,8 @@ impl<M: Mechanism> EventSearch<M> {
         values: [f64; 2],
     ) -> Result<(), Failure> {
         let sign = values[0].signum();
-        let (fraction, least) = find_minimum(|fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
+        let (fraction, least) =
+            find_minimum(&mut |fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
         let turn = from + fraction * (to - from);
         if least < -TOUCH * self.largest[event] {
             self.locate(step, event, [from, turn], [values[0], sign * least])?;
@@ -212,8 +213,8 @@ impl<M: Mechanism> EventSearch<M> {
         let time = match values[1] == 0.0 {
             true => to,
             false => {
-                let at = |fraction: f64| value(step, from + fraction * h, event);
-                from + h * find_root(values[0], values[1], tolerance(to) / h, at)?
+                let mut at = |fraction: f64| value(step, from + fraction * h, event);
+                from + h * find_root(values[0], values[1], tolerance(to) / h, &mut at)?
             }
         };
         let state = step.at(time)?;

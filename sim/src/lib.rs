@@ -26,6 +26,7 @@ mod mobility;
 mod motion;
 mod nearby;
 mod onset;
+mod outcome;
 mod partition;
 mod poincare;
 mod project;

@@ -97,7 +97,7 @@ fn period<M: Mechanism>(states: &[State<M>]) -> Option<Period> {
     let is_same = |a: &State<M>, b: &State<M>| {
         (0..M::Q::LEN).all(|j| {
             let apart = b.positions[j] - a.positions[j];
-            let is_angle = Driven::Coordinate(j).turn::<M>().is_some();
+            let is_angle = Driven::Coordinate(j).turn(const { &M::DESCRIPTION }).is_some();
             let (apart, size) = if is_angle { (apart - TAU * (apart / TAU).round(), 1.0) } else { (apart, lengths) };
             apart.abs() <= SAME * size && (b.speeds[j] - a.speeds[j]).abs() <= SAME * speeds
         })

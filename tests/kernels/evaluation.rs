@@ -73,7 +73,7 @@ fn drawing(equations: &EquationsOfMotion) -> Vec<Expr> {
     let shapes = equations.model.drawing.iter();
     shapes
         .flat_map(|shape| match shape {
-            Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => points.concat(),
+            Shape::Points(_, points) => points.concat(),
             Shape::Slider([x, y], number) | Shape::Circle([x, y], number) => vec![*x, *y, *number],
         })
         .collect()

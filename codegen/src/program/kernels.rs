@@ -206,7 +206,7 @@ fn start(model: &Model, zero: Expr) -> (Vec<Expr>, Vec<Expr>) {
 
 fn drawing(model: &Model) -> Vec<Expr> {
     let numbers = model.drawing.iter().flat_map(|shape| match shape {
-        Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => points.concat(),
+        Shape::Points(_, points) => points.concat(),
         Shape::Slider([x, y], number) | Shape::Circle([x, y], number) => vec![*x, *y, *number],
     });
     numbers.collect()

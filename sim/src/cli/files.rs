@@ -69,8 +69,12 @@ impl Files {
     }
 
     /// Of these and what else went wrong, one error.
-    pub(super) fn check(self, others: Vec<String>) -> Result<(), Stop> {
+    pub(super) fn check(self, others: Vec<String>, is_interrupted: bool) -> Result<(), Stop> {
         let problems = [others, self.failures].concat().join("\nerror: ");
-        if problems.is_empty() { Ok(()) } else { Err(Stop::Failed(anyhow::anyhow!(problems))) }
+        match problems.is_empty() {
+            true => Ok(()),
+            false if is_interrupted => Err(Stop::Interrupted(anyhow::anyhow!(problems))),
+            false => Err(Stop::Failed(anyhow::anyhow!(problems))),
+        }
     }
 }

@@ -114,10 +114,8 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
         )],
         None => Vec::new(),
     };
-    match (files.check(problems), found.trajectory.failure) {
-        (Err(Stop::Failed(error)), Some(failure)) if failure.what == What::Interrupted => Err(Stop::Interrupted(error)),
-        (ended, _) => ended,
-    }
+    let is_interrupted = found.trajectory.failure.is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(problems, is_interrupted)
 }
 
 fn write<M: Mechanism>(found: &Section<M>, arguments: &PoincareArguments, files: &mut Files) {

@@ -7,13 +7,13 @@ use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
 use super::{Stop, print, progress, unknown};
 use crate::happening::impulses;
+use crate::outcome::{Outcome, Recorded};
 use crate::show::{self, About};
-use crate::{
-    Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary, write_json,
-};
+use crate::write::summary_of;
+use crate::{Start, Stepping, Table, What, assemble, declared_start, mobility, run, write_json};
 use serde_json::json;
-use sim_kernel::{Array, Description, Input, Mechanism};
-use std::path::{Path, PathBuf};
+use sim_kernel::{Description, Input, Mechanism};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Runs a mechanism, writes what it found, and prints a short table.
@@ -26,17 +26,26 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
-    let mut files = Files::new(description, &directory, &["mechanism"])?;
+    let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let times = write(&mut files, &found, &table, arguments, &reproduction, clock);
-    say(&found, &table, &files, &times, &directory, voice)?;
-    let ended = files.check(failures(&found, &table));
-    match (ended, found.trajectory.failure) {
-        (Err(Stop::Failed(error)), Some(failure)) if failure.what == What::Interrupted => Err(Stop::Interrupted(error)),
-        (ended, _) => ended,
-    }
+    told(&found, &table, arguments, (&reproduction, files, clock), voice)
+}
+
+/// Writes what was found, prints a short table, and says what went wrong.
+fn told(
+    found: &dyn Recorded,
+    table: &Table,
+    arguments: &RunArguments,
+    (reproduction, mut files, clock): (&Reproduction, Files, Instant),
+    voice: Voice,
+) -> Result<(), Stop> {
+    let outcome = found.outcome();
+    let times = write(&mut files, found, &outcome, table, arguments, (reproduction, clock));
+    say(&outcome, table, &files, &times, voice)?;
+    let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(failures(&outcome, table), is_interrupted)
 }
 
 /// Seconds from the start of a run.
@@ -48,16 +57,16 @@ struct Times {
 }
 
 /// Writes everything: run file, tables, summary, figures, report, and last the times.
-fn write<M: Mechanism>(
+fn write(
     files: &mut Files,
-    run: &Run<M>,
+    run: &dyn Recorded,
+    outcome: &Outcome,
     table: &Table,
     arguments: &RunArguments,
-    reproduction: &Reproduction,
-    clock: Instant,
+    (reproduction, clock): (&Reproduction, Instant),
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
-    let summary = summary(run, table);
+    let summary = summary_of(outcome, table);
     files.add("run.json", |path| write_json(&reproduction.file, path));
     files.add_table(table, &arguments.format);
     files.add("summary.json", |path| write_json(&summary, path));
@@ -65,14 +74,14 @@ fn write<M: Mechanism>(
     let is_empty = table.times().is_empty();
     if !arguments.no_report && !is_empty {
         let about = About { summary: &summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
-        files.add("report.html", |path| show::report(run, table, &about, path));
+        files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
     }
     if !arguments.no_figures && !is_empty {
-        files.add_figures(&show::figures(run, table, files.directory(), arguments.size.show()));
+        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.size.show()));
     }
     let times = Times { without_figures, total: seconds() };
     let timing = json!({
-        "integration_seconds": run.integration_time.as_secs_f64(),
+        "integration_seconds": outcome.integration_seconds,
         "without_figures_seconds": times.without_figures,
         "total_seconds": times.total,
     });
@@ -81,14 +90,14 @@ fn write<M: Mechanism>(
 }
 
 /// What went wrong in the motion or its outputs.
-fn failures<M: Mechanism>(run: &Run<M>, table: &Table) -> Vec<String> {
+fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
     let of_output = |(name, time): &(&str, f64)| {
         format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
         )
     };
-    match &run.trajectory.failure {
+    match &outcome.failure {
         Some(failure) => vec![failure.to_string()],
         None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
     }
@@ -104,28 +113,27 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
 }
 
 /// Prints what came of it.
-fn say<M: Mechanism>(
-    run: &Run<M>,
-    table: &Table,
-    files: &Files,
-    times: &Times,
-    directory: &Path,
-    voice: Voice,
-) -> Result<(), Stop> {
+fn say(run: &Outcome, table: &Table, files: &Files, times: &Times, voice: Voice) -> Result<(), Stop> {
     match voice {
         Voice { quiet: true, .. } => Ok(()),
         Voice { json: true, .. } => {
-            let mut summary = summary(run, table);
-            summary["directory"] = directory.to_string_lossy().into();
+            let mut summary = summary_of(run, table);
+            summary["directory"] = files.directory().to_string_lossy().into();
             summary["files"] = files.names.clone().into();
             print(&format!("{summary:#}\n"))
         }
-        _ => print(&report(run, table, files, times, directory)),
+        _ => print(&report(run, files, times)),
     }
 }
 
 pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
+    set(parameters.as_mut(), description, settings)?;
+    Ok(M::with_parameters(parameters))
+}
+
+/// Sets parameters to what the user says.
+fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
         let known = || description.parameters.iter().map(|p| p.name);
@@ -138,12 +146,17 @@ pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: 
         let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
         parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
     }
-    Ok(M::with_parameters(parameters))
+    Ok(())
 }
 
 /// The mechanism with inputs held at what the user says.
 fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut inputs = mechanism.inputs();
+    hold(inputs.as_mut(), description, settings)?;
+    Ok(mechanism.with_inputs(inputs))
+}
+
+fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--input", text)?;
         let known = || description.inputs.iter().map(|input| input.name);
@@ -153,7 +166,7 @@ fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[S
         let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
         inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
     }
-    Ok(mechanism.with_inputs(inputs))
+    Ok(())
 }
 
 pub(super) fn start_with<M: Mechanism>(
@@ -162,15 +175,37 @@ pub(super) fn start_with<M: Mechanism>(
     settings: &[String],
 ) -> Result<Start<M>, Stop> {
     let mut start = declared_start(mechanism);
+    for (started, value) in started(description, settings)? {
+        match started {
+            Started::Position(at) => {
+                start.positions[at] = value;
+                start.position_given[at] = description.coordinates[at].start != sim_kernel::Start::Guess;
+            }
+            Started::Speed(at) => {
+                start.speeds[at] = value;
+                start.speed_given[at] = true;
+            }
+        }
+    }
+    Ok(start)
+}
+
+/// A coordinate or a speed, by index.
+enum Started {
+    Position(usize),
+    Speed(usize),
+}
+
+/// What the user says of the start.
+fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
+    let mut said = Vec::new();
     for text in settings {
         let (name, value) = split_assignment("--initial", text)?;
         let coordinates = description.coordinates;
         if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
-            start.positions[at] = parse_quantity(name, value, coordinates[at].position.unit)?;
-            start.position_given[at] = coordinates[at].start != sim_kernel::Start::Guess;
+            said.push((Started::Position(at), parse_quantity(name, value, coordinates[at].position.unit)?));
         } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
-            start.speeds[at] = parse_quantity(name, value, coordinates[at].speed.unit)?;
-            start.speed_given[at] = true;
+            said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
         } else {
             if description.parameters.iter().any(|p| p.name == name) {
                 return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
@@ -179,11 +214,11 @@ pub(super) fn start_with<M: Mechanism>(
             return Err(unknown("coordinate or speed", name, known));
         }
     }
-    Ok(start)
+    Ok(said)
 }
 
 /// The method, its steps and what they took.
-fn method<M: Mechanism>(run: &Run<M>) -> String {
+fn method(run: &Outcome) -> String {
     let settings = &run.settings;
     let steps = match settings.stepping {
         Stepping::Equal(steps) => format!("{} of {:.6e} s", counted(steps, "step"), settings.end / steps as f64),
@@ -197,13 +232,13 @@ fn method<M: Mechanism>(run: &Run<M>) -> String {
 }
 
 /// The short table for the terminal.
-fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Times, directory: &Path) -> String {
-    let description = const { &M::DESCRIPTION };
+fn report(run: &Outcome, files: &Files, times: &Times) -> String {
+    let description = run.description;
     let end = run.settings.end;
-    let reached = table.times().last().copied().unwrap_or(0.0);
+    let reached = run.reached;
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
-    match run.period() {
+    match run.period {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
         None if description.events.iter().any(|event| event.name == "period") => {
             rows.push(("period", "not reached".into()))
@@ -211,13 +246,14 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Time
         None => {}
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
-        let impulses =
-            impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let impulses = impulses(event, description)
+            .into_iter()
+            .map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
         let more: String = impulses.collect();
-        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
+        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
     }
-    for point in dead_points(run).iter().take(8) {
-        let (of, time) = (point.of.join(", "), point.state.time);
+    for (of, time) in run.dead_points.iter().take(8) {
+        let of = of.join(", ");
         rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
@@ -225,7 +261,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Time
         let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
-    if M::L::LEN > 0 {
+    if !description.constraints.is_empty() {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((
             "constraints",
@@ -243,7 +279,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Time
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
-    let integration = milliseconds(run.integration_time.as_secs_f64());
+    let integration = milliseconds(run.integration_seconds);
     let (without, total) = (milliseconds(times.without_figures), milliseconds(times.total));
     rows.push((
         "wall time",
@@ -252,9 +288,9 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, files: &Files, times: &Time
     let is_figure = |name: &&String| name.ends_with(".svg") || name.ends_with(".png");
     let others: Vec<&str> = files.names.iter().filter(|name| !is_figure(name)).map(String::as_str).collect();
     let figures = counted(files.names.iter().filter(|name| name.ends_with(".svg")).count(), "figure");
-    rows.push(("written", format!("{}: {}, {figures}", directory.display(), others.join(", "))));
+    rows.push(("written", format!("{}: {}, {figures}", files.directory().display(), others.join(", "))));
     if files.names.iter().any(|name| name == "report.html") {
-        rows.push(("look at", format!("{}", directory.join("report.html").display())));
+        rows.push(("look at", format!("{}", files.directory().join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }

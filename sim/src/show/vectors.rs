@@ -15,7 +15,11 @@ pub(super) struct Vector {
 
 /// The forces of a run, each with its point and components, x y u v, at each of some samples.
 #[cfg(not(feature = "analysis"))]
-pub(super) fn vectors<M: sim_kernel::Mechanism>(_: &crate::Run<M>, _: &[usize]) -> Vec<(Vector, Vec<f64>)> {
+pub(super) fn vectors(
+    _: &dyn crate::outcome::Recorded,
+    _: &sim_kernel::Description,
+    _: &[usize],
+) -> Vec<(Vector, Vec<f64>)> {
     Vec::new()
 }
 
@@ -25,10 +29,10 @@ pub(super) use declared::vectors;
 #[cfg(feature = "analysis")]
 mod declared {
     use super::Vector;
-    use crate::{Run, Sample};
+    use crate::outcome::{Recorded, Row};
     use codegen::dsl::{self, Choice, Declaration, Expression, Kind, Load, Operator, Output, OutputGroup};
     use codegen::oracle::{Measured, Oracle, Solution, State};
-    use sim_kernel::{Array, Mechanism};
+    use sim_kernel::Description;
 
     /// Half the distance between the two places from which a constraint's derivative is taken, in metres: exact to
     /// rounding for constraints of degree two in a point, which those of linkages are.
@@ -46,8 +50,11 @@ mod declared {
 
     /// The forces of a run, each with its point and components, x y u v, at each of some samples. None where the
     /// declaration cannot be read again.
-    pub(in crate::show) fn vectors<M: Mechanism>(run: &Run<M>, samples: &[usize]) -> Vec<(Vector, Vec<f64>)> {
-        let description = const { &M::DESCRIPTION };
+    pub(in crate::show) fn vectors(
+        run: &dyn Recorded,
+        description: &Description,
+        samples: &[usize],
+    ) -> Vec<(Vector, Vec<f64>)> {
         let tokens = description.declaration.parse().ok();
         let Some(mut declaration) = tokens.and_then(|tokens| dsl::parse(tokens).ok()) else { return Vec::new() };
         let arrows = arrows(&declaration, description.constraints.len());
@@ -59,42 +66,36 @@ mod declared {
         let oracle = Oracle::new(&declaration, &si);
         let mut numbers = vec![Vec::with_capacity(4 * samples.len()); sources.len()];
         for index in samples {
-            let mechanism = run.trajectory.phase_of(*index).map_or(&run.mechanism, |phase| &phase.mechanism);
-            let parameters: Vec<f64> = mechanism.parameters().iter().copied().collect();
-            let values = evaluate(&oracle, &parameters, &run.trajectory.samples[*index]).unwrap_or_default();
+            let row = run.row(*index);
+            let values = evaluate(&oracle, &row).unwrap_or_default();
             for ((_, source), numbers) in sources.iter().zip(&mut numbers) {
-                numbers.extend(arrow(source, &values, &run.trajectory.samples[*index]));
+                numbers.extend(arrow(source, &values, &row.multipliers));
             }
         }
         sources.into_iter().map(|(vector, _)| vector).zip(numbers).collect()
     }
 
     /// The outputs at a sample.
-    fn evaluate<M: Mechanism>(oracle: &Oracle, parameters: &[f64], sample: &Sample<M>) -> Option<Vec<f64>> {
-        let list = |values: &M::Q| values.iter().copied().collect::<Vec<f64>>();
-        let (coordinates, speeds) = (list(&sample.state.positions), list(&sample.state.speeds));
-        let inputs: Vec<Option<f64>> = sample.inputs.iter().map(|input| input.held()).collect();
-        let (time, coordinates, speeds) = (sample.state.time, &coordinates, &speeds);
-        let state = State { time, parameters, inputs: &inputs, coordinates, speeds };
+    fn evaluate(oracle: &Oracle, row: &Row) -> Option<Vec<f64>> {
+        let Row { time, parameters, inputs, positions: coordinates, speeds, .. } = row;
+        let state = State { time: *time, parameters, inputs, coordinates, speeds };
         let solution = Solution {
-            accelerations: sample.accelerations.iter().copied().map(Measured::given).collect(),
-            multipliers: sample.multipliers.iter().copied().map(Measured::given).collect(),
+            accelerations: row.accelerations.iter().copied().map(Measured::given).collect(),
+            multipliers: row.multipliers.iter().copied().map(Measured::given).collect(),
         };
         let outputs = oracle.outputs(&state, &solution).ok()?;
         Some(outputs.into_iter().map(|output| output.value).collect())
     }
 
-    fn arrow<M: Mechanism>(source: &Source, values: &[f64], sample: &Sample<M>) -> [f64; 4] {
+    fn arrow(source: &Source, values: &[f64], multipliers: &[f64]) -> [f64; 4] {
         let at = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
         match source {
             Source::Load(first) => [at(*first), at(first + 1), at(first + 2), at(first + 3)],
             Source::Reaction { first, row } => {
-                let force = -sample.multipliers[*row] / (2.0 * REACH);
+                let force = -multipliers[*row] / (2.0 * REACH);
                 [at(*first), at(first + 1), force * at(first + 2), force * at(first + 3)]
             }
-            Source::Joint { first, row } => {
-                [at(*first), at(first + 1), -sample.multipliers[*row], -sample.multipliers[row + 1]]
-            }
+            Source::Joint { first, row } => [at(*first), at(first + 1), -multipliers[*row], -multipliers[row + 1]],
         }
     }
 
@@ -181,7 +182,7 @@ mod declared {
     /// The names of what is drawn.
     fn drawn(declaration: &Declaration) -> Vec<String> {
         let points = declaration.drawing.iter().flat_map(|shape| match shape {
-            dsl::Shape::Line(points) | dsl::Shape::Ground(points) | dsl::Shape::Points(points) => points.as_slice(),
+            dsl::Shape::Points { points, .. } => points.as_slice(),
             dsl::Shape::Slider { at, .. } | dsl::Shape::Circle { at, .. } => std::slice::from_ref(at),
         });
         points.map(crate::show::names::printed).collect()
