@@ -2,13 +2,14 @@
 
 use crate::assemble::{Start, assemble};
 use crate::control::{Control, Controller};
+use crate::equations::residuals;
 use crate::events::Occurrence;
 use crate::failure::Failure;
 use crate::integrate::{
     Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
 };
 use crate::mobility::{Mobility, check_masses, mobility};
-use crate::motion::{Motion, residuals};
+use crate::motion::Motion;
 use crate::record::Recorder;
 use crate::settings::{Method, Settings};
 use crate::trajectory::{Sample, State, Trajectory};
