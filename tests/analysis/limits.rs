@@ -169,7 +169,7 @@ fn released_constraints_are_no_part_of_positions() {
     let run = sim::run(ball, &declared_start(&ball), &Settings::new(1.0)).unwrap();
     assert!(run.trajectory.failure.is_none() && !run.events.is_empty());
     assert!(dead_points(&run).is_empty());
-    let held = vec![(Driven::find(&BouncingBall::DESCRIPTION, "y").unwrap(), 0.5)];
+    let held = vec![(Driven::find(&<BouncingBall as Mechanism>::DESCRIPTION, "y").unwrap(), 0.5)];
     let sweep = Sweep { held, ..sweep::<BouncingBall>("x", [0.0, 1.0], 2.0, 10) };
     let found = kinematics(ball, &declared_start(&ball), &sweep).unwrap();
     assert_eq!((&found.trajectory.failure, found.values.len()), (&None, 11));

@@ -55,6 +55,7 @@ fn a_full_disk() {
             said.contains("cannot write") && said.contains(full) && said.contains("No space left"),
             "{full}: {said}"
         );
+        assert_eq!(said.lines().count(), 1, "{said}");
         // What is rendered from a figure that could not be written is not there either.
         let stem = |name: &str| name.split_once('.').map(|(stem, _)| stem.to_owned());
         let is_other = |other: &&&str| stem(other) != stem(full) || !full.starts_with("mechanism");
