@@ -11,11 +11,13 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 16] = [
+const FOLLOWING_WORDS: [&str; 18] = [
     "at",
     "on",
     "along",
     "radius",
+    "normal",
+    "axis",
     "about",
     "from",
     "to",
@@ -31,10 +33,11 @@ const FOLLOWING_WORDS: [&str; 16] = [
 ];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 18] = [
+const LANGUAGE_WORDS: [&str; 19] = [
     "mass",
     "inertia",
     "angle",
+    "attitude",
     "guess",
     "dot",
     "force",

@@ -39,16 +39,17 @@ struct Frame {
     name: Ident,
     position: Option<Expression>,
     angle: Option<Expression>,
+    attitude: Option<Expression>,
 }
 
 impl Frames {
     /// Those of the bodies, each written out by those before it.
     fn of(declaration: &Declaration) -> Result<Frames> {
         let mut frames = Frames { bodies: Vec::new() };
-        for Body { name, mass, angle, .. } in &declaration.bodies {
+        for Body { name, mass, angle, attitude, .. } in &declaration.bodies {
             let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).cloned();
-            let mut frame = Frame { name: name.clone(), position, angle: angle.clone() };
-            for expression in frame.position.iter_mut().chain(&mut frame.angle) {
+            let mut frame = Frame { name: name.clone(), position, angle: angle.clone(), attitude: attitude.clone() };
+            for expression in frame.position.iter_mut().chain(&mut frame.angle).chain(&mut frame.attitude) {
                 frames.write_out(expression)?;
             }
             frames.bodies.push(frame);
@@ -126,6 +127,19 @@ impl Frames {
                 *expression = self.point(expression.region, parts)?;
                 Ok(())
             }
+            Kind::Call(function, parts) if function == "attitude" || function == "omega" => {
+                if let [Expression { kind: Kind::Name(body), .. }] = parts.as_slice()
+                    && let Ok(Frame { attitude: Some(attitude), .. }) = self.find(body)
+                {
+                    let mut turned = Expression { region: expression.region, ..attitude.clone() };
+                    if function == "omega" {
+                        turned = call(expression.region, "angular_velocity", vec![turned]);
+                    }
+                    *expression = turned;
+                    return Ok(());
+                }
+                parts.iter_mut().try_for_each(|part| self.write_out(part))
+            }
             Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
             Kind::If(choice) => {
                 let parts = [&mut choice.left, &mut choice.right, &mut choice.yes, &mut choice.no];
@@ -136,10 +150,15 @@ impl Frames {
 
     /// P + [u cos(phi) - v sin(phi), u sin(phi) + v cos(phi)].
     fn point(&self, region: Region, parts: Vec<Expression>) -> Result<Expression> {
-        let form = || region.error("a point on a body is written `on(body, [u, v])`");
+        let form = || region.error("a point on a body is written `on(body, [u, v])`, in space `on(body, [u, v, w])`");
         let [body, mut place] = <[Expression; 2]>::try_from(parts).map_err(|_| form())?;
         self.write_out(&mut place)?;
         let Kind::Name(body) = body.kind else { return Err(form()) };
+        if let Some(attitude) = self.find(&body)?.attitude.clone() {
+            let mut point = binary(Operator::Add, self.position(&body)?, product(attitude, place));
+            point.region = region;
+            return Ok(point);
+        }
         let (position, angle) = (self.position(&body)?, self.angle(&body)?);
         let of_angle = |function| call(region, function, vec![angle.clone()]);
         let [u, v] = ["x", "y"].map(|axis| component(&place, axis));
@@ -158,7 +177,7 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
     let mut all: Vec<&mut Expression> = d.lets.iter_mut().map(|l| &mut l.value).collect();
     for body in &mut d.bodies {
         all.extend(body.mass.iter_mut().flat_map(|(mass, at)| [mass].into_iter().chain(at)));
-        all.extend(body.inertia.iter_mut().chain(&mut body.angle));
+        all.extend(body.inertia.iter_mut().chain(&mut body.angle).chain(&mut body.attitude));
     }
     for load in &mut d.loads {
         match load {
@@ -180,7 +199,7 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
         match shape {
             Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => all.extend(points),
             Shape::Slider { at, along } => all.extend([at, along]),
-            Shape::Circle { at, radius } => all.extend([at, radius]),
+            Shape::Circle { at, radius, normal } => all.extend([at, radius].into_iter().chain(normal)),
         }
     }
     all

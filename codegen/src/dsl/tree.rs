@@ -94,6 +94,8 @@ pub struct Body {
     pub inertia: Option<Expression>,
     /// `angle phi`
     pub angle: Option<Expression>,
+    /// `attitude R`, a rotation, in space.
+    pub attitude: Option<Expression>,
     /// The word `free`: it has a place and an angle of its own.
     pub free: Option<Region>,
 }
@@ -290,7 +292,7 @@ pub enum Shape {
     Slider {
         /// Its centre.
         at: Expression,
-        /// The angle of its guide.
+        /// The angle of its guide, in space its direction.
         along: Expression,
     },
     /// `ground O2, O4;`
@@ -303,10 +305,12 @@ pub enum Shape {
         at: Expression,
         /// Its radius.
         radius: Expression,
+        /// `normal n`, in space.
+        normal: Option<Expression>,
     },
 }
 
-/// A scalar or vector expression.
+/// A scalar, vector or rotation.
 #[derive(Clone)]
 pub struct Expression {
     /// Where it stands.

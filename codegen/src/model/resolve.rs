@@ -1,7 +1,7 @@
 //! The whole declaration, block by block.
 
 use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
-use super::bodies::resolve_bodies;
+use super::bodies::{ResolvedBodies, fall, resolve_bodies};
 use super::drawing::resolve_drawing;
 use super::equations::resolve_constraints;
 use super::events::{Known, resolve_events};
@@ -13,6 +13,7 @@ use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
 };
 use super::scope::{Names, plain};
+use super::space::{Frames, check_norms};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
 use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity};
@@ -60,6 +61,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
             .collect(),
         motion: Differential::along([]),
         mistakes: Mistakes::default(),
+        frames: Frames::default(),
+        quaternions: vec![],
+        vectors: None,
     };
     let i = &mut interpreter;
     let mut coordinates = resolve_coordinates(declaration, i);
@@ -74,8 +78,11 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
     }
     let named = resolve_lets(declaration, i);
-    let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &moving, &bodies, &body_names, i);
+    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, i);
+    let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, i);
+    if let Some(gravity) = &loads.falling {
+        fall(&mut bodies, &turns, gravity, i);
+    }
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
@@ -83,6 +90,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
+    check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
+    let dimension = if i.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     mistakes.or(Model {
         name: plain(&declaration.head.name),
@@ -98,6 +107,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         gravity: loads.gravity,
         forces: loads.forces,
         efforts: loads.efforts,
+        pushes: loads.pushes,
+        norms,
+        dimension,
         constraints,
         conditionals,
         events,
