@@ -111,7 +111,7 @@ mechanism! {
         line O, F, P;
         line B, P;
         line B, D;
-        line D, C;
+        spring D, C;
         line A, E, P;
         line A, G, P;
     }

@@ -47,17 +47,16 @@ mechanism! {
     }
 
     outputs {
-        /// height of the ball above the floor
+        /// Height of the ball above the floor
         height [m] = P.y - r;
-        /// speed upwards
+        /// Speed upwards
         climb [m/s] = dot(P.y);
-        /// kinetic and potential energy
+        /// Kinetic and potential energy
         energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);
     }
 
     drawing {
-        ground [0, 0];
-        line [-0.2 [m], 0], [2 [m], 0];
+        curve [-0.2 [m], 0], [2 [m], 0];
         circle P radius r;
     }
 }

@@ -101,11 +101,17 @@ mechanism! {
     let front_wheel = [lf, R + front_road];
     let rear_wheel = [-lr, R + rear_road];
 
+    let side = [R/4, 0];
+
     drawing {
-        repeat i in 1..=n { line road_[i-1], road_[i]; }
+        repeat i in 1..=n { curve road_[i-1], road_[i]; }
         circle front_wheel radius R;
         circle rear_wheel radius R;
-        line rear_wheel, rear_end, front_end, front_wheel;
+        line rear_end, front_end;
+        spring rear_wheel - side, rear_end - side;
+        damper rear_wheel + side, rear_end + side;
+        spring front_wheel - side, front_end - side;
+        damper front_wheel + side, front_end + side;
         point [0, 2.5*R + y];
     }
 }

@@ -51,14 +51,13 @@ mechanism! {
     }
 
     outputs {
-        /// speed along the blade
+        /// Speed along the blade
         speed [m/s] = inner(dot(P), along);
-        /// force of the skate on the ice, to its left
+        /// Force of the skate on the ice, to its left
         side_force [N] = reaction(blade);
     }
 
     drawing {
-        ground [0, 0];
         line P - 0.15 [m]*along, P + 0.15 [m]*along;
         point P, G;
     }

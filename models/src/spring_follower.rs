@@ -73,11 +73,15 @@ mechanism! {
         }
     }
 
+    let side = [8 [mm], 0];
+
     drawing {
         ground O;
         circle O radius r;
         line O, A;
-        line A, yoke, P;
+        line A, yoke;
+        spring yoke - side, P - side;
+        damper yoke + side, P + side;
         point A;
         slider P along pi/2;
     }

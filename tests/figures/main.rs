@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use sim::show::{Curve, Plot, Pose, ShowError, mechanism, plot};
+use sim::show::{Curve, Plot, Pose, Shapes, ShowError, mechanism, plot};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {
@@ -42,8 +42,19 @@ fn sines(x: &[f64]) -> Plot<'_> {
     Plot { title: "Angular speeds", x_label: "time [s]", y_label: "angular speed [rad/s]", x, curves }
 }
 
-const QUICK_RETURN: [Shape; 7] =
-    [Shape::Ground(2), Shape::Line(2), Shape::Line(2), Shape::Line(2), Shape::Slider, Shape::Slider, Shape::Points(3)];
+const QUICK_RETURN: Shapes = plane(&[
+    Shape::Ground(2),
+    Shape::Line(2),
+    Shape::Line(2),
+    Shape::Line(2),
+    Shape::Slider,
+    Shape::Slider,
+    Shape::Points(3),
+]);
+
+const fn plane(shapes: &[Shape]) -> Shapes<'_> {
+    Shapes { dimension: 2, shapes }
+}
 
 fn quick_return(crank: f64) -> Vec<f64> {
     let pin = (0.2 * crank.cos(), 0.3 + 0.2 * crank.sin());
@@ -131,12 +142,12 @@ fn nothing_to_show_is_an_error() {
     short.curves[1].values.pop();
     let error = plot(&short, &directory, "short").unwrap_err();
     assert_eq!(error.to_string(), "figure `short`: curve `rocker_speed` has 8192 values for 8193 abscissae");
-    let empty = |shapes: &[Shape], poses: &[Pose]| mechanism("", shapes, poses, &directory, "empty");
-    assert!(matches!(empty(&QUICK_RETURN, &[]), Err(ShowError::Empty { .. })));
-    assert!(matches!(empty(&[], &[Pose { numbers: &[], time: 0.0 }]), Err(ShowError::Empty { .. })));
+    let empty = |shapes: Shapes, poses: &[Pose]| mechanism("", shapes, poses, &directory, "empty");
+    assert!(matches!(empty(QUICK_RETURN, &[]), Err(ShowError::Empty { .. })));
+    assert!(matches!(empty(plane(&[]), &[Pose { numbers: &[], time: 0.0 }]), Err(ShowError::Empty { .. })));
     let nan = Pose { numbers: &[f64::NAN; 3], time: 0.0 };
-    assert!(matches!(empty(&[Shape::Slider], &[nan]), Err(ShowError::Empty { .. })));
-    let error = empty(&[Shape::Slider], &[Pose { numbers: &[0.0; 4], time: 1.5 }]).unwrap_err();
+    assert!(matches!(empty(plane(&[Shape::Slider]), &[nan]), Err(ShowError::Empty { .. })));
+    let error = empty(plane(&[Shape::Slider]), &[Pose { numbers: &[0.0; 4], time: 1.5 }]).unwrap_err();
     assert_eq!(error.to_string(), "figure `empty`: the pose at t = 1.5 s has 4 numbers, its shapes take 3");
     assert!(!directory.exists());
 }
@@ -161,10 +172,10 @@ fn a_mechanism_moves() {
     let numbers: Vec<_> = (0..6).map(|sixth| quick_return(0.4 + TAU * f64::from(sixth) / 6.0)).collect();
     let pose = |(numbers, sixth)| Pose { numbers, time: 0.109_89 * f64::from(sixth) };
     let poses: Vec<Pose> = numbers.iter().map(Vec::as_slice).zip(0..).map(pose).collect();
-    mechanism("Quick-return mechanism", &QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     let first = svg(&directory, "quick-return");
     assert!(first.contains("0.33") && first.contains("x [m]") && first.contains("t [s]"));
-    mechanism("Quick-return mechanism", &QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     assert_eq!(svg(&directory, "quick-return"), first);
 }
 
@@ -178,10 +189,34 @@ fn odd_drawings_are_drawn() {
     let poses: Vec<Pose> =
         flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, time: f64::from(step) }).collect();
     let shapes = [Shape::Line(3), Shape::Slider, Shape::Ground(1)];
-    mechanism("A row of masses", &shapes, &poses, &directory, "flat").unwrap();
+    mechanism("A row of masses", plane(&shapes), &poses, &directory, "flat").unwrap();
     let point = Pose { numbers: &[1.0, 2.0], time: 0.0 };
-    mechanism("", &[Shape::Points(1)], &[point], &directory, "point").unwrap();
+    mechanism("", plane(&[Shape::Points(1)]), &[point], &directory, "point").unwrap();
     let wheel = [0.0, 1.0, 1.0, 0.0, 1.0, f64::NAN, 1.0, 0.7, 1.7, 0.0, 1.0];
     let wheel = Pose { numbers: &wheel, time: 0.0 };
-    mechanism("Wheel", &[Shape::Circle, Shape::Line(3), Shape::Points(1)], &[wheel], &directory, "wheel").unwrap();
+    mechanism("Wheel", plane(&[Shape::Circle, Shape::Line(3), Shape::Points(1)]), &[wheel], &directory, "wheel")
+        .unwrap();
+}
+
+#[test]
+fn what_stands_in_space_has_a_scale_and_its_axes() {
+    let directory = directory("space");
+    let shapes = [Shape::Ground(1), Shape::Line(2), Shape::Circle, Shape::Slider, Shape::Spring, Shape::Damper];
+    let pose = |angle: f64| {
+        let tip = [0.4 * angle.cos(), 0.4 * angle.sin(), 0.3];
+        let mut numbers = vec![0.0; 3];
+        numbers.extend([0.0, 0.0, 0.0].iter().chain(&tip));
+        numbers.extend(tip.iter().chain(&[0.1]).chain(&tip));
+        numbers.extend([0.0, 0.0, 0.5, 0.0, 0.0, 1.0]);
+        numbers.extend([0.0, 0.0, 0.5].iter().chain(&tip));
+        numbers.extend([0.3, 0.3, 0.0].iter().chain(&tip));
+        numbers
+    };
+    let numbers: Vec<Vec<f64>> = (0..3).map(|turn| pose(f64::from(turn))).collect();
+    let poses: Vec<Pose> = numbers.iter().zip(0..).map(|(numbers, t)| Pose { numbers, time: f64::from(t) }).collect();
+    let space = Shapes { dimension: 3, shapes: &shapes };
+    mechanism("A wheel on an arm", space, &poses, &directory, "space").unwrap();
+    let drawn = svg(&directory, "space");
+    assert!(drawn.contains(">0.2 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
+    assert!(!drawn.contains("x [m]"));
 }

@@ -73,7 +73,7 @@ fn drawing(equations: &EquationsOfMotion) -> Vec<Expr> {
     let shapes = equations.model.drawing.iter();
     shapes
         .flat_map(|shape| match shape {
-            Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => points.concat(),
+            Shape::Points(_, points) => points.concat(),
             Shape::Slider(at, along) => [at.as_slice(), along].concat(),
             Shape::Circle(at, radius, normal) => [at.as_slice(), &[*radius], normal].concat(),
         })

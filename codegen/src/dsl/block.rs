@@ -245,7 +245,7 @@ fn output_after_name(input: ParseStream, docs: String, name: Ident) -> Result<Ou
 
 pub(super) fn shape(input: ParseStream) -> Result<Shape> {
     docs(input)?;
-    let word = keyword(input, &["line", "slider", "ground", "point", "circle"])?;
+    let word = keyword(input, &["line", "slider", "ground", "point", "circle", "curve", "spring", "damper"])?;
     let first = expression(input)?;
     match word.to_string().as_str() {
         "slider" => {
@@ -258,17 +258,28 @@ pub(super) fn shape(input: ParseStream) -> Result<Shape> {
             let normal = if accept_word(input, "normal")? { Some(expression(input)?) } else { None };
             Ok(Shape::Circle { at: first, radius, normal })
         }
-        word => {
+        name => {
             let mut points = vec![first];
             while input.parse::<Option<Token![,]>>()?.is_some() {
                 points.push(expression(input)?);
             }
-            Ok(match word {
-                "line" => Shape::Line(points),
-                "ground" => Shape::Ground(points),
-                _ => Shape::Points(points),
-            })
+            let mark = mark(name);
+            if matches!(mark, Mark::Spring | Mark::Damper) && points.len() != 2 {
+                return Err(syn::Error::new(word.span(), format!("a drawn {name} has two ends: `{name} A, B;`")));
+            }
+            Ok(Shape::Points { mark, points })
         }
+    }
+}
+
+fn mark(name: &str) -> Mark {
+    match name {
+        "line" => Mark::Line,
+        "curve" => Mark::Curve,
+        "spring" => Mark::Spring,
+        "damper" => Mark::Damper,
+        "ground" => Mark::Ground,
+        _ => Mark::Point,
     }
 }
 

@@ -197,7 +197,7 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
     all.extend(d.outputs.iter_mut().flat_map(|group| &mut group.outputs).map(|output| &mut output.value));
     for shape in &mut d.drawing {
         match shape {
-            Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => all.extend(points),
+            Shape::Points { points, .. } => all.extend(points),
             Shape::Slider { at, along } => all.extend([at, along]),
             Shape::Circle { at, radius, normal } => all.extend([at, radius].into_iter().chain(normal)),
         }

@@ -286,8 +286,13 @@ pub struct Output {
 
 /// One line of `drawing`.
 pub enum Shape {
-    /// `line O4, B, C;`
-    Line(Vec<Expression>),
+    /// `line O4, B, C;` and what else is drawn through or at points alone.
+    Points {
+        /// What it looks like.
+        mark: Mark,
+        /// Its points; a spring and a damper have two.
+        points: Vec<Expression>,
+    },
     /// `slider A along beta;`
     Slider {
         /// Its centre.
@@ -295,10 +300,6 @@ pub enum Shape {
         /// The angle of its guide, in space its direction.
         along: Expression,
     },
-    /// `ground O2, O4;`
-    Ground(Vec<Expression>),
-    /// `point G4, G5;`
-    Points(Vec<Expression>),
     /// `circle O2 radius r;`
     Circle {
         /// Its centre.
@@ -308,6 +309,23 @@ pub enum Shape {
         /// `normal n`, in space.
         normal: Option<Expression>,
     },
+}
+
+/// What is drawn through or at points.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mark {
+    /// `line`: a link with a joint at each point.
+    Line,
+    /// `curve`: a road, a wall, a guide.
+    Curve,
+    /// `spring`
+    Spring,
+    /// `damper`
+    Damper,
+    /// `ground`: a fixed support at each point.
+    Ground,
+    /// `point`: a mark at each point.
+    Point,
 }
 
 /// A scalar, vector or rotation.

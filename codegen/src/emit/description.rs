@@ -1,6 +1,7 @@
 //! What the mechanism says of itself.
 
 use super::{kebab_case, size};
+use crate::dsl::Mark;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use proc_macro2::TokenStream;
@@ -47,14 +48,18 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     });
     let drawing = model.drawing.iter().map(|shape| {
         let shape = match shape {
-            Shape::Line(points) => counted("Line", points.len()),
-            Shape::Ground(points) => counted("Ground", points.len()),
-            Shape::Points(points) => counted("Points", points.len()),
+            Shape::Points(Mark::Line, points) => counted("Line", points.len()),
+            Shape::Points(Mark::Curve, points) => counted("Curve", points.len()),
+            Shape::Points(Mark::Spring, _) => quote! { Spring },
+            Shape::Points(Mark::Damper, _) => quote! { Damper },
+            Shape::Points(Mark::Ground, points) => counted("Ground", points.len()),
+            Shape::Points(Mark::Point, points) => counted("Points", points.len()),
             Shape::Slider(..) => quote! { Slider },
             Shape::Circle(..) => quote! { Circle },
         };
         quote! { #path::Shape::#shape }
     });
+    let dimension = size(model.dimension);
     quote! {
         #path::Description {
             name: #name,
@@ -71,6 +76,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             outputs: &[#(#outputs),*],
             rated_outputs: &[#(#rated),*],
             figures: &[#(#figures),*],
+            dimension: #dimension,
             drawing: &[#(#drawing),*],
         }
     }

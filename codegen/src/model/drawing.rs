@@ -11,9 +11,7 @@ pub(super) fn resolve_drawing(declaration: &Declaration, i: &mut Interpreter) ->
 
 fn resolve_shape(shape: &dsl::Shape, i: &mut Interpreter) -> Option<Shape> {
     match shape {
-        dsl::Shape::Line(points) => drawn_points(points, i).map(Shape::Line),
-        dsl::Shape::Ground(points) => drawn_points(points, i).map(Shape::Ground),
-        dsl::Shape::Points(points) => drawn_points(points, i).map(Shape::Points),
+        dsl::Shape::Points { mark, points } => Some(Shape::Points(*mark, drawn_points(points, i)?)),
         dsl::Shape::Slider { at, along } => {
             let point = drawn_point(at, i);
             let along = match i.is_spatial() {

@@ -365,14 +365,10 @@ pub struct OutputGroup {
 
 /// Something to draw.
 pub enum Shape {
-    /// A polyline.
-    Line(Vec<Point>),
+    /// What is drawn through or at points alone.
+    Points(crate::dsl::Mark, Vec<Point>),
     /// A slider at a point, turned by an angle; in space, along a direction.
     Slider(Point, Point),
-    /// Fixed supports.
-    Ground(Vec<Point>),
-    /// Marked points.
-    Points(Vec<Point>),
     /// A circle by centre and radius, and in space its normal.
     Circle(Point, Expr, Point),
 }

@@ -206,7 +206,7 @@ fn start(model: &Model, zero: Expr) -> (Vec<Expr>, Vec<Expr>) {
 
 fn drawing(model: &Model) -> Vec<Expr> {
     let numbers = model.drawing.iter().flat_map(|shape| match shape {
-        Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => points.concat(),
+        Shape::Points(_, points) => points.concat(),
         Shape::Slider(at, along) => [at.as_slice(), along].concat(),
         Shape::Circle(at, radius, normal) => [at.as_slice(), &[*radius], normal].concat(),
     });

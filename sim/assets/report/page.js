@@ -74,9 +74,9 @@ const among = (set, item) => (on) => (on ? set.add(item) : set.delete(item));
 
 function fillMenus() {
   const shapes = run.drawing.shapes;
-  const parts = shapes.filter((shape) => ["line", "slider", "circle"].includes(shape.kind));
+  const parts = shapes.filter((shape) => ["line", "slider", "circle", "curve", "spring", "damper"].includes(shape.kind));
   const hide = (shape) => (on) => (on ? drawing.hidden.delete(shape.index) : drawing.hidden.add(shape.index));
-  const colour = (shape) => (shape.kind === "slider" ? "var(--muted)" : `var(--series-${shape.colour % 7})`);
+  const colour = (shape) => (!["line", "circle"].includes(shape.kind) ? "var(--muted)" : `var(--series-${shape.colour % 7})`);
   byId("parts").append(...parts.map((shape) => checkbox(shape.label, true, hide(shape), colour(shape))));
   const kinds = [["joints", "joints", "line"], ["supports", "supports", "ground"], ["guides", "guides", "slider"], ["masses", "marked points", "points"]];
   byId("parts").append(element("hr"));
@@ -109,7 +109,12 @@ if (drawing) {
     drawing.resize();
     if (player.ready) drawing.draw(player.shown());
   }).observe(byId("drawing"));
+  if (drawing.view) turnable(byId("drawing"), drawing.view, () => drawing.turned());
+  let pressed = [0, 0];
+  byId("drawing").addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
   byId("drawing").addEventListener("click", (event) => {
+    // A click, not the end of turning it.
+    if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
     const box = byId("drawing").getBoundingClientRect();
     const name = drawing.nearest(event.clientX - box.left, event.clientY - box.top, player.shown());
     if (name === null) return;
@@ -157,6 +162,11 @@ addEventListener("afterprint", () => {
   for (const plot of plots) plot.fit();
 });
 
+// Turning what stands in space.
+if (!(drawing && drawing.view)) document.querySelectorAll(".space").forEach((key) => key.remove());
+const turn = (azimuth, elevation) => drawing && drawing.view && (drawing.view.turn(azimuth, elevation), drawing.turned());
+const reset = () => drawing && drawing.view && (drawing.view.reset(), drawing.turned());
+
 // Keys.
 byId("keys-button").addEventListener("click", () => byId("keys").showModal());
 const span = () => (zoom ? zoom.max - zoom.min : end - start);
@@ -175,6 +185,11 @@ const keys = {
   0: () => zoomTo(null),
   d: () => byId("theme-button").click(),
   "?": () => byId("keys").showModal(),
+  ",": () => turn(-0.1, 0),
+  ".": () => turn(0.1, 0),
+  u: () => turn(0, 0.1),
+  n: () => turn(0, -0.1),
+  v: () => reset(),
   Escape: () => menus.forEach((menu) => (menu.open = false)),
 };
 document.addEventListener("keydown", (event) => {

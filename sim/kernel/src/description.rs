@@ -33,6 +33,8 @@ pub struct Description {
     pub rated_outputs: &'static [usize],
     /// Which outputs belong in one figure, in order.
     pub figures: &'static [Figure],
+    /// 2 if its vectors lie in a plane, 3 if they stand in space.
+    pub dimension: usize,
     /// What to draw, in the order of the numbers of [`crate::Mechanism::drawing`].
     pub drawing: &'static [Shape],
 }
@@ -87,32 +89,57 @@ pub struct Figure {
     pub len: usize,
 }
 
-/// Something to draw; each takes its numbers, in metres and radians, from the drawing kernel.
+/// Something to draw; each takes its numbers, in metres and radians, from the drawing kernel. A point is (x, y) in the
+/// plane, (x, y, z) in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// A polyline through this many points (x, y).
+    /// A link through this many points, with a joint at each.
     Line(usize),
-    /// A slider: its centre (x, y) and the angle of its guide.
+    /// A polyline through this many points.
+    Curve(usize),
+    /// A spring between two points.
+    Spring,
+    /// A damper between two points.
+    Damper,
+    /// A slider: its centre, and the angle of its guide in the plane, the direction of its guide in space.
     Slider,
-    /// This many fixed supports (x, y).
+    /// This many fixed supports.
     Ground(usize),
-    /// This many marked points (x, y).
+    /// This many marked points.
     Points(usize),
-    /// A circle: its centre (x, y) and its radius.
+    /// A circle: its centre and its radius, and in space the normal of its plane.
     Circle,
 }
 
 impl Shape {
-    /// How many numbers it takes.
-    pub const fn len(self) -> usize {
+    /// How many points it has.
+    pub const fn points(self) -> usize {
         match self {
-            Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => 2 * points,
-            Shape::Slider | Shape::Circle => 3,
+            Shape::Line(points) | Shape::Curve(points) | Shape::Ground(points) | Shape::Points(points) => points,
+            Shape::Spring | Shape::Damper => 2,
+            Shape::Slider | Shape::Circle => 1,
         }
     }
 
-    /// Whether it takes none.
-    pub const fn is_empty(self) -> bool {
-        self.len() == 0
+    /// How many numbers it takes in a plane (2) or in space (3).
+    pub const fn numbers(self, dimension: usize) -> usize {
+        let more = match self {
+            Shape::Slider => {
+                if dimension == 3 {
+                    3
+                } else {
+                    1
+                }
+            }
+            Shape::Circle => {
+                if dimension == 3 {
+                    4
+                } else {
+                    1
+                }
+            }
+            _ => 0,
+        };
+        dimension * self.points() + more
     }
 }

@@ -110,7 +110,7 @@ pub(super) fn draw_mechanism<M: Mechanism>(
         1 => description.type_name.to_owned(),
         n => format!("{} in {n} positions", description.type_name),
     };
-    mechanism_of_size(&title, description.drawing, &poses, size, directory, "mechanism")
+    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, "mechanism")
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.

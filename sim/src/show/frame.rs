@@ -229,11 +229,18 @@ impl Frame {
         }
     }
 
-    fn draw_names(&self, scene: &mut Scene, names: &Names) -> Result<(), ShowError> {
-        let (middle, height) = ((self.left + self.right) / 2.0, self.bottom - self.top);
+    /// Writes the title above the data area.
+    pub(super) fn draw_title(&self, scene: &mut Scene, title: &str) -> Result<(), ShowError> {
+        let middle = (self.left + self.right) / 2.0;
         let space = 2.0 * (middle.min(scene.width - middle) - MARGIN);
-        let (title, size) = fit(names.title, TITLE, space)?;
+        let (title, size) = fit(title, TITLE, space)?;
         scene.text(&title, (middle, MARGIN + 0.8 * TITLE), size, Anchor::Middle, INK);
+        Ok(())
+    }
+
+    fn draw_names(&self, scene: &mut Scene, names: &Names) -> Result<(), ShowError> {
+        self.draw_title(scene, names.title)?;
+        let (middle, height) = ((self.left + self.right) / 2.0, self.bottom - self.top);
         if let Some(note) = &self.y.note {
             scene.text(note, (self.left - TICK, self.top - 8.0), NAME, Anchor::Start, INK);
         }

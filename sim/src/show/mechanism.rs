@@ -1,43 +1,32 @@
 //! A mechanism in several positions.
 
-use sim_kernel::Shape;
-
 use super::frame::{Entry, Frame, Legend, Names, Style, apart, bottom_room, left_room, right_room, top_room};
-use super::palette::{Colour, INK, series};
+use super::palette::{AXIS, INK};
+use super::parts::{Part, Placed, Shapes, placed};
 use super::scene::{Point, Scene};
 use super::text::{times, typeset};
-use super::ticks::{Axis, shown};
+use super::ticks::Axis;
 use super::{Pose, ShowError, Size, symbols};
 
 /// The largest data area, as parts of a figure's width and height.
 const LARGEST: (f64, f64) = (0.75, 10.0 / 9.0);
 /// Its least width and height.
 const LEAST: f64 = 300.0;
-/// How strong the poses after the first are, from the second to the last.
-const STRENGTH: (f64, f64) = (0.5, 0.2);
 /// The most poses a legend tells the times of.
 const MOST_TIMES: usize = 10;
-
-/// A shape with its numbers, in metres and radians.
-enum Part {
-    Line { points: Vec<Point>, colour: Colour },
-    Slider { centre: Point, angle: f64 },
-    Ground(Vec<Point>),
-    Points(Vec<Point>),
-    Circle { centre: Point, radius: f64, colour: Colour },
-}
-
-/// The parts in one position.
-struct Placed {
-    parts: Vec<Part>,
-    strength: f64,
-}
+/// Around what stands in space.
+const MARGIN: f64 = 14.0;
+/// The height of the strip below it.
+const FOOT: f64 = 60.0;
 
 /// Lays out a drawing.
-pub(super) fn scene(title: &str, shapes: &[Shape], poses: &[Pose], size: Size, name: &str) -> Result<Scene, ShowError> {
+pub(super) fn scene(title: &str, shapes: Shapes, poses: &[Pose], size: Size, name: &str) -> Result<Scene, ShowError> {
     let placed = placed(shapes, poses, name)?;
     let (x_range, y_range, scale) = scaled(&placed, size, name)?;
     let title = typeset(title);
+    if shapes.dimension == 3 {
+        return spatial(&title, poses, &placed, (x_range, y_range, scale));
+    }
     let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
     let distance = apart(x_range, width)?;
     let (x, y) = (Axis::new(x_range, distance), Axis::new(y_range, distance));
@@ -53,77 +42,27 @@ pub(super) fn scene(title: &str, shapes: &[Shape], poses: &[Pose], size: Size, n
     Ok(scene)
 }
 
-/// The poses' parts.
-fn placed(shapes: &[Shape], poses: &[Pose], name: &str) -> Result<Vec<Placed>, ShowError> {
-    if shapes.is_empty() {
-        return Err(ShowError::empty(name, "no shapes"));
-    }
-    if poses.is_empty() {
-        return Err(ShowError::empty(name, "no positions"));
-    }
-    let needed = shapes.iter().map(|shape| shape.len()).sum();
-    let mut placed = Vec::with_capacity(poses.len());
-    for (index, pose) in poses.iter().enumerate() {
-        if pose.numbers.len() != needed {
-            let (figure, numbers) = (name.to_owned(), pose.numbers.len());
-            return Err(ShowError::Pose { figure, time: pose.time, numbers, needed });
-        }
-        placed.push(Placed { parts: parts(shapes, pose.numbers), strength: strength(index, poses.len()) });
-    }
-    Ok(placed)
-}
-
-fn strength(index: usize, poses: usize) -> f64 {
-    match index {
-        0 => 1.0,
-        1 => STRENGTH.0,
-        _ => STRENGTH.0 + (STRENGTH.1 - STRENGTH.0) * (index - 1) as f64 / (poses - 2) as f64,
-    }
-}
-
-/// The parts a pose's numbers make; what is not finite is left out.
-fn parts(shapes: &[Shape], mut numbers: &[f64]) -> Vec<Part> {
-    let mut colours = 0;
-    let mut parts = Vec::new();
-    for shape in shapes {
-        let (own, rest) = numbers.split_at(shape.len());
-        numbers = rest;
-        parts.extend(parts_of(*shape, own, series(colours)));
-        colours += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
-    }
-    parts
-}
-
-fn parts_of(shape: Shape, numbers: &[f64], colour: Colour) -> Vec<Part> {
-    let finite = |point: &Point| shown(point.0) && shown(point.1);
-    let points: Vec<Point> = numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
-    match shape {
-        Shape::Line(_) => {
-            let pieces = points.split(|point| !finite(point)).filter(|piece| !piece.is_empty());
-            pieces.map(|piece| Part::Line { points: piece.to_vec(), colour }).collect()
-        }
-        Shape::Ground(_) => vec![Part::Ground(points.into_iter().filter(finite).collect())],
-        Shape::Points(_) => vec![Part::Points(points.into_iter().filter(finite).collect())],
-        Shape::Slider | Shape::Circle => match *numbers {
-            [x, y, last] if numbers.iter().all(|number| shown(*number)) => vec![if shape == Shape::Slider {
-                Part::Slider { centre: (x, y), angle: last }
-            } else {
-                Part::Circle { centre: (x, y), radius: last, colour }
-            }],
-            _ => Vec::new(),
-        },
-    }
-}
-
-impl Part {
-    /// The points it reaches to, but for the sizes of symbols.
-    fn extent(&self) -> Vec<Point> {
-        match self {
-            Part::Line { points, .. } | Part::Ground(points) | Part::Points(points) => points.clone(),
-            Part::Slider { centre, .. } => vec![*centre],
-            Part::Circle { centre: (x, y), radius, .. } => vec![(x - radius, y - radius), (x + radius, y + radius)],
-        }
-    }
+/// Lays out what stands in space, without axes of the sheet: a scale, and where x, y and z point.
+fn spatial(
+    title: &str,
+    poses: &[Pose],
+    placed: &[Placed],
+    (x_range, y_range, scale): (Point, Point, f64),
+) -> Result<Scene, ShowError> {
+    let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
+    let (x, y) = (Axis::new(x_range, f64::INFINITY), Axis::new(y_range, f64::INFINITY));
+    let legend = Legend::new(entries(poses, placed), Some("t [s]"), height)?;
+    let (left, top) = (MARGIN, top_room(title, &y));
+    let sheet = left + width + MARGIN + legend.width();
+    let frame = Frame { left, right: left + width, top, bottom: top + height, x, y, zero: false };
+    let foot = frame.bottom + FOOT;
+    let mut scene = Scene::new(sheet.ceil(), (foot + MARGIN + legend.height(sheet.ceil())).ceil());
+    frame.draw_title(&mut scene, title)?;
+    draw(&mut scene, &frame, scale, placed);
+    symbols::axes(&mut scene, (left + 50.0, foot - 26.0));
+    symbols::scale(&mut scene, (left + 130.0, foot - 4.0), scale, 0.3 * width);
+    legend.draw(&mut scene, &frame)?;
+    Ok(scene)
 }
 
 /// The ranges of the axes and the logical pixels to the metre.
@@ -163,7 +102,7 @@ fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
     indices.into_iter().zip(labels).map(entry).collect()
 }
 
-/// Draws supports, then the poses from the last to the first, each from its guides up to its marked points.
+/// Draws curves, guides and supports, then the poses from the last to the first, each from its guides up to its marked points.
 fn draw(scene: &mut Scene, frame: &Frame, scale: f64, placed: &[Placed]) {
     let mut supports: Vec<Point> = Vec::new();
     for pose in placed.iter().rev() {
@@ -171,6 +110,10 @@ fn draw(scene: &mut Scene, frame: &Frame, scale: f64, placed: &[Placed]) {
             match part {
                 Part::Slider { centre, angle } => {
                     symbols::guide(scene, frame.place(*centre), *angle, pose.strength);
+                }
+                Part::Curve(points) => {
+                    let points = points.iter().map(|point| frame.place(*point)).collect();
+                    symbols::curve(scene, points, AXIS.on_white(pose.strength));
                 }
                 Part::Ground(points) => supports.extend(points.iter().map(|point| frame.place(*point))),
                 _ => {}
@@ -208,6 +151,12 @@ fn draw_bodies(scene: &mut Scene, frame: &Frame, scale: f64, pose: &Placed) {
                 let radius = radius.abs() * scale;
                 symbols::circle(scene, frame.place(*centre), radius, colour.on_white(pose.strength));
             }
+            Part::Ring { points, colour } => {
+                let points = points.iter().map(|point| frame.place(*point)).collect();
+                symbols::ring(scene, points, colour.on_white(pose.strength));
+            }
+            Part::Spring(ends) => symbols::spring(scene, ends.map(|end| frame.place(end)), INK.on_white(pose.strength)),
+            Part::Damper(ends) => symbols::damper(scene, ends.map(|end| frame.place(end)), INK.on_white(pose.strength)),
             _ => {}
         }
     }

@@ -15,6 +15,7 @@ mod frame;
 mod mechanism;
 mod names;
 mod palette;
+mod parts;
 mod plot;
 mod png;
 mod report;
@@ -26,17 +27,18 @@ mod symbols;
 mod text;
 mod ticks;
 mod vectors;
+mod view;
 
 use std::fs;
 use std::path::Path;
 
 use scene::Scene;
-use sim_kernel::Shape;
 
 pub use error::ShowError;
 pub use figures::{Figures, figures};
 #[cfg(feature = "cli")]
 pub(crate) use names::printed;
+pub use parts::Shapes;
 pub use report::{About, report};
 pub use section::section_figures;
 #[cfg(feature = "cli")]
@@ -118,14 +120,14 @@ pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Resul
 /// # Errors
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
-pub fn mechanism(title: &str, shapes: &[Shape], poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
+pub fn mechanism(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
     mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
 }
 
 /// The same on a sheet of about this size.
 fn mechanism_of_size(
     title: &str,
-    shapes: &[Shape],
+    shapes: Shapes,
     poses: &[Pose],
     size: Size,
     directory: &Path,

@@ -1,6 +1,6 @@
 //! What the points of a drawing are called, from the declaration.
 
-use sim_kernel::{Description, Shape};
+use sim_kernel::Description;
 
 /// The names of each shape's points: what the declaration calls them, or numbers where it cannot be read.
 pub(super) fn points(description: &Description) -> Vec<Vec<String>> {
@@ -10,20 +10,13 @@ pub(super) fn points(description: &Description) -> Vec<Vec<String>> {
             number += 1;
             format!("point {number}")
         };
-        description.drawing.iter().map(|shape| (0..count(*shape)).map(|_| next()).collect()).collect()
+        description.drawing.iter().map(|shape| (0..shape.points()).map(|_| next()).collect()).collect()
     };
     let fits = |names: &Vec<Vec<String>>| {
         names.len() == description.drawing.len()
-            && names.iter().zip(description.drawing).all(|(names, shape)| names.len() == count(*shape))
+            && names.iter().zip(description.drawing).all(|(names, shape)| names.len() == shape.points())
     };
     declared(description).filter(fits).unwrap_or_else(numbered)
-}
-
-fn count(shape: Shape) -> usize {
-    match shape {
-        Shape::Line(points) | Shape::Ground(points) | Shape::Points(points) => points,
-        Shape::Slider | Shape::Circle => 1,
-    }
 }
 
 #[cfg(not(feature = "analysis"))]
@@ -37,7 +30,7 @@ fn declared(description: &Description) -> Option<Vec<Vec<String>>> {
     let declaration = dsl::parse(description.declaration.parse().ok()?).ok()?;
     let names = |points: &[dsl::Expression]| points.iter().map(printed).collect();
     let shape = |shape: &dsl::Shape| match shape {
-        dsl::Shape::Line(points) | dsl::Shape::Ground(points) | dsl::Shape::Points(points) => names(points),
+        dsl::Shape::Points { points, .. } => names(points),
         dsl::Shape::Slider { at, .. } | dsl::Shape::Circle { at, .. } => names(std::slice::from_ref(at)),
     };
     Some(declaration.drawing.iter().map(shape).collect())

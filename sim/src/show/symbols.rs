@@ -5,7 +5,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::dash::dashes;
 use super::palette::{AXIS, Colour, INK, WHITE};
-use super::scene::{Point, Scene};
+use super::scene::{Anchor, Point, Scene};
+use super::text::decimal;
+use super::view;
 
 /// The room symbols take around the points they belong to.
 pub(super) const REACH: f64 = 62.0;
@@ -18,6 +20,10 @@ const MASS: f64 = 7.5;
 const SLIDER: (f64, f64) = (21.0, 11.5);
 /// Half the length of its guide.
 const GUIDE: f64 = 58.0;
+/// Half the width of springs and dampers.
+const SPRING: f64 = 9.0;
+/// The length of the axes of space.
+const AXES: f64 = 34.0;
 /// Half the width and the height of a support.
 const GROUND: (f64, f64) = (14.0, 21.0);
 
@@ -84,7 +90,73 @@ pub(super) fn circle(scene: &mut Scene, at: Point, radius: f64, colour: Colour) 
     if let Some(first) = outline.first().copied() {
         outline.push(first);
     }
+    ring(scene, outline, colour);
+}
+
+/// A circle's outline, seen from anywhere.
+pub(super) fn ring(scene: &mut Scene, outline: Vec<Point>, colour: Colour) {
     scene.line(outline, 0.6 * LINK, colour);
+}
+
+/// A road, a wall, a guide.
+pub(super) fn curve(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, 0.6 * LINK, colour);
+}
+
+/// A spring: as many turns at any length.
+pub(super) fn spring(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
+    let (length, angle) = between(ends);
+    // Straight ends, and half a turn from each peak to the next.
+    let halves = 12;
+    let peak = |half: u32| {
+        let along = 0.15 + 0.7 * (f64::from(half) + 0.5) / f64::from(halves);
+        let across = if half % 2 == 0 { SPRING } else { -SPRING };
+        turned(ends[0], angle, (along * length, across))
+    };
+    let straight = |along: f64| turned(ends[0], angle, (along * length, 0.0));
+    let mut points = vec![ends[0], straight(0.15)];
+    points.extend((0..halves).map(peak));
+    points.extend([straight(0.85), ends[1]]);
+    scene.line(points, OUTLINE, colour);
+}
+
+/// A damper: a cylinder on the first end, a piston on the second.
+pub(super) fn damper(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
+    let (length, angle) = between(ends);
+    let at = |along: f64, across: f64| turned(ends[0], angle, (along * length, across * SPRING));
+    let (bottom, piston, top) = (0.32, 0.52, 0.68);
+    scene.line(vec![ends[0], at(bottom, 0.0)], OUTLINE, colour);
+    scene.line(vec![at(top, 1.0), at(bottom, 1.0), at(bottom, -1.0), at(top, -1.0)], OUTLINE, colour);
+    scene.line(vec![at(piston, 0.75), at(piston, -0.75)], OUTLINE, colour);
+    scene.line(vec![at(piston, 0.0), ends[1]], OUTLINE, colour);
+}
+
+/// The distance from one place to the other, and its direction.
+fn between([from, to]: [Point; 2]) -> (f64, f64) {
+    let (right, down) = (to.0 - from.0, to.1 - from.1);
+    (right.hypot(down), (-down).atan2(right))
+}
+
+/// Where x, y and z point.
+pub(super) fn axes(scene: &mut Scene, at: Point) {
+    for (name, axis) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])] {
+        let (right, up) = view::seen(&axis);
+        let end = |length: f64| (at.0 + length * right, at.1 - length * up);
+        scene.line(vec![at, end(AXES)], OUTLINE, AXIS);
+        let (x, y) = end(AXES + 10.0);
+        scene.text(name, (x, y + 5.0), 15.0, Anchor::Middle, INK);
+    }
+}
+
+/// A bar of round length, at most this long on the sheet, from its left end.
+pub(super) fn scale(scene: &mut Scene, at: Point, metre: f64, longest: f64) {
+    let exponent = (longest / metre).log10().floor() as i32;
+    let sizes = [5, 2, 1].map(|digit| (digit, f64::from(digit) * 10.0_f64.powi(exponent)));
+    let Some((digit, length)) = sizes.into_iter().find(|(_, length)| length * metre <= longest) else { return };
+    let end = at.0 + length * metre;
+    scene.line(vec![(at.0, at.1 - 6.0), at, (end, at.1), (end, at.1 - 6.0)], 1.2, AXIS);
+    let text = format!("{} m", decimal(i64::from(digit), exponent));
+    scene.text(&text, ((at.0 + end) / 2.0, at.1 - 9.0), 15.0, Anchor::Middle, INK);
 }
 
 fn arc(centre: Point, radius: f64, from: f64, turn: f64, steps: u32) -> Vec<Point> {

@@ -181,7 +181,7 @@ mod declared {
     /// The names of what is drawn.
     fn drawn(declaration: &Declaration) -> Vec<String> {
         let points = declaration.drawing.iter().flat_map(|shape| match shape {
-            dsl::Shape::Line(points) | dsl::Shape::Ground(points) | dsl::Shape::Points(points) => points.as_slice(),
+            dsl::Shape::Points { points, .. } => points.as_slice(),
             dsl::Shape::Slider { at, .. } | dsl::Shape::Circle { at, .. } => std::slice::from_ref(at),
         });
         points.map(crate::show::names::printed).collect()

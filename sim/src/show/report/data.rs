@@ -165,7 +165,7 @@ fn energy<M: Mechanism>(run: &Run<M>) -> [Labelled; 3] {
 }
 
 fn drawing_width(description: &Description) -> usize {
-    description.drawing.iter().map(|shape| shape.len()).sum()
+    description.drawing.iter().map(|shape| shape.numbers(description.dimension)).sum()
 }
 
 /// The shapes with the names of their points, and their numbers row by row.
@@ -179,7 +179,7 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
         shapes.push(
             json!({ "kind": kind, "index": index, "first": first, "points": points, "colour": colour, "label": label }),
         );
-        first += shape.len();
+        first += shape.numbers(description.dimension);
         colour += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
     }
     let numbers = rows.iter().flat_map(|row| {
@@ -190,12 +190,15 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
     });
     let named =
         names.iter().flatten().filter(|name| name.len() <= 4).count() > 0 && names.iter().flatten().count() <= 40;
-    json!({ "shapes": shapes, "width": first, "named": named, "numbers": floats(numbers) })
+    json!({ "dimension": description.dimension, "shapes": shapes, "width": first, "named": named, "numbers": floats(numbers) })
 }
 
 fn kind(shape: Shape) -> &'static str {
     match shape {
         Shape::Line(_) => "line",
+        Shape::Curve(_) => "curve",
+        Shape::Spring => "spring",
+        Shape::Damper => "damper",
         Shape::Slider => "slider",
         Shape::Ground(_) => "ground",
         Shape::Points(_) => "points",

@@ -12,9 +12,10 @@ const STYLE: [&str; 2] =
     [include_str!("../../../assets/uplot/uPlot.min.css"), include_str!("../../../assets/report/style.css")];
 const UPLOT: &str = include_str!("../../../assets/uplot/uPlot.iife.min.js");
 const UPLOT_LICENSE: &str = include_str!("../../../assets/uplot/LICENSE.txt");
-const SCRIPT: [&str; 7] = [
+const SCRIPT: [&str; 8] = [
     include_str!("../../../assets/report/samples.js"),
     include_str!("../../../assets/report/format.js"),
+    include_str!("../../../assets/report/view.js"),
     include_str!("../../../assets/report/drawing.js"),
     include_str!("../../../assets/report/pinch.js"),
     include_str!("../../../assets/report/plots.js"),
