@@ -11,3 +11,6 @@ mod lagrange;
 #[path = "../kernels/oracle.rs"]
 mod oracle;
 
+mod elliptic;
+mod top;
+mod torque_free;

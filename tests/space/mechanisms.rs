@@ -62,10 +62,37 @@ mechanism! {
     outputs { tension [N] = reaction(leash); turn [rad/s^2] = dot(omega(flag)).y; }
 }
 
+mechanism! {
+    /// Two bodies by quaternions, one free and one on the other by a ball joint, pulled by springs and pushed in both frames.
+    pub(crate) Thrown;
+    coordinates { p0; p1; p2; p3; }
+    parameters { m [kg] = 1.5; l [m] = 0.3; J [kg*m^2] = 0.08; k [N/m] = 30; g [m/s^2] = 9.81; }
+    let S = quaternion(p0, p1, p2, p3);
+    bodies {
+        first: free, mass m, inertia [J, 2*J, 2.5*J, J/10, -J/20, J/8];
+        second: mass m/2 at on(first, [l, 0, 0]) + S*[0, l, 0], inertia [J, J, J/2], attitude S;
+        marker: mass m/9 at on(second, [0, l/2, l]), inertia [J/9, J/9, J/9], attitude attitude(second)*rotation(x, 0.3);
+    }
+    loads {
+        gravity [0, 0, -g];
+        spring k, length l from [0, 0, 0] to on(first, [0, l, 0]);
+        force S*[0, 0, 1 [N]] at on(second, [0, l, 0]);
+        torque [0.1 [N*m], 0, 0] on first;
+        torque attitude(second)*[0, 0.2 [N*m], 0] on second;
+    }
+    constraints { second_norm: p0^2 + p1^2 + p2^2 + p3^2 = 1; }
+    initial { guess p0 = 0.8; guess p1 = 0.3; first_y = 0.2; dot(first_z) = 1; }
+    outputs { height [m] = on(second, [0, l, 0]).z; spin [rad/s] = norm(omega(second) - omega(first)); norm_force [J] = reaction(first_norm); }
+}
+
 /// Calls a macro with the types of all mechanisms.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
         $callback!(
+            models::Tumbling,
+            models::TumblingQuaternion,
+            models::Top,
+            crate::mechanisms::Thrown,
             crate::mechanisms::Gimbal,
             crate::mechanisms::Leashed
         )

@@ -11,13 +11,14 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 18] = [
+const FOLLOWING_WORDS: [&str; 19] = [
     "at",
     "on",
     "along",
     "radius",
     "normal",
     "axis",
+    "pitch",
     "about",
     "from",
     "to",

@@ -4,9 +4,11 @@
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
 use super::joint::{Joint, JointKind};
-use super::made::{across, binary, call, component, difference, direction, inner, product, zero};
+use super::made::{across, binary, call, component, difference, direction, inner, product, vector, zero};
+use super::spatial_joint::{Placed, equations, named, rolls, screw};
 use super::{
-    Action, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
+    Action, Activity, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
+    Region, Shape, Side, SpatialJoint,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
@@ -107,12 +109,63 @@ impl Frames {
                 let way = inner(at, difference(point, guide.through), direction(at, &guide.along));
                 vec![equation(way, product(radius, self.angle(&wheel)?))]
             }
+            JointKind::Spatial(joint) => self.spatial(&name, *joint, initially)?,
+            JointKind::Rolling(rolling) => {
+                let (centre, attitude) = (self.position(&rolling.disc)?, self.attitude(&rolling.disc)?);
+                let spin = call(at, "angular_velocity", vec![attitude.clone()]);
+                let rows = rolls(at, &rolling, centre, product(attitude, rolling.axis.clone()), spin)?;
+                rows.into_iter().map(|(suffix, left, right)| named(&name, suffix, left, right)).collect()
+            }
             JointKind::Roll(wheel, radius, along) => {
                 let speed = inner(at, call(at, "dot", vec![self.position(&wheel)?]), direction(at, &along));
                 let turning = product(radius, call(at, "dot", vec![self.angle(&wheel)?]));
                 vec![equation(binary(Operator::Add, speed, turning), zero(at))]
             }
         })
+    }
+
+    fn attitude(&self, body: &Ident) -> Result<Expression> {
+        let missing = || {
+            let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or let it be `free`");
+            Region::from(body).error(message)
+        };
+        self.find(body)?.attitude.clone().ok_or_else(missing)
+    }
+
+    /// The equations of a joint of bodies in space.
+    fn spatial(&self, name: &Ident, joint: SpatialJoint, initially: Option<Activity>) -> Result<Vec<Equation>> {
+        let at = Region::from(name);
+        let (first, second) = (self.placed(&joint.first)?, self.placed(&joint.second)?);
+        let mut rows = equations(at, joint.kind, &first, &second);
+        if let Some(pitch) = joint.pitch {
+            let spins = [self.spin(at, &joint.first.body)?, self.spin(at, &joint.second.body)?];
+            let (left, right) = screw(at, pitch, &first, &second, spins);
+            rows.push(("_screw", left, right));
+        }
+        let equation = |(suffix, left, right)| Equation { initially, ..named(name, suffix, left, right) };
+        Ok(rows.into_iter().map(equation).collect())
+    }
+
+    /// Whether a joint holds to the ground. A body may have that name.
+    fn is_ground(&self, body: &Ident) -> bool {
+        body == "ground" && self.bodies.iter().all(|frame| frame.name != "ground")
+    }
+
+    fn placed(&self, side: &Side) -> Result<Placed> {
+        if self.is_ground(&side.body) {
+            return Placed::new(side, side.at.clone(), |v| v);
+        }
+        let (position, attitude) = (self.position(&side.body)?, self.attitude(&side.body)?);
+        let point = binary(Operator::Add, position, product(attitude.clone(), side.at.clone()));
+        Placed::new(side, point, |v| product(attitude.clone(), v))
+    }
+
+    /// The angular velocity of a body.
+    fn spin(&self, at: Region, body: &Ident) -> Result<Expression> {
+        match self.is_ground(body) {
+            true => Ok(vector(at, vec![zero(at); 3])),
+            false => Ok(call(at, "angular_velocity", vec![self.attitude(body)?])),
+        }
     }
 
     /// Writes out the points on bodies in an expression.

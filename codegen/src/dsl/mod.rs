@@ -17,6 +17,7 @@ mod rates;
 mod region;
 mod reuse;
 mod source;
+mod spatial_joint;
 mod tree;
 mod unit;
 
@@ -26,5 +27,6 @@ pub use parse::{Head, parse, parse_head};
 pub use region::Region;
 pub use reuse::attributed;
 pub use source::source_text;
+pub use spatial_joint::{Rolling, Side, SpatialJoint, SpatialKind};
 pub use tree::*;
 pub use unit::parse_unit;

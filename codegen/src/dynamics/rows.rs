@@ -84,8 +84,7 @@ fn body_rows(model: &mut Model) -> Vec<LoadRow> {
 fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, attitude: &Attitude, mass: Option<Expr>) {
     let (first, zero, spin) = (rows.len(), graph.zero(), attitude.spin);
     let momentum: [Expr; 3] = std::array::from_fn(|i| {
-        let terms: Vec<Expr> =
-            (0..3).map(|k| graph.mul(attitude.inertia.entry(i, k), spin.velocity[k])).collect();
+        let terms: Vec<Expr> = (0..3).map(|k| graph.mul(attitude.inertia.entry(i, k), spin.velocity[k])).collect();
         graph.sum(&terms)
     });
     for i in 0..3 {
@@ -102,7 +101,8 @@ fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, atti
     for i in 0..3 {
         let along = Along::Rate { velocity: centre.velocity[i], acceleration: centre.acceleration[i] };
         let mut row = LoadRow::new(along, mass, zero);
-        row.weight = attitude.fall.map(|fall| Weight { force: graph.mul(mass, fall.gravity[i]), proper: fall.proper[i] });
+        row.weight =
+            attitude.fall.map(|fall| Weight { force: graph.mul(mass, fall.gravity[i]), proper: fall.proper[i] });
         rows.push(row);
     }
 }

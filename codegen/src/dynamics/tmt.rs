@@ -67,12 +67,7 @@ impl Tmt {
     }
 }
 
-fn rows(
-    model: &mut Model,
-    variables: &Variables,
-    derivatives: &mut Derivatives,
-    load_rows: Vec<LoadRow>,
-) -> Vec<Row> {
+fn rows(model: &mut Model, variables: &Variables, derivatives: &mut Derivatives, load_rows: Vec<LoadRow>) -> Vec<Row> {
     let zero = model.graph.zero();
     let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
     let row = |row: LoadRow| {

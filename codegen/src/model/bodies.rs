@@ -8,8 +8,9 @@ use super::{Attitude, Body, Dependence, Dimension, Fall, Norm, Point, Tensor};
 use crate::dsl::{self, Declaration, Expression, Kind, Region};
 use crate::symbolic::Expr;
 
-/// The attitude of a body and the place of its centre of mass, as far as it has them.
-pub(super) type TurnedBody = Option<(Turn, Option<Spatial>)>;
+/// The attitude of a body, and the place of its centre of mass with the frame that its velocity is written in, as far as it
+/// has them.
+pub(super) type TurnedBody = Option<(Turn, Option<(Spatial, Turn)>)>;
 
 /// The bodies of a declaration.
 pub(super) struct ResolvedBodies {
@@ -37,7 +38,8 @@ pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> 
             add_norms(&mut norms, turn, &attitude.inertia, i);
         }
         let place = body.as_ref().and_then(|_| b.mass.as_ref()).and_then(|(_, place)| place.as_ref());
-        turns.push(turn.flatten().map(|turn| (turn, place.and_then(|place| i.spatial_value(place)).map(|(v, _)| v))));
+        let place = place.filter(|_| turn.is_some()).and_then(|place| i.spatial_value(place));
+        turns.push(turn.flatten().map(|turn| (turn, place.map(|(place, _)| i.with_frame(place, turn)))));
         bodies.push(body);
     }
     if declaration.bodies.is_empty() {
@@ -66,9 +68,10 @@ pub(super) fn fall(bodies: &mut [Option<Body>], turns: &[TurnedBody], gravity: &
     let Interpreter { graph, motion, frames, .. } = i;
     let up = gravity.clone().map(|x| graph.neg(x));
     for (body, turn) in bodies.iter_mut().zip(turns) {
-        if let (Some(Body { attitude: Some(attitude), .. }), Some((turn, Some(place)))) = (body, turn) {
-            let gravity = frames.resolved_in(graph, gravity, *turn);
-            attitude.fall = Some(Fall { gravity, proper: frames.proper_acceleration(graph, motion, place, &up, *turn) });
+        if let (Some(Body { attitude: Some(attitude), .. }), Some((_, Some((place, frame))))) = (body, turn) {
+            let gravity = frames.resolved_in(graph, gravity, *frame);
+            attitude.fall =
+                Some(Fall { gravity, proper: frames.proper_acceleration(graph, motion, place, &up, *frame) });
         }
     }
 }
@@ -87,8 +90,9 @@ fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, i: &mut Interpre
         Some((_, Some(place))) if has_place => Some(i.spatial_value(place)?.0),
         _ => None,
     };
+    let place = place.map(|place| i.with_frame(place, turn));
     let Interpreter { graph, motion, frames, .. } = i;
-    let centre = place.map(|place| frames.point_rates(graph, motion, &place, turn));
+    let centre = place.map(|(place, frame)| frames.point_rates(graph, motion, &place, frame));
     let spin = frames.spin_rates(turn);
     Some(Attitude { inertia, matrix: *frames.matrix(turn), spin, centre, fall: None })
 }

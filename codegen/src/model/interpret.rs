@@ -255,10 +255,14 @@ impl Interpreter {
             return Some(());
         }
         let message = match known {
-            2 => "this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, \
-                  or three components everywhere",
-            _ => "this vector has two components, and the mechanism is spatial, as its first vector says; write `[x, y, 0]`, \
-                  or two components everywhere",
+            2 => {
+                "this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, \
+                  or three components everywhere"
+            }
+            _ => {
+                "this vector has two components, and the mechanism is spatial, as its first vector says; write `[x, y, 0]`, \
+                  or two components everywhere"
+            }
         };
         let mut mistake = region.error(message);
         mistake.combine(first.error("the first vector stands here"));
@@ -308,9 +312,7 @@ impl Interpreter {
             (Shape::Vector([ax, ay]), Shape::Vector([bx, by])) => {
                 Shape::Vector([operation(&mut self.graph, *ax, *bx), operation(&mut self.graph, *ay, *by)])
             }
-            (Shape::Spatial(a), Shape::Spatial(b)) => {
-                Shape::Spatial(a.combine(b, &mut self.graph, operation))
-            }
+            (Shape::Spatial(a), Shape::Spatial(b)) => Shape::Spatial(a.combine(b, &mut self.graph, operation)),
             _ => {
                 let (a, b) = (a.kind(), b.kind());
                 let message = format!(
@@ -326,7 +328,8 @@ impl Interpreter {
     fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
         let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.times(b));
         if let Shape::Rotation(_) = b.shape {
-            let message = "a rotation stands left of what it turns: `R*v`, and `transpose(R)*v` for the other way round";
+            let message =
+                "a rotation stands left of what it turns: `R*v`, and `transpose(R)*v` for the other way round";
             return self.refuse(left.region.to(right.region), message);
         }
         let (scalar, other) = match (&a.shape, &b.shape) {

@@ -123,7 +123,8 @@ fn torque(
     names: &Names<usize>,
     i: &mut Interpreter,
 ) -> Option<Effort> {
-    let value = i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, vec![value], i));
+    let value =
+        i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, vec![value], i));
     let is_body = names.get_region(&plain(on)).is_some() || i.values.get_region(&plain(on)).is_none();
     let along = if is_body { angle_of(on, bodies, names, i) } else { turned(&named(on), i) };
     let (value, along) = (value?, along?);

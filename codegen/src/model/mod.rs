@@ -203,13 +203,13 @@ pub struct Attitude {
     pub matrix: [[Expr; 3]; 3],
     /// Angular velocity and acceleration, in the body's frame.
     pub spin: Rates,
-    /// Velocity and acceleration of its centre of mass, in the body's frame.
+    /// Velocity and acceleration of its centre of mass, in the frame where they are shorter: the body's or the world's.
     pub centre: Option<Rates>,
     /// How gravity acts on its mass.
     pub fall: Option<Fall>,
 }
 
-/// Free fall, in the frame of a body.
+/// Free fall, in the frame of a body's centre of mass.
 #[derive(Clone, Copy)]
 pub struct Fall {
     /// Its acceleration.

@@ -1,8 +1,8 @@
 //! What an expression of the language stands for: a scalar, a vector of the plane or of space, or a rotation, with its
 //! dimension.
 
-use super::homogeneity::Measured;
 use super::Dimension;
+use super::homogeneity::Measured;
 use super::space::{Spatial, Turn};
 use crate::dsl::Expression;
 use crate::symbolic::Expr;

@@ -37,8 +37,7 @@ pub(super) fn element(
             let length = inner(&way, &way)?.call("sqrt").ok_or_else(|| OracleError::new("no length"))?;
             let force = force(law, &length, motion)?;
             // The force on B as a vector: its size along the unit vector from A to B.
-            let vector: Vec<Measured> =
-                way.iter().map(|component| (&(&force * component) / &length).value()).collect();
+            let vector: Vec<Measured> = way.iter().map(|component| (&(&force * component) / &length).value()).collect();
             let places = self::way(from, to, positions)?;
             Ok(vector.into_iter().zip(places).map(|(force, place)| Effort { force, place }).collect())
         }

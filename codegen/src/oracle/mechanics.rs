@@ -6,8 +6,8 @@ use super::error::{OracleError, Result};
 use super::interpret::{Interpreter, Setting};
 use super::jet::Jet;
 use super::measured::Measured;
-use super::state::State;
 use super::rotation::Rotation;
+use super::state::State;
 use super::value::{Value, cross, inner};
 use crate::dsl::{Body, Declaration, Equation, Expression, Kind, Load, Operator, Unit};
 use syn::Ident;
@@ -209,8 +209,7 @@ impl Builder<'_> {
             Load::Dissipation(function) => dissipation(function, &mut self.speeds, &self.positions),
             Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
-                let acceleration: Vec<Measured> =
-                    self.motion.vector(acceleration)?.iter().map(Jet::value).collect();
+                let acceleration: Vec<Measured> = self.motion.vector(acceleration)?.iter().map(Jet::value).collect();
                 let massive = bodies.iter().zip(rows).filter(|(body, _)| body.mass.is_some());
                 Ok(massive.flat_map(|(_, rows)| weight(rows, &acceleration)).collect())
             }

@@ -123,8 +123,6 @@ fn mass_matrix(mechanics: &Mechanics, n: usize) -> Vec<Vec<Measured>> {
 }
 
 fn kinetic_energy(mechanics: &Mechanics, rates: &[Measured]) -> Measured {
-    let twice = mechanics.rows.iter().map(|row| {
-        row.inertia * row.place.slope(rates) * row.partner.slope(rates)
-    });
+    let twice = mechanics.rows.iter().map(|row| row.inertia * row.place.slope(rates) * row.partner.slope(rates));
     Measured::given(0.5) * twice.sum()
 }

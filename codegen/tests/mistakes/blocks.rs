@@ -18,18 +18,16 @@ fn whole_blocks() {
     check(
         "line [0, 0], P;",
         "lime [0, 0], P;",
-        &["9:11 `lime` is not known here; expected one of `line`, `slider`, `ground`, `point`, `circle`, `curve`, `spring`, `damper`"],
+        &[
+            "9:11 `lime` is not known here; expected one of `line`, `slider`, `ground`, `point`, `circle`, `curve`, `spring`, `damper`",
+        ],
     );
     check(
         "line [0, 0], P;",
         "line [0, 0], P.x;",
         &["9:24 a scalar stands where a vector belongs; a vector is written `[x, y]`"],
     );
-    check(
-        "line [0, 0], P;",
-        "spring [0, 0], P, P;",
-        &["9:11 a drawn spring has two ends: `spring A, B;`"],
-    );
+    check("line [0, 0], P;", "spring [0, 0], P, P;", &["9:11 a drawn spring has two ends: `spring A, B;`"]);
     check("line [0, 0], P;", "slider P;", &["9:19 expected `along`: `slider A along beta;`"]);
     check("pub Pendulum;", "pub Pendulum", &["2:1 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
     check(

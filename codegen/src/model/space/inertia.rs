@@ -59,7 +59,9 @@ fn impossible(tensor: [f64; 6]) -> Option<String> {
     let size = xx.abs().max(yy.abs()).max(zz.abs());
     let tolerance = 1e-12 * size;
     if !is_semidefinite(tensor, tolerance) {
-        return Some("this inertia is not positive definite: about some axis it is negative, as that of no body is".into());
+        return Some(
+            "this inertia is not positive definite: about some axis it is negative, as that of no body is".into(),
+        );
     }
     let half = (xx + yy + zz) / 2.0;
     let [.., yz, zx, xy] = tensor;

@@ -102,7 +102,8 @@ fn spin(graph: &mut Graph, q: &[Expr; 4], rates: &[Expr; 4], inverse: Expr) -> T
             (graph.mul(q[j], rates[k]), true),
             (graph.mul(q[k], rates[j]), false),
         ];
-        let signed: Vec<Expr> = terms.into_iter().map(|(term, minus)| if minus { graph.neg(term) } else { term }).collect();
+        let signed: Vec<Expr> =
+            terms.into_iter().map(|(term, minus)| if minus { graph.neg(term) } else { term }).collect();
         let sum = graph.sum(&signed);
         graph.product(&[two, inverse, sum])
     })
@@ -132,7 +133,8 @@ impl Quaternion {
         let occurring = graph.symbols_of(&[constraint.value]);
         let same = occurring.len() == 4 && self.symbols.iter().all(|symbol| occurring.contains(symbol));
         let at = |k: usize, norm: f64| {
-            let direction: [f64; 4] = std::array::from_fn(|i| ((4 * k + i + 1) as f64 * 0.618_033_988_75).fract() - 0.4);
+            let direction: [f64; 4] =
+                std::array::from_fn(|i| ((4 * k + i + 1) as f64 * 0.618_033_988_75).fract() - 0.4);
             let size = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
             let value = |symbol: Symbol| {
                 self.symbols.iter().position(|own| *own == symbol).map_or(f64::NAN, |i| norm * direction[i] / size)

@@ -2,6 +2,7 @@
 
 use super::triple::{self, Triple, add, apply};
 use super::{Frames, Turn};
+use crate::model::Dependence;
 use crate::model::interpret::Interpreter;
 use crate::symbolic::{Expr, Graph};
 
@@ -115,6 +116,16 @@ impl Interpreter {
     /// The components in the world's frame.
     pub(in crate::model) fn resolved(&mut self, v: &Spatial) -> Triple {
         self.frames.resolved(&mut self.graph, v)
+    }
+
+    /// A place and the frame in which its velocity is short: that of the body whose centre it is, where what moves it is
+    /// turning, and the world's where it moves there in more directions than one.
+    pub(in crate::model) fn with_frame(&mut self, place: Spatial, turn: Turn) -> (Spatial, Turn) {
+        let moves = Dependence::COORDINATE.or(Dependence::TIME);
+        let own = place.terms().iter().filter(|(frame, _)| *frame == Turn::NONE).flat_map(|(_, u)| u);
+        let moving = own.filter(|x| self.dependences.of(&self.graph, **x).meets(moves)).count();
+        let frame = if moving > 1 { Turn::NONE } else { turn };
+        (place, frame)
     }
 
     /// The components of two vectors in a frame that they share, the world's if there is no other.
