@@ -284,6 +284,10 @@ fn mark(name: &str) -> Mark {
 }
 
 pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
-    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity"])?;
-    Ok(if name == "dynamics_jacobian" { OptionalKernel::DynamicsJacobian } else { OptionalKernel::DynamicsSensitivity })
+    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity", "inverse_dynamics"])?;
+    Ok(match name.to_string().as_str() {
+        "dynamics_jacobian" => OptionalKernel::DynamicsJacobian,
+        "dynamics_sensitivity" => OptionalKernel::DynamicsSensitivity,
+        _ => OptionalKernel::InverseDynamics,
+    })
 }

@@ -44,6 +44,8 @@ pub enum OptionalKernel {
     DynamicsJacobian,
     /// `dynamics_sensitivity;`
     DynamicsSensitivity,
+    /// `inverse_dynamics;`
+    InverseDynamics,
 }
 
 /// `alpha [rad];`

@@ -83,6 +83,8 @@ pub struct Model {
     pub wants_jacobian: Option<bool>,
     /// Whether those with respect to the parameters are.
     pub wants_sensitivity: bool,
+    /// Whether the forces that a motion takes are.
+    pub wants_inverse: bool,
     /// Auxiliary displacements, which are zero here.
     pub auxiliaries: Vec<Auxiliary>,
     /// The same model, in a graph of its own, with auxiliary displacements as variables; none where there are none.

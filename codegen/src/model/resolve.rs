@@ -16,7 +16,7 @@ use super::scope::{Names, plain};
 use super::space::{Frames, check_norms};
 use super::start::resolve_initial;
 use super::{Dependence, Dependences, Model, time_derivative};
-use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity};
+use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
 use crate::symbolic::{Differential, Graph};
@@ -119,6 +119,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         auxiliaries,
         displaced: None,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
+        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
 }
