@@ -19,6 +19,9 @@ mod six_bar;
 mod skate;
 mod slider_crank;
 mod spring_follower;
+mod top;
+mod tumbling;
+mod tumbling_quaternion;
 mod whitworth;
 
 pub use andrews::*;
@@ -38,6 +41,9 @@ pub use six_bar::*;
 pub use skate::*;
 pub use slider_crank::*;
 pub use spring_follower::*;
+pub use top::*;
+pub use tumbling::*;
+pub use tumbling_quaternion::*;
 pub use whitworth::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
@@ -62,7 +68,10 @@ macro_rules! all_models {
             $crate::HalfCar,
             $crate::CartPole,
             $crate::Skate,
-            $crate::BouncingBall
+            $crate::BouncingBall,
+            $crate::Tumbling,
+            $crate::TumblingQuaternion,
+            $crate::Top
         )
     };
 }
