@@ -204,17 +204,17 @@ impl Writer {
 
     /// Events, and what happens at them.
     fn events(&mut self, switched: &[String]) -> String {
-        let mut text = format!("events {{ crossing: {} = {};\n", self.rate(2), self.scalar(1));
+        let mut text = format!("events {{ crossing: {} + q_1 = {};\n", self.rate(2), self.scalar(1));
         let (value, speed) = (self.scalar(2), self.rate(1));
         text += &format!(
-            "jump: {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",
+            "jump: q_1 + {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",
             self.rate(1)
         );
         for name in switched {
             let (condition, restitution) = (self.rate(1), self.scalar(1));
-            text += &format!("on_{name}: {condition} = 0 falling {{ activate {name}; }}\n");
+            text += &format!("on_{name}: {condition} = t falling {{ activate {name}; }}\n");
             text += &format!(
-                "hit_{name}: {condition} = 0.1 rising {{ impact {name} restitution tanh({restitution})^2; release {name}; }}\n"
+                "hit_{name}: {condition} = 0.1*t rising {{ impact {name} restitution tanh({restitution})^2; release {name}; }}\n"
             );
         }
         text + "}\n"
