@@ -159,7 +159,10 @@ impl Writer {
         let coordinate = self.random.pick(&self.coordinates).clone();
         match self.random.below(6) {
             0 => format!("spring p1, rest {} on {coordinate} + {};\n", self.scalar(0), self.scalar(2)),
-            1 => format!("spring p2*stretch^3, rest 0.3 between {} and {coordinate};\n", self.scalar(1)),
+            1 => format!(
+                "spring p2*stretch^3, rest 0.3 between {} and 3*{coordinate} + {coordinate}^3/9;\n",
+                self.scalar(1)
+            ),
             2 => format!(
                 "spring p1, length 0.4 from {} to [9 + sin({coordinate}), 7 - {coordinate}^2];\n",
                 self.vector(1)
