@@ -337,27 +337,10 @@ mechanism! {
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
-/// Calls a macro with the types of all mechanisms, the shipped ones first.
-macro_rules! all_mechanisms {
+/// Calls a macro with the types of this file's mechanisms.
+macro_rules! own_mechanisms {
     ($callback:ident) => {
         $callback!(
-            models::QuickReturn,
-            models::QuickReturnRatio,
-            models::Andrews,
-            models::Pendulum,
-            models::DoublePendulum,
-            models::FourBar,
-            models::Skate,
-            models::SliderCrank,
-            models::ScotchYoke,
-            models::Whitworth,
-            models::SixBar,
-            models::HangingChain,
-            models::FourBars,
-            models::SpringFollower,
-            models::CamFollower,
-            models::HalfCar,
-            models::CartPole,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
@@ -375,6 +358,15 @@ macro_rules! all_mechanisms {
         )
     };
 }
+pub(crate) use own_mechanisms;
+
+/// Calls a macro with the types of the shipped mechanisms, then with those of this file.
+macro_rules! all_mechanisms {
+    ($callback:ident) => {{
+        models::all_models!($callback);
+        crate::mechanisms::own_mechanisms!($callback);
+    }};
+}
 pub(crate) use all_mechanisms;
 
 /// The shipped mechanisms and those of this file.
@@ -382,24 +374,5 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [
-        tests::shipped(),
-        descriptions!(
-            Bead,
-            Cart,
-            Functions,
-            Rod,
-            Chain,
-            Arm,
-            Sled,
-            Snake,
-            Hoist,
-            Sprung,
-            Switched,
-            Actuated,
-            crate::tabled::Tabled
-        )
-        .to_vec(),
-    ]
-    .concat()
+    [tests::shipped(), own_mechanisms!(descriptions).to_vec()].concat()
 }

@@ -1,14 +1,15 @@
 //! `sim kinematics`.
 
 use super::arguments::{Size, Voice, format};
+use super::folder::Folder;
 use super::quantity::parse_quantity;
 use super::run::{mechanism_with, start_with};
-use super::{Stop, print, unknown};
+use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
     Driven, Extreme, Extremes, Failure, Format, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table,
-    WriteError, kinematics, write_json, write_table,
+    kinematics,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -226,64 +227,20 @@ fn tell(
     draw: &dyn Fn(&Table, &Path) -> show::Figures,
     voice: Voice,
 ) -> Result<(), Stop> {
-    let directory = arguments.out.clone();
-    let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", found.description.name).into());
-    let written = write(found, table, arguments, draw, &directory)?;
-    if voice.json && !voice.quiet {
-        let mut said = summary(found);
-        said["directory"] = directory.to_string_lossy().into();
-        said["files"] = written.names.into();
-        print(&format!("{said:#}\n"))?;
-    } else if !voice.quiet {
-        print(&format!("{}written      {}: {}\n", report(found), directory.display(), written.names.join(", ")))?;
+    let name = || format!("out/{}-kinematics", found.description.name);
+    let directory = arguments.out.clone().unwrap_or_else(|| name().into());
+    let mut folder = Folder::open(found.description, &directory, &SWEEP_FIGURES)?;
+    folder.table(table, &arguments.format)?;
+    let summary = summary(found);
+    folder.json(&summary, "summary.json")?;
+    if !arguments.no_figures && !table.times().is_empty() {
+        folder.figures(draw(table, &directory));
     }
+    folder.say(voice, summary, &format!("{}{}", report(found), folder.line()))?;
     match found.failure {
         Some(failure) => Err(failure.clone().into()),
-        None if !written.failures.is_empty() => {
-            Err(Stop::Failed(anyhow::anyhow!("{}", written.failures.join("\nerror: "))))
-        }
-        None => Ok(()),
+        None => folder.check(),
     }
-}
-
-struct Written {
-    names: Vec<String>,
-    failures: Vec<String>,
-}
-
-fn write(
-    found: &Found,
-    table: &Table,
-    arguments: &KinematicsArguments,
-    draw: &dyn Fn(&Table, &Path) -> show::Figures,
-    directory: &Path,
-) -> Result<Written, Stop> {
-    std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why))?;
-    remove_earlier(found.description, directory)?;
-    let mut names = Vec::new();
-    for format in Format::ALL.iter().filter(|format| arguments.format.contains(format)) {
-        write_table(table, *format, directory)?;
-        names.push(format!("trajectory.{}", format.name()));
-    }
-    write_json(&summary(found), &directory.join("summary.json"))?;
-    names.push("summary.json".into());
-    if arguments.no_figures || table.times().is_empty() {
-        return Ok(Written { names, failures: Vec::new() });
-    }
-    let drawn = draw(table, directory);
-    names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-    Ok(Written { names, failures: drawn.failures.iter().map(ToString::to_string).collect() })
-}
-
-fn remove_earlier(description: &Description, directory: &Path) -> Result<(), Stop> {
-    super::files::remove_earlier(description, directory)?;
-    for name in SWEEP_FIGURES.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]) {
-        let path = directory.join(name);
-        if path.is_file() {
-            std::fs::remove_file(&path).map_err(|why| WriteError::new(&path, why))?;
-        }
-    }
-    Ok(())
 }
 
 /// What was found, in declared units.

@@ -18,6 +18,7 @@
 mod arguments;
 mod compare;
 mod files;
+mod folder;
 mod generate;
 mod info;
 mod json;

@@ -1,11 +1,12 @@
 //! `sim run`.
 
 use super::arguments::{RunArguments, Voice};
-use super::files::{self, Written};
+use super::files::{self, Took};
+use super::folder::Folder;
 use super::list::counted;
 use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
-use super::{Stop, print, progress, unknown};
+use super::{Stop, progress, unknown};
 use crate::happening::impulses;
 use crate::outcome::{Outcome, Recorded};
 use crate::write::summary_of;
@@ -24,7 +25,6 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
-    files::remove_earlier(description, &directory)?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
@@ -40,8 +40,10 @@ fn told(
     voice: Voice,
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
-    let written = files::write(found, &outcome, table, arguments, (reproduction, directory, clock))?;
-    say(&outcome, table, &written, directory, voice)?;
+    let summary = summary_of(&outcome, table);
+    let mut folder = Folder::open(outcome.description, directory, &[])?;
+    let took = files::write(found, (&outcome, table, &summary), arguments, reproduction, &mut folder, clock)?;
+    folder.say(voice, summary, &report(&outcome, &folder, &took))?;
     match (outcome.failure, table.undefined_outputs().first()) {
         (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
         (Some(failure), _) => Err(failure.into()),
@@ -49,7 +51,7 @@ fn told(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
         ))),
-        (None, None) => written.check(),
+        (None, None) => folder.check(),
     }
 }
 
@@ -62,24 +64,10 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
     }
 }
 
-/// Prints what came of it.
-fn say(run: &Outcome, table: &Table, written: &Written, directory: &Path, voice: Voice) -> Result<(), Stop> {
-    match voice {
-        Voice { quiet: true, .. } => Ok(()),
-        Voice { json: true, .. } => {
-            let mut summary = summary_of(run, table);
-            summary["directory"] = directory.to_string_lossy().into();
-            summary["files"] = written.names.clone().into();
-            print(&format!("{summary:#}\n"))
-        }
-        _ => print(&report(run, written, directory)),
-    }
-}
-
 pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
     set(parameters.as_mut(), description, settings)?;
-    Ok(M::with_parameters(parameters))
+    Ok(M::defaults().with_parameters(parameters))
 }
 
 /// Sets parameters to what the user says.
@@ -182,7 +170,7 @@ fn method(run: &Outcome) -> String {
 }
 
 /// The short table for the terminal.
-fn report(run: &Outcome, written: &Written, directory: &Path) -> String {
+fn report(run: &Outcome, folder: &Folder, took: &Took) -> String {
     let description = run.description;
     let end = run.settings.end;
     let reached = run.reached;
@@ -230,16 +218,16 @@ fn report(run: &Outcome, written: &Written, directory: &Path) -> String {
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
     let integration = milliseconds(run.integration_seconds);
-    let (without, total) = (milliseconds(written.without_figures), milliseconds(written.total));
+    let (without, total) = (milliseconds(took.without_figures), milliseconds(took.total));
     rows.push((
         "wall time",
         format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
     ));
-    let tables = written.names.iter().filter(|name| !name.ends_with(".svg") && !name.ends_with(".png"));
-    let files: Vec<&str> = tables.map(String::as_str).collect();
-    let figures = counted(written.figures, "figure");
+    let is_picture = |name: &String| name.ends_with(".svg") || name.ends_with(".png");
+    let (pictures, files): (Vec<String>, Vec<String>) = folder.names().iter().cloned().partition(is_picture);
+    let (directory, figures) = (folder.directory(), counted(pictures.len() / 2, "figure"));
     rows.push(("written", format!("{}: {}, {figures}", directory.display(), files.join(", "))));
-    if written.names.iter().any(|name| name == "report.html") {
+    if files.iter().any(|name| name == "report.html") {
         rows.push(("look at", format!("{}", directory.join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()

@@ -3668,7 +3668,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
             self.fa,
         ]
     }
-    fn with_parameters(parameters: [S; 42]) -> Self {
+    fn with_parameters(&self, parameters: [S; 42]) -> Self {
         Self {
             m1: parameters[0],
             m2: parameters[1],
@@ -3712,6 +3712,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
             zf: parameters[39],
             zt: parameters[40],
             fa: parameters[41],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

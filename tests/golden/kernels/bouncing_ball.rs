@@ -665,7 +665,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     fn parameters(&self) -> [S; 6] {
         [self.m, self.r, self.h, self.rebound, self.v, self.g]
     }
-    fn with_parameters(parameters: [S; 6]) -> Self {
+    fn with_parameters(&self, parameters: [S; 6]) -> Self {
         Self {
             m: parameters[0],
             r: parameters[1],
@@ -673,7 +673,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
             rebound: parameters[3],
             v: parameters[4],
             g: parameters[5],
-            floor_activity: S::from_f64(0.0),
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -1000,11 +1000,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
     fn parameters(&self) -> [S; 3] {
         [self.m, self.l, self.g]
     }
-    fn with_parameters(parameters: [S; 3]) -> Self {
+    fn with_parameters(&self, parameters: [S; 3]) -> Self {
         Self {
             m: parameters[0],
             l: parameters[1],
             g: parameters[2],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

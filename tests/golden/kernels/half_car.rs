@@ -1202,7 +1202,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
             self.R,
         ]
     }
-    fn with_parameters(parameters: [S; 13]) -> Self {
+    fn with_parameters(&self, parameters: [S; 13]) -> Self {
         Self {
             m: parameters[0],
             J: parameters[1],
@@ -1217,6 +1217,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
             w: parameters[10],
             s0: parameters[11],
             R: parameters[12],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

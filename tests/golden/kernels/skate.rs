@@ -790,13 +790,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     fn parameters(&self) -> [S; 5] {
         [self.m, self.J, self.a, self.slope, self.g]
     }
-    fn with_parameters(parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
         Self {
             m: parameters[0],
             J: parameters[1],
             a: parameters[2],
             slope: parameters[3],
             g: parameters[4],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -691,7 +691,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
     fn parameters(&self) -> [S; 8] {
         [self.r, self.w, self.m_pin, self.m, self.k, self.c, self.l0, self.g]
     }
-    fn with_parameters(parameters: [S; 8]) -> Self {
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
         Self {
             r: parameters[0],
             w: parameters[1],
@@ -701,6 +701,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
             c: parameters[5],
             l0: parameters[6],
             g: parameters[7],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
