@@ -251,7 +251,8 @@ impl Writer {
             5 => format!("({a})/(1.5 + ({b})^2)"),
             6 => format!("sin({a})"),
             7 => format!("cos({a} + {b})"),
-            8 => format!("tanh({a})"),
+            // Kernels have 1 - tanh^2 as its slope, of which little is left where tanh is near 1.
+            8 => format!("tanh(({a})/4)"),
             9 => format!("sqrt(1 + ({a})^2)"),
             10 => format!("exp(-({a})^2)*({b})"),
             11 => format!("({a})^{}", 2 + self.random.below(2)),
