@@ -5,7 +5,8 @@
 //! work on motions that it admits for b = 0, as its reaction is A' lambda. (Neimark and Fufaev, Dynamics of Nonholonomic
 //! Systems, 1972, chapter III.)
 //!
-//! The rows of a constraint that events switch are scaled by its activity, so that a released one is 0 = 0 everywhere.
+//! The rows of a constraint that events switch are chosen by its activity, so that a released one is 0 = 0 everywhere, also where it
+//! has no value.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::{Level, Model};
@@ -35,24 +36,26 @@ impl Constraints {
     ) -> Constraints {
         let declared: Vec<(Level, Expr)> = model.constraints.iter().map(|c| (c.level, c.value)).collect();
         let zero = model.graph.zero();
-        let magnitudes = declared.iter().map(|(level, value)| match level {
-            Level::Positions => magnitude(model, *value),
-            Level::Speeds => zero,
-        });
-        let magnitudes = magnitudes.collect();
-        let mut constraints =
-            Constraints { values: vec![], magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
-        for (i, (value, (level, _))) in values.into_iter().zip(declared).enumerate() {
+        let mut constraints = Constraints {
+            values: vec![],
+            magnitudes: vec![],
+            jacobian: vec![],
+            time_derivative: vec![],
+            convective: vec![],
+        };
+        for (i, (value, (level, declared))) in values.into_iter().zip(declared).enumerate() {
+            let size = if level == Level::Positions { magnitude(model, declared) } else { zero };
             let (own, row) = match level {
                 Level::Positions => (value, derivatives.of_quantity(model, variables, value)),
                 Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
             };
             let activity = model.constraints[i].activity;
-            let mut scaled = |expr: Expr| activity.map_or(expr, |activity| model.graph.mul(activity, expr));
-            constraints.values.push(scaled(own));
-            constraints.jacobian.push(row.jacobian.into_iter().map(&mut scaled).collect());
-            constraints.time_derivative.push(scaled(row.time_derivative));
-            constraints.convective.push(scaled(row.convective));
+            let mut switched = |expr: Expr| activity.map_or(expr, |activity| model.graph.choice(activity, expr, zero));
+            constraints.values.push(switched(own));
+            constraints.magnitudes.push(switched(size));
+            constraints.jacobian.push(row.jacobian.into_iter().map(&mut switched).collect());
+            constraints.time_derivative.push(switched(row.time_derivative));
+            constraints.convective.push(switched(row.convective));
         }
         constraints
     }
