@@ -4,6 +4,7 @@
 
 mod andrews;
 mod bouncing_ball;
+mod cam_follower;
 mod cart_pole;
 mod double_pendulum;
 mod four_bar;
@@ -18,10 +19,14 @@ mod six_bar;
 mod skate;
 mod slider_crank;
 mod spring_follower;
+mod top;
+mod tumbling;
+mod tumbling_quaternion;
 mod whitworth;
 
 pub use andrews::*;
 pub use bouncing_ball::*;
+pub use cam_follower::*;
 pub use cart_pole::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
@@ -36,6 +41,9 @@ pub use six_bar::*;
 pub use skate::*;
 pub use slider_crank::*;
 pub use spring_follower::*;
+pub use top::*;
+pub use tumbling::*;
+pub use tumbling_quaternion::*;
 pub use whitworth::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
@@ -56,10 +64,14 @@ macro_rules! all_models {
             $crate::HangingChain,
             $crate::FourBars,
             $crate::SpringFollower,
+            $crate::CamFollower,
             $crate::HalfCar,
             $crate::CartPole,
             $crate::Skate,
-            $crate::BouncingBall
+            $crate::BouncingBall,
+            $crate::Tumbling,
+            $crate::TumblingQuaternion,
+            $crate::Top
         )
     };
 }

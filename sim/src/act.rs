@@ -87,9 +87,7 @@ impl<M: Mechanism> Change<M> {
                 Target::Speed(index) => self.state.speeds[index] = value,
             }
         }
-        self.mechanism = M::with_parameters(parameters)
-            .with_inputs(self.mechanism.inputs())
-            .with_activities(self.mechanism.activities());
+        self.mechanism = self.mechanism.with_parameters(parameters);
         check_masses(&self.mechanism, self.state.time, &self.state.positions)
     }
 

@@ -1,6 +1,7 @@
 //! The equations of motion at one state, solved: for accelerations and multipliers, and for impulses.
 
 use crate::failure::{Failure, What, constraint_name, largest};
+use crate::gimbal;
 use crate::least_norm::least_norm;
 use crate::project::rates;
 use crate::solve::{Solved, solve};
@@ -124,7 +125,8 @@ fn accelerate_by_pivoting<M: Mechanism>(
         };
         return Err(fail(What::NotFinite { quantity }));
     }
-    let solved = solve_motion::<M>(matrix, rhs, time, q)?;
+    let solved = solve_motion::<M>(matrix, rhs, time, q);
+    let solved = solved.map_err(|failure| gimbal::explained(failure, mechanism, time, q))?;
     let accelerations = M::Q::from_fn(|i| solved.solution[i]);
     let mut multipliers = M::L::from_fn(|i| solved.solution[n + i]);
     let undetermined = solved.undetermined().count();

@@ -91,6 +91,16 @@ pub enum What {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
     },
+    /// The angles of an attitude do not determine its motion here.
+    #[error(
+        "gimbal lock: {angles} turn about the same axis here, and together they turn nothing, so their accelerations are not \
+             determined. Write the attitude as a quaternion, which has no such position (`body: free, ..` does), or with a \
+             sequence of axes whose middle angle stays away from it"
+    )]
+    GimbalLock {
+        /// The angles.
+        angles: String,
+    },
     /// Some motion has no or negative kinetic energy.
     #[error(
         "the mass matrix is not positive: moving `{coordinate}` would have negative kinetic energy. Masses and inertias \

@@ -16,6 +16,7 @@ mod equilibrium;
 mod events;
 mod failure;
 mod formats;
+mod gimbal;
 mod happening;
 mod integrate;
 mod interpolate;

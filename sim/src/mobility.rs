@@ -157,6 +157,13 @@ fn independence<M: Mechanism>(jacobian: &M::LQ, lengths: &[f64]) -> Vec<f64> {
 /// A negative kinetic energy this small beside the others is rounding.
 const NEGATIVE: f64 = 1e-10;
 
+/// Whether a unit has one of mass in it.
+fn has_mass(unit: &str) -> bool {
+    let words = unit.split(|c: char| !c.is_alphabetic());
+    let is_mass = |word: &str| word == "lb" || word.strip_suffix('g').is_some_and(|prefix| prefix.chars().count() <= 1);
+    words.into_iter().any(is_mass)
+}
+
 /// That no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
 ///
 /// # Errors
@@ -175,11 +182,8 @@ pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<
     }
     let coordinate = M::DESCRIPTION.coordinates[eigen.eigenvectors.column(at).iamax()].position.name;
     let parameters = mechanism.parameters();
-    let negative = M::DESCRIPTION
-        .parameters
-        .iter()
-        .zip(parameters.iter())
-        .filter(|(p, value)| **value < 0.0 && p.unit.contains('g'));
+    let negative =
+        M::DESCRIPTION.parameters.iter().zip(parameters.iter()).filter(|(p, value)| **value < 0.0 && has_mass(p.unit));
     let names: Vec<String> =
         negative.map(|(p, value)| format!("`{}` is {} {}", p.name, value / p.factor, p.unit)).collect();
     let suspects = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };

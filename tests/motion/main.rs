@@ -5,6 +5,7 @@
 mod andrews;
 mod assembly;
 mod auxiliary;
+mod cams;
 mod cart_pole;
 mod chains;
 mod constraints;

@@ -26,6 +26,11 @@ pub(super) fn call(region: Region, function: &str, arguments: Vec<Expression>) -
     Expression { region, kind: Kind::Call(Ident::new(function, Span::call_site()), arguments) }
 }
 
+/// A table at an argument.
+pub(super) fn called(table: &Ident, argument: Expression) -> Expression {
+    Expression { region: table.into(), kind: Kind::Call(table.clone(), vec![argument]) }
+}
+
 pub(super) fn component(vector: &Expression, axis: &str) -> Expression {
     let name = Ident::new(axis, Span::call_site());
     Expression { region: vector.region, kind: Kind::Component(Box::new(vector.clone()), name) }
@@ -33,6 +38,22 @@ pub(super) fn component(vector: &Expression, axis: &str) -> Expression {
 
 pub(super) fn zero(region: Region) -> Expression {
     Expression { region, kind: Kind::Number { literal: "0".into(), unit: None } }
+}
+
+pub(super) fn number(region: Region, literal: &str) -> Expression {
+    let number = |literal: &str| Expression { region, kind: Kind::Number { literal: literal.into(), unit: None } };
+    match literal.strip_prefix('-') {
+        Some(size) => Expression { region, kind: Kind::Negate(Box::new(number(size))) },
+        None => number(literal),
+    }
+}
+
+pub(super) fn vector(region: Region, components: Vec<Expression>) -> Expression {
+    Expression { region, kind: Kind::Vector(components) }
+}
+
+pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
+    binary(Operator::Divide, a, b)
 }
 
 pub(super) fn product(a: Expression, b: Expression) -> Expression {

@@ -13,6 +13,10 @@ use syn::ext::IdentExt;
 pub(super) const OTHER_FUNCTIONS: [&str; 10] =
     ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
+/// Functions that names of the user's own may hide, as they have come later: rotations and vectors of space.
+pub(super) const SPATIAL_FUNCTIONS: [&str; 6] =
+    ["cross", "rotation", "euler", "quaternion", "transpose", "angular_velocity"];
+
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {
     ident.unraw().to_string()
@@ -33,14 +37,20 @@ impl<T: Clone> Names<T> {
 
     /// Adds a name; a second definition is a mistake shown with the first.
     pub(super) fn define(&mut self, name: &Ident, thing: Option<T>, mistakes: &mut Mistakes) {
-        let text = plain(name);
-        if let Some((first, _)) = self.entries.get(&text) {
-            let mut mistake =
-                Region::from(name).error(format!("`{text}` is defined twice; choose another name for one of them"));
-            mistake.combine(first.error(format!("the first definition of `{text}` is here")));
-            return mistakes.add(mistake);
+        match self.check_free(name) {
+            Ok(()) => drop(self.entries.insert(plain(name), (name.into(), thing))),
+            Err(mistake) => mistakes.add(mistake),
         }
-        self.entries.insert(text, (name.into(), thing));
+    }
+
+    /// Refuses a name that is defined already, and shows where.
+    pub(super) fn check_free(&self, name: &Ident) -> syn::Result<()> {
+        let text = plain(name);
+        let Some((first, _)) = self.entries.get(&text) else { return Ok(()) };
+        let mut mistake =
+            Region::from(name).error(format!("`{text}` is defined twice; choose another name for one of them"));
+        mistake.combine(first.error(format!("the first definition of `{text}` is here")));
+        Err(mistake)
     }
 
     /// Whether a name is taken.
@@ -104,11 +114,16 @@ pub(super) fn check_reserved(name: &Ident) -> syn::Result<()> {
 }
 
 fn is_function(name: &str) -> bool {
-    functions().any(|function| function == name)
+    reserved_functions().any(|function| function == name)
 }
 
 /// The functions a user may call.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
+    reserved_functions().chain(SPATIAL_FUNCTIONS)
+}
+
+/// Those whose names are no others.
+pub(super) fn reserved_functions() -> impl Iterator<Item = &'static str> {
     Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }
 

@@ -19,8 +19,10 @@ mod mechanics;
 mod motion;
 mod observe;
 mod parameters;
+mod rotation;
 mod solve;
 mod state;
+mod table;
 mod value;
 
 pub use error::{OracleError, Result};

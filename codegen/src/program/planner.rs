@@ -26,6 +26,8 @@ pub(super) struct Planner<'a> {
     inputs: FxHashMap<Symbol, Input>,
     definitions: FxHashMap<Symbol, Expr>,
     alternatives: &'a FxHashMap<Expr, Expr>,
+    /// The squares of the norms of quaternions.
+    divisors: Vec<Expr>,
     /// Names wished for values of the model.
     labels: Vec<(Expr, String)>,
 }
@@ -57,12 +59,13 @@ impl<'a> Planner<'a> {
             inputs,
             definitions: definitions.chain(courses).collect(),
             alternatives,
+            divisors: model.norms.iter().map(|norm| norm.square).collect(),
             labels: labels(equations),
         }
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
-        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives)
+        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
     }
 
     /// A kernel of its own, of the mechanism.
@@ -174,6 +177,10 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
         labels.extend(row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, names[j]))));
     }
+    labels.extend(model.graph.look_ups().into_iter().map(|(expr, table, order)| {
+        let derivative = ["", "_slope", "_curvature", "_third"][usize::from(order).min(3)];
+        (expr, format!("{}{derivative}", model.graph.table(table).name))
+    }));
     labels
 }
 

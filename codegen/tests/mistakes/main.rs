@@ -20,7 +20,9 @@ mod new_users;
 mod outputs;
 mod parameters;
 mod reuse;
+mod space;
 mod start;
+mod tables;
 mod units;
 
 use proc_macro2::TokenStream;

@@ -1,8 +1,10 @@
 //! The files that a command writes.
 
-use super::Stop;
+use super::arguments::Voice;
+use super::{Stop, print};
 use crate::show::Figures;
 use crate::{Format, Table, WriteError, write_table};
+use serde_json::Value;
 use sim_kernel::Description;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -66,6 +68,24 @@ impl Files {
     pub(super) fn add_figures(&mut self, drawn: &Figures) {
         self.names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
         self.failures.extend(drawn.failures.iter().map(ToString::to_string));
+    }
+
+    /// Prints what was found: as JSON with the directory and the files, or as text.
+    pub(super) fn say(&self, voice: Voice, mut said: Value, text: &str) -> Result<(), Stop> {
+        match voice {
+            Voice { quiet: true, .. } => Ok(()),
+            Voice { json: true, .. } => {
+                said["directory"] = self.directory.to_string_lossy().into();
+                said["files"] = self.names.clone().into();
+                print(&format!("{said:#}\n"))
+            }
+            _ => print(text),
+        }
+    }
+
+    /// The line on what was written.
+    pub(super) fn line(&self) -> String {
+        format!("written      {}: {}\n", self.directory.display(), self.names.join(", "))
     }
 
     /// Of these and what else went wrong, one error.

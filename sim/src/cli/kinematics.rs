@@ -2,9 +2,9 @@
 
 use super::arguments::{Size, Voice, format};
 use super::files::Files;
+use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::run::{mechanism_with, start_with};
-use super::{Stop, print, unknown};
+use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
@@ -235,15 +235,7 @@ fn tell(
     if !arguments.no_figures && !table.times().is_empty() {
         files.add_figures(&draw(table, files.directory()));
     }
-    if voice.json && !voice.quiet {
-        let mut said = summary(found);
-        said["directory"] = files.directory().to_string_lossy().into();
-        said["files"] = files.names.clone().into();
-        print(&format!("{said:#}\n"))?;
-    } else if !voice.quiet {
-        let (directory, names) = (files.directory().display(), files.names.join(", "));
-        print(&format!("{}written      {directory}: {names}\n", report(found)))?;
-    }
+    files.say(voice, summary(found), &format!("{}{}", report(found), files.line()))?;
     files.check(found.failure.iter().map(ToString::to_string).collect(), false)
 }
 

@@ -19,6 +19,7 @@ mod arguments;
 mod compare;
 mod files;
 mod generate;
+mod given;
 mod info;
 mod json;
 mod kinematics;

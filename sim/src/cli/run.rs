@@ -2,17 +2,17 @@
 
 use super::arguments::{RunArguments, Voice};
 use super::files::Files;
+use super::given::{held_at, mechanism_with, start_with};
 use super::list::counted;
-use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
-use super::{Stop, print, progress, unknown};
+use super::{Stop, progress};
 use crate::happening::impulses;
 use crate::outcome::{Outcome, Recorded};
 use crate::show::{self, About};
 use crate::write::summary_of;
-use crate::{Start, Stepping, Table, What, assemble, declared_start, mobility, run, write_json};
-use serde_json::json;
-use sim_kernel::{Description, Input, Mechanism};
+use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
+use serde_json::{Value, json};
+use sim_kernel::Mechanism;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -42,8 +42,9 @@ fn told(
     voice: Voice,
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
-    let times = write(&mut files, found, &outcome, table, arguments, (reproduction, clock));
-    say(&outcome, table, &files, &times, voice)?;
+    let summary = summary_of(&outcome, table);
+    let times = write(&mut files, found, (&outcome, table, &summary), arguments, (reproduction, clock));
+    files.say(voice, summary, &report(&outcome, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
 }
@@ -60,20 +61,18 @@ struct Times {
 fn write(
     files: &mut Files,
     run: &dyn Recorded,
-    outcome: &Outcome,
-    table: &Table,
+    (outcome, table, summary): (&Outcome, &Table, &Value),
     arguments: &RunArguments,
     (reproduction, clock): (&Reproduction, Instant),
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
-    let summary = summary_of(outcome, table);
     files.add("run.json", |path| write_json(&reproduction.file, path));
     files.add_table(table, &arguments.format);
-    files.add("summary.json", |path| write_json(&summary, path));
+    files.add("summary.json", |path| write_json(summary, path));
     let without_figures = seconds();
     let is_empty = table.times().is_empty();
     if !arguments.no_report && !is_empty {
-        let about = About { summary: &summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
+        let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
         files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
     }
     if !arguments.no_figures && !is_empty {
@@ -110,111 +109,6 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
         let found = mobility(mechanism, first.time, &first.positions);
         found.redundancies().iter().for_each(|line| eprintln!("redundant constraint: {line}"));
     }
-}
-
-/// Prints what came of it.
-fn say(run: &Outcome, table: &Table, files: &Files, times: &Times, voice: Voice) -> Result<(), Stop> {
-    match voice {
-        Voice { quiet: true, .. } => Ok(()),
-        Voice { json: true, .. } => {
-            let mut summary = summary_of(run, table);
-            summary["directory"] = files.directory().to_string_lossy().into();
-            summary["files"] = files.names.clone().into();
-            print(&format!("{summary:#}\n"))
-        }
-        _ => print(&report(run, files, times)),
-    }
-}
-
-pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut parameters = M::defaults().parameters();
-    set(parameters.as_mut(), description, settings)?;
-    Ok(M::with_parameters(parameters))
-}
-
-/// Sets parameters to what the user says.
-fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
-    for text in settings {
-        let (name, value) = split_assignment("--set", text)?;
-        let known = || description.parameters.iter().map(|p| p.name);
-        if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
-            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
-        }
-        if description.inputs.iter().any(|input| input.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
-        }
-        let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
-        parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
-    }
-    Ok(())
-}
-
-/// The mechanism with inputs held at what the user says.
-fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut inputs = mechanism.inputs();
-    hold(inputs.as_mut(), description, settings)?;
-    Ok(mechanism.with_inputs(inputs))
-}
-
-fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
-    for text in settings {
-        let (name, value) = split_assignment("--input", text)?;
-        let known = || description.inputs.iter().map(|input| input.name);
-        if description.parameters.iter().any(|p| p.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-        }
-        let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
-        inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
-    }
-    Ok(())
-}
-
-pub(super) fn start_with<M: Mechanism>(
-    mechanism: &M,
-    description: &Description,
-    settings: &[String],
-) -> Result<Start<M>, Stop> {
-    let mut start = declared_start(mechanism);
-    for (started, value) in started(description, settings)? {
-        match started {
-            Started::Position(at) => {
-                start.positions[at] = value;
-                start.position_given[at] = description.coordinates[at].start != sim_kernel::Start::Guess;
-            }
-            Started::Speed(at) => {
-                start.speeds[at] = value;
-                start.speed_given[at] = true;
-            }
-        }
-    }
-    Ok(start)
-}
-
-/// A coordinate or a speed, by index.
-enum Started {
-    Position(usize),
-    Speed(usize),
-}
-
-/// What the user says of the start.
-fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
-    let mut said = Vec::new();
-    for text in settings {
-        let (name, value) = split_assignment("--initial", text)?;
-        let coordinates = description.coordinates;
-        if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
-            said.push((Started::Position(at), parse_quantity(name, value, coordinates[at].position.unit)?));
-        } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
-            said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
-        } else {
-            if description.parameters.iter().any(|p| p.name == name) {
-                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-            }
-            let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
-            return Err(unknown("coordinate or speed", name, known));
-        }
-    }
-    Ok(said)
 }
 
 /// The method, its steps and what they took.

@@ -215,10 +215,10 @@ impl RunFile {
             "options" => message.contains(&format!("--{name}")),
             _ => message.contains(&format!("`{name}`")) || message.starts_with(&format!("{name}:")),
         };
-        let found = members("parameters").chain(members("initial")).chain(members("options")).find(speaks_of);
+        let found = ["parameters", "initial", "inputs", "options"].into_iter().flat_map(members).find(speaks_of);
         let field = match found {
             Some((entry, name)) => format!("{entry}.{name}: "),
-            None if message.contains("no mechanism") => "model: ".to_owned(),
+            None if message.contains("no model is called") => "model: ".to_owned(),
             None => String::new(),
         };
         format!("{}: {field}{message}", self.path)

@@ -1,15 +1,15 @@
 //! `sim assemble` and `sim equilibrium`.
 
 use super::arguments::{AssembleArguments, StartArguments, Voice};
+use super::given::{mechanism_with, start_with};
 use super::list::counted;
-use super::run::{mechanism_with, start_with};
 use super::{Stop, print};
 use crate::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use nalgebra::Complex;
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism, Quantity};
-use std::io::Write;
+use std::fmt::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
 pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
@@ -52,7 +52,7 @@ fn say_assembled(
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
+    let mut out = String::new();
     let freedom = super::info::freedom(found);
     let coordinates = counted(positions.len(), "coordinate");
     writeln!(
@@ -75,7 +75,8 @@ fn say_assembled(
             c.position.name, c.position.unit, c.speed.unit
         )?;
     }
-    Ok(writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?)
+    writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
+    print(&out)
 }
 
 /// Prints in which ways the loops close, and the configurations.
@@ -101,7 +102,7 @@ fn say_branches(
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
+    let mut out = String::new();
     for Loop { constraints, coordinates, form } in loops {
         let (constraints, coordinates) = (constraints.join(", "), coordinates.join(", "));
         writeln!(out, "loop         {constraints} closes {coordinates}: {form}")?;
@@ -116,7 +117,7 @@ fn say_branches(
         let values = positions().zip(q.iter()).map(|(c, q)| format!("{} = {:.12} {}", c.name, q / c.factor, c.unit));
         writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
     }
-    Ok(())
+    print(&out)
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
@@ -148,7 +149,7 @@ fn say_equilibrium(
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
+    let mut out = String::new();
     for (c, q) in description.coordinates.iter().zip(positions) {
         writeln!(out, "{:<20} {:>20.12} {}", c.position.name, q / c.position.factor, c.position.unit)?;
     }
@@ -158,7 +159,7 @@ fn say_equilibrium(
     for value in eigenvalues {
         writeln!(out, "{:<20} {:>20.12} {:+.12} i 1/s", "eigenvalue", value.re, value.im)?;
     }
-    Ok(())
+    print(&out)
 }
 
 /// Values by name, in their units.

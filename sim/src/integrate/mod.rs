@@ -19,6 +19,7 @@ pub use radau::Radau5;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
+use crate::gimbal;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::singular::{Lie, Singularity, end_of_step, may_be_ahead, parts_at, passed, weakest_constraint};
@@ -299,7 +300,7 @@ const NEARLY_SINGULAR: f64 = 1e-2;
 /// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
 fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
     let cause = cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions));
-    explained(motion, at, cause)
+    gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
 }
 
 /// A failure that a singular position explains, as such.

@@ -40,15 +40,15 @@ impl Driven {
     /// What moves it: N*m for an angle, N for a length, J per its unit for anything else.
     pub fn force_unit(self, description: &'static Description) -> &'static str {
         match self.quantity(description).unit {
-            "rad" | "deg" | "rev" => "N*m",
-            "m" | "mm" | "cm" | "dm" | "um" | "km" | "inch" | "ft" => "N",
+            unit if is_angle(unit) => "N*m",
+            unit if is_one_of(unit, "m", &["inch", "ft"]) => "N",
             _ => "J",
         }
     }
 
     /// A whole turn in radians, if it is an angle.
     pub fn turn(self, description: &'static Description) -> Option<f64> {
-        matches!(self.quantity(description).unit, "rad" | "deg" | "rev").then_some(std::f64::consts::TAU)
+        is_angle(self.quantity(description).unit).then_some(std::f64::consts::TAU)
     }
 
     /// y at a position.
@@ -108,6 +108,15 @@ impl Driven {
             )),
         }
     }
+}
+
+fn is_angle(unit: &str) -> bool {
+    is_one_of(unit, "rad", &["deg", "rev"])
+}
+
+/// Whether a unit is a base, with a prefix or without, or one of others.
+fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
+    others.contains(&unit) || unit.strip_suffix(base).is_some_and(|prefix| prefix.chars().count() <= 1)
 }
 
 /// Whether an output has a rate and does not change with speeds.

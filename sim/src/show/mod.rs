@@ -38,8 +38,6 @@ pub use error::ShowError;
 #[cfg(feature = "cli")]
 pub(crate) use figures::figures_of;
 pub use figures::{Figures, figures};
-#[cfg(feature = "cli")]
-pub(crate) use names::printed;
 pub use parts::Shapes;
 #[cfg(feature = "cli")]
 pub(crate) use report::report_of;

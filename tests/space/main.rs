@@ -1,0 +1,16 @@
+//! Mechanisms in space: their kernels against the oracle and Lagrange's equations, and their motion against closed forms.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+mod mechanisms;
+
+#[path = "../kernels/evaluation.rs"]
+mod evaluation;
+#[path = "../kernels/lagrange.rs"]
+mod lagrange;
+#[path = "../kernels/oracle.rs"]
+mod oracle;
+
+mod elliptic;
+mod top;
+mod torque_free;
