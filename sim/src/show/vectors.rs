@@ -48,7 +48,8 @@ mod declared {
     /// declaration cannot be read again.
     pub(in crate::show) fn vectors<M: Mechanism>(run: &Run<M>, samples: &[usize]) -> Vec<(Vector, Vec<f64>)> {
         let description = const { &M::DESCRIPTION };
-        let tokens = description.declaration.parse().ok();
+        // Arrows have two components, as what they are drawn on.
+        let tokens = description.declaration.parse().ok().filter(|_| description.dimension == 2);
         let Some(mut declaration) = tokens.and_then(|tokens| dsl::parse(tokens).ok()) else { return Vec::new() };
         let arrows = arrows(&declaration, description.constraints.len());
         let mut outputs = Vec::new();
