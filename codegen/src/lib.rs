@@ -18,6 +18,7 @@ pub mod symbolic;
 use notation::{Notation, Part};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
+use std::path::{Path, PathBuf};
 
 /// A declaration's tokens to the Rust items of the mechanism. `path` is where `sim_kernel` is found.
 ///
@@ -47,15 +48,31 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 /// }
 /// ```
 ///
+/// Files that tables are in are sought in the crate's folder; `cargo::rerun-if-changed` of them is the script's.
+///
 /// # Errors
 /// As [`generate`], for the first declaration with mistakes; and if there is none.
 pub fn generate_text(text: &str, path: &str) -> syn::Result<String> {
+    generate_text_in(text, path, &crate_folder())
+}
+
+/// The same with files sought in a folder.
+///
+/// # Errors
+/// As [`generate_text`].
+pub fn generate_text_in(text: &str, path: &str, folder: &Path) -> syn::Result<String> {
     let path: TokenStream = path.parse()?;
     let mut items = String::new();
     for declaration in dsl::declarations(text)? {
+        let (declaration, _) = dsl::read_files(declaration, folder)?;
         items += &emit::format(generate(declaration, &path)?)?;
     }
     Ok(items)
+}
+
+/// The folder of the crate that is being built, by its build script or by a macro.
+fn crate_folder() -> PathBuf {
+    std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
 }
 
 /// The equations of motion of a declaration, as far as the symbols go.
@@ -89,7 +106,16 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let is_semicolon = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
     let path: TokenStream = tokens.by_ref().take_while(|token| !is_semicolon(token)).collect();
     let declaration: TokenStream = tokens.collect();
-    generate(declaration.clone(), &path).unwrap_or_else(|mistakes| {
+    let generated = dsl::read_files(declaration.clone(), &crate_folder()).and_then(|(declaration, files)| {
+        let items = generate(declaration, &path)?;
+        // So that cargo builds again when a file has changed.
+        Ok(quote! {
+            #items
+            #(const _: &[::core::primitive::u8] =
+                ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #files));)*
+        })
+    });
+    generated.unwrap_or_else(|mistakes| {
         let mistakes = mistakes.to_compile_error();
         let stub = dsl::parse_head(declaration).map(|head| emit::stub(&head, &path)).ok();
         let stub = stub.map(ToTokens::into_token_stream);

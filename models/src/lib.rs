@@ -5,6 +5,7 @@
 mod andrews;
 mod bennett;
 mod bouncing_ball;
+mod cam_follower;
 mod cardan;
 mod cart_pole;
 mod double_pendulum;
@@ -34,6 +35,7 @@ mod whitworth;
 pub use andrews::*;
 pub use bennett::*;
 pub use bouncing_ball::*;
+pub use cam_follower::*;
 pub use cardan::*;
 pub use cart_pole::*;
 pub use double_pendulum::*;
@@ -78,6 +80,7 @@ macro_rules! all_models {
             $crate::HangingChain,
             $crate::FourBars,
             $crate::SpringFollower,
+            $crate::CamFollower,
             $crate::HalfCar,
             $crate::CartPole,
             $crate::Skate,

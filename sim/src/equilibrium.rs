@@ -4,6 +4,7 @@ use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
 use crate::level::between_positions;
 use crate::linearize::linearize;
+use crate::mobility::mobility;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
 use crate::trajectory::State;
@@ -23,6 +24,10 @@ pub struct Equilibrium<M: Mechanism> {
 }
 
 const MOST_STEPS: usize = 100;
+/// Accelerations up to here, in SI units, are at rest.
+const AT_REST: f64 = 1e-8;
+/// So are those that the rounding of positions makes, in stiff mechanisms: q'' changes by q''_q times q times as many ulp.
+const ROUNDINGS: f64 = 64.0;
 
 /// The equilibrium near a start, by Newton's method on q''(q, 0) = 0 with C(q) = 0, in steps of least norm that are halved
 /// until the residual falls.
@@ -30,8 +35,9 @@ const MOST_STEPS: usize = 100;
 /// # Errors
 /// If the start cannot be assembled, or [`What::NoEquilibrium`].
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
-    let motion = Motion::new(mechanism, Stabilisation::Projection);
     let mut state = State { speeds: M::Q::filled(0.0), ..assemble(mechanism, &at_rest(start))? };
+    let redundant = mobility(mechanism, state.time, &state.positions).dependent.len();
+    let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
     let mut residual = residual_at(&motion, &state)?;
     for _ in 0..MOST_STEPS {
         let size = residual.norm();
@@ -54,9 +60,12 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     motion.keep(&mut state)?;
     state.speeds = M::Q::filled(0.0);
     let sample = motion.sample(state)?;
-    let largest = sample.accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
-    if !(largest <= 1e-8) {
-        return Err(Failure::at::<M>(What::NoEquilibrium { acceleration: largest }, state.time, &state.positions));
+    let (by_positions, _) = motion.jacobian(&sample)?;
+    let rounding = |i: usize| (0..M::Q::LEN).map(|j| (by_positions[i][j] * state.positions[j]).abs()).sum::<f64>();
+    let moves = |i: &usize| !(sample.accelerations[*i].abs() <= AT_REST + ROUNDINGS * f64::EPSILON * rounding(*i));
+    if (0..M::Q::LEN).any(|i| moves(&i)) {
+        let acceleration = sample.accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
+        return Err(Failure::at::<M>(What::NoEquilibrium { acceleration }, state.time, &state.positions));
     }
     let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
     Ok(Equilibrium { state, multipliers: sample.multipliers, eigenvalues })

@@ -72,6 +72,16 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
+    /// The same where a motion should start.
+    #[error(
+        "the mechanism cannot start in a singular position: constraint `{constraint}` is not independent of the others here, \
+             though it is nearby. More than one motion may lead on, and the equations do not say which. Start beside it: change \
+             a given coordinate or a guess a little"
+    )]
+    SingularStart {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// The equations of motion do not determine the accelerations.
     #[error(
         "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \

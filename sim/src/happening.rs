@@ -1,8 +1,9 @@
 //! Events in words, and what came of them.
 
-use crate::events::{Crossing, Occurrence};
+use crate::events::Crossing;
+use crate::outcome::Happening;
+use sim_kernel::Description;
 use sim_kernel::event::{Direction, Event, Step, Target};
-use sim_kernel::{Array, Description, Mechanism};
 
 /// How a condition passes zero and what is done then: `falling: impact floor, set dot(x)`.
 pub(crate) fn happening(event: &Event, description: &Description) -> String {
@@ -53,9 +54,9 @@ pub(crate) fn crossing(crossing: Crossing) -> &'static str {
 
 /// The impulses of an event that are not zero: the constraint, the impulse in the unit of its multiplier times a second, and
 /// that unit.
-pub(crate) fn impulses<M: Mechanism>(event: &Occurrence<M>) -> Vec<(&'static str, f64, String)> {
+pub(crate) fn impulses(event: &Happening, description: &Description) -> Vec<(&'static str, f64, String)> {
     let Some(change) = &event.change else { return Vec::new() };
-    let rows = const { &M::DESCRIPTION }.constraints.iter().zip(change.impulses.iter());
+    let rows = description.constraints.iter().zip(&change.impulses);
     let unit = |unit: &str| if unit == "1" { "s".to_owned() } else { format!("{unit}*s") };
     rows.filter(|(_, impulse)| **impulse != 0.0)
         .map(|(c, impulse)| (c.name, impulse / c.factor, unit(c.unit)))

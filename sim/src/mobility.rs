@@ -1,12 +1,13 @@
-//! Degrees of freedom, and constraints that say what others say already.
+//! Degrees of freedom, constraints that say what others say already, and those that do so in one position alone.
 
 use crate::conditional::is_active;
 use crate::failure::{Failure, What, constraint_name};
 use crate::level::between_positions;
+use crate::nearby::nearby_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
-/// What the constraints leave free at a position.
+/// What the constraints leave free at a position and near it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
     /// How many speeds are independent: n less the rank of C_q, rows between speeds included.
@@ -14,8 +15,10 @@ pub struct Mobility {
     /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
     /// between speeds alone.
     pub configuration_freedom: usize,
-    /// The constraints that depend on those before them, in this position.
+    /// The constraints that depend on those before them, here and in every position near this one: they are redundant.
     pub dependent: Vec<&'static str>,
+    /// The constraints that do so here and not nearby: the position is singular.
+    pub singular: Vec<&'static str>,
     /// For each of them those before it that it follows from; none if it says nothing at all. How all of these share their
     /// reactions is not determined: those of least norm are given, the smallest sum of lambda^2 in SI units.
     pub implied_by: Vec<Vec<&'static str>>,
@@ -34,6 +37,27 @@ impl Mobility {
         };
         self.dependent.iter().zip(&self.implied_by).map(line).collect()
     }
+
+    /// A line for each constraint that depends on others in this position alone.
+    pub fn singularities(&self) -> Vec<String> {
+        let line = |name: &&str| {
+            format!(
+                "`{name}` depends on others here, and not nearby: more than one motion may lead on, and a run cannot start"
+            )
+        };
+        self.singular.iter().map(line).collect()
+    }
+
+    /// That a motion can start here.
+    ///
+    /// # Errors
+    /// [`What::SingularStart`] if the position is singular.
+    pub(crate) fn check_regular<M: Mechanism>(&self, time: f64, q: &M::Q) -> Result<(), Failure> {
+        match self.singular.first() {
+            None => Ok(()),
+            Some(constraint) => Err(Failure::at::<M>(What::SingularStart { constraint }, time, q)),
+        }
+    }
 }
 
 /// A part of a constraint this small beside the whole is rounding.
@@ -42,21 +66,42 @@ const NO_PART: f64 = 1e-7;
 /// A row is dependent whose distance from the space of those before it is less than this part of its length.
 const DEPENDENT: f64 = 1e-7;
 
-/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
+/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows that
+/// depend on others there are looked at in positions near it too.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    let jacobian = mechanism.constraint_jacobian(time, q);
-    let held = || (0..M::L::LEN).filter(|row| is_active(mechanism, *row));
-    let dependent = |jacobian: &M::LQ| -> Vec<usize> {
-        let sines = independence::<M>(jacobian);
-        held().filter(|i| !(sines[*i] > DEPENDENT)).collect()
-    };
-    let (rows, of_positions) = (dependent(&jacobian), dependent(&between_positions::<M>(&jacobian)));
+    let here = dependent_rows(mechanism, &mechanism.constraint_jacobian(time, q));
+    let (jacobian, rows) = fewest_dependent(mechanism, time, q);
+    let of_positions = dependent_rows(mechanism, &between_positions::<M>(&jacobian)).len();
+    let is_singular = |row: &&usize| !rows.contains(row);
+    let singular = here.iter().filter(is_singular).take(here.len() - rows.len());
+    let held = (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).count();
     Mobility {
-        degrees_of_freedom: M::Q::LEN + rows.len() - held().count(),
-        configuration_freedom: M::Q::LEN + of_positions.len() - held().count(),
+        degrees_of_freedom: M::Q::LEN + rows.len() - held,
+        configuration_freedom: M::Q::LEN + of_positions - held,
+        singular: singular.map(|row| constraint_name::<M>(*row)).collect(),
         implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
         dependent: rows.into_iter().map(constraint_name::<M>).collect(),
     }
+}
+
+/// C_q where the fewest of its rows depend on those before them, here or nearby, and those rows.
+fn fewest_dependent<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> (M::LQ, Vec<usize>) {
+    let counted = |q: &M::Q| {
+        let jacobian = mechanism.constraint_jacobian(time, q);
+        (jacobian, dependent_rows(mechanism, &jacobian))
+    };
+    let here = counted(q);
+    if here.1.is_empty() {
+        return here;
+    }
+    let nearby = nearby_positions(mechanism, time, q);
+    nearby.iter().map(counted).fold(here, |fewest, there| if there.1.len() < fewest.1.len() { there } else { fewest })
+}
+
+/// The rows that depend on those before them, of those that hold.
+fn dependent_rows<M: Mechanism>(mechanism: &M, jacobian: &M::LQ) -> Vec<usize> {
+    let sines = independence::<M>(jacobian);
+    (0..M::L::LEN).filter(|row| is_active(mechanism, *row) && !(sines[*row] > DEPENDENT)).collect()
 }
 
 /// The independent constraints before a row that it is a combination of.
@@ -80,11 +125,19 @@ fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> 
         .collect()
 }
 
-/// For each row of C_q the sine of its angle to the space of those before it.
+/// A row this short beside the longest is rounding.
+const NO_ROW: f64 = 1e-13;
+
+/// For each row of C_q the sine of its angle to the space of those before it; 0 for one that is zero.
 fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
+    let row = |i: usize| DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+    let longest = (0..M::L::LEN).map(|i| row(i).norm()).fold(0.0, f64::max);
     let of_row = |i: usize| {
-        let row = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+        let row = row(i);
+        if row.norm() <= NO_ROW * longest {
+            return 0.0;
+        }
         let mut rest = row.clone();
         // Twice, so that rounding leaves nothing of what was taken.
         for direction in basis.iter().chain(&basis) {
@@ -101,6 +154,13 @@ fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
 
 /// A negative kinetic energy this small beside the others is rounding.
 const NEGATIVE: f64 = 1e-10;
+
+/// Whether a unit has one of mass in it.
+fn has_mass(unit: &str) -> bool {
+    let words = unit.split(|c: char| !c.is_alphabetic());
+    let is_mass = |word: &str| word == "lb" || word.strip_suffix('g').is_some_and(|prefix| prefix.chars().count() <= 1);
+    words.into_iter().any(is_mass)
+}
 
 /// That no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
 ///
@@ -120,11 +180,8 @@ pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<
     }
     let coordinate = M::DESCRIPTION.coordinates[eigen.eigenvectors.column(at).iamax()].position.name;
     let parameters = mechanism.parameters();
-    let negative = M::DESCRIPTION
-        .parameters
-        .iter()
-        .zip(parameters.iter())
-        .filter(|(p, value)| **value < 0.0 && p.unit.contains('g'));
+    let negative =
+        M::DESCRIPTION.parameters.iter().zip(parameters.iter()).filter(|(p, value)| **value < 0.0 && has_mass(p.unit));
     let names: Vec<String> =
         negative.map(|(p, value)| format!("`{}` is {} {}", p.name, value / p.factor, p.unit)).collect();
     let suspects = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };

@@ -92,14 +92,18 @@ fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M
 fn period<M: Mechanism>(states: &[State<M>]) -> Option<Period> {
     let extent =
         |value: &dyn Fn(&State<M>) -> f64| states.iter().fold(0.0f64, |most, state| most.max(value(state).abs()));
-    let speeds = (0..M::Q::LEN).map(|j| extent(&|state| state.speeds[j])).fold(0.0, f64::max);
-    let lengths = (0..M::Q::LEN).map(|j| extent(&|state| state.positions[j])).fold(0.0, f64::max);
+    let is_angle = |j: &usize| Driven::Coordinate(*j).turn(const { &M::DESCRIPTION }).is_some();
+    let (angles, others): (Vec<usize>, Vec<usize>) = (0..M::Q::LEN).partition(is_angle);
+    let largest_speed = |of: &[usize]| of.iter().map(|j| extent(&|state| state.speeds[*j])).fold(0.0, f64::max);
+    let largest_position = others.iter().map(|j| extent(&|state| state.positions[*j])).fold(0.0, f64::max);
+    let (turning, moving) = (largest_speed(&angles), largest_speed(&others));
     let is_same = |a: &State<M>, b: &State<M>| {
         (0..M::Q::LEN).all(|j| {
-            let apart = b.positions[j] - a.positions[j];
-            let is_angle = Driven::Coordinate(j).turn::<M>().is_some();
-            let (apart, size) = if is_angle { (apart - TAU * (apart / TAU).round(), 1.0) } else { (apart, lengths) };
-            apart.abs() <= SAME * size && (b.speeds[j] - a.speeds[j]).abs() <= SAME * speeds
+            let (apart, faster) = (b.positions[j] - a.positions[j], (b.speeds[j] - a.speeds[j]).abs());
+            match is_angle(&j) {
+                true => (apart - TAU * (apart / TAU).round()).abs() <= SAME && faster <= SAME * turning,
+                false => apart.abs() <= SAME * largest_position && faster <= SAME * moving,
+            }
         })
     };
     let repeats = |k: &usize| states.iter().zip(&states[*k..]).all(|(a, b)| is_same(a, b));

@@ -12,7 +12,7 @@ pub(crate) fn find_root<E>(
     at_zero: f64,
     at_one: f64,
     tolerance: f64,
-    mut f: impl FnMut(f64) -> Result<f64, E>,
+    f: &mut dyn FnMut(f64) -> Result<f64, E>,
 ) -> Result<f64, E> {
     let (mut a, mut fa) = (1.0, at_one);
     let (mut b, mut fb) = (0.0, at_zero);
@@ -49,7 +49,7 @@ pub(crate) fn find_root<E>(
 ///
 /// # Errors
 /// The first error of `f`.
-pub(crate) fn find_minimum<E>(mut f: impl FnMut(f64) -> Result<f64, E>) -> Result<(f64, f64), E> {
+pub(crate) fn find_minimum<E>(f: &mut dyn FnMut(f64) -> Result<f64, E>) -> Result<(f64, f64), E> {
     let golden = (5f64.sqrt() - 1.0) / 2.0;
     let (mut a, mut b) = (0.0, 1.0);
     let (mut x, mut y) = (1.0 - golden, golden);
@@ -84,7 +84,7 @@ mod tests {
         ];
         for (at, (f, root)) in functions.into_iter().enumerate() {
             let mut calls = 0;
-            let found = find_root(f(0.0), f(1.0), 1e-14, |x| {
+            let found = find_root(f(0.0), f(1.0), 1e-14, &mut |x| {
                 calls += 1;
                 Ok::<f64, ()>(f(x))
             });
@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn minima_are_found_to_the_root_of_rounding() {
-        let (place, value) = find_minimum(|x: f64| Ok::<f64, ()>((x - 0.3).powi(2) + 2.0)).unwrap();
+        let (place, value) = find_minimum(&mut |x: f64| Ok::<f64, ()>((x - 0.3).powi(2) + 2.0)).unwrap();
         assert!((place - 0.3).abs() < 1e-7 && value - 2.0 < 1e-14, "{place} {value}");
     }
 }

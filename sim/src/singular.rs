@@ -127,9 +127,9 @@ fn root_between(
     first: f64,
     last: f64,
     tolerance: f64,
-    f: impl FnMut(f64) -> Result<f64, Failure>,
+    mut f: impl FnMut(f64) -> Result<f64, Failure>,
 ) -> Result<Option<f64>, Failure> {
-    if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, f).map(Some) } else { Ok(None) }
+    if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, &mut f).map(Some) } else { Ok(None) }
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not everywhere, with its sine.

@@ -1,13 +1,12 @@
 //! A run as files.
 
-use crate::events::Occurrence;
 use crate::happening::{crossing, does, impulses};
-use crate::kinematics::dead_points;
+use crate::outcome::{Happening, Outcome, Recorded, Row};
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Mechanism};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -56,39 +55,39 @@ pub fn write_json(value: &Value, path: &Path) -> Result<(), WriteError> {
 
 /// What a run was and found; the same bytes run after run.
 pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
-    let description = const { &M::DESCRIPTION };
-    let parameters = run.mechanism.parameters();
+    summary_of(&run.outcome(), table)
+}
+
+pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
+    let Outcome { description, parameters, .. } = run;
     let parameters = description.parameters.iter().zip(parameters.iter()).map(|(p, value)| {
         let value = json!({ "value": value / p.factor, "unit": p.unit });
         (p.name.to_owned(), value)
     });
-    let events: Vec<Value> = run.events.iter().map(event_object).collect();
+    let events: Vec<Value> = run.events.iter().map(|event| event_object(event, description)).collect();
     let singularities: Vec<Value> = run
         .steps
         .singularities
         .iter()
         .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
         .collect();
-    let dead_points: Vec<Value> =
-        dead_points(run).iter().map(|point| json!({ "of": point.of, "time": point.state.time })).collect();
+    let dead_points: Vec<Value> = run.dead_points.iter().map(|(of, time)| json!({ "of": of, "time": time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
-    let samples = &run.trajectory.samples;
-    let last = samples.last().map_or(0.0, |sample| sample.state.time);
     json!({
         "model": description.name,
         "parameters": parameters.collect::<Map<String, Value>>(),
-        "initial": samples.first().map(|sample| state_object(description, &sample.state.positions, &sample.state.speeds)),
+        "initial": run.start.as_ref().map(|start| state_object(description, start)),
         "method": method_object(run),
-        "end": { "asked": run.settings.end, "reached": last, "samples": samples.len() },
-        "failure": run.trajectory.failure.as_ref().map(ToString::to_string),
+        "end": { "asked": run.settings.end, "reached": run.reached, "samples": run.samples },
+        "failure": run.failure.as_ref().map(ToString::to_string),
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
         "singularities": singularities,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
-        "period": run.period(),
+        "period": run.period,
         "events": events,
         "dead_points": dead_points,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
@@ -98,11 +97,10 @@ pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
 }
 
 /// An event as it happened, with what it did.
-fn event_object<M: Mechanism>(event: &Occurrence<M>) -> Value {
-    let mut object = json!({ "name": event.name, "time": event.state.time, "crossing": crossing(event.crossing) });
+fn event_object(event: &Happening, description: &Description) -> Value {
+    let mut object = json!({ "name": event.name, "time": event.time, "crossing": crossing(event.crossing) });
     if let (Some(change), Some(object)) = (&event.change, object.as_object_mut()) {
-        let description = const { &M::DESCRIPTION };
-        let impulses = impulses(event).into_iter();
+        let impulses = impulses(event, description).into_iter();
         let impulses = impulses.map(|(name, value, unit)| (name.to_owned(), json!({ "value": value, "unit": unit })));
         object.insert("does".into(), does(&description.events[event.event], description).into());
         object.insert("impulses".into(), impulses.collect::<Map<String, Value>>().into());
@@ -112,7 +110,7 @@ fn event_object<M: Mechanism>(event: &Occurrence<M>) -> Value {
 }
 
 /// What was asked for, and what it took.
-fn method_object<M: Mechanism>(run: &Run<M>) -> Value {
+fn method_object(run: &Outcome) -> Value {
     let settings = &run.settings;
     let steps = match settings.stepping {
         Stepping::Equal(steps) => json!({ "equal": steps, "step": settings.end / steps.max(1) as f64 }),
@@ -130,9 +128,9 @@ fn method_object<M: Mechanism>(run: &Run<M>) -> Value {
 }
 
 /// Coordinates and speeds by name, in their units.
-fn state_object<A: Array<f64>>(description: &sim_kernel::Description, positions: &A, speeds: &A) -> Value {
-    let positions = description.coordinates.iter().zip(positions.iter()).map(|(c, value)| (&c.position, value));
-    let speeds = description.coordinates.iter().zip(speeds.iter()).map(|(c, value)| (&c.speed, value));
+fn state_object(description: &Description, state: &Row) -> Value {
+    let positions = description.coordinates.iter().zip(&state.positions).map(|(c, value)| (&c.position, value));
+    let speeds = description.coordinates.iter().zip(&state.speeds).map(|(c, value)| (&c.speed, value));
     let entries = positions.chain(speeds).map(|(q, value)| {
         let value = json!({ "value": value / q.factor, "unit": q.unit });
         (q.name.to_owned(), value)

@@ -85,7 +85,7 @@ fn the_torque_on_crank_2_balances_the_energy_of_quick_return() {
 /// Under the torque that was found, as a load, the mechanism moves as it was driven.
 fn moves_as_driven<M: Mechanism>(mechanism: M, drive: &str, rate: f64, second: f64, with_torque: impl Fn(f64) -> M) {
     let state = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
-    let driven = Driven::find::<M>(drive).unwrap();
+    let driven = Driven::find(&M::DESCRIPTION, drive).unwrap();
     let found = inverse_dynamics(&mechanism, 0.0, &state.positions, &[driven], &[rate], &[second]).unwrap();
     let sample = &found.sample;
     let freed = with_torque(found.forces[0]);

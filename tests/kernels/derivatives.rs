@@ -27,7 +27,9 @@ fn check<M: Mechanism>() {
     let (mut worst, mut sharp) = (0.0f64, 0);
     for _ in 0..STATES {
         let defaults = M::defaults().parameters();
-        let mechanism = M::with_parameters(M::Parameters::from_fn(|i| defaults[i] * random.between(0.8, 1.2)));
+        let mechanism =
+            M::defaults().with_parameters(M::Parameters::from_fn(|i| defaults[i] * random.between(0.8, 1.2)));
+        let mechanism = mechanism.with_activities(M::Activities::from_fn(|_| random.between(0.0, 2.0).floor()));
         let t = random.between(0.0, 2.0);
         let [q, qd] = [1.5, 3.0].map(|size| M::Q::from_fn(|_| random.between(-size, size)));
         let jacobian = mechanism.dynamics_jacobian(t, &q, &qd);
@@ -85,7 +87,7 @@ fn along<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, direction: Di
     let parameters = <OnDual<M> as Mechanism<Dual>>::Parameters::from_fn(|i| dual(values[i], Direction::Parameter(i)));
     let q = Q::<M>::from_fn(|i| dual(q[i], Direction::Position(i)));
     let qd = Q::<M>::from_fn(|i| dual(qd[i], Direction::Speed(i)));
-    let solved = OnDual::<M>::with_parameters(parameters).dynamics(Dual::constant(t), &q, &qd);
+    let solved = mechanism.on(Dual::constant).with_parameters(parameters).dynamics(Dual::constant(t), &q, &qd);
     solved.accelerations.iter().chain(solved.multipliers.iter()).copied().collect()
 }
 

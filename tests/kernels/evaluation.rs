@@ -23,7 +23,8 @@ fn check<M: Mechanism>() {
         let t = random.between(0.0, 2.0);
         let [q, qd, qdd] = [1.2, 3.0, 9.0].map(|size| M::Q::from_fn(|_| random.between(-size, size)));
         let defaults = M::defaults().parameters();
-        let mechanism = M::with_parameters(M::Parameters::from_fn(|i| defaults[i] * random.between(0.8, 1.2)));
+        let mechanism =
+            M::defaults().with_parameters(M::Parameters::from_fn(|i| defaults[i] * random.between(0.8, 1.2)));
         let values = values::<M>(&equations, &mechanism, t, [&q, &qd, &qdd]);
         let agree = |kernel: &str, found: &[f64], exprs: &[Expr]| {
             let expected = evaluate(&equations.model.graph, exprs, |symbol| values[&symbol]);

@@ -14,3 +14,4 @@ mod lanes;
 mod mechanisms;
 mod oracle;
 mod refusal;
+mod tabled;

@@ -337,26 +337,10 @@ mechanism! {
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
-/// Calls a macro with the types of all mechanisms, the shipped ones first.
-macro_rules! all_mechanisms {
+/// Calls a macro with the types of this file's mechanisms.
+macro_rules! own_mechanisms {
     ($callback:ident) => {
         $callback!(
-            models::QuickReturn,
-            models::QuickReturnRatio,
-            models::Andrews,
-            models::Pendulum,
-            models::DoublePendulum,
-            models::FourBar,
-            models::Skate,
-            models::SliderCrank,
-            models::ScotchYoke,
-            models::Whitworth,
-            models::SixBar,
-            models::HangingChain,
-            models::FourBars,
-            models::SpringFollower,
-            models::HalfCar,
-            models::CartPole,
             crate::mechanisms::Bead,
             crate::mechanisms::Cart,
             crate::mechanisms::Functions,
@@ -369,9 +353,19 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Sprung,
             crate::mechanisms::Switched,
             crate::mechanisms::Actuated,
-            crate::mechanisms::Chosen
+            crate::mechanisms::Chosen,
+            crate::tabled::Tabled
         )
     };
+}
+pub(crate) use own_mechanisms;
+
+/// Calls a macro with the types of the shipped mechanisms, then with those of this file.
+macro_rules! all_mechanisms {
+    ($callback:ident) => {{
+        models::all_models!($callback);
+        crate::mechanisms::own_mechanisms!($callback);
+    }};
 }
 pub(crate) use all_mechanisms;
 
@@ -380,10 +374,5 @@ pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
         ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
     }
-    [
-        tests::shipped(),
-        descriptions!(Bead, Cart, Functions, Rod, Chain, Arm, Sled, Snake, Hoist, Sprung, Switched, Actuated, Switched)
-            .to_vec(),
-    ]
-    .concat()
+    [tests::shipped(), own_mechanisms!(descriptions).to_vec()].concat()
 }

@@ -28,7 +28,8 @@ fn check<M: Mechanism>() {
     let (mut worst, mut residual, mut on_constraints, mut solved, mut refused) = (0.0f64, 0.0f64, 0, 0, 0);
     for i in 0..STATES {
         let parameters = M::defaults().parameters();
-        let mechanism = M::with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
+        let mechanism =
+            M::defaults().with_parameters(M::Parameters::from_fn(|i| parameters[i] * random.between(0.8, 1.2)));
         let mechanism = match M::Activities::LEN {
             0 => mechanism,
             _ => mechanism.with_activities(M::Activities::from_fn(|_| random.between(0.0, 2.0).floor())),

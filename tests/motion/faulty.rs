@@ -40,7 +40,7 @@ impl<M: Mechanism> Faulty<M> {
     fn with(&self, parameter: usize, change: impl Fn(f64) -> f64) -> M {
         let mut parameters = self.true_one.parameters();
         parameters[parameter] = change(parameters[parameter]);
-        M::with_parameters(parameters).with_inputs(self.true_one.inputs())
+        self.true_one.with_parameters(parameters)
     }
 
     /// The mechanism for what depends on the rates of moved points.
@@ -81,8 +81,8 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     fn parameters(&self) -> Self::Parameters {
         self.true_one.parameters()
     }
-    fn with_parameters(parameters: Self::Parameters) -> Self {
-        Faulty { true_one: M::with_parameters(parameters), fault: Fault::None }
+    fn with_parameters(&self, parameters: Self::Parameters) -> Self {
+        Faulty { true_one: self.true_one.with_parameters(parameters), ..*self }
     }
     fn inputs(&self) -> Self::Inputs {
         self.true_one.inputs()

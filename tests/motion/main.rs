@@ -5,6 +5,7 @@
 mod andrews;
 mod assembly;
 mod auxiliary;
+mod cams;
 mod cart_pole;
 mod chains;
 mod constraints;
@@ -23,6 +24,7 @@ mod order;
 mod pendulum;
 mod quick_return;
 mod singular;
+mod singular_start;
 mod six_bar;
 mod statics;
 mod stiff;

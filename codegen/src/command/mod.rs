@@ -80,7 +80,7 @@ fn view(arguments: &Arguments, source: &Source) -> Result<String> {
     if let Some(kernel) = &arguments.graph {
         return graph::graph(source, kernel);
     }
-    source.located(codegen::generate_text(&source.text, &arguments.path))
+    source.located(codegen::generate_text_in(&source.text, &arguments.path, &source.folder))
 }
 
 /// A reader that closes early, as `head` does, has what it wants.

@@ -1,16 +1,24 @@
 //! The text that declares mechanisms, and where it comes from.
 
 use anyhow::{Context, Result, anyhow};
+use codegen::dsl::read_files;
 use codegen::dynamics::EquationsOfMotion;
 use codegen::mistakes::located;
 use proc_macro2::TokenStream;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(super) struct Source {
     /// For messages.
     name: String,
     pub(super) text: String,
+    /// Where the files of tables are: in the folder of the crate that a file is in, or here.
+    pub(super) folder: PathBuf,
+}
+
+fn crate_folder(file: &Path) -> Option<PathBuf> {
+    let folders = file.ancestors().skip(1);
+    folders.map(Path::to_owned).find(|folder| folder.join("Cargo.toml").exists())
 }
 
 impl Source {
@@ -20,18 +28,20 @@ impl Source {
             Some(file) => {
                 let name = file.display().to_string();
                 let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
-                Ok(Source { name, text })
+                let folder = std::path::absolute(file).ok().and_then(|file| crate_folder(&file)).unwrap_or_default();
+                Ok(Source { name, text, folder })
             }
             None => {
                 let mut text = String::new();
                 std::io::stdin().read_to_string(&mut text).context("cannot read standard input")?;
-                Ok(Source { name: "<stdin>".into(), text })
+                Ok(Source { name: "<stdin>".into(), text, folder: PathBuf::new() })
             }
         }
     }
 
     pub(super) fn declarations(&self) -> syn::Result<Vec<TokenStream>> {
-        codegen::dsl::declarations(&self.text)
+        let declarations = codegen::dsl::declarations(&self.text)?.into_iter();
+        declarations.map(|declaration| Ok(read_files(declaration, &self.folder)?.0)).collect()
     }
 
     /// The equations of motion of all mechanisms.

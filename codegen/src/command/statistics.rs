@@ -34,18 +34,19 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
 }
 
 const HEADER: &str =
-    "kernel                           add    mul  div sincos sqrt other  total  unshared  statements\n";
+    "kernel                           add    mul  div sincos table sqrt other  total  unshared  statements\n";
 
 /// Without sharing, every use of a value would compute it again.
 fn row(kernel: &Kernel) -> String {
     let o = &kernel.operations;
     format!(
-        "{:<29} {:>6} {:>6} {:>4} {:>6} {:>4} {:>5} {:>6} {:>9} {:>11}\n",
+        "{:<29} {:>6} {:>6} {:>4} {:>6} {:>5} {:>4} {:>5} {:>6} {:>9} {:>11}\n",
         kernel.name,
         o.additions,
         o.multiplications,
         o.divisions,
         o.sine_cosines,
+        o.table_look_ups,
         o.square_roots,
         o.other_functions,
         o.total(),

@@ -11,7 +11,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 19] = [
+const FOLLOWING_WORDS: [&str; 20] = [
     "at",
     "on",
     "along",
@@ -31,6 +31,7 @@ const FOLLOWING_WORDS: [&str; 19] = [
     "restitution",
     "then",
     "else",
+    "by",
 ];
 
 /// Words that start a clause or a line of the language.

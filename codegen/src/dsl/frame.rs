@@ -4,7 +4,7 @@
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
 use super::joint::{Joint, JointKind};
-use super::made::{across, binary, call, component, difference, direction, inner, product, vector, zero};
+use super::made::{across, binary, call, called, component, difference, direction, inner, product, vector, zero};
 use super::spatial_joint::{Placed, equations, named, rolls, screw};
 use super::{
     Action, Activity, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
@@ -35,6 +35,8 @@ pub(super) fn write_out(mut declaration: Declaration) -> Result<Declaration> {
 /// Where bodies are and how they are turned.
 struct Frames {
     bodies: Vec<Frame>,
+    /// The names of tables.
+    tables: Vec<String>,
 }
 
 struct Frame {
@@ -47,7 +49,8 @@ struct Frame {
 impl Frames {
     /// Those of the bodies, each written out by those before it.
     fn of(declaration: &Declaration) -> Result<Frames> {
-        let mut frames = Frames { bodies: Vec::new() };
+        let tables = declaration.tables.iter().map(|table| table.name.to_string()).collect();
+        let mut frames = Frames { bodies: Vec::new(), tables };
         for Body { name, mass, angle, attitude, .. } in &declaration.bodies {
             let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).cloned();
             let mut frame = Frame { name: name.clone(), position, angle: angle.clone(), attitude: attitude.clone() };
@@ -67,6 +70,17 @@ impl Frames {
             Region::from(name).error(format!("no body above is called `{text}`{near}"))
         };
         self.bodies.iter().find(|body| body.name == *name).ok_or_else(unknown)
+    }
+
+    /// A table at the angle of a body.
+    fn lift(&self, table: &Ident, wheel: &Ident) -> Result<Expression> {
+        let text = table.to_string();
+        if !self.tables.contains(&text) {
+            let near = nearest::suggestion(&text, self.tables.iter().map(String::as_str));
+            let message = format!("no table is called `{text}`{near}: `tables {{ {text} [mm] over [deg] = .. }}`");
+            return Err(Region::from(table).error(message));
+        }
+        Ok(called(table, self.angle(wheel)?))
     }
 
     fn position(&self, body: &Ident) -> Result<Expression> {
@@ -108,6 +122,13 @@ impl Frames {
             JointKind::Rack(point, guide, wheel, radius) => {
                 let way = inner(at, difference(point, guide.through), direction(at, &guide.along));
                 vec![equation(way, product(radius, self.angle(&wheel)?))]
+            }
+            JointKind::Cam(point, guide, wheel, radius, lift) => {
+                let way = inner(at, difference(point, guide.through), direction(at, &guide.along));
+                vec![equation(binary(Operator::Add, radius, self.lift(&lift, &wheel)?), way)]
+            }
+            JointKind::Rocker(arm, wheel, lift) => {
+                vec![equation(self.lift(&lift, &wheel)?, self.angle(&arm)?)]
             }
             JointKind::Spatial(joint) => self.spatial(&name, *joint, initially)?,
             JointKind::Rolling(rolling) => {

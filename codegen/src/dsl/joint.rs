@@ -1,10 +1,10 @@
 //! Lines of the `joints` block: joints by name.
 
-use super::block::{colon, docs, expect_word, initially, keyword, name};
+use super::block::{accept_word, colon, docs, expect_word, initially, keyword, name};
 use super::expression::expression;
 use super::region::here;
 use super::spatial_joint::{rolling, spatial_joint};
-use super::{Activity, Expression, Rolling, SpatialJoint, SpatialKind};
+use super::{Activity, Expression, Kind, Rolling, SpatialJoint, SpatialKind};
 use syn::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
@@ -33,6 +33,10 @@ pub enum JointKind {
     Gear([(Ident, Expression); 2]),
     /// `rack P through O along beta on wheel radius r`: the point moves along a line as the wheel turns.
     Rack(Expression, Guide, Ident, Expression),
+    /// `cam P through O along beta on wheel radius r by lift`: the point moves along a line as a table says.
+    Cam(Expression, Guide, Ident, Expression, Ident),
+    /// `cam arm on wheel by lift`: the body turns as a table says.
+    Rocker(Ident, Ident, Ident),
     /// `roll wheel radius r along beta`: the wheel does not slip on ground of that direction.
     Roll(Ident, Expression, Expression),
     /// `revolute a at u axis n to b at v axis m` and its like, in space.
@@ -50,14 +54,14 @@ pub struct Guide {
 }
 
 const FORM: &str =
-    "a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack` or `roll`";
+    "a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam` or `roll`";
 
 /// Reads a joint.
 pub(super) fn joint(input: ParseStream) -> Result<Joint> {
     docs(input)?;
     let name = name(input, FORM)?;
     colon(input, FORM)?;
-    let known = ["pin", "link", "slot", "slide", "gear", "rack", "roll"];
+    let known = ["pin", "link", "slot", "slide", "gear", "rack", "cam", "roll"];
     let word = keyword(input, &[&known, SpatialKind::WORDS.as_slice()].concat())?;
     if let Some(kind) = SpatialKind::of(&word.to_string()) {
         let joint = spatial_joint(input, kind)?;
@@ -70,6 +74,7 @@ pub(super) fn joint(input: ParseStream) -> Result<Joint> {
         "slide" => JointKind::Slide(body(input)?, guide(input, "slide rod through O along beta;")?),
         "gear" => gear(input)?,
         "rack" => rack(input)?,
+        "cam" => cam(input)?,
         _ => roll(input)?,
     };
     Ok(Joint { name, kind, initially: initially(input)? })
@@ -122,6 +127,27 @@ fn rack(input: ParseStream) -> Result<JointKind> {
     let guide = guide(input, FORM)?;
     expect_word(input, "on", FORM)?;
     Ok(JointKind::Rack(point, guide, body(input)?, radius(input, FORM)?))
+}
+
+/// A follower that slides, or one that turns.
+fn cam(input: ParseStream) -> Result<JointKind> {
+    const FORM: &str = "cam P through O along beta on wheel radius r by lift;";
+    const ROCKER: &str = "cam arm on wheel by lift;";
+    let follower = expression(input)?;
+    match follower.kind {
+        Kind::Name(arm) if accept_word(input, "on")? => Ok(JointKind::Rocker(arm, body(input)?, by(input, ROCKER)?)),
+        _ => {
+            let guide = guide(input, FORM)?;
+            expect_word(input, "on", FORM)?;
+            let (wheel, radius) = (body(input)?, radius(input, FORM)?);
+            Ok(JointKind::Cam(follower, guide, wheel, radius, by(input, FORM)?))
+        }
+    }
+}
+
+fn by(input: ParseStream, form: &str) -> Result<Ident> {
+    expect_word(input, "by", form)?;
+    name(input, "a table, by its name")
 }
 
 fn next_is(input: ParseStream, word: &str) -> bool {

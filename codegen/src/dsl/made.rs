@@ -26,6 +26,11 @@ pub(super) fn call(region: Region, function: &str, arguments: Vec<Expression>) -
     Expression { region, kind: Kind::Call(Ident::new(function, Span::call_site()), arguments) }
 }
 
+/// A table at an argument.
+pub(super) fn called(table: &Ident, argument: Expression) -> Expression {
+    Expression { region: table.into(), kind: Kind::Call(table.clone(), vec![argument]) }
+}
+
 pub(super) fn component(vector: &Expression, axis: &str) -> Expression {
     let name = Ident::new(axis, Span::call_site());
     Expression { region: vector.region, kind: Kind::Component(Box::new(vector.clone()), name) }

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 13] = [
+const BLOCKS: [&str; 14] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -24,6 +24,7 @@ const BLOCKS: [&str; 13] = [
     "auxiliary",
     "inputs",
     "joints",
+    "tables",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -100,6 +101,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         auxiliary: vec![],
         inputs: vec![],
         joints: vec![],
+        tables: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -151,6 +153,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
+        "tables" => d.tables.extend(mistakes.note(lines(&content, super::table::table)).into_iter().flatten()),
         "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())

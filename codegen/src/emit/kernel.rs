@@ -2,9 +2,9 @@
 
 use super::record::record_type;
 use super::tree::tree;
-use super::{ident, size, types};
+use super::{ident, size, table, types};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, Piece, Program, Receiver, Record, Results, Statement, Tree};
+use crate::program::{Arguments, Kernel, LookUp, Piece, Program, Receiver, Record, Results, Statement, Tree};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -14,11 +14,14 @@ pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> T
     let of = |receiver: Receiver| program.kernels.iter().filter(move |kernel| kernel.receiver == receiver);
     let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, path));
     let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, path));
+    let tables = table::tables(model, path);
     let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, path));
-    let allowed = quote! { #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
+    let constants = (!model.graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
+    let allowed =
+        quote! { #[allow(non_snake_case, #constants unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
     quote! {
         #allowed
-        impl<S: #path::Scalar> #name<S> { #(#functions)* #(#shortcuts)* }
+        impl<S: #path::Scalar> #name<S> { #tables #(#functions)* #(#shortcuts)* }
 
         #allowed
         impl<S: #path::Scalar> #prepared<S> { #(#prepared_functions)* }
@@ -32,7 +35,7 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let arguments = arguments(model, kernel.arguments);
     let returns = returns(model, kernel, path);
     let entries = entries(kernel);
-    let statements = kernel.statements.iter().map(statement);
+    let statements = kernel.statements.iter().map(|each| statement(model, each));
     let results = results(model, kernel, path);
     let inline = inline(kernel);
     let calls = calls(kernel);
@@ -66,7 +69,7 @@ fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> To
         unpacked = Some(quote! { let [#(#names),*] = *found; });
     }
     let entries = entries(kernel);
-    let statements = piece.statements.iter().map(statement);
+    let statements = piece.statements.iter().map(|each| statement(model, each));
     let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
     quote! {
         #[inline(never)]
@@ -171,7 +174,7 @@ fn entries(kernel: &Kernel) -> TokenStream {
     quote! { #(#bindings)* }
 }
 
-fn statement(statement: &Statement) -> TokenStream {
+fn statement(model: &Model, statement: &Statement) -> TokenStream {
     match statement {
         Statement::Let { name, value } => {
             let (name, value) = (ident(name), tree(value));
@@ -183,6 +186,15 @@ fn statement(statement: &Statement) -> TokenStream {
             let (sines, cosines) = (waves.iter().map(|wave| name(&wave.sin)), waves.iter().map(|wave| name(&wave.cos)));
             let angles = waves.iter().map(|wave| tree(&wave.argument));
             quote! { let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_each([#(#angles),*]); }
+        }
+        Statement::Table(LookUp { table, names, argument }) => {
+            let names = names.iter().map(|name| match name {
+                Some(name) => ident(name).into_token_stream(),
+                None => quote! { _ },
+            });
+            let (mechanism, argument) = (ident(&model.name), tree(argument));
+            let table = table::constant(&model.graph.table(*table).name);
+            quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
     }
 }

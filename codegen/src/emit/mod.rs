@@ -7,6 +7,7 @@ mod format;
 mod kernel;
 mod record;
 mod stub;
+mod table;
 mod tree;
 mod types;
 

@@ -77,7 +77,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             fn parameters(&self) -> [S; 0] {
                 []
             }
-            fn with_parameters(parameters: [S; 0]) -> Self {
+            fn with_parameters(&self, parameters: [S; 0]) -> Self {
                 Self(::core::marker::PhantomData)
             }
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {

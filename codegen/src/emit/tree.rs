@@ -81,17 +81,26 @@ fn product(factors: &[Tree]) -> TokenStream {
 }
 
 fn constant(value: f64) -> TokenStream {
-    let number = match value {
+    let number = number(value);
+    quote! { S::from_f64(#number) }
+}
+
+/// A number of Rust.
+pub(super) fn number(value: f64) -> TokenStream {
+    match value {
         // What overflows in the derivation behaves as it would in arithmetic.
         _ if value.is_nan() => quote! { ::core::f64::NAN },
         _ if value.is_infinite() => quote! { ::core::f64::INFINITY },
         _ if value == PI => quote! { ::core::f64::consts::PI },
         _ if value == E => quote! { ::core::f64::consts::E },
+        _ if value.is_sign_negative() => {
+            let size = number(-value);
+            quote! { -#size }
+        }
         _ => {
             // Shortest text that reads back as the same number.
             let literal = format!("{value:?}").parse::<Literal>().unwrap_or_else(|_| Literal::f64_unsuffixed(value));
             quote! { #literal }
         }
-    };
-    quote! { S::from_f64(#number) }
+    }
 }

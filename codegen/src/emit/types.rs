@@ -222,8 +222,8 @@ pub(super) fn mechanism_impl(
                 [#(self.#fields),*]
             }
 
-            fn with_parameters(parameters: [S; #p]) -> Self {
-                Self { #(#fields: parameters[#places],)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
+            fn with_parameters(&self, parameters: [S; #p]) -> Self {
+                Self { #(#fields: parameters[#places],)* ..*self }
             }
 
             fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {

@@ -4,7 +4,7 @@ use super::interpret::Interpreter;
 use super::level::{self, MOVING};
 use super::scope::{Names, plain};
 use super::space::{Spatial, Turn, norm_square, resolve_inertia};
-use super::{Attitude, Body, Dependence, Dimension, Fall, Norm, Point, Tensor};
+use super::{Attitude, Body, Dependence, Dimension, Fall, Level, Norm, Point, Tensor};
 use crate::dsl::{self, Declaration, Expression, Kind, Region};
 use crate::symbolic::Expr;
 
@@ -105,7 +105,11 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, i: &mut Interpreter) -> Optio
     }
     // Every part is looked at before the first mistake counts.
     let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
-    let angle = b.angle.as_ref().map(|angle| level::angle(angle, "the angle of a body", i));
+    let angle = b.angle.as_ref().map(|angle| {
+        const WHAT: &str = "the angle of a body";
+        let value = level::angle(angle, WHAT, i)?;
+        i.smooth(angle.region, &[value], Level::Positions, WHAT).map(|()| value)
+    });
     let has_place = matches!(mass, Some(Some(_)));
     let attitude = turn.map(|turn| resolve_attitude(b, turn, has_place, i));
     let inertia = b.inertia.as_ref().filter(|_| turn.is_none()).map(|inertia| {
@@ -157,7 +161,9 @@ fn resolve_mass(
             format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass"),
         );
     };
-    let at = level::position(position, "the position of a mass", i);
+    const WHAT: &str = "the position of a mass";
+    let at =
+        level::position(position, WHAT, i).filter(|at| i.smooth(position.region, at, Level::Positions, WHAT).is_some());
     value.zip(at)
 }
 

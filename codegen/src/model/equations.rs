@@ -118,6 +118,7 @@ fn constraint_rows(
         }
         Level::Speeds => linear_in_speeds(place, &components, i)?,
     }
+    i.smooth(place, &components, level, "a constraint")?;
     let work = match level {
         Level::Positions => Dimension::energy(),
         Level::Speeds => Dimension::energy().over(&Dimension::time()),

@@ -4,6 +4,7 @@ use super::homogeneity::Measured;
 use super::origin::Origins;
 use super::scope::{self, Names, Values, plain};
 use super::space::{Frames, Quaternion, Spatial, triple};
+use super::tables;
 use super::value::{Shape, Value};
 use super::{Dependence, Dependences, Dimension, Point, Unit};
 use crate::dsl::{Expression, Kind, Operator, Region};
@@ -17,6 +18,7 @@ pub(super) struct Interpreter {
     pub(super) graph: Graph,
     pub(super) dependences: Dependences,
     pub(super) values: Values,
+    pub(super) tables: Names<tables::Function>,
     pub(super) origins: Origins,
     /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
     pub(super) with_units: bool,
@@ -184,6 +186,9 @@ impl Interpreter {
         let is_hidden = self.values.get_region(&text).is_some();
         if !is_hidden && scope::functions().any(|function| function == text) {
             return self.refuse(name.into(), format!("`{text}` is a function; call it: `{text}(..)`"));
+        }
+        if self.tables.get_region(&text).is_some() {
+            return self.refuse(name.into(), format!("`{text}` is a table; it takes an argument: `{text}(x)`"));
         }
         if self.values.get_region(&text).is_none() {
             if let Some((rate, coordinate)) = self.rate_of_coordinate(&text) {
@@ -397,6 +402,9 @@ impl Interpreter {
             };
             return Some(Value::scalar(self.graph.call(function, x), dimension));
         }
+        if self.tables.get_region(&text).is_some() {
+            return self.look_up(region, name, arguments);
+        }
         match text.as_str() {
             "sqrt" => {
                 let [argument] = self.arguments(region, &text, arguments, ["x"])?;
@@ -471,12 +479,10 @@ impl Interpreter {
                         format!("`{text}` is not a function; a product is written `{text}*(..)`"),
                     );
                 }
-                let near = nearest::suggestion(&text, scope::functions());
-                let all = if near.is_empty() {
-                    format!("; there are {}", scope::functions().collect::<Vec<_>>().join(", "))
-                } else {
-                    String::new()
-                };
+                let functions = scope::functions().map(str::to_owned);
+                let known: Vec<String> = self.tables.names().map(str::to_owned).chain(functions).collect();
+                let near = nearest::suggestion(&text, known.iter().map(String::as_str));
+                let all = if near.is_empty() { format!("; there are {}", known.join(", ")) } else { String::new() };
                 self.refuse(name.into(), format!("no function is called `{text}`{near}{all}"))
             }
         }

@@ -21,7 +21,9 @@ mod rates;
 mod resolve;
 mod scope;
 mod space;
+mod spline;
 mod start;
+mod tables;
 mod units;
 mod value;
 

@@ -15,6 +15,7 @@ use super::quantities::{
 use super::scope::{Names, plain};
 use super::space::{Frames, check_norms};
 use super::start::resolve_initial;
+use super::tables::resolve_tables;
 use super::{Dependence, Dependences, Model, time_derivative};
 use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
 use crate::dsl::{Declaration, Region};
@@ -49,6 +50,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         graph,
         dependences,
         values: Names::new("value"),
+        tables: Names::new("table"),
         origins: Origins::default(),
         with_units: has_units(declaration),
         local: vec![],
@@ -66,6 +68,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         vectors: None,
     };
     let i = &mut interpreter;
+    resolve_tables(declaration, i);
     let mut coordinates = resolve_coordinates(declaration, i);
     i.motion = time_derivative(&mut i.graph, time, &coordinates, &[]);
     let parameters = resolve_parameters(declaration, i);
@@ -129,6 +132,7 @@ fn has_units(declaration: &Declaration) -> bool {
     let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
     declaration.coordinates.iter().any(|c| c.unit.is_some())
         || declaration.inputs.iter().any(|input| input.unit.is_some())
+        || declaration.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
         || declaration.auxiliary.iter().any(|a| a.unit.is_some())
         || declaration.parameters.iter().any(|p| p.unit.is_some())
         || outputs.into_iter().any(|output| output.unit.is_some())

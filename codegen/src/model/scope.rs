@@ -37,14 +37,20 @@ impl<T: Clone> Names<T> {
 
     /// Adds a name; a second definition is a mistake shown with the first.
     pub(super) fn define(&mut self, name: &Ident, thing: Option<T>, mistakes: &mut Mistakes) {
-        let text = plain(name);
-        if let Some((first, _)) = self.entries.get(&text) {
-            let mut mistake =
-                Region::from(name).error(format!("`{text}` is defined twice; choose another name for one of them"));
-            mistake.combine(first.error(format!("the first definition of `{text}` is here")));
-            return mistakes.add(mistake);
+        match self.check_free(name) {
+            Ok(()) => drop(self.entries.insert(plain(name), (name.into(), thing))),
+            Err(mistake) => mistakes.add(mistake),
         }
-        self.entries.insert(text, (name.into(), thing));
+    }
+
+    /// Refuses a name that is defined already, and shows where.
+    pub(super) fn check_free(&self, name: &Ident) -> syn::Result<()> {
+        let text = plain(name);
+        let Some((first, _)) = self.entries.get(&text) else { return Ok(()) };
+        let mut mistake =
+            Region::from(name).error(format!("`{text}` is defined twice; choose another name for one of them"));
+        mistake.combine(first.error(format!("the first definition of `{text}` is here")));
+        Err(mistake)
     }
 
     /// Whether a name is taken.

@@ -3,7 +3,7 @@
 use super::homogeneity::Measured;
 use super::interpret::Interpreter;
 use super::level::MOVING;
-use super::scope::plain;
+use super::scope::{functions, plain};
 use super::{Coordinate, Dependence, Start, Unit};
 use crate::dsl::{self, Expression, InitialKind, Kind, Region};
 use crate::symbolic::Expr;
@@ -84,16 +84,18 @@ pub(super) fn in_unit(
 }
 
 /// Whether no name but pi and e occurs.
-fn is_of_numbers(expression: &Expression) -> bool {
+pub(super) fn is_of_numbers(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Number { .. } => true,
         Kind::Name(name) => name == "pi" || name == "e",
+        // A table has its own units.
+        Kind::Call(function, _) if !functions().any(|known| function == known) => false,
         _ => expression.parts().into_iter().all(is_of_numbers),
     }
 }
 
 /// Whether no unit occurs either.
-fn is_plain(expression: &Expression) -> bool {
+pub(super) fn is_plain(expression: &Expression) -> bool {
     is_of_numbers(expression) && !has_unit(expression)
 }
 

@@ -23,6 +23,8 @@ pub(super) enum Formula {
     Atan2(Box<Formula>, Box<Formula>),
     /// The second where the first is above zero, and else the third.
     Choice(Box<Formula>, Box<Formula>, Box<Formula>),
+    /// The derivative of this order of the table of that name.
+    Table(Name, u8, Box<Formula>),
     Transpose(Name),
 }
 
@@ -90,7 +92,11 @@ impl Formula {
             Formula::Name(name) => 2 + name.dots(),
             Formula::Power(base, _) => base.rank(),
             Formula::Sum(_) | Formula::Product(_) | Formula::Quotient(..) | Formula::Root(..) => 5,
-            Formula::Call(..) | Formula::Atan2(..) | Formula::Choice(..) | Formula::Transpose(_) => 6,
+            Formula::Call(..)
+            | Formula::Atan2(..)
+            | Formula::Choice(..)
+            | Formula::Table(..)
+            | Formula::Transpose(_) => 6,
         }
     }
 }

@@ -22,6 +22,9 @@ pub(super) fn text(formula: &Formula) -> String {
         Formula::Root(radicand, degree) => format!("{}^(1/{degree})", bound(radicand, Binding::Atom)),
         Formula::Call(function, argument) => format!("{}({})", function.name(), text(argument)),
         Formula::Atan2(y, x) => format!("atan2({}, {})", text(y), text(x)),
+        Formula::Table(name, order, argument) => {
+            format!("{}{}({})", name.text, "'".repeat((*order).into()), text(argument))
+        }
         Formula::Choice(difference, above, otherwise) => {
             let [difference, above, otherwise] = [difference, above, otherwise].map(|part| bound(part, Binding::Sum));
             format!("if {difference} > 0 then {above} else {otherwise}")

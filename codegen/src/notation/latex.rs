@@ -63,6 +63,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Comma => ", ",
         Operator::Apply => " ",
         Operator::Transpose => "\\top",
+        Operator::Prime => "\\prime ",
     }
 }
 

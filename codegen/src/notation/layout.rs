@@ -46,6 +46,8 @@ pub(super) enum Operator {
     Apply,
     /// Above a matrix.
     Transpose,
+    /// Above a function: a derivative.
+    Prime,
 }
 
 /// Lays a formula out.
@@ -69,6 +71,9 @@ pub(super) fn layout(formula: &Formula) -> Layout {
             let pair = Layout::Row(vec![layout(y), Layout::Operator(Operator::Comma), layout(x)]);
             let name = Layout::Function("atan2");
             Layout::Row(vec![name, Layout::Operator(Operator::Apply), Layout::Parentheses(pair.into())])
+        }
+        Formula::Table(name, order, argument) => {
+            Layout::Row(vec![primed(word(name), *order), Layout::Operator(Operator::Apply), parentheses(argument)])
         }
         Formula::Choice(difference, above, otherwise) => {
             let is_above = vec![layout(difference), Layout::Operator(Operator::Greater), Layout::Number("0".into())];
@@ -107,6 +112,17 @@ fn product(factors: &[Formula]) -> Layout {
     Layout::Row(row)
 }
 
+/// A function with a prime for each derivative.
+fn primed(function: Layout, order: u8) -> Layout {
+    match order {
+        0 => function,
+        _ => {
+            let primes = (0..order).map(|_| Layout::Operator(Operator::Prime)).collect();
+            Layout::Superscript(function.into(), Layout::Row(primes).into())
+        }
+    }
+}
+
 fn starts_with_digit(formula: &Formula) -> bool {
     match formula {
         Formula::Number(_) => true,
@@ -125,6 +141,7 @@ fn power(base: &Formula, exponent: &Formula) -> Layout {
         (Formula::Call(function, _), _) if *function != Function::Abs => {
             Layout::Superscript(parentheses(base).into(), layout(exponent).into())
         }
+        (Formula::Table(..), _) => Layout::Superscript(parentheses(base).into(), layout(exponent).into()),
         _ => {
             let in_parentheses =
                 base.binding() < Binding::Atom || matches!(base, Formula::Root(..) | Formula::Atan2(..));

@@ -89,6 +89,7 @@ fn sign(operator: Operator) -> &'static str {
         Operator::Comma => ",",
         Operator::Apply => "\u{2061}",
         Operator::Transpose => "⊤",
+        Operator::Prime => "′",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Names as they are set: `theta_2` is a letter with an index, `alpha_dot` a letter with a dot.
 
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol, TableId};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A name, as text and as it is set.
@@ -73,6 +73,7 @@ impl Name {
 pub(super) struct Names {
     symbols: FxHashMap<Symbol, Name>,
     expressions: FxHashMap<Expr, Name>,
+    tables: Vec<Name>,
     taken: FxHashSet<Setting>,
 }
 
@@ -81,6 +82,20 @@ impl Names {
     pub(super) fn name_symbol(&mut self, symbol: Symbol, text: &str, word: &str, dots: usize) {
         let name = self.unique(Name::of_word(text, word, dots));
         self.symbols.insert(symbol, name);
+    }
+
+    /// Names the next table by its word of the declaration.
+    pub(super) fn name_table(&mut self, word: &str) {
+        let name = self.unique(Name::of_word(word, word, 0));
+        self.tables.push(name);
+    }
+
+    /// The name of a table.
+    pub(super) fn table(&self, graph: &Graph, table: TableId) -> Name {
+        match self.tables.get(table.index()) {
+            Some(name) => name.clone(),
+            None => Name::verbatim(&graph.table(table).name),
+        }
     }
 
     /// Names an expression by a word of the declaration.

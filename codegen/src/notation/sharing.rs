@@ -62,6 +62,7 @@ fn symbols(model: &Model) -> Names {
     model.parameters.iter().for_each(|p| name(p.symbol, &p.name, 0));
     model.inputs.iter().for_each(|input| name(input.symbol, &input.name, 0));
     model.constraints.iter().for_each(|c| name(c.multiplier, &format!("lambda_{}", c.name), 0));
+    model.graph.tables().iter().for_each(|table| names.name_table(&table.name));
     names
 }
 
@@ -92,7 +93,7 @@ fn free_prefix(model: &Model) -> String {
     let words = words.chain(model.parameters.iter().map(|p| &p.name));
     let words =
         words.chain(model.inputs.iter().map(|input| &input.name)).chain(model.named.iter().map(|(name, _)| name));
-    let words: Vec<&String> = words.collect();
+    let words: Vec<&String> = words.chain(model.graph.tables().iter().map(|table| &table.name)).collect();
     let mut prefix = String::from("s");
     while words.iter().any(|word| word.split('_').next() == Some(&prefix)) {
         prefix.push('s');

@@ -40,6 +40,9 @@ impl Translation<'_> {
                     [difference, above, otherwise].map(|part| self.formula(*part).into());
                 Formula::Choice(difference, above, otherwise)
             }
+            Node::Table(table, order, argument) => {
+                Formula::Table(self.names.table(self.graph, *table), *order, self.formula(*argument).into())
+            }
             Node::Atan2(y, x) => Formula::Atan2(self.formula(*y).into(), self.formula(*x).into()),
         }
     }

@@ -17,6 +17,7 @@ pub(super) fn set_width(formula: &Formula) -> usize {
         Formula::Root(radicand, _) => set_width(radicand) + 2,
         Formula::Call(_, argument) => set_width(argument) + 4,
         Formula::Atan2(y, x) => set_width(y) + set_width(x) + 8,
+        Formula::Table(name, order, argument) => name_width(name) + usize::from(*order) + set_width(argument) + 2,
         Formula::Choice(difference, above, otherwise) => {
             set_width(above).max(set_width(otherwise)) + set_width(difference) + 10
         }

@@ -27,6 +27,11 @@ pub(super) fn elementary(name: &str, u: f64) -> Option<Derivatives> {
     })
 }
 
+/// Whether the language has a function of this name that takes plain numbers.
+pub(super) fn is_function(name: &str) -> bool {
+    elementary(name, 0.0).is_some() || ["atan2", "min", "max", "norm", "inner"].contains(&name)
+}
+
 /// 1/u.
 pub(super) fn reciprocal(u: f64) -> Derivatives {
     let r = 1.0 / u;

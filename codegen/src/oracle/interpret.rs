@@ -6,8 +6,9 @@ use super::measured::Measured;
 use super::parameters::is_plain;
 use super::rotation::{Rotation, letter};
 use super::state::State;
+use super::table::Function;
 use super::value::{Value, cross, inner};
-use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Unit};
+use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Table, Unit};
 use syn::Ident;
 
 /// What the names of a declaration stand for.
@@ -119,6 +120,8 @@ pub(super) struct Interpreter<'d> {
     setting: Setting,
     /// What each `let` named, once it was needed.
     definitions: Vec<Option<Value>>,
+    /// The function of each table, once it was needed.
+    tables: Vec<Option<Function>>,
     /// Words that have a meaning in one expression alone.
     local: Vec<(&'static str, Jet)>,
     /// How many of the `let`s can be seen: a `let` sees only those above it.
@@ -132,7 +135,9 @@ impl<'d> Interpreter<'d> {
         setting: Setting,
     ) -> Interpreter<'d> {
         let visible = declaration.lets.len();
-        Interpreter { declaration, si_factor, setting, definitions: vec![None; visible], local: vec![], visible }
+        let tables = declaration.tables.iter().map(|_| None).collect();
+        let definitions = vec![None; visible];
+        Interpreter { declaration, si_factor, setting, definitions, tables, local: vec![], visible }
     }
 
     pub(super) fn scalar(&mut self, expression: &Expression) -> Result<Jet> {
@@ -275,6 +280,9 @@ impl<'d> Interpreter<'d> {
 
     fn call(&mut self, function: &Ident, arguments: &[Expression]) -> Result<Value> {
         let name = function.to_string();
+        if let Some(index) = self.declaration.tables.iter().position(|table| table.name == *function) {
+            return self.look_up(index, arguments);
+        }
         match (name.as_str(), arguments) {
             ("dot", [x]) => self.dot(x),
             ("ddot", [x]) => {
@@ -303,6 +311,28 @@ impl<'d> Interpreter<'d> {
             (_, [x]) => known(self.scalar(x)?.call(&name), &name),
             _ => refuse(format!("`{name}` is no function of {} arguments", arguments.len())),
         }
+    }
+
+    /// A table at an argument.
+    fn look_up(&mut self, index: usize, arguments: &[Expression]) -> Result<Value> {
+        let table = &self.declaration.tables[index];
+        let [argument] = arguments else { return refuse(format!("table `{}` takes one argument", table.name)) };
+        let argument = self.scalar(argument)?;
+        if self.tables[index].is_none() {
+            self.tables[index] = Some(Function::new(table, &self.rows(table)?)?);
+        }
+        let found = self.tables[index].as_ref().map(|function| Value::Scalar(function.at(&argument)));
+        found.ok_or_else(|| OracleError::new(format!("table `{}` is not known", table.name)))
+    }
+
+    /// The rows of a table in SI units; plain numbers are in the unit of their column.
+    fn rows(&self, table: &Table) -> Result<Vec<[f64; 2]>> {
+        let mut fixed = Interpreter::new(self.declaration, self.si_factor, Setting::fixed(&[]));
+        let mut entry = |expression: &Expression, unit: &Option<Unit>| -> Result<f64> {
+            let unit = unit.as_ref().filter(|_| is_plain(expression)).map_or(1.0, self.si_factor);
+            Ok(fixed.scalar(expression)?.value().value * unit)
+        };
+        table.rows.iter().map(|[x, y]| Ok([entry(x, &table.over)?, entry(y, &table.unit)?])).collect()
     }
 
     fn about(&mut self, axis: &Expression, angle: &Expression) -> Result<Value> {

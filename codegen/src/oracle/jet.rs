@@ -105,13 +105,19 @@ impl Jet {
 
     /// f(self), from f and its derivatives at this jet's value:
     /// gradient f' u_i, Hessian f' u_ij + f'' u_i u_j.
-    pub(super) fn compose(&self, [f, f1, f2, f3]: Derivatives) -> Jet {
-        let value = Measured::function(f, f1, self.value);
+    pub(super) fn compose(&self, derivatives: Derivatives) -> Jet {
+        self.compose_of_size(derivatives, [0.0; 3])
+    }
+
+    /// The same where values of these sizes went into f, f' and f'' as well.
+    pub(super) fn compose_of_size(&self, [f, f1, f2, f3]: Derivatives, sizes: [f64; 3]) -> Jet {
+        let of_size = |measured: Measured, size: f64| Measured { magnitude: measured.magnitude + size, ..measured };
+        let value = of_size(Measured::function(f, f1, self.value), sizes[0]);
         if self.is_constant() {
             return Jet::constant(value, self.variables());
         }
-        let first = Measured::function(f1, f2, self.value);
-        let second = Measured::function(f2, f3, self.value);
+        let first = of_size(Measured::function(f1, f2, self.value), sizes[1]);
+        let second = of_size(Measured::function(f2, f3, self.value), sizes[2]);
         Jet {
             value,
             gradient: self.gradient.iter().map(|u_i| first * *u_i).collect(),

@@ -22,6 +22,7 @@ mod parameters;
 mod rotation;
 mod solve;
 mod state;
+mod table;
 mod value;
 
 pub use error::{OracleError, Result};

@@ -1,6 +1,7 @@
 //! The defaults of parameters.
 
 use super::error::Result;
+use super::function::is_function;
 use super::interpret::{Interpreter, Setting};
 use crate::dsl::{Declaration, Expression, Kind, Unit};
 
@@ -19,6 +20,8 @@ pub(super) fn defaults(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f
 /// Whether neither a unit nor a name, other than that of a constant, stands in the expression.
 pub(super) fn is_plain(expression: &Expression) -> bool {
     match &expression.kind {
+        // A table has its own units.
+        Kind::Call(function, _) if !is_function(&function.to_string()) => false,
         Kind::Number { unit, .. } => unit.is_none(),
         Kind::Name(name) => name == "pi" || name == "e",
         _ => expression.parts().into_iter().all(is_plain),

@@ -1,6 +1,6 @@
 //! A kernel as the graph of its operations, to be looked at.
 
-use super::{Kernel, Statement, Tree, Wave};
+use super::{Kernel, LookUp, Statement, Tree, Wave};
 use rustc_hash::FxHashMap;
 
 /// The operations of a kernel, operands before what uses them.
@@ -32,6 +32,7 @@ impl Diagram {
                     drawing.name(vertex, name);
                 }
                 Statement::SinCos(waves) => waves.iter().for_each(|wave| drawing.wave(wave)),
+                Statement::Table(look_up) => drawing.look_up(look_up),
             }
         }
         let mut results = Vec::new();
@@ -87,6 +88,16 @@ impl Drawing {
         for (function, name) in [("sin", &wave.sin), ("cos", &wave.cos)] {
             if let Some(name) = name {
                 let vertex = self.vertex(function, vec![(false, argument)]);
+                self.name(vertex, name);
+            }
+        }
+    }
+
+    fn look_up(&mut self, look_up: &LookUp) {
+        let argument = self.tree(&look_up.argument);
+        for (order, name) in look_up.names.iter().enumerate() {
+            if let Some(name) = name {
+                let vertex = self.vertex(&format!("table{}", "'".repeat(order)), vec![(false, argument)]);
                 self.name(vertex, name);
             }
         }

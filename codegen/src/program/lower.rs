@@ -103,6 +103,10 @@ impl<'a> Lowering<'a> {
                 let [difference, above, otherwise] = [difference, above, otherwise].map(|part| self.lower_form(*part));
                 self.values.add(Operation::Choice(difference, above, otherwise))
             }
+            Node::Table(table, order, argument) => {
+                let argument = self.lower_form(*argument);
+                self.values.add(Operation::Table(*table, *order, argument))
+            }
             Node::Atan2(y, x) => {
                 let (y, x) = (self.lower_form(*y), self.lower_form(*x));
                 self.values.add(Operation::Atan2(y, x))

@@ -23,6 +23,8 @@ pub use operations::Operations;
 pub use pieces::Piece;
 pub use results::{Record, Results};
 
+use crate::symbolic::TableId;
+
 /// All kernels of a mechanism.
 pub struct Program {
     /// The kernels, in the order in which they are printed.
@@ -99,6 +101,18 @@ pub enum Statement {
     },
     /// Sines and cosines of independent angles together.
     SinCos(Vec<Wave>),
+    /// A table looked up once.
+    Table(LookUp),
+}
+
+/// The value of a table and its derivatives, as far as they are needed.
+pub struct LookUp {
+    /// Which table of the model's graph.
+    pub table: TableId,
+    /// The names of the derivatives by order, from the value itself on.
+    pub names: Vec<Option<String>>,
+    /// The argument.
+    pub argument: Tree,
 }
 
 /// The sine and cosine of one angle, as far as they are needed.

@@ -14,6 +14,8 @@ pub struct Operations {
     pub divisions: usize,
     /// Sines and cosines of one argument, counted once for both.
     pub sine_cosines: usize,
+    /// Tables looked up, with all derivatives that are needed.
+    pub table_look_ups: usize,
     /// Square roots.
     pub square_roots: usize,
     /// Other functions.
@@ -30,6 +32,10 @@ impl Operations {
                     waves.iter().for_each(|wave| operations.count(&wave.argument));
                     operations.sine_cosines += waves.len();
                 }
+                Statement::Table(look_up) => {
+                    operations.count(&look_up.argument);
+                    operations.table_look_ups += 1;
+                }
             }
         }
         results.entries().into_iter().for_each(|tree| operations.count(tree));
@@ -42,6 +48,7 @@ impl Operations {
             + self.multiplications
             + self.divisions
             + self.sine_cosines
+            + self.table_look_ups
             + self.square_roots
             + self.other_functions
     }
@@ -87,6 +94,7 @@ impl fmt::Display for Operations {
             (self.multiplications, "multiplication"),
             (self.divisions, "division"),
             (self.sine_cosines, "sine-cosine pair"),
+            (self.table_look_ups, "table look-up"),
             (self.square_roots, "square root"),
             (self.other_functions, "other function"),
         ];

@@ -41,6 +41,7 @@ fn names_needed(statements: &[Statement], results: &Results<Tree>) -> BTreeSet<S
         match statement {
             Statement::Let { value, .. } => collect_names(value, &mut names),
             Statement::SinCos(waves) => waves.iter().for_each(|wave| collect_names(&wave.argument, &mut names)),
+            Statement::Table(look_up) => collect_names(&look_up.argument, &mut names),
         }
     }
     results.entries().into_iter().for_each(|tree| collect_names(tree, &mut names));
@@ -51,6 +52,7 @@ fn defined_names(statement: &Statement) -> Vec<&String> {
     match statement {
         Statement::Let { name, .. } => vec![name],
         Statement::SinCos(waves) => waves.iter().flat_map(|wave| wave.sin.iter().chain(&wave.cos)).collect(),
+        Statement::Table(look_up) => look_up.names.iter().flatten().collect(),
     }
 }
 

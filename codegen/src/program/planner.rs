@@ -177,6 +177,10 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
         labels.extend(row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, names[j]))));
     }
+    labels.extend(model.graph.look_ups().into_iter().map(|(expr, table, order)| {
+        let derivative = ["", "_slope", "_curvature", "_third"][usize::from(order).min(3)];
+        (expr, format!("{}{derivative}", model.graph.table(table).name))
+    }));
     labels
 }
 

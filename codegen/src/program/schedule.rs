@@ -5,12 +5,14 @@
 
 use super::names::Names;
 use super::values::{Operation, Value, Values};
-use super::{Statement, Tree, Wave};
-use crate::symbolic::Function;
+use super::{LookUp, Statement, Tree, Wave};
+use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;
 
 /// Operations in one expression, beyond which a part of it gets a name.
 const LONGEST_EXPRESSION: usize = 14;
+/// The order of the highest derivative of a table that is not zero.
+const HIGHEST_DERIVATIVE: u8 = 3;
 
 /// Values that need no statement: inputs, and what was computed before.
 pub(super) type Leaves = FxHashMap<Value, Tree>;
@@ -64,6 +66,9 @@ impl<'a> Schedule<'a> {
         if let Operation::Call(Function::Sin | Function::Cos, angle) = self.values.operation(value) {
             return self.state_waves(self.levels[angle.index()]);
         }
+        if let Operation::Table(table, _, argument) = self.values.operation(value) {
+            return self.look_up(*table, *argument);
+        }
         self.require(value);
         let tree = self.operation_tree(value);
         let name = self.give_name(value);
@@ -100,6 +105,21 @@ impl<'a> Schedule<'a> {
         });
         let waves = waves.collect();
         self.statements.push(Statement::SinCos(waves));
+    }
+
+    /// States a table at an argument with all of its derivatives that are needed.
+    fn look_up(&mut self, table: TableId, argument: Value) {
+        self.state(argument);
+        self.require(argument);
+        let tree = self.tree(argument);
+        let mut names: Vec<Option<String>> = (0..=HIGHEST_DERIVATIVE)
+            .map(|order| {
+                let value = self.values.find(&Operation::Table(table, order, argument))?;
+                self.named[value.index()].then(|| self.give_name(value))
+            })
+            .collect();
+        names.truncate(names.iter().rposition(Option::is_some).map_or(0, |last| last + 1));
+        self.statements.push(Statement::Table(LookUp { table, names, argument: tree }));
     }
 
     fn give_name(&mut self, value: Value) -> String {
@@ -139,8 +159,8 @@ impl<'a> Schedule<'a> {
         let boxed = |value: &Value| Box::new(self.tree(*value));
         match self.values.operation(value) {
             Operation::Constant(bits) => Tree::Constant(f64::from_bits(*bits)),
-            // Every input is a leaf.
-            Operation::Input(_) => Tree::Constant(f64::NAN),
+            // Every input is a leaf, and every table is stated.
+            Operation::Input(_) | Operation::Table(..) => Tree::Constant(f64::NAN),
             Operation::Sum(terms) => {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
             }
@@ -236,8 +256,9 @@ fn choose_named(values: &Values, uses: &[usize], leaves: &Leaves) -> Vec<bool> {
             Operation::Negate(operand) => values.operands(*operand).is_empty() || leaves.contains_key(operand),
             _ => false,
         };
-        let wave = matches!(values.operation(value), Operation::Call(Function::Sin | Function::Cos, _));
-        named[value.index()] = !leaf && (wave || uses[value.index()] > 1);
+        let several =
+            matches!(values.operation(value), Operation::Call(Function::Sin | Function::Cos, _) | Operation::Table(..));
+        named[value.index()] = !leaf && (several || uses[value.index()] > 1);
     }
     named
 }

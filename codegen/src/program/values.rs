@@ -4,7 +4,7 @@
 //! depends on parameters alone is kept together, so that it can be computed once for a set of parameters.
 
 use super::schedule::Leaves;
-use crate::symbolic::Function;
+use crate::symbolic::{Function, TableId};
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
 
@@ -37,6 +37,8 @@ pub(super) enum Operation {
     Atan2(Value, Value),
     /// The second where the first is above zero, and else the third.
     Choice(Value, Value, Value),
+    /// The derivative of this order of a table.
+    Table(TableId, u8, Value),
     /// An input: what it is set to, or its declared course.
     Held(Value, Value),
 }
@@ -275,7 +277,7 @@ impl Values {
                 vec![*a, *b]
             }
             Operation::Choice(a, b, c) => vec![*a, *b, *c],
-            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) => vec![*a],
+            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) | Operation::Table(_, _, a) => vec![*a],
         }
     }
 }

@@ -57,6 +57,14 @@ impl Differential {
                 let slope = slope(graph, function, expr, argument);
                 graph.mul(slope, rate)
             }
+            Node::Table(table, order, argument) => {
+                let rate = self.of(graph, argument);
+                if graph.is_zero(rate) {
+                    return rate;
+                }
+                let slope = graph.look_up(table, order + 1, argument);
+                graph.mul(slope, rate)
+            }
             Node::Choice(difference, above, otherwise) => {
                 let (above, otherwise) = (self.of(graph, above), self.of(graph, otherwise));
                 graph.choice(difference, above, otherwise)

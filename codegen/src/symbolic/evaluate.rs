@@ -21,6 +21,7 @@ pub fn evaluate(graph: &Graph, roots: &[Expr], value: impl Fn(Symbol) -> f64) ->
             }
             Node::Power { base, exponent } => done[base].powf(done[exponent]),
             Node::Call(function, argument) => apply_function(*function, done[argument]),
+            Node::Table(table, order, argument) => graph.table(*table).derivative(*order, done[argument]),
             Node::Atan2(y, x) => done[y].atan2(done[x]),
             Node::Choice(difference, above, otherwise) => match done[difference] {
                 nan if nan.is_nan() => nan,

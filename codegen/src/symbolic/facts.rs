@@ -29,6 +29,7 @@ impl Facts {
             Node::Constant(_) => Facts { nonnegative: true, nonzero: true, finite: true },
             Node::Symbol(_) => Facts { finite: true, ..Facts::default() },
             Node::Atan2(y, x) => Facts { finite: graph.facts(*y).finite && graph.facts(*x).finite, ..Facts::default() },
+            Node::Table(_, _, argument) => Facts { finite: graph.facts(*argument).finite, ..Facts::default() },
             Node::Choice(difference, above, otherwise) => {
                 let (difference, a, b) = (graph.facts(*difference), graph.facts(*above), graph.facts(*otherwise));
                 Facts {

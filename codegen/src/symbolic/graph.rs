@@ -1,7 +1,7 @@
 //! The shared graph of expressions.
 
 use super::facts::Facts;
-use super::{Function, Number};
+use super::{Function, Number, Table, TableId};
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
 
@@ -13,6 +13,10 @@ impl Expr {
     /// Position in the graph: operands stand before what is made of them.
     pub fn index(self) -> usize {
         self.0 as usize
+    }
+
+    pub(super) fn at(index: usize) -> Expr {
+        Expr(index as u32)
     }
 }
 
@@ -78,6 +82,8 @@ pub enum Node {
     Atan2(Expr, Expr),
     /// The second where the first is above zero, and else the third; NaN where the first is.
     Choice(Expr, Expr, Expr),
+    /// The derivative of this order of a table at an argument; its degree at most.
+    Table(TableId, u8, Expr),
 }
 
 /// The owner of expressions.
@@ -86,6 +92,7 @@ pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
     facts: Vec<Facts>,
     symbols: Vec<String>,
+    pub(super) tables: Vec<Table>,
 }
 
 impl Graph {
@@ -97,6 +104,10 @@ impl Graph {
     /// What `expr` is made of.
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.index()]
+    }
+
+    pub(super) fn nodes(&self) -> impl Iterator<Item = &Node> {
+        self.nodes.iter()
     }
 
     /// How many distinct expressions there are.
@@ -204,7 +215,7 @@ impl Graph {
             Node::Sum { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
             Node::Product { factors, .. } => factors.iter().map(|(base, _)| *base).collect(),
             Node::Power { base, exponent } => vec![*base, *exponent],
-            Node::Call(_, argument) => vec![*argument],
+            Node::Call(_, argument) | Node::Table(_, _, argument) => vec![*argument],
             Node::Atan2(y, x) => vec![*y, *x],
             Node::Choice(difference, above, otherwise) => vec![*difference, *above, *otherwise],
         }

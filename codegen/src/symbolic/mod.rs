@@ -65,6 +65,7 @@ mod product;
 mod pythagoras;
 mod substitute;
 mod sum;
+mod table;
 
 pub use derivative::Differential;
 pub use evaluate::{apply_function, evaluate};
@@ -72,3 +73,4 @@ pub use function::Function;
 pub use graph::{Constant, Expr, Graph, Node, Symbol};
 pub use number::Number;
 pub use substitute::{substitute, transplant, with_operands};
+pub use table::{Table, TableId};

@@ -23,6 +23,10 @@ pub fn transplant(from: &Graph, roots: &[Expr], to: &mut Graph, replacement: imp
     for expr in from.reachable(roots) {
         let new = match from.node(expr) {
             Node::Symbol(symbol) => replacement(*symbol),
+            Node::Table(table, order, argument) => {
+                let table = to.add_table(from.table(*table).clone());
+                to.look_up(table, *order, done[argument])
+            }
             node => rebuilt(to, node.clone(), |operand| done[&operand]),
         };
         done.insert(expr, new);
@@ -59,5 +63,6 @@ fn rebuilt(graph: &mut Graph, node: Node, new: impl Fn(Expr) -> Expr) -> Expr {
         Node::Call(function, argument) => graph.call(function, new(argument)),
         Node::Atan2(y, x) => graph.atan2(new(y), new(x)),
         Node::Choice(difference, above, otherwise) => graph.choice(new(difference), new(above), new(otherwise)),
+        Node::Table(table, order, argument) => graph.look_up(table, order, new(argument)),
     }
 }

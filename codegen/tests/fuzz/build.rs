@@ -36,7 +36,7 @@ fn rows<R: AsRef<[f64]>>(rows: impl AsRef<[R]>) -> Vec<f64> {
 }
 
 fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
-    let mechanism = M::with_parameters(M::Parameters::from_fn(|i| p[i]));
+    let mechanism = M::defaults().with_parameters(M::Parameters::from_fn(|i| p[i]));
     let (q, qd) = (&M::Q::from_fn(|i| q[i]), &M::Q::from_fn(|i| qd[i]));
     let vector = |values: &dyn AsRef<[f64]>| values.as_ref().to_vec();
     print("mass_matrix", rows(mechanism.mass_matrix(t, q)));
@@ -54,6 +54,7 @@ fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
     print("power", [solved.power]);
     print("events", vector(&mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers)));
     print("outputs", vector(&mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers)));
+    print("event_values", vector(&mechanism.event_values(t, q, qd)));
     println!();
 }
 "#;

@@ -93,6 +93,7 @@ fn compare(declaration: &dsl::Declaration, state: &State, found: &[(String, Vec<
     term("time_derivative", &terms.constraint_time_derivative);
     term("constraint_convective", &terms.constraint_convective);
     term("energy", &[terms.kinetic_energy]);
+    term("event_values", &oracle.event_values(&at).unwrap());
     if values("refused")[0] != 0.0 {
         return (worst.0, worst.1, false);
     }

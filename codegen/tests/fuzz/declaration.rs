@@ -40,14 +40,42 @@ impl Writer {
         if self.random.once_in(2) {
             text += &self.fragment();
         }
+        text += &self.tables();
         text += "auxiliary { cut; } inputs { drive = sin(p1*t)/2; }\n";
         text += &self.bodies();
         text += &self.loads();
         let constraints = self.constraints();
         text += &constraints.0;
-        text += &format!("events {{ crossing: {} = {}; }}\n", self.rate(2), self.scalar(1));
+        if self.random.once_in(3) {
+            text += &self.joints();
+        }
+        text += &self.events(&constraints.2);
         text += &self.outputs(&constraints.1);
         text
+    }
+
+    /// Tables of every kind: smooth ones for positions, and others.
+    fn tables(&mut self) -> String {
+        let outside = |random: &mut Random| *random.pick(&["held", "continued"]);
+        let (first, second, third) = (outside(&mut self.random), outside(&mut self.random), outside(&mut self.random));
+        let ends = *self.random.pick(&["", ", natural", ", clamped"]);
+        let close = self.random.between(-1.0, 1.0);
+        let hills = format!("cubic, periodic {{ -1, {close:?}; {} {close:?}; }}", self.rows(-1.0, 5));
+        let stairs = format!("cubic{ends}, {first} {{ {} }}", self.rows(-2.0, 7).trim_end_matches("5.5, "));
+        let kinks = format!("linear, {second} {{ {} }}", self.rows(-1.5, 3).trim_end_matches("5.5, "));
+        let bends = format!("monotone, {third} {{ {} }}", self.rows(-3.0, 9).trim_end_matches("5.5, "));
+        format!("tables {{ hills = {hills} stairs = {stairs} kinks = {kinks} bends = {bends} }}\n")
+    }
+
+    /// Rows beyond an argument, and an argument beyond them.
+    fn rows(&mut self, after: f64, count: usize) -> String {
+        let step = (5.0 - after) / count as f64;
+        let mut rows = String::new();
+        for i in 1..=count {
+            let x = after + step * (i as f64 - self.random.between(0.1, 0.9));
+            rows += &format!("{x:.3}, {:.3}; ", self.random.between(-1.0, 1.0));
+        }
+        rows + "5.5, "
     }
 
     fn coordinates(&mut self, count: usize) -> String {
@@ -142,21 +170,54 @@ impl Writer {
         }
     }
 
-    /// The block, and the names of scalar constraints.
-    fn constraints(&mut self) -> (String, Vec<String>) {
+    /// The block, the names of scalar constraints, and those of them that events switch.
+    fn constraints(&mut self) -> (String, Vec<String>, Vec<String>) {
         let count = self.random.below(self.coordinates.len().min(3));
-        let mut text = String::from("constraints {\n");
+        let (mut text, mut switched) = (String::from("constraints {\n"), vec![]);
         for i in 0..count {
             // What a coordinate is equal to depends on others too, so that each constraint can be met.
             let coordinate = self.coordinates[i].clone();
-            text += &format!("c{i}: {coordinate} + {}/4 = {}/3;\n", self.scalar(1), self.scalar(2));
+            let initially = *self.random.pick(&["", "", " initially active", " initially released"]);
+            if !initially.is_empty() {
+                switched.push(format!("c{i}"));
+            }
+            text += &format!("c{i}: {coordinate} + {}/4 = {}/3{initially};\n", self.scalar(1), self.scalar(2));
         }
         // Held between speeds, where a coordinate is left.
         if count + 1 < self.coordinates.len() && self.random.once_in(3) {
             let (last, first) = (self.coordinates[self.coordinates.len() - 1].clone(), self.coordinates[0].clone());
             text += &format!("rolling: dot({last}) + {}*dot({first})/5 = {};\n", self.scalar(1), self.scalar(1));
         }
-        (text + "}\n", (0..count).map(|i| format!("c{i}")).collect())
+        (text + "}\n", (0..count).map(|i| format!("c{i}")).collect(), switched)
+    }
+
+    /// A rod that hangs on a pin, perhaps turned by a gear: coordinates of its own.
+    fn joints(&mut self) -> String {
+        let at = self.vector(2);
+        let gear = *self.random.pick(&["", "mesh: gear own0 radius 0.4 to rod radius 0.7;"]);
+        format!(
+            "bodies {{ rod: free, mass 1.3, inertia 0.2; }}
+            joints {{ pivot: pin on(rod, [0.4, -0.1]) to {at}; {gear} }}
+            loads {{ force [0, 0.3] at on(rod, [-0.4, 0]); }}\n"
+        )
+    }
+
+    /// Events, and what happens at them.
+    fn events(&mut self, switched: &[String]) -> String {
+        let mut text = format!("events {{ crossing: {} = {};\n", self.rate(2), self.scalar(1));
+        let (value, speed) = (self.scalar(2), self.rate(1));
+        text += &format!(
+            "jump: {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",
+            self.rate(1)
+        );
+        for name in switched {
+            let (condition, restitution) = (self.rate(1), self.scalar(1));
+            text += &format!("on_{name}: {condition} = 0 falling {{ activate {name}; }}\n");
+            text += &format!(
+                "hit_{name}: {condition} = 0.1 rising {{ impact {name} restitution tanh({restitution})^2; release {name}; }}\n"
+            );
+        }
+        text + "}\n"
     }
 
     fn outputs(&mut self, constraints: &[String]) -> String {
@@ -180,7 +241,7 @@ impl Writer {
         }
         let mut next = || self.scalar(depth - 1);
         let (a, b) = (next(), next());
-        match self.random.below(16) {
+        match self.random.below(21) {
             0 | 1 => format!("({a} + {b})"),
             2 => format!("({a} - {b})"),
             3 | 4 => format!("{a}*({b})"),
@@ -194,6 +255,11 @@ impl Writer {
             12 => format!("atan2({a}, 2 + sin({b}))"),
             13 => format!("-({a})*ln(2 + ({b})^2)"),
             14 => format!("norm({})", self.offset_vector(depth - 1)),
+            16 => format!("hills({a})"),
+            17 => format!("stairs({a} - {b})"),
+            18 => format!("max({a}, {b}, 0.3)"),
+            19 => format!("abs({a})*min({b}, 1)"),
+            20 => format!("(if {a} > {b} then {a}*({b}) else {b}^2)"),
             _ => format!("inner({}, {})", self.vector(depth - 1), self.vector(depth - 1)),
         }
     }
@@ -201,8 +267,10 @@ impl Writer {
     /// A scalar in which speeds may stand.
     fn rate(&mut self, depth: usize) -> String {
         let (a, b) = (self.scalar(depth), self.scalar(1));
-        match self.random.below(3) {
+        match self.random.below(5) {
             0 => a,
+            3 => format!("kinks({a})*({b})"),
+            4 => format!("bends(dot({a}) + {b})"),
             1 => format!("dot({a})"),
             _ => format!("({a} - {}*dot({b}))", self.random.between(0.1, 0.9)),
         }

@@ -12,7 +12,9 @@ fn joints() {
     joint("pivot: slot on(bob, [l, 0]) through [0, 1] along phi;", &[]);
     joint(
         "pivot: weld P to [0, 1];",
-        &["7:17 `weld` is not known here; expected one of `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `roll`"],
+        &[
+            "7:17 `weld` is not known here; expected one of `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam`, `roll`",
+        ],
     );
     joint("pivot: pin P and [0, 1];", &["7:23 expected `to`: `pin P to Q;`"]);
     joint("pivot: pin P;", &["7:22 expected `to`: `pin P to Q;`"]);
@@ -20,7 +22,9 @@ fn joints() {
     joint("pivot: slot P along 1;", &["7:24 expected `through`: `slot P through O along beta;`"]);
     joint(
         "pin P to [0, 1];",
-        &["7:14 a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack` or `roll`"],
+        &[
+            "7:14 a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam` or `roll`",
+        ],
     );
     joint("pivot: pin on(bab, [1, 0]) to [0, 1];", &["7:24 no body above is called `bab` (did you mean `bob`?)"]);
     joint(

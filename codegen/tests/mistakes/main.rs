@@ -22,6 +22,7 @@ mod parameters;
 mod reuse;
 mod space;
 mod start;
+mod tables;
 mod units;
 
 use proc_macro2::TokenStream;

@@ -8,6 +8,7 @@ mod letters;
 mod lines;
 mod mathml;
 mod system;
+mod tables;
 
 use codegen::dynamics::EquationsOfMotion;
 use codegen::notation::{Notation, Part, equations};

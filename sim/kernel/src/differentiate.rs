@@ -50,7 +50,7 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
 ) -> DynamicsSensitivity<S, M::QP, M::LP> {
     let [q, qd] = [q, qd].map(|values| Q::<S, M>::from_fn(|i| Dual::constant(values[i])));
     let constant = mechanism.on(Dual::constant);
-    let (parameters, inputs) = (constant.parameters(), constant.inputs());
+    let parameters = constant.parameters();
     let zero = M::Parameters::filled(S::from_f64(0.0));
     let mut found = DynamicsSensitivity {
         accelerations: M::QP::filled(zero),
@@ -58,7 +58,7 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
         refused: S::Mask::NONE,
     };
     for j in 0..M::Parameters::LEN {
-        let solved = InDuals::<S, M>::with_parameters(varied(&parameters, j)).with_inputs(inputs);
+        let solved = constant.with_parameters(varied(&parameters, j));
         let solved = solved.dynamics(Dual::constant(t), &q, &qd);
         enter::<S, M, M::Parameters, _, _>(&solved, j, &mut found.accelerations, &mut found.multipliers);
         found.refused = found.refused | solved.refused;

@@ -109,6 +109,11 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
+    fn gather<const N: usize>(self, of: impl Fn(f64) -> [f64; N]) -> [Self; N] {
+        self.value.gather(of).map(Dual::constant)
+    }
+
+    #[inline(always)]
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (sines, cosines) = S::sin_cos_each(angles.map(|angle| angle.value));
         (

@@ -144,6 +144,12 @@ impl<const N: usize> Scalar for Lanes<N> {
     }
 
     #[inline(always)]
+    fn gather<const K: usize>(self, of: impl Fn(f64) -> [f64; K]) -> [Self; K] {
+        let found = self.0.map(of);
+        core::array::from_fn(|i| Lanes::from_fn(|lane| found[lane][i]))
+    }
+
+    #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
         let (mut sines, mut cosines) = (angles, angles);
         for i in 0..K {

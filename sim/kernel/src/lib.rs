@@ -14,6 +14,7 @@ mod input;
 mod lanes;
 mod mechanism;
 mod scalar;
+mod table;
 mod wave;
 
 pub use array::Array;
@@ -25,6 +26,7 @@ pub use mechanism::{
     ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
 };
 pub use scalar::{Mask, Scalar};
+pub use table::Table;
 
 #[cfg(feature = "macros")]
 #[doc(hidden)]

@@ -56,8 +56,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn defaults() -> Self;
     /// The parameters in the order of declaration, in SI units.
     fn parameters(&self) -> Self::Parameters;
-    /// The mechanism with these parameters, its inputs following their declared courses.
-    fn with_parameters(parameters: Self::Parameters) -> Self;
+    /// The mechanism with these parameters, its inputs and activities as they are.
+    fn with_parameters(&self, parameters: Self::Parameters) -> Self;
     /// For each constraint that events switch 1 while it holds, and 0 while it is released.
     fn activities(&self) -> Self::Activities {
         Self::Activities::filled(S::from_f64(1.0))

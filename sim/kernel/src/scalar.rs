@@ -46,6 +46,9 @@ pub trait Scalar:
         Self::select(self.greater(Self::from_f64(0.0)), above, no)
     }
 
+    /// Numbers that are looked up by the value of `self`; they do not change with it.
+    fn gather<const N: usize>(self, of: impl Fn(f64) -> [f64; N]) -> [Self; N];
+
     /// Sines and cosines of several angles side by side: the same bits as one by one.
     fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
     #[inline(always)]
@@ -104,6 +107,10 @@ macro_rules! real {
                     // Zero, and NaN as it is.
                     _ => self * 0.0,
                 }
+            }
+            #[inline(always)]
+            fn gather<const N: usize>(self, of: impl Fn(f64) -> [f64; N]) -> [Self; N] {
+                of(f64::from(self)).map(Self::from_f64)
             }
             #[inline(always)]
             fn sin_cos_each<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {

@@ -100,6 +100,9 @@ fn as_text(facts: &Facts) -> String {
             for line in mobility.redundancies() {
                 text += &format!("redundant: {line}\n");
             }
+            for line in mobility.singularities() {
+                text += &format!("singular: {line}\n");
+            }
         }
         Err(why) => text += &format!("{size}\nnot assembled from its declared start: {why}\n"),
     }
@@ -201,14 +204,12 @@ fn section(heading: &str, rows: Vec<[String; 4]>) -> String {
 fn equations(description: &Description) -> Vec<(String, String)> {
     let parsed = description.declaration.parse().ok().and_then(|tokens| codegen::dsl::parse(tokens).ok());
     let constraints = parsed.map_or(Vec::new(), |declaration| declaration.constraints);
-    let printed = crate::show::printed;
     let switched = |activity: Option<Activity>| match activity {
         None => "",
         Some(Activity::Active) => ", initially active",
         Some(Activity::Released) => ", initially released",
     };
-    let equation =
-        |c: &codegen::dsl::Equation| format!("{} = {}{}", printed(&c.left), printed(&c.right), switched(c.initially));
+    let equation = |c: &codegen::dsl::Equation| format!("{} = {}{}", c.left, c.right, switched(c.initially));
     constraints.iter().map(|c| (c.name.to_string(), equation(c))).collect()
 }
 

@@ -1,17 +1,19 @@
 //! `sim kinematics`.
 
 use super::arguments::{Size, Voice, format};
+use super::files::Files;
+use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::run::{mechanism_with, start_with};
-use super::{Stop, print, unknown};
+use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
-    Driven, Extreme, Format, Kinematics, Range, Start, Sweep, Table, WriteError, kinematics, write_json, write_table,
+    Driven, Extreme, Extremes, Failure, Format, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table,
+    kinematics, write_json,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Description, Mechanism, Quantity};
+use sim_kernel::{Description, Mechanism, Quantity};
 use std::path::{Path, PathBuf};
 
 /// What is driven, and how.
@@ -85,18 +87,19 @@ impl KinematicsArguments {
     }
 
     fn sweep<M: Mechanism>(&self, mechanism: &M, start: &Start<M>) -> Result<Sweep, Stop> {
+        let description = const { &M::DESCRIPTION };
         let driven = match &self.drive {
-            Some(name) => find::<M>(name)?,
-            None => default_drive::<M>()?,
+            Some(name) => find(description, name)?,
+            None => default_drive(description)?,
         };
-        let (quantity, now) = (driven.quantity::<M>(), || driven.value(mechanism, 0.0, &start.positions));
+        let (quantity, now) = (driven.quantity(description), || driven.value(mechanism, 0.0, &start.positions));
         let value = |option: &str, text: &str| parse_quantity(option, text, quantity.unit);
         let from = match (&self.from, driven) {
             (Some(text), _) => value("--from", text)?,
             (None, Driven::Coordinate(_)) => now(),
             (None, Driven::Output(_)) => return Err(needed("--from", quantity)),
         };
-        let to = match (&self.to, driven.turn::<M>()) {
+        let to = match (&self.to, driven.turn(description)) {
             (Some(text), _) => value("--to", text)?,
             (None, Some(turn)) => from + turn,
             (None, None) => return Err(needed("--to", quantity)),
@@ -107,22 +110,26 @@ impl KinematicsArguments {
                 quantity.name
             )));
         }
-        let speed = self.speed::<M>(driven, start)?;
+        let declared = match driven {
+            Driven::Coordinate(i) if start.speed_given[i] => Some(start.speeds[i]),
+            _ => None,
+        };
+        let speed = self.speed(description, driven, declared)?;
         let held = self.hold.iter().map(|text| hold(mechanism, start, text)).collect::<Result<_, _>>()?;
         Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
     }
 
-    fn speed<M: Mechanism>(&self, driven: Driven, start: &Start<M>) -> Result<f64, Stop> {
-        let name = driven.quantity::<M>().name;
+    fn speed(&self, description: &'static Description, driven: Driven, declared: Option<f64>) -> Result<f64, Stop> {
+        let name = driven.quantity(description).name;
         let speed = match (&self.speed, driven) {
             (Some(text), Driven::Coordinate(i)) => {
-                parse_quantity("--speed", text, M::DESCRIPTION.coordinates[i].speed.unit)?
+                parse_quantity("--speed", text, description.coordinates[i].speed.unit)?
             }
             (Some(text), Driven::Output(_)) => {
-                parse_quantity("--speed", text, &quotient(driven.quantity::<M>(), &SECOND))?
+                parse_quantity("--speed", text, &quotient(driven.quantity(description), &SECOND))?
             }
-            (None, Driven::Coordinate(i)) if start.speed_given[i] => start.speeds[i],
-            (None, _) => return Err(Stop::Usage(format!("the start gives `{name}` no speed: give one with --speed"))),
+            (None, _) => declared
+                .ok_or_else(|| Stop::Usage(format!("the start gives `{name}` no speed: give one with --speed")))?,
         };
         match speed == 0.0 {
             true => Err(Stop::Usage(format!("`{name}` has to move: give it a speed other than 0 with --speed"))),
@@ -137,25 +144,25 @@ fn needed(option: &str, quantity: &Quantity) -> Stop {
     Stop::Usage(format!("{option} is needed for `{}`, as in `{option} 0.1{}`", quantity.name, quantity.unit))
 }
 
-fn find<M: Mechanism>(name: &str) -> Result<Driven, Stop> {
-    let description = const { &M::DESCRIPTION };
+fn find(description: &Description, name: &str) -> Result<Driven, Stop> {
     let coordinates = description.coordinates.iter().map(|c| c.position.name);
     let known = coordinates.chain(description.outputs.iter().map(|o| o.name));
-    Driven::find::<M>(name).ok_or_else(|| unknown("coordinate or output", name, known))
+    Driven::find(description, name).ok_or_else(|| unknown("coordinate or output", name, known))
 }
 
 /// The first coordinate that the declaration gives a value, not a guess.
-fn default_drive<M: Mechanism>() -> Result<Driven, Stop> {
-    let mut coordinates = M::DESCRIPTION.coordinates.iter();
+fn default_drive(description: &Description) -> Result<Driven, Stop> {
+    let mut coordinates = description.coordinates.iter();
     let given = coordinates.position(|c| c.start == sim_kernel::Start::Given).map(Driven::Coordinate);
     given.ok_or_else(|| Stop::Usage("say what is driven, as in `--drive alpha`".into()))
 }
 
 fn hold<M: Mechanism>(mechanism: &M, start: &Start<M>, text: &str) -> Result<(Driven, f64), Stop> {
     let (name, value) = text.split_once('=').map_or((text, None), |(name, value)| (name.trim(), Some(value.trim())));
-    let driven = find::<M>(name)?;
+    let description = const { &M::DESCRIPTION };
+    let driven = find(description, name)?;
     let value = match value {
-        Some(value) => parse_quantity(name, value, driven.quantity::<M>().unit)?,
+        Some(value) => parse_quantity(name, value, driven.quantity(description).unit)?,
         None => driven.value(mechanism, 0.0, &start.positions),
     };
     Ok((driven, value))
@@ -167,73 +174,77 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let sweep = arguments.sweep(&mechanism, &start)?;
+    let directory = arguments.out.clone();
+    let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
+    let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
     let found = kinematics(mechanism, &start, &sweep)?;
-    let table = found.table();
-    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
-    let written = write(&found, &table, arguments, &directory)?;
-    if voice.json && !voice.quiet {
-        let mut said = summary(&found);
-        said["directory"] = directory.to_string_lossy().into();
-        said["files"] = written.names.into();
-        print(&format!("{said:#}\n"))?;
-    } else if !voice.quiet {
-        print(&format!("{}written      {}: {}\n", report(&found), directory.display(), written.names.join(", ")))?;
-    }
-    match found.trajectory.failure {
-        Some(failure) => Err(failure.into()),
-        None if !written.failures.is_empty() => {
-            Err(Stop::Failed(anyhow::anyhow!("{}", written.failures.join("\nerror: "))))
+    let draw = |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.size.show());
+    tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
+}
+
+/// What was found, without the type of the mechanism.
+struct Found<'a> {
+    description: &'static Description,
+    sweep: &'a Sweep,
+    values: &'a [f64],
+    is_cycle: bool,
+    mobility: &'a Mobility,
+    branches: &'a [SpecialPosition],
+    limit: Option<&'a SpecialPosition>,
+    extremes: &'a Extremes,
+    failure: Option<&'a Failure>,
+}
+
+impl<'a> Found<'a> {
+    fn new<M: Mechanism>(found: &'a Kinematics<M>) -> Found<'a> {
+        Found {
+            description: const { &M::DESCRIPTION },
+            sweep: &found.sweep,
+            values: &found.values,
+            is_cycle: found.is_cycle(),
+            mobility: &found.mobility,
+            branches: &found.branches,
+            limit: found.limit.as_ref(),
+            extremes: &found.extremes,
+            failure: found.trajectory.failure.as_ref(),
         }
-        None => Ok(()),
+    }
+
+    /// What is driven.
+    fn driven(&self) -> &'static Quantity {
+        self.sweep.driven.quantity(self.description)
+    }
+
+    /// The drive and the holds, each with what it exerts.
+    fn drives(&self) -> impl Iterator<Item = (Driven, &'a Option<Range>)> {
+        let held = self.sweep.held.iter().map(|(held, _)| *held);
+        [self.sweep.driven].into_iter().chain(held).zip(&self.extremes.forces)
     }
 }
 
-struct Written {
-    names: Vec<String>,
-    failures: Vec<String>,
-}
-
-fn write<M: Mechanism>(
-    found: &Kinematics<M>,
+/// Writes what was found, and prints a summary.
+fn tell(
+    found: &Found,
     table: &Table,
-    arguments: &KinematicsArguments,
-    directory: &Path,
-) -> Result<Written, Stop> {
-    std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why))?;
-    remove_earlier(&M::DESCRIPTION, directory)?;
-    let mut names = Vec::new();
-    for format in Format::ALL.iter().filter(|format| arguments.format.contains(format)) {
-        write_table(table, *format, directory)?;
-        names.push(format!("trajectory.{}", format.name()));
+    (arguments, mut files): (&KinematicsArguments, Files),
+    draw: &dyn Fn(&Table, &Path) -> show::Figures,
+    voice: Voice,
+) -> Result<(), Stop> {
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(&summary(found), path));
+    if !arguments.no_figures && !table.times().is_empty() {
+        files.add_figures(&draw(table, files.directory()));
     }
-    write_json(&summary(found), &directory.join("summary.json"))?;
-    names.push("summary.json".into());
-    if arguments.no_figures || table.times().is_empty() {
-        return Ok(Written { names, failures: Vec::new() });
-    }
-    let drawn = show::sweep_figures(found, table, directory, arguments.size.show());
-    names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-    Ok(Written { names, failures: drawn.failures.iter().map(ToString::to_string).collect() })
-}
-
-fn remove_earlier(description: &Description, directory: &Path) -> Result<(), Stop> {
-    super::files::remove_earlier(description, directory)?;
-    for name in SWEEP_FIGURES.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]) {
-        let path = directory.join(name);
-        if path.is_file() {
-            std::fs::remove_file(&path).map_err(|why| WriteError::new(&path, why))?;
-        }
-    }
-    Ok(())
+    files.say(voice, summary(found), &format!("{}{}", report(found), files.line()))?;
+    files.check(found.failure.iter().map(ToString::to_string).collect(), false)
 }
 
 /// What was found, in declared units.
-fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
-    let description = const { &M::DESCRIPTION };
-    let driven = found.sweep.driven.quantity::<M>();
+fn summary(found: &Found) -> Value {
+    let (description, driven) = (found.description, found.driven());
     let value = |si: f64| si / driven.factor;
-    let special = |position: &crate::SpecialPosition<M>| {
-        let coordinates = description.coordinates.iter().zip(position.positions.iter());
+    let special = |position: &SpecialPosition| {
+        let coordinates = description.coordinates.iter().zip(&position.positions);
         let coordinates = coordinates.map(|(c, q)| (c.position.name.to_owned(), json!(q / c.position.factor)));
         json!({ "at": value(position.value), "coordinates": coordinates.collect::<Map<_, _>>() })
     };
@@ -242,7 +253,7 @@ fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
         let (least, greatest) = (extreme(&range.least, factor), extreme(&range.greatest, factor));
         json!({ "unit": unit, "least": least, "greatest": greatest, "stroke": range.stroke() / factor })
     };
-    let extremes = &found.extremes;
+    let extremes = found.extremes;
     let outputs = description.outputs.iter().enumerate().filter_map(|(i, o)| {
         let mut entry = range(extremes.outputs[i].as_ref()?, o.factor, o.unit);
         if let Some(ratio) = &extremes.time_ratios[i] {
@@ -260,10 +271,9 @@ fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
     let multipliers = description.constraints.iter().zip(&extremes.multipliers);
     let multipliers =
         multipliers.filter_map(|(c, found)| Some((c.name.to_owned(), range(found.as_ref()?, c.factor, c.unit))));
-    let drives = [found.sweep.driven].into_iter().chain(found.sweep.held.iter().map(|(held, _)| *held));
-    let drives = drives.zip(&extremes.forces).filter_map(|(driven, found)| {
-        let unit = driven.force_unit::<M>();
-        Some((driven.quantity::<M>().name.to_owned(), range(found.as_ref()?, 1.0, unit)))
+    let drives = found.drives().filter_map(|(driven, found)| {
+        let unit = driven.force_unit(description);
+        Some((driven.quantity(description).name.to_owned(), range(found.as_ref()?, 1.0, unit)))
     });
     json!({
         "model": description.name,
@@ -276,11 +286,11 @@ fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
             "reached": found.values.last().copied().map(value),
             "samples": found.values.len(),
         },
-        "failure": found.trajectory.failure.as_ref().map(ToString::to_string),
+        "failure": found.failure.map(ToString::to_string),
         "degrees_of_freedom": found.mobility.degrees_of_freedom,
         "redundant_constraints": found.mobility.dependent,
-        "cycle": found.is_cycle(),
-        "limit_position": found.limit.as_ref().map(special),
+        "cycle": found.is_cycle,
+        "limit_position": found.limit.map(special),
         "branch_positions": found.branches.iter().map(special).collect::<Vec<_>>(),
         "drives": drives.collect::<Map<_, _>>(),
         "transmission_index": extremes.transmission.as_ref().map(|found| range(found, 1.0, "1")),
@@ -290,9 +300,9 @@ fn summary<M: Mechanism>(found: &Kinematics<M>) -> Value {
 }
 
 /// The same to be read.
-fn report<M: Mechanism>(found: &Kinematics<M>) -> String {
-    let description = const { &M::DESCRIPTION };
-    let (driven, sweep, extremes) = (found.sweep.driven.quantity::<M>(), &found.sweep, &found.extremes);
+fn report(found: &Found) -> String {
+    let description = found.description;
+    let (driven, sweep, extremes) = (found.driven(), found.sweep, found.extremes);
     let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!(
@@ -305,10 +315,10 @@ fn report<M: Mechanism>(found: &Kinematics<M>) -> String {
         driven.unit,
         found.values.len()
     );
-    for position in &found.branches {
+    for position in found.branches {
         text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
     }
-    if let Some(position) = &found.limit {
+    if let Some(position) = found.limit {
         text += &format!("{:<12} {} goes no further than {}\n", "limit", driven.name, value(position.value));
     }
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
@@ -319,9 +329,8 @@ fn report<M: Mechanism>(found: &Kinematics<M>) -> String {
         let numbers = numbers.map(|number| format!("{:>14}", significant(number))).join(" ");
         text += &format!("{name:<22} {numbers}  {unit}\n");
     };
-    let drives = [sweep.driven].into_iter().chain(sweep.held.iter().map(|(held, _)| *held));
-    for (driven, range) in drives.zip(&extremes.forces) {
-        row(&format!("drive_{}", driven.quantity::<M>().name), range, 1.0, driven.force_unit::<M>());
+    for (driven, range) in found.drives() {
+        row(&format!("drive_{}", driven.quantity(description).name), range, 1.0, driven.force_unit(description));
     }
     row("transmission_index", &extremes.transmission, 1.0, "1");
     for (c, range) in description.constraints.iter().zip(&extremes.multipliers) {

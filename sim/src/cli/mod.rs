@@ -19,6 +19,7 @@ mod arguments;
 mod compare;
 mod files;
 mod generate;
+mod given;
 mod info;
 mod json;
 mod kinematics;
@@ -173,7 +174,10 @@ fn find<'a>(mechanisms: &'a [Entry], name: &str) -> Result<&'a Entry, Stop> {
 
 /// The message for a name that is not known.
 fn unknown<'a>(kind: &str, name: &str, known: impl Iterator<Item = &'a str>) -> Stop {
-    let known: Vec<&str> = known.collect();
+    not_among(kind, name, &known.collect::<Vec<_>>())
+}
+
+fn not_among(kind: &str, name: &str, known: &[&str]) -> Stop {
     let near = nearest::suggestion(name, known.iter().copied());
     Stop::Usage(format!("no {kind} is called `{name}`{near}\nknown: {}", known.join(", ")))
 }

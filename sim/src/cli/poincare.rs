@@ -1,17 +1,16 @@
 //! `sim poincare`.
 
 use super::arguments::{Size, StartArguments, Voice, format};
-use super::run::{mechanism_with, start_with};
+use super::files::Files;
+use super::given::{mechanism_with, start_with};
 use super::settings::positive;
-use super::{Stop, print, progress, unknown};
+use super::{Stop, progress, unknown};
 use crate::show;
-use crate::{
-    Crossing, Format, Method, Section, Sectioning, Settings, Table, What, WriteError, poincare, write_json, write_table,
-};
+use crate::{Crossing, Failure, Format, Method, Period, Sectioning, Settings, Table, What, poincare, write_json};
 use clap::{Args, ValueEnum};
-use serde_json::{Value, json};
-use sim_kernel::Mechanism;
-use std::path::PathBuf;
+use serde_json::json;
+use sim_kernel::{Description, Mechanism};
+use std::path::{Path, PathBuf};
 
 /// Which section of which motion.
 #[derive(Args)]
@@ -91,79 +90,61 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
     let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
-    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
-    let names = write(&found, arguments, &directory)?;
-    let said = summary(&found, arguments);
-    match voice {
-        Voice { quiet: true, .. } => {}
-        Voice { json: true, .. } => print(&format!("{said:#}\n"))?,
-        _ => print(&format!(
-            "{}written      {}: {}\n",
-            report(&found, arguments),
-            directory.display(),
-            names.join(", ")
-        ))?,
-    }
-    match found.trajectory.failure {
-        Some(failure) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
-        Some(failure) => Err(failure.into()),
-        None if found.trajectory.samples.is_empty() => Err(Stop::Failed(anyhow::anyhow!(
-            "event `{}` has not happened in {end} s{}. Give a longer --t-end, or another event",
-            arguments.event,
-            if section.crossing.is_some() { " in this direction" } else { "" }
-        ))),
-        None => Ok(()),
-    }
-}
-
-fn write<M: Mechanism>(
-    found: &Section<M>,
-    arguments: &PoincareArguments,
-    directory: &std::path::Path,
-) -> Result<Vec<String>, Stop> {
-    std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why))?;
-    super::files::remove_earlier(&M::DESCRIPTION, directory)?;
+    let files = Files::new(description, &directory, &["mechanism"])?;
+    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let mut names = Vec::new();
-    for format in Format::ALL.iter().filter(|format| arguments.format.contains(format)) {
-        write_table(&table, *format, directory)?;
-        names.push(format!("trajectory.{}", format.name()));
-    }
-    write_json(&summary(found, arguments), &directory.join("summary.json"))?;
-    names.push("summary.json".into());
-    if !arguments.no_figures {
-        let drawn = show::section_figures(found, directory, arguments.size.show());
-        if let Some(failure) = drawn.failures.into_iter().next() {
-            return Err(failure.into());
-        }
-        names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-    }
-    Ok(names)
+    let draw = |directory: &Path| show::section_figures(&found, directory, arguments.size.show());
+    let (period, failure) = (found.period, found.trajectory.failure.as_ref());
+    tell(description, &table, (period, failure), arguments, &draw, (files, voice))
 }
 
-fn summary<M: Mechanism>(found: &Section<M>, arguments: &PoincareArguments) -> Value {
-    let times = found.trajectory.samples.iter().map(|sample| sample.state.time);
-    json!({
-        "model": M::DESCRIPTION.name,
+/// Writes what was found, and prints it.
+fn tell(
+    description: &Description,
+    table: &Table,
+    (period, failure): (Option<Period>, Option<&Failure>),
+    arguments: &PoincareArguments,
+    draw: &dyn Fn(&Path) -> show::Figures,
+    (mut files, voice): (Files, Voice),
+) -> Result<(), Stop> {
+    let times = table.times();
+    let said = json!({
+        "model": description.name,
         "event": arguments.event,
-        "crossings": found.trajectory.samples.len(),
+        "crossings": times.len(),
         "asked": arguments.count,
-        "period": found.period.map(|period| json!({ "seconds": period.seconds, "crossings": period.crossings })),
-        "times": times.collect::<Vec<_>>(),
-        "failure": found.trajectory.failure.as_ref().map(ToString::to_string),
-    })
+        "period": period.map(|period| json!({ "seconds": period.seconds, "crossings": period.crossings })),
+        "times": times,
+        "failure": failure.map(ToString::to_string),
+    });
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(&said, path));
+    if !arguments.no_figures && !times.is_empty() {
+        files.add_figures(&draw(files.directory()));
+    }
+    files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;
+    let problems = match failure {
+        Some(failure) => vec![failure.to_string()],
+        None if times.is_empty() => vec![format!(
+            "event `{}` has not happened in {} s{}. Give a longer --t-end, or another event",
+            arguments.event,
+            positive("--t-end", &arguments.t_end)?,
+            if arguments.direction.crossing().is_some() { " in this direction" } else { "" }
+        )],
+        None => Vec::new(),
+    };
+    files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
 }
 
-fn report<M: Mechanism>(found: &Section<M>, arguments: &PoincareArguments) -> String {
-    let samples = &found.trajectory.samples;
-    let mut text = format!("{:<12} {}\n", "model", M::DESCRIPTION.name);
-    text += &format!("{:<12} {} states at `{}`", "section", samples.len(), arguments.event);
-    if let (Some(first), Some(last)) = (samples.first(), samples.last()) {
-        text += &format!(", from {:.9} s to {:.9} s", first.state.time, last.state.time);
+fn report(description: &Description, arguments: &PoincareArguments, times: &[f64], period: Option<Period>) -> String {
+    let mut text = format!("{:<12} {}\n", "model", description.name);
+    text += &format!("{:<12} {} states at `{}`", "section", times.len(), arguments.event);
+    if let (Some(first), Some(last)) = (times.first(), times.last()) {
+        text += &format!(", from {first:.9} s to {last:.9} s");
     }
     text += "\n";
-    text += &match found.period {
+    text += &match period {
         Some(period) => format!("{:<12} {:.12} s, {} crossing(s) each\n", "period", period.seconds, period.crossings),
         None => format!("{:<12} none: no state comes again\n", "period"),
     };

@@ -7,8 +7,8 @@ use crate::settings::Settings;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -25,6 +25,28 @@ pub(super) fn watched<T>(
     voice: Voice,
     run: impl FnOnce(&Settings) -> Result<T, Failure>,
 ) -> Result<T, Stop> {
+    let (settings, watch) = begin(settings, voice);
+    let found = run(&settings);
+    watch.end();
+    Ok(found?)
+}
+
+/// Who shows a run while it lasts.
+struct Watch {
+    done: Sender<()>,
+    bar: Option<JoinHandle<()>>,
+}
+
+impl Watch {
+    fn end(self) {
+        drop(self.done);
+        if let Some(bar) = self.bar {
+            let _ = bar.join();
+        }
+    }
+}
+
+fn begin(settings: &Settings, voice: Voice) -> (Settings, Watch) {
     // A program that has its own handler keeps it.
     let _ = ctrlc::set_handler(|| {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
@@ -47,12 +69,7 @@ pub(super) fn watched<T>(
             }
         })
     });
-    let found = run(&settings);
-    drop(done);
-    if let Some(bar) = bar {
-        let _ = bar.join();
-    }
-    Ok(found?)
+    (settings, Watch { done, bar })
 }
 
 fn bar() -> ProgressBar {

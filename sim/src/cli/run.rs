@@ -1,15 +1,19 @@
 //! `sim run`.
 
 use super::arguments::{RunArguments, Voice};
-use super::files::{self, Written};
+use super::files::Files;
+use super::given::{held_at, mechanism_with, start_with};
 use super::list::counted;
-use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
-use super::{Stop, print, progress, unknown};
+use super::{Stop, progress};
 use crate::happening::impulses;
-use crate::{Run, Start, Stepping, Table, What, assemble, dead_points, declared_start, mobility, run, summary};
-use sim_kernel::{Array, Description, Input, Mechanism};
-use std::path::{Path, PathBuf};
+use crate::outcome::{Outcome, Recorded};
+use crate::show::{self, About};
+use crate::write::summary_of;
+use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
+use serde_json::{Value, json};
+use sim_kernel::Mechanism;
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Runs a mechanism, writes what it found, and prints a short table.
@@ -22,20 +26,79 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
-    files::remove_earlier(description, &directory)?;
+    let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let written = files::write(&found, &table, arguments, &reproduction, &directory, clock)?;
-    say(&found, &table, &written, &directory, voice)?;
-    match (found.trajectory.failure, table.undefined_outputs().first()) {
-        (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
-        (Some(failure), _) => Err(failure.into()),
-        (None, Some((name, time))) => Err(Stop::Failed(anyhow::anyhow!(
+    told(&found, &table, arguments, (&reproduction, files, clock), voice)
+}
+
+/// Writes what was found, prints a short table, and says what went wrong.
+fn told(
+    found: &dyn Recorded,
+    table: &Table,
+    arguments: &RunArguments,
+    (reproduction, mut files, clock): (&Reproduction, Files, Instant),
+    voice: Voice,
+) -> Result<(), Stop> {
+    let outcome = found.outcome();
+    let summary = summary_of(&outcome, table);
+    let times = write(&mut files, found, (&outcome, table, &summary), arguments, (reproduction, clock));
+    files.say(voice, summary, &report(&outcome, &files, &times))?;
+    let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(failures(&outcome, table), is_interrupted)
+}
+
+/// Seconds from the start of a run.
+struct Times {
+    /// Until figures were begun.
+    without_figures: f64,
+    /// Until all was written.
+    total: f64,
+}
+
+/// Writes everything: run file, tables, summary, figures, report, and last the times.
+fn write(
+    files: &mut Files,
+    run: &dyn Recorded,
+    (outcome, table, summary): (&Outcome, &Table, &Value),
+    arguments: &RunArguments,
+    (reproduction, clock): (&Reproduction, Instant),
+) -> Times {
+    let seconds = || clock.elapsed().as_secs_f64();
+    files.add("run.json", |path| write_json(&reproduction.file, path));
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(summary, path));
+    let without_figures = seconds();
+    let is_empty = table.times().is_empty();
+    if !arguments.no_report && !is_empty {
+        let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
+        files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
+    }
+    if !arguments.no_figures && !is_empty {
+        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.size.show()));
+    }
+    let times = Times { without_figures, total: seconds() };
+    let timing = json!({
+        "integration_seconds": outcome.integration_seconds,
+        "without_figures_seconds": times.without_figures,
+        "total_seconds": times.total,
+    });
+    files.add("timing.json", |path| write_json(&timing, path));
+    times
+}
+
+/// What went wrong in the motion or its outputs.
+fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+    let of_output = |(name, time): &(&str, f64)| {
+        format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
-        ))),
-        (None, None) => written.check(),
+        )
+    };
+    match &outcome.failure {
+        Some(failure) => vec![failure.to_string()],
+        None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
     }
 }
 
@@ -48,86 +111,8 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
     }
 }
 
-/// Prints what came of it.
-fn say<M: Mechanism>(
-    run: &Run<M>,
-    table: &Table,
-    written: &Written,
-    directory: &Path,
-    voice: Voice,
-) -> Result<(), Stop> {
-    match voice {
-        Voice { quiet: true, .. } => Ok(()),
-        Voice { json: true, .. } => {
-            let mut summary = summary(run, table);
-            summary["directory"] = directory.to_string_lossy().into();
-            summary["files"] = written.names.clone().into();
-            print(&format!("{summary:#}\n"))
-        }
-        _ => print(&report(run, table, written, directory)),
-    }
-}
-
-pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut parameters = M::defaults().parameters();
-    for text in settings {
-        let (name, value) = split_assignment("--set", text)?;
-        let known = || description.parameters.iter().map(|p| p.name);
-        if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
-            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
-        }
-        if description.inputs.iter().any(|input| input.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
-        }
-        let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
-        parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
-    }
-    Ok(M::with_parameters(parameters))
-}
-
-/// The mechanism with inputs held at what the user says.
-fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut inputs = mechanism.inputs();
-    for text in settings {
-        let (name, value) = split_assignment("--input", text)?;
-        let known = || description.inputs.iter().map(|input| input.name);
-        if description.parameters.iter().any(|p| p.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-        }
-        let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
-        inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
-    }
-    Ok(mechanism.with_inputs(inputs))
-}
-
-pub(super) fn start_with<M: Mechanism>(
-    mechanism: &M,
-    description: &Description,
-    settings: &[String],
-) -> Result<Start<M>, Stop> {
-    let mut start = declared_start(mechanism);
-    for text in settings {
-        let (name, value) = split_assignment("--initial", text)?;
-        let coordinates = description.coordinates;
-        if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
-            start.positions[at] = parse_quantity(name, value, coordinates[at].position.unit)?;
-            start.position_given[at] = coordinates[at].start != sim_kernel::Start::Guess;
-        } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
-            start.speeds[at] = parse_quantity(name, value, coordinates[at].speed.unit)?;
-            start.speed_given[at] = true;
-        } else {
-            if description.parameters.iter().any(|p| p.name == name) {
-                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-            }
-            let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
-            return Err(unknown("coordinate or speed", name, known));
-        }
-    }
-    Ok(start)
-}
-
 /// The method, its steps and what they took.
-fn method<M: Mechanism>(run: &Run<M>) -> String {
+fn method(run: &Outcome) -> String {
     let settings = &run.settings;
     let steps = match settings.stepping {
         Stepping::Equal(steps) => format!("{} of {:.6e} s", counted(steps, "step"), settings.end / steps as f64),
@@ -141,13 +126,13 @@ fn method<M: Mechanism>(run: &Run<M>) -> String {
 }
 
 /// The short table for the terminal.
-fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, directory: &Path) -> String {
-    let description = const { &M::DESCRIPTION };
+fn report(run: &Outcome, files: &Files, times: &Times) -> String {
+    let description = run.description;
     let end = run.settings.end;
-    let reached = table.times().last().copied().unwrap_or(0.0);
+    let reached = run.reached;
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
-    match run.period() {
+    match run.period {
         Some(period) => rows.push(("period", format!("{period:.12} s"))),
         None if description.events.iter().any(|event| event.name == "period") => {
             rows.push(("period", "not reached".into()))
@@ -155,13 +140,14 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         None => {}
     }
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
-        let impulses =
-            impulses(event).into_iter().map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let impulses = impulses(event, description)
+            .into_iter()
+            .map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
         let more: String = impulses.collect();
-        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.state.time)));
+        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
     }
-    for point in dead_points(run).iter().take(8) {
-        let (of, time) = (point.of.join(", "), point.state.time);
+    for (of, time) in run.dead_points.iter().take(8) {
+        let of = of.join(", ");
         rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
@@ -169,7 +155,7 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
-    if M::L::LEN > 0 {
+    if !description.constraints.is_empty() {
         let (positions, velocities) = (run.position_residual, run.velocity_residual);
         rows.push((
             "constraints",
@@ -187,18 +173,18 @@ fn report<M: Mechanism>(run: &Run<M>, table: &Table, written: &Written, director
         rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
-    let integration = milliseconds(run.integration_time.as_secs_f64());
-    let (without, total) = (milliseconds(written.without_figures), milliseconds(written.total));
+    let integration = milliseconds(run.integration_seconds);
+    let (without, total) = (milliseconds(times.without_figures), milliseconds(times.total));
     rows.push((
         "wall time",
         format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
     ));
-    let tables = written.names.iter().filter(|name| !name.ends_with(".svg") && !name.ends_with(".png"));
-    let files: Vec<&str> = tables.map(String::as_str).collect();
-    let figures = counted(written.figures, "figure");
-    rows.push(("written", format!("{}: {}, {figures}", directory.display(), files.join(", "))));
-    if written.names.iter().any(|name| name == "report.html") {
-        rows.push(("look at", format!("{}", directory.join("report.html").display())));
+    let is_figure = |name: &&String| name.ends_with(".svg") || name.ends_with(".png");
+    let others: Vec<&str> = files.names.iter().filter(|name| !is_figure(name)).map(String::as_str).collect();
+    let figures = counted(files.names.iter().filter(|name| name.ends_with(".svg")).count(), "figure");
+    rows.push(("written", format!("{}: {}, {figures}", files.directory().display(), others.join(", "))));
+    if files.names.iter().any(|name| name == "report.html") {
+        rows.push(("look at", format!("{}", files.directory().join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }

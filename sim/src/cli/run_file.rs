@@ -7,7 +7,7 @@ use crate::settings::{Rows, Settings, Stepping};
 use clap::CommandFactory;
 use codegen::model::Unit;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Mechanism, Quantity, Start as Known};
+use sim_kernel::{Description, Input, Mechanism, Quantity, Start as Known};
 use std::ffi::OsString;
 use std::fs;
 
@@ -25,6 +25,16 @@ pub(super) struct Reproduction {
     pub(super) command: String,
 }
 
+/// What a run is given of its mechanism.
+struct Given<'a> {
+    description: &'static Description,
+    /// Parameters and their defaults.
+    values: &'a [f64],
+    defaults: &'a [f64],
+    inputs: &'a [Input<f64>],
+    initial: Vec<(&'static str, String, bool)>,
+}
+
 impl Reproduction {
     /// Of a run as it was asked for, defaults and all.
     pub(super) fn new<M: Mechanism>(
@@ -33,19 +43,29 @@ impl Reproduction {
         settings: &Settings,
         arguments: &RunArguments,
     ) -> Reproduction {
-        let description = const { &M::DESCRIPTION };
-        let (values, defaults) = (mechanism.parameters(), M::defaults().parameters());
+        let (values, defaults, inputs) = (mechanism.parameters(), M::defaults().parameters(), mechanism.inputs());
+        let given = Given {
+            description: const { &M::DESCRIPTION },
+            values: values.as_ref(),
+            defaults: defaults.as_ref(),
+            inputs: inputs.as_ref(),
+            initial: initial(mechanism, start),
+        };
+        Reproduction::of(given, settings, arguments)
+    }
+
+    fn of(given: Given, settings: &Settings, arguments: &RunArguments) -> Reproduction {
+        let Given { description, values, defaults, inputs, initial } = given;
         let parameters: Vec<(&str, String, bool)> = description
             .parameters
             .iter()
             .enumerate()
             .map(|(i, p)| (p.name, in_si(p, values[i]), values[i] != defaults[i]))
             .collect();
-        let initial = initial(mechanism, start);
         let inputs: Vec<(&str, String, bool)> = description
             .inputs
             .iter()
-            .zip(mechanism.inputs().iter())
+            .zip(inputs)
             .filter_map(|(quantity, input)| Some((quantity.name, in_si(quantity, input.held()?), true)))
             .collect();
         let options = options(settings, arguments, description.events);
@@ -195,10 +215,10 @@ impl RunFile {
             "options" => message.contains(&format!("--{name}")),
             _ => message.contains(&format!("`{name}`")) || message.starts_with(&format!("{name}:")),
         };
-        let found = members("parameters").chain(members("initial")).chain(members("options")).find(speaks_of);
+        let found = ["parameters", "initial", "inputs", "options"].into_iter().flat_map(members).find(speaks_of);
         let field = match found {
             Some((entry, name)) => format!("{entry}.{name}: "),
-            None if message.contains("no mechanism") => "model: ".to_owned(),
+            None if message.contains("no model is called") => "model: ".to_owned(),
             None => String::new(),
         };
         format!("{}: {field}{message}", self.path)

@@ -1,13 +1,15 @@
 //! `sim assemble` and `sim equilibrium`.
 
 use super::arguments::{AssembleArguments, StartArguments, Voice};
+use super::given::{mechanism_with, start_with};
 use super::list::counted;
-use super::run::{mechanism_with, start_with};
 use super::{Stop, print};
-use crate::{Branches, Loop, assemble, branches, check_masses, equilibrium, mobility, residuals};
+use crate::outcome::list;
+use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
+use nalgebra::Complex;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Mechanism, Quantity};
-use std::io::Write;
+use sim_kernel::{Description, Mechanism, Quantity};
+use std::fmt::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
 pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
@@ -15,37 +17,57 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voic
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
     if arguments.branches {
-        return say_branches(&branches(&mechanism, &start), voice);
+        let Branches { loops, open, positions } = branches(&mechanism, &start);
+        return say_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>(), voice);
     }
     let state = assemble(&mechanism, &start)?;
     check_masses(&mechanism, state.time, &state.positions)?;
     let found = mobility(&mechanism, state.time, &state.positions);
-    let (position, velocity) = residuals(&mechanism, &state);
+    let numbers = (state.positions.as_ref(), state.speeds.as_ref());
+    say_assembled(description, &found, numbers, residuals(&mechanism, &state), voice)
+}
+
+fn say_assembled(
+    description: &Description,
+    found: &Mobility,
+    (positions, speeds): (&[f64], &[f64]),
+    (position, velocity): (f64, f64),
+    voice: Voice,
+) -> Result<(), Stop> {
     if voice.quiet {
         return Ok(());
     }
     if voice.json {
-        let coordinates = named(description.coordinates.iter().map(|c| &c.position), &state.positions);
-        let speeds = named(description.coordinates.iter().map(|c| &c.speed), &state.speeds);
+        let coordinates = named(description.coordinates.iter().map(|c| &c.position), positions);
+        let speeds = named(description.coordinates.iter().map(|c| &c.speed), speeds);
         let said = json!({
             "model": description.name,
             "degrees_of_freedom": found.degrees_of_freedom,
             "configuration_freedom": found.configuration_freedom,
             "redundant_constraints": found.dependent,
+            "singular_constraints": found.singular,
             "coordinates": coordinates,
             "speeds": speeds,
             "residuals": { "position": position, "velocity": velocity },
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
-    let freedom = super::info::freedom(&found);
-    let coordinates = counted(M::Q::LEN, "coordinate");
-    writeln!(out, "{}: {coordinates}, {}, {freedom}", description.name, counted(M::L::LEN, "constraint"))?;
+    let mut out = String::new();
+    let freedom = super::info::freedom(found);
+    let coordinates = counted(positions.len(), "coordinate");
+    writeln!(
+        out,
+        "{}: {coordinates}, {}, {freedom}",
+        description.name,
+        counted(description.constraints.len(), "constraint")
+    )?;
     for line in found.redundancies() {
         writeln!(out, "redundant    {line}")?;
     }
-    for (c, (q, qd)) in description.coordinates.iter().zip(state.positions.iter().zip(state.speeds.iter())) {
+    for line in found.singularities() {
+        writeln!(out, "singular     {line}")?;
+    }
+    for (c, (q, qd)) in description.coordinates.iter().zip(positions.iter().zip(speeds)) {
         let (position, speed) = (q / c.position.factor, qd / c.speed.factor);
         writeln!(
             out,
@@ -53,14 +75,20 @@ pub(super) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voic
             c.position.name, c.position.unit, c.speed.unit
         )?;
     }
-    Ok(writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?)
+    writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
+    print(&out)
 }
 
 /// Prints in which ways the loops close, and the configurations.
-fn say_branches<M: Mechanism>(found: &Branches<M>, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
+fn say_branches(
+    description: &Description,
+    loops: &[Loop],
+    open: &[&str],
+    branches: &[Vec<f64>],
+    voice: Voice,
+) -> Result<(), Stop> {
     let positions = || description.coordinates.iter().map(|c| &c.position);
-    let coordinates = |q: &M::Q| named(positions(), q);
+    let coordinates = |q: &Vec<f64>| named(positions(), q);
     if voice.quiet {
         return Ok(());
     }
@@ -68,28 +96,28 @@ fn say_branches<M: Mechanism>(found: &Branches<M>, voice: Voice) -> Result<(), S
         let of = |l: &Loop| json!({ "form": l.form.to_string(), "constraints": l.constraints, "coordinates": l.coordinates });
         let said = json!({
             "model": description.name,
-            "loops": found.loops.iter().map(of).collect::<Vec<_>>(),
-            "not_in_closed_form": found.open,
-            "branches": found.positions.iter().map(coordinates).collect::<Vec<_>>(),
+            "loops": loops.iter().map(of).collect::<Vec<_>>(),
+            "not_in_closed_form": open,
+            "branches": branches.iter().map(coordinates).collect::<Vec<_>>(),
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
-    for Loop { constraints, coordinates, form } in &found.loops {
+    let mut out = String::new();
+    for Loop { constraints, coordinates, form } in loops {
         let (constraints, coordinates) = (constraints.join(", "), coordinates.join(", "));
         writeln!(out, "loop         {constraints} closes {coordinates}: {form}")?;
     }
-    for name in &found.open {
+    for name in open {
         writeln!(out, "loop         {name} is not found in closed form; its guess decides")?;
     }
-    if found.positions.is_empty() {
+    if branches.is_empty() {
         writeln!(out, "branches     none: the links do not reach each other")?;
     }
-    for (k, q) in found.positions.iter().enumerate() {
+    for (k, q) in branches.iter().enumerate() {
         let values = positions().zip(q.iter()).map(|(c, q)| format!("{} = {:.12} {}", c.name, q / c.factor, c.unit));
         writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
     }
-    Ok(())
+    print(&out)
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
@@ -97,34 +125,45 @@ pub(super) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments, voic
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
+    say_equilibrium(description, positions, multipliers, &found.eigenvalues, voice)
+}
+
+fn say_equilibrium(
+    description: &Description,
+    positions: &[f64],
+    multipliers: &[f64],
+    eigenvalues: &[Complex<f64>],
+    voice: Voice,
+) -> Result<(), Stop> {
     if voice.quiet {
         return Ok(());
     }
     if voice.json {
-        let eigenvalues = found.eigenvalues.iter().map(|value| json!([value.re, value.im]));
+        let eigenvalues = eigenvalues.iter().map(|value| json!([value.re, value.im]));
         let said = json!({
             "model": description.name,
-            "coordinates": named(description.coordinates.iter().map(|c| &c.position), &found.state.positions),
-            "multipliers": named(description.constraints.iter(), &found.multipliers),
+            "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
+            "multipliers": named(description.constraints.iter(), multipliers),
             "eigenvalues": eigenvalues.collect::<Vec<_>>(),
         });
         return print(&format!("{said:#}\n"));
     }
-    let mut out = std::io::stdout().lock();
-    for (c, q) in description.coordinates.iter().zip(found.state.positions.iter()) {
+    let mut out = String::new();
+    for (c, q) in description.coordinates.iter().zip(positions) {
         writeln!(out, "{:<20} {:>20.12} {}", c.position.name, q / c.position.factor, c.position.unit)?;
     }
-    for (c, lambda) in description.constraints.iter().zip(found.multipliers.iter()) {
+    for (c, lambda) in description.constraints.iter().zip(multipliers) {
         writeln!(out, "{:<20} {:>20.12} {}", format!("lambda_{}", c.name), lambda / c.factor, c.unit)?;
     }
-    for value in found.eigenvalues {
+    for value in eigenvalues {
         writeln!(out, "{:<20} {:>20.12} {:+.12} i 1/s", "eigenvalue", value.re, value.im)?;
     }
-    Ok(())
+    print(&out)
 }
 
 /// Values by name, in their units.
-fn named<'a, A: Array<f64>>(quantities: impl Iterator<Item = &'a Quantity>, values: &A) -> Map<String, Value> {
+fn named<'a>(quantities: impl Iterator<Item = &'a Quantity>, values: &[f64]) -> Map<String, Value> {
     let entry =
         |(q, value): (&Quantity, &f64)| (q.name.to_owned(), json!({ "value": value / q.factor, "unit": q.unit }));
     quantities.zip(values.iter()).map(entry).collect()

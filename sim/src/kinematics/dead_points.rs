@@ -47,7 +47,7 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
         }
         if let Some((before, known)) = last.filter(|(_, known)| known * value < 0.0) {
             let between = |fraction: f64| hermite(&samples[before], sample, fraction);
-            let place = find_root(known, value, 1e-14, |s| Ok::<f64, Infallible>(determinant(&between(s))));
+            let place = find_root(known, value, 1e-14, &mut |s| Ok::<f64, Infallible>(determinant(&between(s))));
             found.push(DeadPoint { of: independent.clone(), state: between(place.unwrap_or(1.0)) });
         }
         last = Some((i, value));

@@ -1,7 +1,7 @@
 //! What a drive moves: a coordinate, or an output that is a function of positions.
 
 use crate::failure::{Failure, What};
-use sim_kernel::{Array, Dual, Mechanism, Quantity};
+use sim_kernel::{Array, Description, Dual, Mechanism, Quantity};
 
 /// A quantity y(q, t) that a drive moves or holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,16 +23,14 @@ type Twice = Dual<Dual<f64>>;
 
 impl Driven {
     /// The coordinate or output of this name.
-    pub fn find<M: Mechanism>(name: &str) -> Option<Driven> {
-        let description = const { &M::DESCRIPTION };
+    pub fn find(description: &Description, name: &str) -> Option<Driven> {
         let coordinate = description.coordinates.iter().position(|c| c.position.name == name);
         let output = || description.outputs.iter().position(|o| o.name == name);
         coordinate.map(Driven::Coordinate).or_else(|| output().map(Driven::Output))
     }
 
     /// Its name, unit and documentation.
-    pub fn quantity<M: Mechanism>(self) -> &'static Quantity {
-        let description = const { &M::DESCRIPTION };
+    pub fn quantity(self, description: &'static Description) -> &'static Quantity {
         match self {
             Driven::Coordinate(i) => &description.coordinates[i].position,
             Driven::Output(i) => &description.outputs[i],
@@ -40,17 +38,17 @@ impl Driven {
     }
 
     /// What moves it: N*m for an angle, N for a length, J per its unit for anything else.
-    pub fn force_unit<M: Mechanism>(self) -> &'static str {
-        match self.quantity::<M>().unit {
-            "rad" | "deg" | "rev" => "N*m",
-            "m" | "mm" | "cm" | "dm" | "um" | "km" | "inch" | "ft" => "N",
+    pub fn force_unit(self, description: &'static Description) -> &'static str {
+        match self.quantity(description).unit {
+            unit if is_angle(unit) => "N*m",
+            unit if is_one_of(unit, "m", &["inch", "ft"]) => "N",
             _ => "J",
         }
     }
 
     /// A whole turn in radians, if it is an angle.
-    pub fn turn<M: Mechanism>(self) -> Option<f64> {
-        matches!(self.quantity::<M>().unit, "rad" | "deg" | "rev").then_some(std::f64::consts::TAU)
+    pub fn turn(self, description: &'static Description) -> Option<f64> {
+        is_angle(self.quantity(description).unit).then_some(std::f64::consts::TAU)
     }
 
     /// y at a position.
@@ -103,9 +101,22 @@ impl Driven {
         let Driven::Output(i) = self else { return Ok(()) };
         match is_of_positions(mechanism, i, time, q) {
             true => Ok(()),
-            false => Err(Failure::at::<M>(What::NotOfPositions { output: self.quantity::<M>().name }, time, q)),
+            false => Err(Failure::at::<M>(
+                What::NotOfPositions { output: self.quantity(const { &M::DESCRIPTION }).name },
+                time,
+                q,
+            )),
         }
     }
+}
+
+fn is_angle(unit: &str) -> bool {
+    is_one_of(unit, "rad", &["deg", "rev"])
+}
+
+/// Whether a unit is a base, with a prefix or without, or one of others.
+fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
+    others.contains(&unit) || unit.strip_suffix(base).is_some_and(|prefix| prefix.chars().count() <= 1)
 }
 
 /// Whether an output has a rate and does not change with speeds.

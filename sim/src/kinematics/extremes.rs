@@ -85,7 +85,7 @@ pub(super) fn find<M: Mechanism>(swept: &Swept<M>, sweep: &Sweep, transmission: 
     let positions = positions(swept);
     let rated = |i: usize| M::DESCRIPTION.rated_outputs.iter().position(|rated| *rated == i);
     let ratio = |i: usize| rated(i).filter(|_| positions[i]).and_then(|rate| of(Watched::Ratio(rate)));
-    let turn = sweep.is_turn::<M>() && swept.failure.is_none();
+    let turn = sweep.is_turn(const { &M::DESCRIPTION }) && swept.failure.is_none();
     let time_ratio = |i: usize| outputs[i].filter(|_| positions[i] && turn).and_then(|range| divide(&range));
     // The index is the determinant in another scale, which any sample tells.
     let scale = swept.motion.iter().zip(transmission).find(|(motion, _)| motion.determinant != 0.0);
@@ -146,7 +146,7 @@ fn locate<M: Mechanism>(swept: &Swept<M>, watched: Watched, values: &[f64], sign
     let turning = turning_place(swept, watched, first, last, &at);
     let refined = match turning {
         Some(fraction) => at(fraction).map(|motion| (fraction, value(swept, watched, &motion))),
-        None => find_minimum(|fraction| Ok(sign * value(swept, watched, &at(fraction)?)))
+        None => find_minimum(&mut |fraction| Ok(sign * value(swept, watched, &at(fraction)?)))
             .map(|(fraction, least)| (fraction, sign * least)),
     };
     match refined {
@@ -170,7 +170,9 @@ fn turning_place<M: Mechanism>(
     let [before, after] = [first, last].map(|i| rate(swept, rated, &swept.motion[i]));
     let changes = before * after < 0.0;
     changes
-        .then(|| find_root(before, after, 1e-15, |fraction| Ok::<f64, Failure>(rate(swept, rated, &at(fraction)?))))?
+        .then(|| {
+            find_root(before, after, 1e-15, &mut |fraction| Ok::<f64, Failure>(rate(swept, rated, &at(fraction)?)))
+        })?
         .ok()
 }
 

@@ -13,7 +13,7 @@ use crate::assemble::Start;
 use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Description, Mechanism};
 
 pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
@@ -47,9 +47,9 @@ pub struct Kinematics<M: Mechanism> {
     /// Degrees of freedom without drives and dependent constraints, at the start.
     pub mobility: Mobility,
     /// Where other branches of the motion cross that which was followed.
-    pub branches: Vec<SpecialPosition<M>>,
+    pub branches: Vec<SpecialPosition>,
     /// Where the drive can go no further.
-    pub limit: Option<SpecialPosition<M>>,
+    pub limit: Option<SpecialPosition>,
     /// Least and greatest values of everything, and where.
     pub extremes: Extremes,
 }
@@ -116,17 +116,19 @@ impl<M: Mechanism> Kinematics<M> {
         let turns = |change: f64| (change / std::f64::consts::TAU - (change / std::f64::consts::TAU).round()).abs();
         let returns = |j: usize| {
             let change = last.state.positions[j] - first.state.positions[j];
-            let is_angle = Driven::Coordinate(j).turn::<M>().is_some();
+            let is_angle = Driven::Coordinate(j).turn(const { &M::DESCRIPTION }).is_some();
             if is_angle { turns(change) < 1e-9 } else { change.abs() < 1e-9 }
         };
-        self.sweep.is_turn::<M>() && self.trajectory.failure.is_none() && (0..M::Q::LEN).all(returns)
+        self.sweep.is_turn(const { &M::DESCRIPTION })
+            && self.trajectory.failure.is_none()
+            && (0..M::Q::LEN).all(returns)
     }
 }
 
 impl Sweep {
     /// Whether an angle is driven through one whole turn.
-    pub fn is_turn<M: Mechanism>(&self) -> bool {
-        let turn = self.driven.turn::<M>();
+    pub fn is_turn(&self, description: &'static Description) -> bool {
+        let turn = self.driven.turn(description);
         turn.is_some_and(|turn| ((self.to - self.from).abs() - turn).abs() <= 1e-9 * turn)
     }
 }

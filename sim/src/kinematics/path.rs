@@ -97,7 +97,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
             *length /= 2.0;
             if !(*length > SMALLEST_STEP * self.longest) {
                 let (q, p) = self.place(from);
-                let driven = self.system.laws[0].driven.quantity::<M>().name;
+                let driven = self.system.laws[0].driven.quantity(const { &M::DESCRIPTION }).name;
                 return Err(Failure::at::<M>(What::NotFollowed { driven }, self.system.time(p), &q));
             }
         }
@@ -187,7 +187,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
             Special::Limit => [before, after],
             Special::Branch => [value(0.0), value(1.0)],
         };
-        let found = find_root::<std::convert::Infallible>(ends[0], ends[1], PLACE, |fraction| Ok(value(fraction)));
+        let found = find_root::<std::convert::Infallible>(ends[0], ends[1], PLACE, &mut |fraction| Ok(value(fraction)));
         let fraction = found.unwrap_or(1.0);
         let (q, p) = self.place(&self.inside(span, fraction));
         Some((kind, q, p))
@@ -212,12 +212,12 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
     pub(super) fn at(&self, span: &Span, p: f64) -> Option<M::Q> {
         let n = M::Q::LEN;
         let wanted = self.weight * p;
-        let ahead = |fraction: f64| Ok::<f64, std::convert::Infallible>(span.cubic(fraction)[n] - wanted);
+        let mut ahead = |fraction: f64| Ok::<f64, std::convert::Infallible>(span.cubic(fraction)[n] - wanted);
         let ends = [span.from.z[n] - wanted, span.to.z[n] - wanted];
         let fraction = match () {
             _ if ends[0] == 0.0 => 0.0,
             _ if ends[1] == 0.0 => 1.0,
-            _ => find_root(ends[0], ends[1], PLACE, ahead).unwrap_or(1.0),
+            _ => find_root(ends[0], ends[1], PLACE, &mut ahead).unwrap_or(1.0),
         };
         let guess = self.inside(span, fraction);
         let (q, _) = self.place(&guess);

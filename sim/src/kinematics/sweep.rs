@@ -7,6 +7,7 @@ use super::system::{Law, System};
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::mobility::Mobility;
+use crate::outcome::list;
 use sim_kernel::{Array, Mechanism};
 
 /// How a mechanism is driven.
@@ -40,11 +41,11 @@ impl Sweep {
 
 /// A position in which the drive cannot go further, or another branch of the motion crosses.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SpecialPosition<M: Mechanism> {
+pub struct SpecialPosition {
     /// The value of what is driven, in SI units.
     pub value: f64,
     /// The coordinates there.
-    pub positions: M::Q,
+    pub positions: Vec<f64>,
 }
 
 /// What the sweep met.
@@ -52,8 +53,8 @@ pub(super) struct Swept<'m, M: Mechanism> {
     pub(super) system: System<'m, M>,
     pub(super) mobility: Mobility,
     pub(super) motion: Vec<Prescribed<M>>,
-    pub(super) branches: Vec<SpecialPosition<M>>,
-    pub(super) limit: Option<SpecialPosition<M>>,
+    pub(super) branches: Vec<SpecialPosition>,
+    pub(super) limit: Option<SpecialPosition>,
     pub(super) failure: Option<Failure>,
 }
 
@@ -161,7 +162,7 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, path: &Path<M>, mut from: Point, 
                 return Err(failure);
             }
             Some((Special::Branch, positions, p)) if p <= sweep.parameter(sweep.steps) => {
-                swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions });
+                swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions: list(&positions) });
             }
             _ => {}
         }
@@ -196,9 +197,9 @@ fn checked<M: Mechanism>(system: &System<M>, q: &M::Q, p: f64) -> Result<Prescri
 }
 
 /// A limit position, and the failure to pass it.
-fn limit<M: Mechanism>(system: &System<M>, positions: M::Q, p: f64) -> (SpecialPosition<M>, Failure) {
-    let (driven, value) = (system.laws[0].driven.quantity::<M>(), system.laws[0].at(p));
+fn limit<M: Mechanism>(system: &System<M>, positions: M::Q, p: f64) -> (SpecialPosition, Failure) {
+    let (driven, value) = (system.laws[0].driven.quantity(const { &M::DESCRIPTION }), system.laws[0].at(p));
     let shown = format!("{:.9} {}", value / driven.factor, driven.unit);
     let what = What::LimitPosition { driven: driven.name, value: shown };
-    (SpecialPosition { value, positions }, Failure::at::<M>(what, system.time(p), &positions))
+    (SpecialPosition { value, positions: list(&positions) }, Failure::at::<M>(what, system.time(p), &positions))
 }

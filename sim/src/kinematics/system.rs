@@ -121,7 +121,7 @@ impl<'m, M: Mechanism> System<'m, M> {
 
     /// That the drive does not determine the motion at a position.
     pub(super) fn singular(&self, q: &M::Q, p: f64) -> Failure {
-        let driven = self.laws.first().map_or("nothing", |law| law.driven.quantity::<M>().name);
+        let driven = self.laws.first().map_or("nothing", |law| law.driven.quantity(const { &M::DESCRIPTION }).name);
         Failure::at::<M>(What::DriveSingular { driven }, self.time(p), q)
     }
 

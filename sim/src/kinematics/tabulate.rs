@@ -14,8 +14,8 @@ impl<M: Mechanism> Kinematics<M> {
         let mut columns: Vec<Column> = driven
             .zip(&self.forces)
             .map(|(driven, forces)| Column {
-                name: format!("drive_{}", driven.quantity::<M>().name),
-                unit: driven.force_unit::<M>().into(),
+                name: format!("drive_{}", driven.quantity(const { &M::DESCRIPTION }).name),
+                unit: driven.force_unit(const { &M::DESCRIPTION }).into(),
                 values: forces.clone(),
             })
             .collect();
@@ -26,7 +26,7 @@ impl<M: Mechanism> Kinematics<M> {
     }
 
     fn ratios(&self) -> impl Iterator<Item = Column> + '_ {
-        let (s, rate) = (self.sweep.driven.quantity::<M>(), self.sweep.rate());
+        let (s, rate) = (self.sweep.driven.quantity(const { &M::DESCRIPTION }), self.sweep.rate());
         let rated = M::DESCRIPTION.rated_outputs.iter().enumerate();
         let rated = rated.filter(|(_, output)| self.extremes.ratios[**output].is_some());
         rated.flat_map(move |(place, output)| {

@@ -1,8 +1,8 @@
 //! How accelerations, multipliers and outputs change with state and inputs.
 
 use super::Change;
+use crate::equations::accelerate;
 use crate::failure::Failure;
-use crate::motion::accelerate;
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Dual, Dynamics, Mechanism, Scalar};
@@ -91,7 +91,7 @@ fn differences<M: Mechanism>(
     let changed = |k: usize, step: f64| {
         let mut parameters = parameters;
         parameters[inputs[k]] += step;
-        M::with_parameters(parameters).with_inputs(mechanism.inputs()).with_activities(mechanism.activities())
+        mechanism.with_parameters(parameters)
     };
     Ok(Derivatives {
         by_positions: columns(n, &|j, step| solve(mechanism, &moved(q, j, step), qd), &|j| q[j])?,
@@ -112,7 +112,7 @@ fn lifted<M: Mechanism>(mechanism: &M, parameter: Option<usize>) -> M::On<Dual> 
     let Some(p) = parameter else { return constant };
     let mut parameters = constant.parameters();
     parameters[p] = Dual::variable(parameters[p].value);
-    M::On::<Dual>::with_parameters(parameters).with_inputs(constant.inputs()).with_activities(constant.activities())
+    constant.with_parameters(parameters)
 }
 
 /// Whether constraints change with a parameter, which then is no input.

@@ -1,8 +1,9 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
 use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels};
-use crate::{Column, Run, Sample, Table};
-use sim_kernel::{Array, Description, Figure, Mechanism};
+use crate::outcome::{Outcome, Recorded, Row};
+use crate::{Column, Run, Table};
+use sim_kernel::{Description, Figure, Mechanism};
 use std::ops::Range;
 use std::path::Path;
 
@@ -31,10 +32,20 @@ impl Figures {
 
 /// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
 pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size: Size) -> Figures {
-    let description = const { &M::DESCRIPTION };
+    figures_of(run, &run.outcome(), table, directory, size)
+}
+
+pub(crate) fn figures_of(
+    run: &dyn Recorded,
+    outcome: &Outcome,
+    table: &Table,
+    directory: &Path,
+    size: Size,
+) -> Figures {
+    let description = outcome.description;
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
-        figures.add("mechanism", draw_mechanism(&run.mechanism, &chosen(run), directory, size));
+        figures.add("mechanism", draw_mechanism(description, &chosen(run, outcome, table.times()), directory, size));
     }
     figures
 }
@@ -93,19 +104,13 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
 }
 
 /// The mechanism at several samples.
-pub(super) fn draw_mechanism<M: Mechanism>(
-    mechanism: &M,
-    samples: &[&Sample<M>],
+pub(super) fn draw_mechanism(
+    description: &Description,
+    rows: &[Row],
     directory: &Path,
     size: Size,
 ) -> Result<(), ShowError> {
-    let description = const { &M::DESCRIPTION };
-    let drawn: Vec<(f64, M::Drawing)> = samples
-        .iter()
-        .map(|sample| (sample.state.time, mechanism.drawing(sample.state.time, &sample.state.positions)))
-        .collect();
-    let poses: Vec<Pose> =
-        drawn.iter().map(|(time, numbers)| Pose { numbers: numbers.as_ref(), time: *time }).collect();
+    let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
     let title = match poses.len() {
         1 => description.type_name.to_owned(),
         n => format!("{} in {n} positions", description.type_name),
@@ -114,27 +119,24 @@ pub(super) fn draw_mechanism<M: Mechanism>(
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.
-fn chosen<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
-    let samples = &run.trajectory.samples;
-    let Some(period) = run.period() else { return most_different(run) };
+fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64]) -> Vec<Row> {
+    let Some(period) = outcome.period else { return most_different(run, outcome.samples) };
     let nearest = |wanted: f64| {
-        let apart = |sample: &Sample<M>| (sample.state.time - wanted).abs();
-        samples.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))
+        let apart = |index: &usize| (times[*index] - wanted).abs();
+        (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
     };
-    let mut chosen: Vec<&Sample<M>> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
-    chosen.dedup_by(|a, b| a.state.time == b.state.time);
-    chosen
+    let mut chosen: Vec<usize> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
+    chosen.dedup_by(|a, b| times[*a] == times[*b]);
+    chosen.into_iter().map(|index| run.row(index)).collect()
 }
 
 /// The first sample, then each time the one whose drawing is farthest from all before: at equal times an oscillation
 /// could look as if it stood still.
-fn most_different<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
-    let samples = &run.trajectory.samples;
-    let candidates: Vec<&Sample<M>> = samples.iter().step_by(samples.len().div_ceil(MOST_CANDIDATES).max(1)).collect();
-    let drawings: Vec<M::Drawing> =
-        candidates.iter().map(|sample| run.mechanism.drawing(sample.state.time, &sample.state.positions)).collect();
+fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
+    let stride = samples.div_ceil(MOST_CANDIDATES).max(1);
+    let candidates: Vec<Row> = (0..samples).step_by(stride).map(|index| run.row(index)).collect();
     let apart = |a: usize, b: usize| {
-        let squares = drawings[a].iter().zip(drawings[b].iter()).map(|(x, y)| (x - y) * (x - y));
+        let squares = candidates[a].drawing.iter().zip(&candidates[b].drawing).map(|(x, y)| (x - y) * (x - y));
         squares.filter(|square| square.is_finite()).sum::<f64>()
     };
     let mut nearest = vec![f64::INFINITY; candidates.len()];
@@ -146,6 +148,5 @@ fn most_different<M: Mechanism>(run: &Run<M>) -> Vec<&Sample<M>> {
         let farthest = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a)));
         next = farthest.filter(|farthest| nearest[*farthest] > 0.0);
     }
-    taken.sort_unstable();
-    taken.into_iter().map(|index| candidates[index]).collect()
+    candidates.into_iter().enumerate().filter(|(index, _)| taken.contains(index)).map(|(_, row)| row).collect()
 }

@@ -35,10 +35,12 @@ use std::path::Path;
 use scene::Scene;
 
 pub use error::ShowError;
-pub use figures::{Figures, figures};
 #[cfg(feature = "cli")]
-pub(crate) use names::printed;
+pub(crate) use figures::figures_of;
+pub use figures::{Figures, figures};
 pub use parts::Shapes;
+#[cfg(feature = "cli")]
+pub(crate) use report::report_of;
 pub use report::{About, report};
 pub use section::section_figures;
 #[cfg(feature = "cli")]

@@ -13,7 +13,7 @@ pub fn section_figures<M: Mechanism>(found: &Section<M>, directory: &Path, size:
     let samples = &found.trajectory.samples;
     let Some(first) = samples.first() else { return figures };
     for (j, c) in M::DESCRIPTION.coordinates.iter().enumerate() {
-        let turn = Driven::Coordinate(j).turn::<M>();
+        let turn = Driven::Coordinate(j).turn(const { &M::DESCRIPTION });
         let near = |q: f64| match turn {
             Some(_) => q - TAU * ((q - first.state.positions[j]) / TAU).round(),
             None => q,

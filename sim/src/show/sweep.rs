@@ -2,7 +2,8 @@
 
 use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label};
 use super::{Curve, Plot, ShowError, Size, panels};
-use crate::{Column, Kinematics, Sample, Table};
+use crate::outcome::Row;
+use crate::{Column, Kinematics, Table};
 use sim_kernel::Mechanism;
 use std::path::Path;
 
@@ -17,7 +18,7 @@ const MOST_PANELS: usize = 5;
 /// mechanism at equal intervals.
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let description = const { &M::DESCRIPTION };
-    let driven = found.sweep.driven.quantity::<M>();
+    let driven = found.sweep.driven.quantity(const { &M::DESCRIPTION });
     let what = label(driven.docs, driven.name).trim_end_matches('.');
     let x_label = format!("{what} [{}]", driven.unit);
     let x: Vec<f64> = found.values.iter().map(|value| value / driven.factor).collect();
@@ -34,7 +35,7 @@ pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directo
     draw("transmission", "Transmission index", columns("transmission_index"));
     draw("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
     if !description.drawing.is_empty() {
-        figures.add("mechanism", draw_mechanism(&found.mechanism, &spread(found), directory, size));
+        figures.add("mechanism", draw_mechanism(description, &spread(found), directory, size));
     }
     figures
 }
@@ -61,11 +62,12 @@ fn stacked(
 }
 
 /// Samples at equal intervals, without the last of a whole turn.
-fn spread<M: Mechanism>(found: &Kinematics<M>) -> Vec<&Sample<M>> {
+fn spread<M: Mechanism>(found: &Kinematics<M>) -> Vec<Row> {
     let samples = &found.trajectory.samples;
     let intervals = if found.is_cycle() { POSES } else { POSES - 1 };
     let last = samples.len().saturating_sub(1);
     let mut places: Vec<usize> = (0..POSES).map(|i| last * i / intervals).collect();
     places.dedup();
-    places.into_iter().filter_map(|i| samples.get(i)).collect()
+    let samples = places.into_iter().filter_map(|i| samples.get(i));
+    samples.map(|sample| Row::new(&found.mechanism, sample, 0.0)).collect()
 }

@@ -97,11 +97,11 @@ for [S; 2] {
     ::core::cmp::PartialEq
 )]
 pub struct BouncingBallOutputs<S = ::core::primitive::f64> {
-    /// height of the ball above the floor, in `m`.
+    /// Height of the ball above the floor, in `m`.
     pub height: S,
-    /// speed upwards, in `m/s`.
+    /// Speed upwards, in `m/s`.
     pub climb: S,
-    /// kinetic and potential energy, in `J`.
+    /// Kinetic and potential energy, in `J`.
     pub energy: S,
 }
 impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 3]> for BouncingBallOutputs<S> {
@@ -347,11 +347,9 @@ impl<S: sim_kernel::Scalar> BouncingBall<S> {
     ///
     /// Operations: 1 addition.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 9] {
+    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 7] {
         let [x, y] = *q;
         [
-            S::from_f64(0.0),
-            S::from_f64(0.0),
             -S::from_f64(0.2),
             S::from_f64(0.0),
             S::from_f64(2.0),
@@ -476,7 +474,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type Events = [S; 2];
     type EventValues = [S; 1];
     type Activities = [S; 1];
-    type Drawing = [S; 9];
+    type Drawing = [S; 7];
     type QP = [[S; 6]; 2];
     type LP = [[S; 6]; 1];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -486,7 +484,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
         name: "bouncing-ball",
         type_name: "BouncingBall",
         docs: "A ball that falls on a floor and bounces, each time to a lesser height.",
-        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// height of the ball above the floor\n    height [m] = P.y - r;\n    /// speed upwards\n    climb [m/s] = dot(P.y);\n    /// kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    ground [0, 0];\n    line [-0.2 [m], 0], [2 [m], 0];\n    circle P radius r;\n}\n",
+        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// Height of the ball above the floor\n    height [m] = P.y - r;\n    /// Speed upwards\n    climb [m/s] = dot(P.y);\n    /// Kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    curve [-0.2 [m], 0], [2 [m], 0];\n    circle P radius r;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -617,44 +615,41 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
                 name: "height",
                 unit: "m",
                 factor: 1f64,
-                docs: "height of the ball above the floor",
+                docs: "Height of the ball above the floor",
             },
             sim_kernel::Quantity {
                 name: "climb",
                 unit: "m/s",
                 factor: 1f64,
-                docs: "speed upwards",
+                docs: "Speed upwards",
             },
             sim_kernel::Quantity {
                 name: "energy",
                 unit: "J",
                 factor: 1f64,
-                docs: "kinetic and potential energy",
+                docs: "Kinetic and potential energy",
             },
         ],
         rated_outputs: &[0, 1, 2],
         figures: &[
             sim_kernel::Figure {
                 name: "height",
-                title: "height of the ball above the floor",
+                title: "Height of the ball above the floor",
                 len: 1,
             },
             sim_kernel::Figure {
                 name: "climb",
-                title: "speed upwards",
+                title: "Speed upwards",
                 len: 1,
             },
             sim_kernel::Figure {
                 name: "energy",
-                title: "kinetic and potential energy",
+                title: "Kinetic and potential energy",
                 len: 1,
             },
         ],
-        drawing: &[
-            sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Circle,
-        ],
+        dimension: 2,
+        drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
     };
     fn defaults() -> Self {
         Self {
@@ -670,7 +665,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     fn parameters(&self) -> [S; 6] {
         [self.m, self.r, self.h, self.rebound, self.v, self.g]
     }
-    fn with_parameters(parameters: [S; 6]) -> Self {
+    fn with_parameters(&self, parameters: [S; 6]) -> Self {
         Self {
             m: parameters[0],
             r: parameters[1],
@@ -678,7 +673,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
             rebound: parameters[3],
             v: parameters[4],
             g: parameters[5],
-            floor_activity: S::from_f64(0.0),
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
@@ -808,7 +803,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 9] {
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 7] {
         self.drawing(t, q)
     }
     #[inline(always)]

@@ -594,6 +594,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Points(1),
@@ -613,14 +614,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
     fn parameters(&self) -> [S; 5] {
         [self.M, self.m, self.l, self.start, self.g]
     }
-    fn with_parameters(parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
         Self {
             M: parameters[0],
             m: parameters[1],
             l: parameters[2],
             start: parameters[3],
             g: parameters[4],
-            push: sim_kernel::Input::Declared,
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

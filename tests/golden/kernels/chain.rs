@@ -987,6 +987,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[sim_kernel::Shape::Ground(1), sim_kernel::Shape::Line(6)],
     };
     fn defaults() -> Self {
@@ -999,11 +1000,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
     fn parameters(&self) -> [S; 3] {
         [self.m, self.l, self.g]
     }
-    fn with_parameters(parameters: [S; 3]) -> Self {
+    fn with_parameters(&self, parameters: [S; 3]) -> Self {
         Self {
             m: parameters[0],
             l: parameters[1],
             g: parameters[2],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

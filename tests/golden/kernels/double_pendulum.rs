@@ -753,6 +753,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Line(3),
@@ -771,13 +772,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
     fn parameters(&self) -> [S; 5] {
         [self.l, self.rho, self.width, self.thickness, self.g]
     }
-    fn with_parameters(parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
         Self {
             l: parameters[0],
             rho: parameters[1],
             width: parameters[2],
             thickness: parameters[3],
             g: parameters[4],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

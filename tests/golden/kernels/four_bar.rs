@@ -1303,6 +1303,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(4),
@@ -1325,7 +1326,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
     fn parameters(&self) -> [S; 9] {
         [self.a, self.b, self.c, self.d, self.m2, self.m3, self.m4, self.g, self.T]
     }
-    fn with_parameters(parameters: [S; 9]) -> Self {
+    fn with_parameters(&self, parameters: [S; 9]) -> Self {
         Self {
             a: parameters[0],
             b: parameters[1],
@@ -1336,6 +1337,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
             m4: parameters[6],
             g: parameters[7],
             T: parameters[8],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -3195,6 +3195,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Ground(1),
@@ -3223,12 +3224,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
     fn parameters(&self) -> [S; 4] {
         [self.l, self.m, self.start, self.g]
     }
-    fn with_parameters(parameters: [S; 4]) -> Self {
+    fn with_parameters(&self, parameters: [S; 4]) -> Self {
         Self {
             l: parameters[0],
             m: parameters[1],
             start: parameters[2],
             g: parameters[3],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -474,9 +474,9 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 178 additions, 199 multiplications, 1 division, 35 other functions.
+    /// Operations: 182 additions, 200 multiplications, 1 division, 35 other functions.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 144] {
+    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 156] {
         let [y, phi] = *q;
         let minus_x_0 = S::from_f64(1.3333333333333333) * self.lf
             + S::from_f64(1.3333333333333333) * self.lr;
@@ -635,6 +635,13 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_61 = self.lr + self.s0 - w_22;
         let rear_wheel_y = self.R + self.H * (-(w_6 * w_61 * w_61)).exp();
         let w_62 = self.R * S::from_f64(2.5);
+        let rear_end_y = y + w_62 - self.lr * phi;
+        let front_end_y = y + w_62 + self.lf * phi;
+        let w_63 = S::from_f64(0.25) * self.R;
+        let w_64 = -(self.lr + w_63);
+        let w_65 = w_63 - self.lr;
+        let w_66 = self.lf - w_63;
+        let w_67 = self.lf + w_63;
         [
             -minus_x_0,
             self.H * (-(S::from_f64(0.1111111111111111) * w_5 * w_5 * w_6)).exp(),
@@ -771,13 +778,25 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
             rear_wheel_y,
             self.R,
             -self.lr,
+            rear_end_y,
+            self.lf,
+            front_end_y,
+            w_64,
             rear_wheel_y,
-            -self.lr,
-            y + w_62 - self.lr * phi,
-            self.lf,
-            y + w_62 + self.lf * phi,
-            self.lf,
+            w_64,
+            rear_end_y,
+            w_65,
+            rear_wheel_y,
+            w_65,
+            rear_end_y,
+            w_66,
             front_wheel_y,
+            w_66,
+            front_end_y,
+            w_67,
+            front_wheel_y,
+            w_67,
+            front_end_y,
             S::from_f64(0.0),
             y + w_62,
         ]
@@ -895,7 +914,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 144];
+    type Drawing = [S; 156];
     type QP = [[S; 13]; 2];
     type LP = [[S; 13]; 0];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -905,7 +924,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
         name: "half-car",
         type_name: "HalfCar",
         docs: "Half a car, seen from the side, drives over a bump: bounce and pitch from equilibrium.",
-        declaration: "/// Half a car, seen from the side, drives over a bump: bounce and pitch from equilibrium.\npub HalfCar;\n\nconst n = 32;\n\ncoordinates {\n    /// Bounce of the centre of mass.\n    y [m];\n    /// Pitch, the front upwards.\n    phi [rad];\n}\n\nparameters {\n    /// Mass of the body.\n    m [kg] = 700;\n    /// Inertia of the body.\n    J [kg*m^2] = 1000;\n    /// From the centre of mass to the front axle.\n    lf [m] = 1.2;\n    /// From the centre of mass to the rear axle.\n    lr [m] = 1.5;\n    /// Stiffness of the front spring.\n    kf [kN/m] = 18;\n    /// Stiffness of the rear spring.\n    kr [kN/m] = 20;\n    /// Damping in front.\n    cf [N*s/m] = 1200;\n    /// Damping behind.\n    cr [N*s/m] = 1400;\n    /// Speed.\n    v [m/s] = 10;\n    /// Height of the bump.\n    H [mm] = 80;\n    /// Half of its width, where it has fallen to a third.\n    w [m] = 0.5;\n    /// Where its top is.\n    s0 [m] = 6;\n    /// Radius of the wheels, for drawings.\n    R [m] = 0.3;\n}\n\nlet front_road = H*exp(-((v*t + lf - s0)/w)^2);\nlet rear_road = H*exp(-((v*t - lr - s0)/w)^2);\nlet front = y + lf*phi;\nlet rear = y - lr*phi;\n\nbodies { car: mass m at [0, y], inertia J, angle phi; }\n\nloads {\n    spring kf, rest 0 between front_road and front;\n    spring kr, rest 0 between rear_road and rear;\n    damper cf between front_road and front;\n    damper cr between rear_road and rear;\n}\n\ninitial { y = 0; phi = 0; dot(y) = 0; dot(phi) = 0; }\n\nevents {\n    /// The body is highest or lowest.\n    turn: dot(y) = 0;\n}\n\noutputs {\n    bounce \"Bounce\" {\n        /// body\n        body [mm] = y;\n        /// road at the front axle\n        road [mm] = front_road;\n    }\n    pitch \"Pitch\" {\n        /// pitch\n        pitch_angle [deg] = phi;\n    }\n    comfort \"Acceleration of the body\" {\n        /// acceleration\n        acceleration [m/s^2] = ddot(y);\n    }\n    suspension \"Forces of the suspension, beyond the weight\" {\n        /// front\n        front_force [N] = -kf*(front - front_road) - cf*dot(front - front_road);\n        /// rear\n        rear_force [N] = -kr*(rear - rear_road) - cr*dot(rear - rear_road);\n    }\n}\n\nrepeat i in 0..=n {\n    let x_[i] = (i - n/2)*0.125*(lf + lr)/1.5;\n    let road_[i] = [x_[i], H*exp(-((v*t + x_[i] - s0)/w)^2)];\n}\nlet front_end = [lf, 2.5*R + front];\nlet rear_end = [-lr, 2.5*R + rear];\nlet front_wheel = [lf, R + front_road];\nlet rear_wheel = [-lr, R + rear_road];\n\ndrawing {\n    repeat i in 1..=n { line road_[i-1], road_[i]; }\n    circle front_wheel radius R;\n    circle rear_wheel radius R;\n    line rear_wheel, rear_end, front_end, front_wheel;\n    point [0, 2.5*R + y];\n}\n",
+        declaration: "/// Half a car, seen from the side, drives over a bump: bounce and pitch from equilibrium.\npub HalfCar;\n\nconst n = 32;\n\ncoordinates {\n    /// Bounce of the centre of mass.\n    y [m];\n    /// Pitch, the front upwards.\n    phi [rad];\n}\n\nparameters {\n    /// Mass of the body.\n    m [kg] = 700;\n    /// Inertia of the body.\n    J [kg*m^2] = 1000;\n    /// From the centre of mass to the front axle.\n    lf [m] = 1.2;\n    /// From the centre of mass to the rear axle.\n    lr [m] = 1.5;\n    /// Stiffness of the front spring.\n    kf [kN/m] = 18;\n    /// Stiffness of the rear spring.\n    kr [kN/m] = 20;\n    /// Damping in front.\n    cf [N*s/m] = 1200;\n    /// Damping behind.\n    cr [N*s/m] = 1400;\n    /// Speed.\n    v [m/s] = 10;\n    /// Height of the bump.\n    H [mm] = 80;\n    /// Half of its width, where it has fallen to a third.\n    w [m] = 0.5;\n    /// Where its top is.\n    s0 [m] = 6;\n    /// Radius of the wheels, for drawings.\n    R [m] = 0.3;\n}\n\nlet front_road = H*exp(-((v*t + lf - s0)/w)^2);\nlet rear_road = H*exp(-((v*t - lr - s0)/w)^2);\nlet front = y + lf*phi;\nlet rear = y - lr*phi;\n\nbodies { car: mass m at [0, y], inertia J, angle phi; }\n\nloads {\n    spring kf, rest 0 between front_road and front;\n    spring kr, rest 0 between rear_road and rear;\n    damper cf between front_road and front;\n    damper cr between rear_road and rear;\n}\n\ninitial { y = 0; phi = 0; dot(y) = 0; dot(phi) = 0; }\n\nevents {\n    /// The body is highest or lowest.\n    turn: dot(y) = 0;\n}\n\noutputs {\n    bounce \"Bounce\" {\n        /// body\n        body [mm] = y;\n        /// road at the front axle\n        road [mm] = front_road;\n    }\n    pitch \"Pitch\" {\n        /// pitch\n        pitch_angle [deg] = phi;\n    }\n    comfort \"Acceleration of the body\" {\n        /// acceleration\n        acceleration [m/s^2] = ddot(y);\n    }\n    suspension \"Forces of the suspension, beyond the weight\" {\n        /// front\n        front_force [N] = -kf*(front - front_road) - cf*dot(front - front_road);\n        /// rear\n        rear_force [N] = -kr*(rear - rear_road) - cr*dot(rear - rear_road);\n    }\n}\n\nrepeat i in 0..=n {\n    let x_[i] = (i - n/2)*0.125*(lf + lr)/1.5;\n    let road_[i] = [x_[i], H*exp(-((v*t + x_[i] - s0)/w)^2)];\n}\nlet front_end = [lf, 2.5*R + front];\nlet rear_end = [-lr, 2.5*R + rear];\nlet front_wheel = [lf, R + front_road];\nlet rear_wheel = [-lr, R + rear_road];\n\nlet side = [R/4, 0];\n\ndrawing {\n    repeat i in 1..=n { curve road_[i-1], road_[i]; }\n    circle front_wheel radius R;\n    circle rear_wheel radius R;\n    line rear_end, front_end;\n    spring rear_wheel - side, rear_end - side;\n    damper rear_wheel + side, rear_end + side;\n    spring front_wheel - side, front_end - side;\n    damper front_wheel + side, front_end + side;\n    point [0, 2.5*R + y];\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -1105,42 +1124,47 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
+            sim_kernel::Shape::Curve(2),
             sim_kernel::Shape::Circle,
             sim_kernel::Shape::Circle,
-            sim_kernel::Shape::Line(4),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Spring,
+            sim_kernel::Shape::Damper,
+            sim_kernel::Shape::Spring,
+            sim_kernel::Shape::Damper,
             sim_kernel::Shape::Points(1),
         ],
     };
@@ -1178,7 +1202,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
             self.R,
         ]
     }
-    fn with_parameters(parameters: [S; 13]) -> Self {
+    fn with_parameters(&self, parameters: [S; 13]) -> Self {
         Self {
             m: parameters[0],
             J: parameters[1],
@@ -1193,6 +1217,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
             w: parameters[10],
             s0: parameters[11],
             R: parameters[12],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
@@ -1319,7 +1344,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 144] {
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 156] {
         self.drawing(t, q)
     }
     #[inline(always)]

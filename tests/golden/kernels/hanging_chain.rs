@@ -1138,6 +1138,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Line(2),
@@ -1162,12 +1163,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
     fn parameters(&self) -> [S; 4] {
         [self.l, self.m, self.start, self.g]
     }
-    fn with_parameters(parameters: [S; 4]) -> Self {
+    fn with_parameters(&self, parameters: [S; 4]) -> Self {
         Self {
             l: parameters[0],
             m: parameters[1],
             start: parameters[2],
             g: parameters[3],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -535,6 +535,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Line(2),
@@ -552,12 +553,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     fn parameters(&self) -> [S; 4] {
         [self.l, self.m, self.g, self.amplitude]
     }
-    fn with_parameters(parameters: [S; 4]) -> Self {
+    fn with_parameters(&self, parameters: [S; 4]) -> Self {
         Self {
             l: parameters[0],
             m: parameters[1],
             g: parameters[2],
             amplitude: parameters[3],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -1454,6 +1454,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(2),
@@ -1505,7 +1506,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             self.T,
         ]
     }
-    fn with_parameters(parameters: [S; 17]) -> Self {
+    fn with_parameters(&self, parameters: [S; 17]) -> Self {
         Self {
             O2A: parameters[0],
             O4B: parameters[1],
@@ -1524,6 +1525,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             J5: parameters[14],
             F: parameters[15],
             T: parameters[16],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

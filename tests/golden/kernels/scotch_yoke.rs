@@ -660,6 +660,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for ScotchYoke<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Circle,
@@ -682,13 +683,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for ScotchYoke<S> {
     fn parameters(&self) -> [S; 5] {
         [self.r, self.J, self.m, self.h, self.s]
     }
-    fn with_parameters(parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
         Self {
             r: parameters[0],
             J: parameters[1],
             m: parameters[2],
             h: parameters[3],
             s: parameters[4],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -2631,6 +2631,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(3),
             sim_kernel::Shape::Line(2),
@@ -2684,7 +2685,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
             self.g,
         ]
     }
-    fn with_parameters(parameters: [S; 18]) -> Self {
+    fn with_parameters(&self, parameters: [S; 18]) -> Self {
         Self {
             a: parameters[0],
             b: parameters[1],
@@ -2704,6 +2705,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
             m5: parameters[15],
             m6: parameters[16],
             g: parameters[17],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

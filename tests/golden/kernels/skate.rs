@@ -117,9 +117,9 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<SkateCoordinates<S>> for [S; 3
     ::core::cmp::PartialEq
 )]
 pub struct SkateOutputs<S = ::core::primitive::f64> {
-    /// speed along the blade, in `m/s`.
+    /// Speed along the blade, in `m/s`.
     pub speed: S,
-    /// force of the skate on the ice, to its left, in `N`.
+    /// Force of the skate on the ice, to its left, in `N`.
     pub side_force: S,
 }
 impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 2]> for SkateOutputs<S> {
@@ -383,14 +383,12 @@ impl<S: sim_kernel::Scalar> Skate<S> {
     ///
     /// Operations: 6 additions, 4 multiplications, 1 sine-cosine pair.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 10] {
+    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 8] {
         let [x, y, phi] = *q;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
         let w = S::from_f64(0.15) * along_x;
         let w_2 = S::from_f64(0.15) * along_y;
         [
-            S::from_f64(0.0),
-            S::from_f64(0.0),
             x - w,
             y - w_2,
             x + w,
@@ -620,7 +618,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 10];
+    type Drawing = [S; 8];
     type QP = [[S; 5]; 3];
     type LP = [[S; 5]; 1];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -630,7 +628,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
         name: "skate",
         type_name: "Skate",
         docs: "A skate on sloping ice, let go turning: a cycloid across the slope.",
-        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    ground [0, 0];\n    line P - 0.15 [m]*along, P + 0.15 [m]*along;\n    point P, G;\n}\n",
+        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// Speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// Force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    line P - 0.15 [m]*along, P + 0.15 [m]*along;\n    point P, G;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -755,33 +753,30 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
                 name: "speed",
                 unit: "m/s",
                 factor: 1f64,
-                docs: "speed along the blade",
+                docs: "Speed along the blade",
             },
             sim_kernel::Quantity {
                 name: "side_force",
                 unit: "N",
                 factor: 1f64,
-                docs: "force of the skate on the ice, to its left",
+                docs: "Force of the skate on the ice, to its left",
             },
         ],
         rated_outputs: &[0],
         figures: &[
             sim_kernel::Figure {
                 name: "speed",
-                title: "speed along the blade",
+                title: "Speed along the blade",
                 len: 1,
             },
             sim_kernel::Figure {
                 name: "side_force",
-                title: "force of the skate on the ice, to its left",
+                title: "Force of the skate on the ice, to its left",
                 len: 1,
             },
         ],
-        drawing: &[
-            sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Points(2),
-        ],
+        dimension: 2,
+        drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
     };
     fn defaults() -> Self {
         Self {
@@ -795,13 +790,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     fn parameters(&self) -> [S; 5] {
         [self.m, self.J, self.a, self.slope, self.g]
     }
-    fn with_parameters(parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
         Self {
             m: parameters[0],
             J: parameters[1],
             a: parameters[2],
             slope: parameters[3],
             g: parameters[4],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
@@ -920,7 +916,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 10] {
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 8] {
         self.drawing(t, q)
     }
     #[inline(always)]

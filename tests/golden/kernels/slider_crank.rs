@@ -950,6 +950,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Line(3),
@@ -971,7 +972,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     fn parameters(&self) -> [S; 8] {
         [self.r, self.l, self.offset, self.m1, self.m2, self.m3, self.g, self.T]
     }
-    fn with_parameters(parameters: [S; 8]) -> Self {
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
         Self {
             r: parameters[0],
             l: parameters[1],
@@ -981,6 +982,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
             m3: parameters[5],
             g: parameters[6],
             T: parameters[7],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

@@ -384,9 +384,9 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 4 multiplications, 1 sine-cosine pair.
+    /// Operations: 2 additions, 4 multiplications, 1 sine-cosine pair.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 1]) -> [S; 20] {
+    pub fn drawing(&self, t: S, q: &[S; 1]) -> [S; 26] {
         let [y] = *q;
         let w = t * self.w;
         let ([sin_w], [cos_w]) = S::sin_cos_each([w]);
@@ -406,7 +406,13 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
             A_y,
             S::from_f64(0.0),
             A_y,
-            S::from_f64(0.0),
+            -S::from_f64(0.008),
+            A_y,
+            -S::from_f64(0.008),
+            y,
+            S::from_f64(0.008),
+            A_y,
+            S::from_f64(0.008),
             y,
             A_x,
             A_y,
@@ -516,7 +522,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
     type Events = [S; 2];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 20];
+    type Drawing = [S; 26];
     type QP = [[S; 8]; 1];
     type LP = [[S; 8]; 0];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -526,7 +532,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
         name: "spring-follower",
         type_name: "SpringFollower",
         docs: "A crank pin that turns evenly lifts a follower through a spring and a damper: motion prescribed by time alone.",
-        declaration: "/// A crank pin that turns evenly lifts a follower through a spring and a damper: motion prescribed by time alone.\npub SpringFollower;\n\ncoordinates {\n    /// Height of the follower.\n    y [m];\n}\n\nparameters {\n    /// Radius of the crank.\n    r [mm] = 40;\n    /// Speed of the crank.\n    w [rpm] = 240;\n    /// Mass of the crank pin and its yoke.\n    m_pin [kg] = 0.4;\n    /// Mass of the follower.\n    m [kg] = 0.8;\n    /// Stiffness of the spring.\n    k [N/m] = 1200;\n    /// Damping.\n    c [N*s/m] = 6;\n    /// Length of the spring without load.\n    l0 [mm] = 150;\n    g [m/s^2] = 9.81;\n}\n\nlet O = [0, 0];\nlet A = r*[cos(w*t), sin(w*t)];\nlet yoke = [0, A.y];\nlet P = [0, y];\n\nbodies {\n    pin: mass m_pin at A;\n    follower: mass m at P;\n}\n\nloads {\n    gravity [0, -g];\n    spring k, rest l0 between A.y and y;\n    damper c between A.y and y;\n}\n\ninitial {\n    y = 150 [mm];\n    dot(y) = 0;\n}\n\nevents {\n    period: sin(w*t) = 0;\n    /// The follower turns back.\n    turn: dot(y) = 0;\n}\n\noutputs {\n    heights \"Heights\" {\n        /// pin\n        pin_height [mm] = A.y;\n        /// follower\n        follower_height [mm] = y;\n    }\n    forces \"Forces on the follower\" {\n        /// spring\n        spring_force [N] = k*(l0 - (y - A.y));\n        /// damper\n        damper_force [N] = -c*dot(y - A.y);\n    }\n}\n\ndrawing {\n    ground O;\n    circle O radius r;\n    line O, A;\n    line A, yoke, P;\n    point A;\n    slider P along pi/2;\n}\n",
+        declaration: "/// A crank pin that turns evenly lifts a follower through a spring and a damper: motion prescribed by time alone.\npub SpringFollower;\n\ncoordinates {\n    /// Height of the follower.\n    y [m];\n}\n\nparameters {\n    /// Radius of the crank.\n    r [mm] = 40;\n    /// Speed of the crank.\n    w [rpm] = 240;\n    /// Mass of the crank pin and its yoke.\n    m_pin [kg] = 0.4;\n    /// Mass of the follower.\n    m [kg] = 0.8;\n    /// Stiffness of the spring.\n    k [N/m] = 1200;\n    /// Damping.\n    c [N*s/m] = 6;\n    /// Length of the spring without load.\n    l0 [mm] = 150;\n    g [m/s^2] = 9.81;\n}\n\nlet O = [0, 0];\nlet A = r*[cos(w*t), sin(w*t)];\nlet yoke = [0, A.y];\nlet P = [0, y];\n\nbodies {\n    pin: mass m_pin at A;\n    follower: mass m at P;\n}\n\nloads {\n    gravity [0, -g];\n    spring k, rest l0 between A.y and y;\n    damper c between A.y and y;\n}\n\ninitial {\n    y = 150 [mm];\n    dot(y) = 0;\n}\n\nevents {\n    period: sin(w*t) = 0;\n    /// The follower turns back.\n    turn: dot(y) = 0;\n}\n\noutputs {\n    heights \"Heights\" {\n        /// pin\n        pin_height [mm] = A.y;\n        /// follower\n        follower_height [mm] = y;\n    }\n    forces \"Forces on the follower\" {\n        /// spring\n        spring_force [N] = k*(l0 - (y - A.y));\n        /// damper\n        damper_force [N] = -c*dot(y - A.y);\n    }\n}\n\nlet side = [8 [mm], 0];\n\ndrawing {\n    ground O;\n    circle O radius r;\n    line O, A;\n    line A, yoke;\n    spring yoke - side, P - side;\n    damper yoke + side, P + side;\n    point A;\n    slider P along pi/2;\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -658,11 +664,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
                 len: 2,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),
             sim_kernel::Shape::Circle,
             sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(3),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Spring,
+            sim_kernel::Shape::Damper,
             sim_kernel::Shape::Points(1),
             sim_kernel::Shape::Slider,
         ],
@@ -682,7 +691,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
     fn parameters(&self) -> [S; 8] {
         [self.r, self.w, self.m_pin, self.m, self.k, self.c, self.l0, self.g]
     }
-    fn with_parameters(parameters: [S; 8]) -> Self {
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
         Self {
             r: parameters[0],
             w: parameters[1],
@@ -692,6 +701,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
             c: parameters[5],
             l0: parameters[6],
             g: parameters[7],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
@@ -813,7 +823,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 1]) -> [S; 20] {
+    fn drawing(&self, t: S, q: &[S; 1]) -> [S; 26] {
         self.drawing(t, q)
     }
     #[inline(always)]

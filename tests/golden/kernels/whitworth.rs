@@ -1218,6 +1218,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
                 len: 1,
             },
         ],
+        dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),
             sim_kernel::Shape::Line(2),
@@ -1256,7 +1257,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
             self.s,
         ]
     }
-    fn with_parameters(parameters: [S; 10]) -> Self {
+    fn with_parameters(&self, parameters: [S; 10]) -> Self {
         Self {
             r: parameters[0],
             d: parameters[1],
@@ -1268,6 +1269,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
             m5: parameters[7],
             m6: parameters[8],
             s: parameters[9],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(

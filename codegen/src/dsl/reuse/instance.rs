@@ -284,13 +284,12 @@ fn bound(constants: &Indices, fragment: &Fragment, arguments: &[Vec<TokenTree>])
     indices
 }
 
-/// Whether a word is a name: no component, no function in front of its arguments, and not what says after a label
-/// what the line is, as in `elbow: pin A to B;`.
+/// Whether a word is a name: no component, and not what says after a label what the line is, as in `elbow: pin A to B;`.
 fn is_name(tokens: &[TokenTree], at: usize) -> bool {
     let labelled = at > 0 && is_punct(tokens.get(at - 1), ':');
     let next = tokens.get(at + 1);
     let says_what = labelled && (ident(next).is_some() || group(next, Delimiter::Bracket).is_some());
-    !is_component(tokens, at) && group(next, Delimiter::Parenthesis).is_none() && !says_what
+    !is_component(tokens, at) && !says_what
 }
 
 /// The title of a group of outputs.

@@ -1,19 +1,19 @@
 //! Which names a part of a declaration gives.
 
 use super::words::*;
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 use syn::{Error, Result};
 
 /// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one, and a free body
 /// has coordinates.
-const NAMING: [&str; 5] = ["coordinates", "parameters", "inputs", "auxiliary", "outputs"];
+const NAMING: [&str; 6] = ["coordinates", "parameters", "inputs", "tables", "auxiliary", "outputs"];
 
 /// Words that say what a line or a clause is, and those with a meaning everywhere.
 const WORDS: &str = "mass inertia angle at on along radius about force torque gravity guess line slider ground point circle spring \
     damper potential dissipation length rest stretch rate from to between and through free initially active \
     released rising falling record stop set swap activate release impact restitution after if else t pi e let use \
-    as repeat in sum";
+    as repeat in sum over by linear cubic monotone natural clamped held continued periodic";
 
 /// Refuses a name that could be taken for a word of the language.
 pub(super) fn check_free(name: &Ident) -> Result<()> {
@@ -32,12 +32,25 @@ pub(super) fn declared(tokens: &[TokenTree]) -> BTreeMap<String, Ident> {
             (TokenTree::Ident(word), Some(TokenTree::Ident(name))) if word == "let" => add(name, &mut names),
             (TokenTree::Ident(block), Some(TokenTree::Group(lines))) if lines.delimiter() == Delimiter::Brace => {
                 let names_lead = NAMING.iter().any(|naming| block == naming);
-                in_block(&list(lines.stream()), names_lead, &mut names);
+                let lines = list(lines.stream());
+                let lines = if block == "tables" { without_rows(lines) } else { lines };
+                in_block(&lines, names_lead, &mut names);
             }
             _ => {}
         }
     }
     names
+}
+
+/// Tables without their rows, which give no names.
+fn without_rows(tables: Vec<TokenTree>) -> Vec<TokenTree> {
+    let without = |token| match token {
+        TokenTree::Group(rows) if rows.delimiter() == Delimiter::Brace => {
+            TokenTree::Group(Group::new(Delimiter::Brace, TokenStream::new()))
+        }
+        other => other,
+    };
+    tables.into_iter().map(without).collect()
 }
 
 fn add(name: &Ident, names: &mut BTreeMap<String, Ident>) {

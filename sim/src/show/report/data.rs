@@ -1,11 +1,12 @@
 //! What the page's script is given.
 
 use super::rows::{chosen, doubles, floats};
+use crate::outcome::{Outcome, Recorded};
 use crate::show::figures::{groups, label};
 use crate::show::typeset;
-use crate::{Column, Run, Table, Trajectory};
+use crate::{Column, Table};
 use serde_json::{Value, json};
-use sim_kernel::{Array, Description, Mechanism, Shape};
+use sim_kernel::{Description, Shape};
 
 /// Times of events that are marked along the scrubber.
 const MOST_MARKS: usize = 200;
@@ -23,19 +24,19 @@ struct Group {
 }
 
 /// The run as JSON: columns and drawing as packed floats, figures as lists of columns.
-pub(super) fn data<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
-    let description = const { &M::DESCRIPTION };
+pub(super) fn data(run: &dyn Recorded, outcome: &Outcome, table: &Table) -> Value {
+    let description = outcome.description;
     let mut columns = labelled(description, table);
     let figures = declared(description, table);
     let mut more = states(description);
     more.push(Group { title: "Energy".into(), columns: vec![columns.len(), columns.len() + 1] });
     more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 2] });
-    columns.extend(energy(run));
+    columns.extend(energy(run, outcome.samples));
     let width = drawing_width(description);
     let all: Vec<&Column> = columns.iter().map(|labelled| &labelled.column).collect();
     let rows = chosen(&all, table.times().len(), all.len() + width + 4 * description.constraints.len().max(4));
     let arrow_rows = every_nth(&rows);
-    let vectors = crate::show::vectors::vectors(run, &arrow_rows);
+    let vectors = crate::show::vectors::vectors(run, description, &arrow_rows);
     let pick = |values: &[f64]| floats(rows.iter().map(|row| values[*row]));
     let (open, closed) = if figures.is_empty() { more.split_at(more.len().min(2)) } else { (&figures[..], &more[..]) };
     json!({
@@ -46,13 +47,13 @@ pub(super) fn data<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
         "figures": open.iter().map(figure).collect::<Vec<_>>(),
         "more": closed.iter().map(figure).collect::<Vec<_>>(),
         "phase": [0, description.coordinates.len()],
-        "drawing": drawing(run, &rows),
+        "drawing": drawing(run, description, &rows),
         "vector_times": doubles(arrow_rows.iter().map(|row| table.times()[*row])),
         "vectors": vectors.into_iter().map(|(vector, numbers)| json!({
             "label": vector.label, "about": vector.about, "kind": vector.kind, "numbers": floats(numbers),
         })).collect::<Vec<_>>(),
-        "events": run.events.iter().take(MOST_MARKS).map(|event| event.state.time).collect::<Vec<_>>(),
-        "period": run.period(),
+        "events": outcome.events.iter().take(MOST_MARKS).map(|event| event.time).collect::<Vec<_>>(),
+        "period": outcome.period,
     })
 }
 
@@ -141,18 +142,14 @@ fn of_one_unit(title: &str, indices: Vec<usize>, unit: impl Fn(usize) -> &'stati
 }
 
 /// Kinetic energy, work, and the change of their difference.
-fn energy<M: Mechanism>(run: &Run<M>) -> [Labelled; 3] {
-    let Trajectory { samples, .. } = &run.trajectory;
-    let kinetic: Vec<f64> = run
-        .trajectory
-        .with_mechanisms(&run.mechanism)
-        .map(|(mechanism, s)| mechanism.kinetic_energy(s.state.time, &s.state.positions, &s.state.speeds))
-        .collect();
-    let taken = |sample: usize| run.trajectory.phase_of(sample).map_or(0.0, |phase| phase.energy_taken);
-    let work: Vec<f64> = samples.iter().map(|sample| sample.state.work).collect();
-    let start = kinetic.first().zip(work.first()).map_or(0.0, |(kinetic, work)| kinetic - work);
-    let balance = kinetic.iter().zip(&work).enumerate();
-    let change = balance.map(|(i, (kinetic, work))| kinetic - work + taken(i) - start).collect();
+fn energy(run: &dyn Recorded, samples: usize) -> [Labelled; 3] {
+    let (mut kinetic, mut work, mut change) = (Vec::new(), Vec::new(), Vec::new());
+    for index in 0..samples {
+        let row = run.row(index);
+        kinetic.push(row.kinetic_energy);
+        work.push(row.work);
+        change.push(row.kinetic_energy - row.work + row.energy_taken - (kinetic[0] - work[0]));
+    }
     let column = |name: &str, label: &str, values| {
         let column = Column { name: name.into(), unit: "J".into(), values };
         Labelled { column, label: label.into() }
@@ -169,8 +166,7 @@ fn drawing_width(description: &Description) -> usize {
 }
 
 /// The shapes with the names of their points, and their numbers row by row.
-fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
-    let description = const { &M::DESCRIPTION };
+fn drawing(run: &dyn Recorded, description: &Description, rows: &[usize]) -> Value {
     let names = crate::show::names::points(description);
     let (mut first, mut colour, mut shapes) = (0, 0, Vec::new());
     for (index, (shape, points)) in description.drawing.iter().zip(&names).enumerate() {
@@ -182,12 +178,7 @@ fn drawing<M: Mechanism>(run: &Run<M>, rows: &[usize]) -> Value {
         first += shape.numbers(description.dimension);
         colour += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
     }
-    let numbers = rows.iter().flat_map(|row| {
-        let state = &run.trajectory.samples[*row].state;
-        let mechanism = run.trajectory.phase_of(*row).map_or(&run.mechanism, |phase| &phase.mechanism);
-        let drawn = mechanism.drawing(state.time, &state.positions);
-        (0..M::Drawing::LEN).map(move |i| drawn[i])
-    });
+    let numbers = rows.iter().flat_map(|row| run.row(*row).drawing);
     let named =
         names.iter().flatten().filter(|name| name.len() <= 4).count() > 0 && names.iter().flatten().count() <= 40;
     json!({ "dimension": description.dimension, "shapes": shapes, "width": first, "named": named, "numbers": floats(numbers) })

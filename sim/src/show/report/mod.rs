@@ -10,6 +10,7 @@ mod rows;
 mod tables;
 
 use super::ShowError;
+use crate::outcome::{Outcome, Recorded};
 use crate::{Run, Table};
 use serde_json::Value;
 use sim_kernel::Mechanism;
@@ -35,9 +36,19 @@ pub struct About<'a> {
 /// # Errors
 /// If there is no sample, or the file cannot be written.
 pub fn report<M: Mechanism>(run: &Run<M>, table: &Table, about: &About, path: &Path) -> Result<(), ShowError> {
+    report_of(run, &run.outcome(), table, about, path)
+}
+
+pub(crate) fn report_of(
+    run: &dyn Recorded,
+    outcome: &Outcome,
+    table: &Table,
+    about: &About,
+    path: &Path,
+) -> Result<(), ShowError> {
     if table.times().is_empty() {
         return Err(ShowError::empty("report", "the run has no sample"));
     }
-    let page = page::page(run, table, about);
+    let page = page::page(run, outcome, table, about);
     fs::write(path, page).map_err(|why| ShowError::write(path, why))
 }

@@ -4,8 +4,9 @@ use super::About;
 use super::data::data;
 use super::html::{escaped, number};
 use super::tables::tables;
-use crate::{Run, Table};
-use sim_kernel::{Array, Description, Mechanism};
+use crate::Table;
+use crate::outcome::{Outcome, Recorded};
+use sim_kernel::Description;
 
 const TEMPLATE: &str = include_str!("../../../assets/report/page.html");
 const STYLE: [&str; 2] =
@@ -28,20 +29,20 @@ const SCRIPT: [&str; 8] = [
 const MOST_OF_EQUATIONS: usize = 300_000;
 
 /// The whole page.
-pub(super) fn page<M: Mechanism>(run: &Run<M>, table: &Table, about: &About) -> String {
-    let description = const { &M::DESCRIPTION };
+pub(super) fn page(run: &dyn Recorded, outcome: &Outcome, table: &Table, about: &About) -> String {
+    let description = outcome.description;
     fill(TEMPLATE, |slot| match slot {
         "title" => escaped(&spaced(description.type_name)),
         "docs" => with_code(&escaped(&description.docs.replace('\n', " "))),
         "style" => STYLE.concat(),
-        "failure" => failure(run),
-        "facts" => facts(run, about),
-        "tables" => tables(run, about.summary),
+        "failure" => failure(outcome),
+        "facts" => facts(outcome, about),
+        "tables" => tables(outcome, about.summary),
         "equations" => equations(description),
         "reproduce" => reproduce(description, about),
         "footer" => format!("Linkwright {}. Plots by uPlot 1.6, under the MIT licence.", env!("CARGO_PKG_VERSION")),
         // Within a script element only its end tag must not occur.
-        "data" => data(run, table).to_string().replace("</", "<\\/"),
+        "data" => data(run, outcome, table).to_string().replace("</", "<\\/"),
         "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
         "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
         other => other.to_owned(),
@@ -85,17 +86,16 @@ fn spaced(type_name: &str) -> String {
     words
 }
 
-fn failure<M: Mechanism>(run: &Run<M>) -> String {
-    let Some(failure) = &run.trajectory.failure else { return String::new() };
+fn failure(run: &Outcome) -> String {
+    let Some(failure) = &run.failure else { return String::new() };
     format!("<p class=\"failure\"><strong>The run ended early.</strong> {}</p>", escaped(&failure.to_string()))
 }
 
 /// The run in short.
-fn facts<M: Mechanism>(run: &Run<M>, about: &About) -> String {
-    let (n, m) = (M::Q::LEN, M::L::LEN);
-    let end = run.trajectory.samples.last().map_or(0.0, |sample| sample.state.time);
-    let mut facts = vec![("Time", format!("0 to {} s", number(end, 12)), false)];
-    if let Some(period) = run.period() {
+fn facts(run: &Outcome, about: &About) -> String {
+    let (n, m) = (run.description.coordinates.len(), run.description.constraints.len());
+    let mut facts = vec![("Time", format!("0 to {} s", number(run.reached, 12)), false)];
+    if let Some(period) = run.period {
         facts.push(("Period", format!("{} s", number(period, 12)), false));
     }
     facts.push(("Coordinates", n.to_string(), false));

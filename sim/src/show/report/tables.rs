@@ -1,23 +1,23 @@
 //! Tables of a report: parameters, start, method and accuracy, events, constraints.
 
 use super::html::{escaped, number, table, unit};
-use crate::Run;
 use crate::happening::{does, impulses};
+use crate::outcome::{Happening, Outcome};
 use serde_json::Value;
-use sim_kernel::{Array, Description, Mechanism, Quantity, Start};
+use sim_kernel::{Description, Quantity, Start};
 
 /// Events that are listed.
 const MOST_EVENTS: usize = 24;
 
 /// All tables.
-pub(super) fn tables<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
-    let description = const { &M::DESCRIPTION };
+pub(super) fn tables(run: &Outcome, summary: &Value) -> String {
+    let description = run.description;
     [
         parameters(run, description),
         start(run, description),
         method(summary),
         accuracy(run, summary),
-        events(run),
+        events(run, description),
         constraints(description),
         outputs(description),
     ]
@@ -34,9 +34,9 @@ fn named(q: &Quantity, value: f64, class: &str, more: &str) -> String {
     )
 }
 
-fn parameters<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
-    let (values, defaults) = (run.mechanism.parameters(), M::defaults().parameters());
-    let changed = (0..M::Parameters::LEN).any(|i| values[i] != defaults[i]);
+fn parameters(run: &Outcome, description: &Description) -> String {
+    let (values, defaults) = (&run.parameters, &run.defaults);
+    let changed = values != defaults;
     let row = |(i, q): (usize, &Quantity)| {
         let class = if values[i] == defaults[i] { "" } else { " class=\"changed\"" };
         let default = number(defaults[i] / q.factor, 12);
@@ -48,8 +48,8 @@ fn parameters<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
     table("Parameters", &head, &rows, note)
 }
 
-fn start<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
-    let Some(first) = run.trajectory.samples.first() else { return String::new() };
+fn start(run: &Outcome, description: &Description) -> String {
+    let Some(first) = &run.start else { return String::new() };
     let mut rows = Vec::new();
     for (i, c) in description.coordinates.iter().enumerate() {
         let kind = match c.start {
@@ -57,11 +57,11 @@ fn start<M: Mechanism>(run: &Run<M>, description: &Description) -> String {
             Start::Guess => "guess",
             Start::Free => "free",
         };
-        rows.push(started(&c.position, first.state.positions[i], kind));
+        rows.push(started(&c.position, first.positions[i], kind));
     }
     for (i, c) in description.coordinates.iter().enumerate() {
         let kind = if c.speed_given { "given" } else { "free" };
-        rows.push(started(&c.speed, first.state.speeds[i], kind));
+        rows.push(started(&c.speed, first.speeds[i], kind));
     }
     let head = [("", "name"), ("number", "value"), ("", ""), ("", "in the declaration")];
     table("Start", &head, &rows, "")
@@ -106,13 +106,13 @@ fn told(value: &Value) -> String {
     }
 }
 
-fn accuracy<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
+fn accuracy(run: &Outcome, summary: &Value) -> String {
     let mut rows = Vec::new();
     let mut row = |name: &str, value: f64, about: &str| {
         let value = number(value, 2);
         rows.push(format!("<tr><th>{name}</th><td class=\"number\">{value}</td><td class=\"about\">{about}</td></tr>"));
     };
-    if M::L::LEN > 0 {
+    if !run.description.constraints.is_empty() {
         row("position residual", run.position_residual, "largest |C| at any sample");
         row("velocity residual", run.velocity_residual, "largest |C<sub>q</sub> q′ + C<sub>t</sub>| at any sample");
     }
@@ -134,11 +134,11 @@ fn accuracy<M: Mechanism>(run: &Run<M>, summary: &Value) -> String {
     table("Accuracy", &[], &rows, "")
 }
 
-fn events<M: Mechanism>(run: &Run<M>) -> String {
-    let row = |event: &crate::Occurrence<M>| {
-        let (time, description) = (number(event.state.time, 12), const { &M::DESCRIPTION });
+fn events(run: &Outcome, description: &Description) -> String {
+    let row = |event: &Happening| {
+        let time = number(event.time, 12);
         let does = does(&description.events[event.event], description);
-        let impulses = impulses(event).into_iter().map(|(name, value, impulse_unit)| {
+        let impulses = impulses(event, description).into_iter().map(|(name, value, impulse_unit)| {
             format!("; impulse of {name} {} {}", number(value, 6), unit(&impulse_unit))
         });
         format!(

@@ -1,0 +1,106 @@
+//! Rows of tables that stand in files: `from "lift.csv"` becomes the rows in braces, before anything else is read.
+//!
+//! So a declaration that is kept as text, in a built mechanism, needs no file any more.
+
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use std::path::Path;
+use syn::{Error, Result};
+
+/// Puts the rows of files in place of their names, which are relative to `folder`. Gives the names of the files too.
+///
+/// A row is a line of two numbers, with a comma, a semicolon, a tab or spaces between them. Empty lines, what follows a `#`,
+/// and a first line of words are left out.
+///
+/// # Errors
+/// Files that cannot be read, and lines that are no rows.
+pub fn read_files(tokens: TokenStream, folder: &Path) -> Result<(TokenStream, Vec<String>)> {
+    let mut files = Vec::new();
+    Ok((put_in(tokens, folder, &mut files)?, files))
+}
+
+fn put_in(tokens: TokenStream, folder: &Path, files: &mut Vec<String>) -> Result<TokenStream> {
+    let mut out: Vec<TokenTree> = Vec::new();
+    for token in tokens {
+        let follows_from = matches!(out.last(), Some(TokenTree::Ident(word)) if word == "from");
+        match token {
+            TokenTree::Literal(literal) if follows_from && name(&literal).is_some() => {
+                let (span, name) = (literal.span(), name(&literal).unwrap_or_default());
+                out.pop();
+                out.push(rows(&name, folder, span).map_err(|message| Error::new(span, message))?);
+                files.push(name);
+            }
+            TokenTree::Group(group) => {
+                let before = files.len();
+                let mut inner = Group::new(group.delimiter(), put_in(group.stream(), folder, files)?);
+                inner.set_span(group.span());
+                // Where nothing is put in the brackets keep their places.
+                out.push(TokenTree::Group(if files.len() == before { group } else { inner }));
+            }
+            other => out.push(other),
+        }
+    }
+    Ok(out.into_iter().collect())
+}
+
+/// The text between quotes.
+fn name(literal: &Literal) -> Option<String> {
+    match syn::Lit::new(literal.clone()) {
+        syn::Lit::Str(text) => Some(text.value()),
+        _ => None,
+    }
+}
+
+/// The rows of a file in braces.
+fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree, String> {
+    if Path::new(name).is_absolute() {
+        return Err("a file of rows is named from the crate's folder on: `from \"data/lift.csv\"`".into());
+    }
+    let path = folder.join(name);
+    let text = std::fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+    let mut words: Vec<TokenTree> = Vec::new();
+    let mut is_first = true;
+    for (at, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default().trim();
+        let cells: Vec<&str> = cells(line);
+        let is_heading = std::mem::take(&mut is_first) && cells.iter().all(|cell| cell.parse::<f64>().is_err());
+        match cells.as_slice() {
+            [] => is_first = words.is_empty(),
+            _ if is_heading => {}
+            [argument, value] => {
+                words.extend(number(argument, name, at)?);
+                words.push(Punct::new(',', Spacing::Alone).into());
+                words.extend(number(value, name, at)?);
+                words.push(Punct::new(';', Spacing::Alone).into());
+            }
+            cells => {
+                return Err(format!(
+                    "{name}, line {}: a row is two numbers, an argument and a value; here are {}",
+                    at + 1,
+                    cells.len()
+                ));
+            }
+        }
+    }
+    words.iter_mut().for_each(|word| word.set_span(span));
+    let mut rows = Group::new(Delimiter::Brace, words.into_iter().collect());
+    rows.set_span(span);
+    Ok(rows.into())
+}
+
+fn cells(line: &str) -> Vec<&str> {
+    match line.contains([',', ';', '\t']) {
+        true => line.split([',', ';', '\t']).map(str::trim).filter(|cell| !cell.is_empty()).collect(),
+        false => line.split_whitespace().collect(),
+    }
+}
+
+fn number(cell: &str, name: &str, at: usize) -> std::result::Result<Vec<TokenTree>, String> {
+    match cell.parse::<f64>() {
+        Ok(value) if value.is_finite() => {
+            let size = Literal::f64_unsuffixed(value.abs()).into();
+            let minus = value.is_sign_negative().then(|| Punct::new('-', Spacing::Alone).into());
+            Ok(minus.into_iter().chain([size]).collect())
+        }
+        _ => Err(format!("{name}, line {}: `{cell}` is not a number", at + 1)),
+    }
+}
