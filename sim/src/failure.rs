@@ -112,6 +112,14 @@ pub enum What {
         /// Negative parameters, as a part of a sentence.
         suspects: String,
     },
+    /// A tensor of inertia that no body has.
+    #[error("the inertia of body `{body}` cannot be, with these parameters: {why}")]
+    ImpossibleInertia {
+        /// The body.
+        body: String,
+        /// What is wrong with it.
+        why: String,
+    },
     /// No equilibrium was found.
     #[error(
         "no equilibrium was found: at the nearest position at rest an acceleration of {acceleration:.3e} is left. Start nearer to \

@@ -18,6 +18,7 @@ mod failure;
 mod formats;
 mod gimbal;
 mod happening;
+mod inertia;
 mod integrate;
 mod interpolate;
 mod kinematics;
@@ -66,6 +67,7 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use formats::{Format, write_table};
+pub use inertia::check_inertias;
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,

@@ -5,6 +5,7 @@ use crate::control::{Control, Controller};
 use crate::equations::residuals;
 use crate::events::Occurrence;
 use crate::failure::Failure;
+use crate::inertia::check_inertias;
 use crate::integrate::{
     Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
 };
@@ -86,6 +87,7 @@ fn run_with<M: Mechanism>(
 ) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
     check_masses(&mechanism, first.time, &first.positions)?;
+    check_inertias(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
     mobility.check_regular::<M>(first.time, &first.positions)?;
     let mut recorder = Recorder::new(settings, first.time);

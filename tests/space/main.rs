@@ -11,6 +11,10 @@ mod lagrange;
 #[path = "../kernels/oracle.rs"]
 mod oracle;
 
+mod arm;
+mod common;
 mod elliptic;
+mod linkages;
+mod rolling;
 mod top;
 mod torque_free;

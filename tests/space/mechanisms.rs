@@ -85,13 +85,20 @@ mechanism! {
     outputs { height [m] = on(second, [0, l, 0]).z; spin [rad/s] = norm(omega(second) - omega(first)); norm_force [J] = reaction(first_norm); }
 }
 
-/// Calls a macro with the types of all mechanisms.
+/// Calls a macro with the types of all mechanisms but the overconstrained ones, of which no elimination is planned.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
         $callback!(
             models::Tumbling,
             models::TumblingQuaternion,
             models::Top,
+            models::Cardan,
+            models::RobotArm,
+            models::RollingDisc,
+            models::SphericalPendulum,
+            models::Stewart,
+            models::Rssr,
+            models::Rover,
             crate::mechanisms::Thrown,
             crate::mechanisms::Gimbal,
             crate::mechanisms::Leashed

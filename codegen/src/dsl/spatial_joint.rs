@@ -136,12 +136,22 @@ fn marked(axis: &Expression) -> Result<(Expression, [Expression; 2])> {
     let at = axis.region;
     let form = || {
         at.error(
-            "the axis of a joint is written in numbers, `[0, 0, 1]`, in the frame of its body; turn the body's frame instead",
+            "the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
+             components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
         )
     };
     let Kind::Vector(components) = &axis.kind else { return Err(form()) };
-    let values: Option<Vec<f64>> = components.iter().map(value).collect();
-    let values = values.filter(|values| values.len() == 3).ok_or_else(form)?;
+    if components.len() != 3 {
+        return Err(form());
+    }
+    let Some(values) = components.iter().map(value).collect::<Option<Vec<f64>>>() else {
+        // Of what parameters make only an axis across a known one has marks.
+        let across = components.iter().position(|x| value(x) == Some(0.0)).ok_or_else(form)?;
+        let axis = unit(axis.clone());
+        let first = coordinate_axis(at, across, false);
+        let second = call(at, "cross", vec![axis.clone(), first.clone()]);
+        return Ok((axis, [first, second]));
+    };
     let length = values.iter().map(|x| x * x).sum::<f64>().sqrt();
     if !(length > 0.0) {
         return Err(at.error("an axis without length has no direction; write `[0, 0, 1]`"));
@@ -151,12 +161,16 @@ fn marked(axis: &Expression) -> Result<(Expression, [Expression; 2])> {
         let marks = [coordinate_axis(at, (k + 1) % 3, false), coordinate_axis(at, (k + 2) % 3, values[k] < 0.0)];
         return Ok((coordinate_axis(at, k, values[k] < 0.0), marks));
     }
-    let unit = |v: Expression| quotient(v.clone(), call(at, "norm", vec![v]));
     let axis = if (length - 1.0).abs() < 1e-15 { axis.clone() } else { unit(axis.clone()) };
     let least = (0..3).min_by(|i, k| values[*i].abs().total_cmp(&values[*k].abs())).unwrap_or(0);
     let first = unit(call(at, "cross", vec![axis.clone(), coordinate_axis(at, least, false)]));
     let second = call(at, "cross", vec![axis.clone(), first.clone()]);
     Ok((axis, [first, second]))
+}
+
+/// v/|v|
+fn unit(v: Expression) -> Expression {
+    quotient(v.clone(), call(v.region, "norm", vec![v]))
 }
 
 /// x, y or z, or the opposite.

@@ -31,6 +31,7 @@ pub use crate::dsl::Direction;
 pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
+pub use space::impossible_inertia;
 pub use units::Unit;
 
 use crate::symbolic::{Differential, Expr, Graph, Symbol};

@@ -44,7 +44,7 @@ fn check(expression: &Expression, tensor: &Tensor, i: &mut Interpreter) -> Optio
     }
     let values = evaluate(&i.graph, &entries, |_| f64::NAN);
     let values = [values[0], values[1], values[2], values[3], values[4], values[5]];
-    match impossible(values) {
+    match impossible_inertia(values) {
         Some(why) => i.refuse(expression.region, why),
         None => Some(()),
     }
@@ -54,7 +54,7 @@ fn check(expression: &Expression, tensor: &Tensor, i: &mut Interpreter) -> Optio
 ///
 /// The moments of a distribution of mass, the eigenvalues of tr(J)/2 - J, are not negative; those of J then are not
 /// either, being their sums. A moment of 0 is that of a body without extent across its axis.
-fn impossible(tensor: [f64; 6]) -> Option<String> {
+pub fn impossible_inertia(tensor: [f64; 6]) -> Option<String> {
     let [xx, yy, zz, ..] = tensor;
     let size = xx.abs().max(yy.abs()).max(zz.abs());
     let tolerance = 1e-12 * size;

@@ -15,6 +15,7 @@ pub(super) mod triple;
 mod vector;
 
 pub(super) use frames::{Frames, Turn};
+pub use inertia::impossible_inertia;
 pub(super) use inertia::resolve_inertia;
 pub(super) use quaternion::{Quaternion, check_norms, norm_square};
 pub(super) use vector::Spatial;

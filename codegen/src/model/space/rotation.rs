@@ -82,10 +82,15 @@ impl Interpreter {
         if let Kind::Name(name) = &expression.kind {
             let text = plain(name);
             let letter = text.chars().next().filter(|letter| text.len() == 1 && AXES.contains(letter));
-            if let Some(letter) = letter
-                && self.values.get_region(&text).is_none()
-            {
-                return self.unit(letter);
+            if let Some(letter) = letter {
+                if self.values.get_region(&text).is_none() {
+                    return self.unit(letter);
+                }
+                if let Some(Value { shape: Shape::Scalar(_), .. }) = self.values.get(&text) {
+                    let message =
+                        format!("`{text}` is a name of yours here, and no axis; write `[0, 0, 1]` and the like");
+                    return self.refuse(expression.region, message);
+                }
             }
         }
         let (direction, dimension) = self.spatial_value(expression)?;
