@@ -2002,7 +2002,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
     fn parameters(&self) -> [S; 8] {
         [self.w, self.r, self.J, self.m, self.k, self.F0, self.roller, self.g]
     }
-    fn with_parameters(parameters: [S; 8]) -> Self {
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
         Self {
             w: parameters[0],
             r: parameters[1],
@@ -2012,6 +2012,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
             F0: parameters[5],
             roller: parameters[6],
             g: parameters[7],
+            ..*self
         }
     }
     fn on<T: sim_kernel::Scalar>(
