@@ -3,8 +3,10 @@
 #![no_std]
 
 mod andrews;
+mod bennett;
 mod bouncing_ball;
 mod cam_follower;
+mod cardan;
 mod cart_pole;
 mod double_pendulum;
 mod four_bar;
@@ -14,16 +16,27 @@ mod hanging_chain;
 mod pendulum;
 mod quick_return;
 mod quick_return_ratio;
+mod robot_arm;
+mod rolling_disc;
+mod rover;
+mod rssr;
 mod scotch_yoke;
 mod six_bar;
 mod skate;
 mod slider_crank;
+mod spherical_pendulum;
 mod spring_follower;
+mod stewart;
+mod top;
+mod tumbling;
+mod tumbling_quaternion;
 mod whitworth;
 
 pub use andrews::*;
+pub use bennett::*;
 pub use bouncing_ball::*;
 pub use cam_follower::*;
+pub use cardan::*;
 pub use cart_pole::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
@@ -33,11 +46,20 @@ pub use hanging_chain::*;
 pub use pendulum::*;
 pub use quick_return::*;
 pub use quick_return_ratio::*;
+pub use robot_arm::*;
+pub use rolling_disc::*;
+pub use rover::*;
+pub use rssr::*;
 pub use scotch_yoke::*;
 pub use six_bar::*;
 pub use skate::*;
 pub use slider_crank::*;
+pub use spherical_pendulum::*;
 pub use spring_follower::*;
+pub use stewart::*;
+pub use top::*;
+pub use tumbling::*;
+pub use tumbling_quaternion::*;
 pub use whitworth::*;
 
 /// Calls a macro with the types of all mechanisms: `all_models!(callback)` is `callback!(QuickReturn, ..)`.
@@ -62,7 +84,18 @@ macro_rules! all_models {
             $crate::HalfCar,
             $crate::CartPole,
             $crate::Skate,
-            $crate::BouncingBall
+            $crate::BouncingBall,
+            $crate::Tumbling,
+            $crate::TumblingQuaternion,
+            $crate::Top,
+            $crate::Cardan,
+            $crate::Bennett,
+            $crate::RobotArm,
+            $crate::RollingDisc,
+            $crate::SphericalPendulum,
+            $crate::Stewart,
+            $crate::Rssr,
+            $crate::Rover
         )
     };
 }

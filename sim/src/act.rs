@@ -11,9 +11,9 @@
 //! constraints do not allow, the same equations with e = 0 for all rows bring the speeds onto them.
 
 use crate::conditional::is_active;
+use crate::equations::impulse;
 use crate::failure::{Failure, What, constraint_name};
 use crate::mobility::check_masses;
-use crate::motion::impulse;
 use crate::project::{project_positions, rates};
 use crate::trajectory::State;
 use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};

@@ -1,7 +1,7 @@
 //! The equations of motion at many states, several at once.
 
 use crate::Failure;
-use crate::motion::accelerate;
+use crate::equations::accelerate;
 use crate::trajectory::State;
 use crate::vector::{Vectors, Work};
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};

@@ -72,6 +72,16 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
+    /// The same where a motion should start.
+    #[error(
+        "the mechanism cannot start in a singular position: constraint `{constraint}` is not independent of the others here, \
+             though it is nearby. More than one motion may lead on, and the equations do not say which. Start beside it: change \
+             a given coordinate or a guess a little"
+    )]
+    SingularStart {
+        /// The constraint.
+        constraint: &'static str,
+    },
     /// The equations of motion do not determine the accelerations.
     #[error(
         "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \
@@ -80,6 +90,16 @@ pub enum What {
     Singular {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
+    },
+    /// The angles of an attitude do not determine its motion here.
+    #[error(
+        "gimbal lock: {angles} turn about the same axis here, and together they turn nothing, so their accelerations are not \
+             determined. Write the attitude as a quaternion, which has no such position (`body: free, ..` does), or with a \
+             sequence of axes whose middle angle stays away from it"
+    )]
+    GimbalLock {
+        /// The angles.
+        angles: String,
     },
     /// Some motion has no or negative kinetic energy.
     #[error(
@@ -91,6 +111,14 @@ pub enum What {
         coordinate: &'static str,
         /// Negative parameters, as a part of a sentence.
         suspects: String,
+    },
+    /// A tensor of inertia that no body has.
+    #[error("the inertia of body `{body}` cannot be, with these parameters: {why}")]
+    ImpossibleInertia {
+        /// The body.
+        body: String,
+        /// What is wrong with it.
+        why: String,
     },
     /// No equilibrium was found.
     #[error(

@@ -11,11 +11,14 @@ pub mod cli;
 mod conditional;
 mod control;
 mod dyads;
+mod equations;
 mod equilibrium;
 mod events;
 mod failure;
 mod formats;
+mod gimbal;
 mod happening;
+mod inertia;
 mod integrate;
 mod interpolate;
 mod kinematics;
@@ -24,6 +27,7 @@ mod level;
 mod linearize;
 mod mobility;
 mod motion;
+mod nearby;
 mod onset;
 mod outcome;
 mod partition;
@@ -58,10 +62,12 @@ pub use batch::{accelerate_each, accelerate_each_with};
 pub use conditional::is_active;
 pub use control::Controller;
 pub use dyads::{Branches, Form, Loop};
+pub use equations::{accelerate, residuals};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
 pub use failure::{Failure, What};
 pub use formats::{Format, write_table};
+pub use inertia::check_inertias;
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,
@@ -73,7 +79,7 @@ pub use kinematics::{
 };
 pub use linearize::{Control, Linearization, Mode, linearize};
 pub use mobility::{Mobility, check_masses, mobility};
-pub use motion::{Motion, accelerate, residuals};
+pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};

@@ -1,12 +1,13 @@
-//! Degrees of freedom, and constraints that say what others say already.
+//! Degrees of freedom, constraints that say what others say already, and those that do so in one position alone.
 
 use crate::conditional::is_active;
 use crate::failure::{Failure, What, constraint_name};
 use crate::level::between_positions;
+use crate::nearby::nearby_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
-/// What the constraints leave free at a position.
+/// What the constraints leave free at a position and near it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
     /// How many speeds are independent: n less the rank of C_q, rows between speeds included.
@@ -14,8 +15,10 @@ pub struct Mobility {
     /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
     /// between speeds alone.
     pub configuration_freedom: usize,
-    /// The constraints that depend on those before them, in this position.
+    /// The constraints that depend on those before them, here and in every position near this one: they are redundant.
     pub dependent: Vec<&'static str>,
+    /// The constraints that do so here and not nearby: the position is singular.
+    pub singular: Vec<&'static str>,
     /// For each of them those before it that it follows from; none if it says nothing at all. How all of these share their
     /// reactions is not determined: those of least norm are given, the smallest sum of lambda^2 in SI units.
     pub implied_by: Vec<Vec<&'static str>>,
@@ -34,29 +37,82 @@ impl Mobility {
         };
         self.dependent.iter().zip(&self.implied_by).map(line).collect()
     }
+
+    /// A line for each constraint that depends on others in this position alone.
+    pub fn singularities(&self) -> Vec<String> {
+        let line = |name: &&str| {
+            format!(
+                "`{name}` depends on others here, and not nearby: more than one motion may lead on, and a run cannot start"
+            )
+        };
+        self.singular.iter().map(line).collect()
+    }
+
+    /// That a motion can start here.
+    ///
+    /// # Errors
+    /// [`What::SingularStart`] if the position is singular.
+    pub(crate) fn check_regular<M: Mechanism>(&self, time: f64, q: &M::Q) -> Result<(), Failure> {
+        match self.singular.first() {
+            None => Ok(()),
+            Some(constraint) => Err(Failure::at::<M>(What::SingularStart { constraint }, time, q)),
+        }
+    }
 }
 
 /// A part of a constraint this small beside the whole is rounding.
 const NO_PART: f64 = 1e-7;
 
-/// A row is dependent whose distance from the space of those before it is less than this part of its length.
+/// A row is dependent whose distance from the space of those before it is less than this part of its length, here or nearby.
 const DEPENDENT: f64 = 1e-7;
 
-/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order.
+/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows that
+/// depend on others there are looked at in positions near it too.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    let jacobian = mechanism.constraint_jacobian(time, q);
-    let held = || (0..M::L::LEN).filter(|row| is_active(mechanism, *row));
-    let dependent = |jacobian: &M::LQ| -> Vec<usize> {
-        let sines = independence::<M>(jacobian);
-        held().filter(|i| !(sines[*i] > DEPENDENT)).collect()
-    };
-    let (rows, of_positions) = (dependent(&jacobian), dependent(&between_positions::<M>(&jacobian)));
+    let jacobians = jacobians(mechanism, time, q);
+    let length = |row: usize| jacobians.iter().map(|jacobian| norm(&jacobian[row])).fold(0.0, f64::max);
+    let lengths: Vec<f64> = (0..M::L::LEN).map(length).collect();
+    let dependent = |jacobian: &M::LQ| dependent_rows(mechanism, jacobian, &lengths);
+    let here = dependent(&jacobians[0]);
+    let (jacobian, rows) =
+        jacobians[1..].iter().fold((&jacobians[0], here.clone()), |fewest, jacobian| match dependent(jacobian) {
+            rows if rows.len() < fewest.1.len() => (jacobian, rows),
+            _ => fewest,
+        });
+    let of_positions = dependent(&between_positions::<M>(jacobian)).len();
+    let is_singular = |row: &&usize| !rows.contains(row);
+    let singular = here.iter().filter(is_singular).take(here.len() - rows.len());
+    let held = (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).count();
     Mobility {
-        degrees_of_freedom: M::Q::LEN + rows.len() - held().count(),
-        configuration_freedom: M::Q::LEN + of_positions.len() - held().count(),
-        implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
+        degrees_of_freedom: M::Q::LEN + rows.len() - held,
+        configuration_freedom: M::Q::LEN + of_positions - held,
+        singular: singular.map(|row| constraint_name::<M>(*row)).collect(),
+        implied_by: rows.iter().map(|row| implying::<M>(jacobian, *row, &rows)).collect(),
         dependent: rows.into_iter().map(constraint_name::<M>).collect(),
     }
+}
+
+/// C_q at a position, and where rows depend on others or vanish there, in positions near it too.
+fn jacobians<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<M::LQ> {
+    let here = mechanism.constraint_jacobian(time, q);
+    let lengths: Vec<f64> = (0..M::L::LEN).map(|row| norm(&here[row])).collect();
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let vanishes = (0..M::L::LEN).any(|row| lengths[row] <= DEPENDENT * longest);
+    let nearby = match vanishes || !dependent_rows(mechanism, &here, &lengths).is_empty() {
+        true => nearby_positions(mechanism, time, q),
+        false => Vec::new(),
+    };
+    [here].into_iter().chain(nearby.iter().map(|q| mechanism.constraint_jacobian(time, q))).collect()
+}
+
+/// The rows that depend on those before them, of those that hold, beside these lengths.
+fn dependent_rows<M: Mechanism>(mechanism: &M, jacobian: &M::LQ, lengths: &[f64]) -> Vec<usize> {
+    let sines = independence::<M>(jacobian, lengths);
+    (0..M::L::LEN).filter(|row| is_active(mechanism, *row) && !(sines[*row] > DEPENDENT)).collect()
+}
+
+fn norm<A: Array<f64>>(row: &A) -> f64 {
+    row.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
 /// The independent constraints before a row that it is a combination of.
@@ -80,17 +136,16 @@ fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> 
         .collect()
 }
 
-/// For each row of C_q the sine of its angle to the space of those before it.
-fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
+/// For each row of C_q the sine of its angle to the space of those before it, times how long it is beside its length elsewhere.
+fn independence<M: Mechanism>(jacobian: &M::LQ, lengths: &[f64]) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let of_row = |i: usize| {
-        let row = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
-        let mut rest = row.clone();
+        let mut rest = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
         // Twice, so that rounding leaves nothing of what was taken.
         for direction in basis.iter().chain(&basis) {
             rest -= direction * direction.dot(&rest);
         }
-        let sine = rest.norm() / row.norm();
+        let sine = rest.norm() / lengths[i];
         if sine > DEPENDENT {
             basis.push(rest.normalize());
         }

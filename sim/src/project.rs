@@ -4,9 +4,9 @@
 //! q -= C_q' (C_q C_q')^-1 C and q' -= C_q' (C_q C_q')^-1 (C_q q' + C_t), or on request in the metric of the mass matrix.
 //! Rows that depend on others here are left out of a correction, but not of the check that follows it.
 
+use crate::equations::by_inertia;
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::{between_positions, has_speed_rows};
-use crate::motion::by_inertia;
 use crate::solve::Definite;
 use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};

@@ -2,13 +2,15 @@
 
 use crate::assemble::{Start, assemble};
 use crate::control::{Control, Controller};
+use crate::equations::residuals;
 use crate::events::Occurrence;
 use crate::failure::Failure;
+use crate::inertia::check_inertias;
 use crate::integrate::{
     Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
 };
 use crate::mobility::{Mobility, check_masses, mobility};
-use crate::motion::{Motion, residuals};
+use crate::motion::Motion;
 use crate::record::Recorder;
 use crate::settings::{Method, Settings};
 use crate::trajectory::{Sample, State, Trajectory};
@@ -59,7 +61,7 @@ impl<M: Mechanism> Run<M> {
 /// Runs a mechanism from a start.
 ///
 /// # Errors
-/// If no start can be assembled. A failure on the way does not lose the run: it stands in its trajectory.
+/// If no start can be assembled, or it is singular. A failure on the way does not lose the run: it stands in its trajectory.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
     run_with(mechanism, start, settings, None)
 }
@@ -85,7 +87,9 @@ fn run_with<M: Mechanism>(
 ) -> Result<Run<M>, Failure> {
     let first = assemble(&mechanism, start)?;
     check_masses(&mechanism, first.time, &first.positions)?;
+    check_inertias(&mechanism, first.time, &first.positions)?;
     let mobility = mobility(&mechanism, first.time, &first.positions);
+    mobility.check_regular::<M>(first.time, &first.positions)?;
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
     let (mut steps, mut evaluations) = (Steps::default(), 0);
@@ -128,7 +132,9 @@ fn run_phases<M: Mechanism>(
     let (mut is_phase, mut redundant) = (true, 0);
     loop {
         if is_phase {
-            redundant = mobility(&mechanism, state.time, &state.positions).dependent.len();
+            let found = mobility(&mechanism, state.time, &state.positions);
+            found.check_regular::<M>(state.time, &state.positions)?;
+            redundant = found.dependent.len();
         }
         mechanism = control.ask(mechanism, &state, |mechanism| {
             Motion::with_redundant(mechanism, settings.stabilisation, redundant).sample(state)

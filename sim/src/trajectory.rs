@@ -29,8 +29,10 @@ impl<M: Mechanism> State<M> {
     }
 
     /// Whether all of it is finite.
+    #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        self.positions.iter().chain(self.speeds.iter()).chain([&self.work]).all(|value| value.is_finite())
+        let all_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        all_finite(self.positions.as_ref()) && all_finite(self.speeds.as_ref()) && self.work.is_finite()
     }
 }
 

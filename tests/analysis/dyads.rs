@@ -102,3 +102,24 @@ fn a_link_and_a_slider_close_in_an_angle_and_a_length() {
     let [x, y] = [0.1 * 1f64.cos(), 0.1 * 1f64.sin()];
     assert!((found.positions[0][3] - (x + y) / 2.0).abs() < 1e-16 && FRAC_PI_2 > found.positions[0][2]);
 }
+
+mechanism! {
+    /// Ten arms that each close in two ways.
+    Arms;
+    const n = 10;
+    coordinates { repeat i in 1..=n { phi_[i]; } s; }
+    bodies { cart: mass 1 at [s, 0]; repeat i in 1..=n { arm_[i]: mass 1 at [cos(phi_[i]), sin(phi_[i])]; } }
+    constraints { repeat i in 1..=n { reach_[i]: cos(phi_[i]) = s; } }
+    initial { s = 0.5; repeat i in 1..=n { guess phi_[i] = 1; } }
+}
+
+/// Two to the tenth configurations are not all followed, the one at the guesses is: cos 60 deg = 1/2.
+#[test]
+fn of_many_ways_to_close_the_nearest_are_followed() {
+    let mut start = declared_start(&Arms::default());
+    start.positions[3] = -0.9;
+    let found = branches(&Arms::default(), &start);
+    assert_eq!((found.loops.len(), found.positions.len()), (10, 256));
+    let expected = |j: usize| if j == 3 { -PI / 3.0 } else { PI / 3.0 };
+    (0..10).for_each(|j| assert!((found.positions[0][j] - expected(j)).abs() < 1e-12, "{j}: {:?}", found.positions[0]));
+}

@@ -1,8 +1,8 @@
 //! Dead points, crossing branches, and what cannot be driven.
 
 use crate::sweeps::{driven, sweep};
-use models::{DoublePendulum, FourBar, SliderCrank};
-use sim::{Driven, Settings, Start, What, dead_points, declared_start, kinematics, mechanism};
+use models::{BouncingBall, DoublePendulum, FourBar, SliderCrank};
+use sim::{Driven, Mechanism, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism};
 use std::f64::consts::PI;
 
 /// Crank and ground link of 0.5 m and 0.65 m, coupler and rocker of 0.4 m and 0.3 m: no link can turn fully.
@@ -158,5 +158,22 @@ fn redundant_constraints_are_named_and_do_no_harm() {
         assert!((0.1 * theta.sin() + 0.3 * phi.sin()).abs() < 1e-15);
         // The same constraint twice, once at double size: the shortest share is 1 to 2.
         assert!((sample.multipliers[1] - 2.0 * sample.multipliers[0]).abs() < 1e-12);
+    }
+}
+
+/// A ball over a floor that holds for the instant of an impact: no dead point, and a sweep that the released floor does not
+/// hinder, and that has no reaction of it.
+#[test]
+fn released_constraints_are_no_part_of_positions() {
+    let ball = BouncingBall::default();
+    let run = sim::run(ball, &declared_start(&ball), &Settings::new(1.0)).unwrap();
+    assert!(run.trajectory.failure.is_none() && !run.events.is_empty());
+    assert!(dead_points(&run).is_empty());
+    let held = vec![(Driven::find(&<BouncingBall as Mechanism>::DESCRIPTION, "y").unwrap(), 0.5)];
+    let sweep = Sweep { held, ..sweep::<BouncingBall>("x", [0.0, 1.0], 2.0, 10) };
+    let found = kinematics(ball, &declared_start(&ball), &sweep).unwrap();
+    assert_eq!((&found.trajectory.failure, found.values.len()), (&None, 11));
+    for sample in &found.trajectory.samples {
+        assert!(sample.multipliers == [0.0] && (sample.state.positions[1] - 0.5).abs() < 1e-15, "{sample:?}");
     }
 }

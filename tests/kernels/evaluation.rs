@@ -75,7 +75,8 @@ fn drawing(equations: &EquationsOfMotion) -> Vec<Expr> {
     shapes
         .flat_map(|shape| match shape {
             Shape::Points(_, points) => points.concat(),
-            Shape::Slider([x, y], number) | Shape::Circle([x, y], number) => vec![*x, *y, *number],
+            Shape::Slider(at, along) => [at.as_slice(), along].concat(),
+            Shape::Circle(at, radius, normal) => [at.as_slice(), &[*radius], normal].concat(),
         })
         .collect()
 }

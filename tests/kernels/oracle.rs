@@ -74,7 +74,13 @@ fn put_on_constraints<M: Mechanism>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mu
     project_velocities::<M>(&linear, t, q, qd).is_ok()
 }
 
+/// In space kernels take components in the frames of bodies, where what is zero in the world is a difference of what is not:
+/// there rounding of an entry is relative to this part of the largest entry at least.
+const PART_IN_SPACE: f64 = 0.01;
+
 struct Found {
+    /// Components of vectors.
+    dimension: usize,
     /// The largest difference, relative to its magnitude.
     worst: f64,
     /// Where.
@@ -86,12 +92,14 @@ struct Found {
 impl Found {
     fn term(&mut self, term: &'static str, values: &[f64], expected: &[Measured]) {
         assert_eq!(values.len(), expected.len(), "{term}");
+        let largest = expected.iter().map(|entry| entry.magnitude).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        let least = if self.dimension == 3 { PART_IN_SPACE * largest } else { 0.0 };
         for (value, expected) in values.iter().zip(expected) {
             let both_undefined = !value.is_finite() && !expected.value.is_finite();
             if both_undefined {
                 continue;
             }
-            let difference = (value - expected.value).abs() / expected.magnitude.max(f64::MIN_POSITIVE);
+            let difference = (value - expected.value).abs() / expected.magnitude.max(least).max(f64::MIN_POSITIVE);
             assert!(difference.is_finite(), "{term}: {value} instead of {}", expected.value);
             if difference > self.worst {
                 (self.worst, self.term) = (difference, term);
@@ -109,7 +117,7 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
     let (parameters, coordinates, speeds) = (parameters.as_ref(), q.as_ref(), qd.as_ref());
     let at = State { time: t, parameters, inputs: &inputs, coordinates, speeds };
     let terms = oracle.terms(&at).unwrap();
-    let mut found = Found { worst: 0.0, term: "", residual: None };
+    let mut found = Found { dimension: M::DESCRIPTION.dimension, worst: 0.0, term: "", residual: None };
     let matrix = |rows: Vec<Vec<f64>>| rows.concat();
     let mass = matrix(mechanism.mass_matrix(t, q).iter().map(|row| row.as_ref().to_vec()).collect());
     let jacobian = matrix(mechanism.constraint_jacobian(t, q).iter().map(|row| row.as_ref().to_vec()).collect());

@@ -24,6 +24,7 @@ mod order;
 mod pendulum;
 mod quick_return;
 mod singular;
+mod singular_start;
 mod six_bar;
 mod statics;
 mod stiff;

@@ -133,9 +133,9 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
-    let mut body = Body { name, mass: None, inertia: None, angle: None, free: None };
+    let mut body = Body { name, mass: None, inertia: None, angle: None, attitude: None, free: None };
     loop {
-        let word = keyword(input, &["mass", "inertia", "angle", "free"])?;
+        let word = keyword(input, &["mass", "inertia", "angle", "attitude", "free"])?;
         if word == "free" {
             body.free = Some(Region::from(&word));
             match input.parse::<Option<Token![,]>>()? {
@@ -150,6 +150,7 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
                 body.mass.replace((value, position)).is_some()
             }
             "inertia" => body.inertia.replace(value).is_some(),
+            "attitude" => body.attitude.replace(value).is_some(),
             _ => body.angle.replace(value).is_some(),
         };
         if twice {
@@ -253,7 +254,9 @@ pub(super) fn shape(input: ParseStream) -> Result<Shape> {
         }
         "circle" => {
             expect_word(input, "radius", "circle O radius r;")?;
-            Ok(Shape::Circle { at: first, radius: expression(input)? })
+            let radius = expression(input)?;
+            let normal = if accept_word(input, "normal")? { Some(expression(input)?) } else { None };
+            Ok(Shape::Circle { at: first, radius, normal })
         }
         name => {
             let mut points = vec![first];
@@ -281,6 +284,10 @@ fn mark(name: &str) -> Mark {
 }
 
 pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
-    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity"])?;
-    Ok(if name == "dynamics_jacobian" { OptionalKernel::DynamicsJacobian } else { OptionalKernel::DynamicsSensitivity })
+    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity", "inverse_dynamics"])?;
+    Ok(match name.to_string().as_str() {
+        "dynamics_jacobian" => OptionalKernel::DynamicsJacobian,
+        "dynamics_sensitivity" => OptionalKernel::DynamicsSensitivity,
+        _ => OptionalKernel::InverseDynamics,
+    })
 }

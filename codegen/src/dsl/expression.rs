@@ -11,11 +11,14 @@ use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
 
 /// Words that may follow an expression in a line of the language.
-const FOLLOWING_WORDS: [&str; 17] = [
+const FOLLOWING_WORDS: [&str; 20] = [
     "at",
     "on",
     "along",
     "radius",
+    "normal",
+    "axis",
+    "pitch",
     "about",
     "from",
     "to",
@@ -32,10 +35,11 @@ const FOLLOWING_WORDS: [&str; 17] = [
 ];
 
 /// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 18] = [
+const LANGUAGE_WORDS: [&str; 19] = [
     "mass",
     "inertia",
     "angle",
+    "attitude",
     "guess",
     "dot",
     "force",

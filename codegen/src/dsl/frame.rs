@@ -4,9 +4,11 @@
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
 use super::joint::{Joint, JointKind};
-use super::made::{across, binary, call, called, component, difference, direction, inner, product, zero};
+use super::made::{across, binary, call, called, component, difference, direction, inner, product, vector, zero};
+use super::spatial_joint::{Placed, equations, named, rolls, screw};
 use super::{
-    Action, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator, Region, Shape,
+    Action, Activity, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
+    Region, Shape, Side, SpatialJoint,
 };
 use crate::mistakes::Mistakes;
 use crate::nearest;
@@ -41,6 +43,7 @@ struct Frame {
     name: Ident,
     position: Option<Expression>,
     angle: Option<Expression>,
+    attitude: Option<Expression>,
 }
 
 impl Frames {
@@ -48,10 +51,10 @@ impl Frames {
     fn of(declaration: &Declaration) -> Result<Frames> {
         let tables = declaration.tables.iter().map(|table| table.name.to_string()).collect();
         let mut frames = Frames { bodies: Vec::new(), tables };
-        for Body { name, mass, angle, .. } in &declaration.bodies {
+        for Body { name, mass, angle, attitude, .. } in &declaration.bodies {
             let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).cloned();
-            let mut frame = Frame { name: name.clone(), position, angle: angle.clone() };
-            for expression in frame.position.iter_mut().chain(&mut frame.angle) {
+            let mut frame = Frame { name: name.clone(), position, angle: angle.clone(), attitude: attitude.clone() };
+            for expression in frame.position.iter_mut().chain(&mut frame.angle).chain(&mut frame.attitude) {
                 frames.write_out(expression)?;
             }
             frames.bodies.push(frame);
@@ -127,12 +130,63 @@ impl Frames {
             JointKind::Rocker(arm, wheel, lift) => {
                 vec![equation(self.lift(&lift, &wheel)?, self.angle(&arm)?)]
             }
+            JointKind::Spatial(joint) => self.spatial(&name, *joint, initially)?,
+            JointKind::Rolling(rolling) => {
+                let (centre, attitude) = (self.position(&rolling.disc)?, self.attitude(&rolling.disc)?);
+                let spin = call(at, "angular_velocity", vec![attitude.clone()]);
+                let rows = rolls(at, &rolling, centre, product(attitude, rolling.axis.clone()), spin)?;
+                rows.into_iter().map(|(suffix, left, right)| named(&name, suffix, left, right)).collect()
+            }
             JointKind::Roll(wheel, radius, along) => {
                 let speed = inner(at, call(at, "dot", vec![self.position(&wheel)?]), direction(at, &along));
                 let turning = product(radius, call(at, "dot", vec![self.angle(&wheel)?]));
                 vec![equation(binary(Operator::Add, speed, turning), zero(at))]
             }
         })
+    }
+
+    fn attitude(&self, body: &Ident) -> Result<Expression> {
+        let missing = || {
+            let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or let it be `free`");
+            Region::from(body).error(message)
+        };
+        self.find(body)?.attitude.clone().ok_or_else(missing)
+    }
+
+    /// The equations of a joint of bodies in space.
+    fn spatial(&self, name: &Ident, joint: SpatialJoint, initially: Option<Activity>) -> Result<Vec<Equation>> {
+        let at = Region::from(name);
+        let (first, second) = (self.placed(&joint.first)?, self.placed(&joint.second)?);
+        let mut rows = equations(at, joint.kind, &first, &second);
+        if let Some(pitch) = joint.pitch {
+            let spins = [self.spin(at, &joint.first.body)?, self.spin(at, &joint.second.body)?];
+            let (left, right) = screw(at, pitch, &first, &second, spins);
+            rows.push(("_screw", left, right));
+        }
+        let equation = |(suffix, left, right)| Equation { initially, ..named(name, suffix, left, right) };
+        Ok(rows.into_iter().map(equation).collect())
+    }
+
+    /// Whether a joint holds to the ground. A body may have that name.
+    fn is_ground(&self, body: &Ident) -> bool {
+        body == "ground" && self.bodies.iter().all(|frame| frame.name != "ground")
+    }
+
+    fn placed(&self, side: &Side) -> Result<Placed> {
+        if self.is_ground(&side.body) {
+            return Placed::new(side, side.at.clone(), |v| v);
+        }
+        let (position, attitude) = (self.position(&side.body)?, self.attitude(&side.body)?);
+        let point = binary(Operator::Add, position, product(attitude.clone(), side.at.clone()));
+        Placed::new(side, point, |v| product(attitude.clone(), v))
+    }
+
+    /// The angular velocity of a body.
+    fn spin(&self, at: Region, body: &Ident) -> Result<Expression> {
+        match self.is_ground(body) {
+            true => Ok(vector(at, vec![zero(at); 3])),
+            false => Ok(call(at, "angular_velocity", vec![self.attitude(body)?])),
+        }
     }
 
     /// Writes out the points on bodies in an expression.
@@ -147,6 +201,19 @@ impl Frames {
                 *expression = self.point(expression.region, parts)?;
                 Ok(())
             }
+            Kind::Call(function, parts) if function == "attitude" || function == "omega" => {
+                if let [Expression { kind: Kind::Name(body), .. }] = parts.as_slice()
+                    && let Ok(Frame { attitude: Some(attitude), .. }) = self.find(body)
+                {
+                    let mut turned = Expression { region: expression.region, ..attitude.clone() };
+                    if function == "omega" {
+                        turned = call(expression.region, "angular_velocity", vec![turned]);
+                    }
+                    *expression = turned;
+                    return Ok(());
+                }
+                parts.iter_mut().try_for_each(|part| self.write_out(part))
+            }
             Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
             Kind::If(choice) => {
                 let parts = [&mut choice.left, &mut choice.right, &mut choice.yes, &mut choice.no];
@@ -157,10 +224,15 @@ impl Frames {
 
     /// P + [u cos(phi) - v sin(phi), u sin(phi) + v cos(phi)].
     fn point(&self, region: Region, parts: Vec<Expression>) -> Result<Expression> {
-        let form = || region.error("a point on a body is written `on(body, [u, v])`");
+        let form = || region.error("a point on a body is written `on(body, [u, v])`, in space `on(body, [u, v, w])`");
         let [body, mut place] = <[Expression; 2]>::try_from(parts).map_err(|_| form())?;
         self.write_out(&mut place)?;
         let Kind::Name(body) = body.kind else { return Err(form()) };
+        if let Some(attitude) = self.find(&body)?.attitude.clone() {
+            let mut point = binary(Operator::Add, self.position(&body)?, product(attitude, place));
+            point.region = region;
+            return Ok(point);
+        }
         let (position, angle) = (self.position(&body)?, self.angle(&body)?);
         let of_angle = |function| call(region, function, vec![angle.clone()]);
         let [u, v] = ["x", "y"].map(|axis| component(&place, axis));
@@ -179,7 +251,7 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
     let mut all: Vec<&mut Expression> = d.lets.iter_mut().map(|l| &mut l.value).collect();
     for body in &mut d.bodies {
         all.extend(body.mass.iter_mut().flat_map(|(mass, at)| [mass].into_iter().chain(at)));
-        all.extend(body.inertia.iter_mut().chain(&mut body.angle));
+        all.extend(body.inertia.iter_mut().chain(&mut body.angle).chain(&mut body.attitude));
     }
     for load in &mut d.loads {
         match load {
@@ -201,7 +273,7 @@ fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
         match shape {
             Shape::Points { points, .. } => all.extend(points),
             Shape::Slider { at, along } => all.extend([at, along]),
-            Shape::Circle { at, radius } => all.extend([at, radius]),
+            Shape::Circle { at, radius, normal } => all.extend([at, radius].into_iter().chain(normal)),
         }
     }
     all

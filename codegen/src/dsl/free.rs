@@ -1,7 +1,9 @@
 //! Bodies with a place and an angle of their own: `rod: free, mass m, inertia J;` has the coordinates `rod_x`, `rod_y` and
-//! `rod_phi`. Later stages know only these.
+//! `rod_phi`. One of space, `rod: free, mass m, inertia [A, B, C];`, has `rod_x`, `rod_y`, `rod_z` and the quaternion `rod_q0`
+//! to `rod_q3`, which the constraint `rod_norm` keeps at length 1. Later stages know only these.
 
-use super::{Body, Coordinate, Declaration, Expression, Kind, Region, Unit};
+use super::made::{binary, call};
+use super::{Body, Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Kind, Operator, Region, Unit};
 use crate::mistakes::Mistakes;
 use syn::{Ident, Result};
 
@@ -20,11 +22,26 @@ pub(super) fn give_coordinates(declaration: &mut Declaration) -> Result<()> {
             mistakes.add(mistake);
             continue;
         }
-        let coordinates = [("x", "m"), ("y", "m"), ("phi", "rad")].map(|(what, unit)| Coordinate {
+        let coordinate = |(what, unit): (&str, &str)| Coordinate {
             docs: String::new(),
             name: Ident::new(&format!("{}_{what}", body.name), body.name.span()),
-            unit: has_units.then(|| si_unit(unit, free)),
-        });
+            unit: (has_units && unit != "1").then(|| si_unit(unit, free)),
+        };
+        if body.inertia.as_ref().is_some_and(|inertia| matches!(inertia.kind, Kind::Vector(_))) {
+            let places = [("x", "m"), ("y", "m"), ("z", "m")].map(coordinate);
+            let quaternion = [("q0", "1"), ("q1", "1"), ("q2", "1"), ("q3", "1")].map(coordinate);
+            if let Some((_, position)) = &mut body.mass {
+                let components = places.each_ref().map(|c| named(&c.name, free)).to_vec();
+                *position = Some(Expression { region: free, kind: Kind::Vector(components) });
+            }
+            let components = quaternion.each_ref().map(|c| named(&c.name, free));
+            declaration.constraints.push(norm(body, &components, free));
+            body.attitude = Some(call(free, "quaternion", components.to_vec()));
+            upright(&mut declaration.initial, &quaternion[0].name, free);
+            declaration.coordinates.extend(places.into_iter().chain(quaternion));
+            continue;
+        }
+        let coordinates = [("x", "m"), ("y", "m"), ("phi", "rad")].map(coordinate);
         let [x, y, phi] = coordinates.each_ref().map(|c| named(&c.name, free));
         if let Some((_, position)) = &mut body.mass {
             *position = Some(Expression { region: free, kind: Kind::Vector(vec![x, y]) });
@@ -33,6 +50,25 @@ pub(super) fn give_coordinates(declaration: &mut Declaration) -> Result<()> {
         declaration.coordinates.extend(coordinates);
     }
     mistakes.or(())
+}
+
+/// `rod_norm: q0^2 + q1^2 + q2^2 + q3^2 = 1`
+fn norm(body: &Body, components: &[Expression; 4], free: Region) -> Equation {
+    let number =
+        |literal: &str| Expression { region: free, kind: Kind::Number { literal: literal.into(), unit: None } };
+    let [a, b, c, d] = components.clone().map(|x| binary(Operator::Power, x, number("2")));
+    let sum = [b, c, d].into_iter().fold(a, |sum, square| binary(Operator::Add, sum, square));
+    let name = Ident::new(&format!("{}_norm", body.name), body.name.span());
+    Equation { name, left: sum, right: number("1"), initially: None }
+}
+
+/// A body whose start is not given starts near where its axes are the world's.
+fn upright(initial: &mut Vec<Initial>, q0: &Ident, free: Region) {
+    let is_given = initial.iter().any(|line| line.coordinate == *q0 && line.kind != InitialKind::Speed);
+    if !is_given {
+        let value = Expression { region: free, kind: Kind::Number { literal: "1".into(), unit: None } };
+        initial.push(Initial { coordinate: q0.clone(), kind: InitialKind::Guess, value });
+    }
 }
 
 fn place_twice(body: &Body, free: Region) -> Option<syn::Error> {
@@ -46,6 +82,10 @@ fn place_twice(body: &Body, free: Region) -> Option<syn::Error> {
         ))),
         (_, Some(angle)) => Some(angle.region.error(format!(
             "body `{name}` is free and has an angle of its own, {name}_phi; leave out `angle ..`, or `free`"
+        ))),
+        _ if body.attitude.is_some() => Some(free.error(format!(
+            "body `{name}` is free and has an attitude of its own, the quaternion {name}_q0 to {name}_q3; leave out \
+             `attitude ..`, or `free`"
         ))),
         _ if body.inertia.is_none() => Some(
             free.error(format!("the inertia of free body `{name}` is missing: `{name}: free, mass m, inertia J;`")),

@@ -1,10 +1,12 @@
-//! Lines of the `joints` block: the joints of planar linkages by name.
+//! Lines of the `joints` block: joints by name.
 
 use super::block::{accept_word, colon, docs, expect_word, initially, keyword, name};
 use super::expression::expression;
 use super::region::here;
-use super::{Activity, Expression, Kind};
+use super::spatial_joint::{rolling, spatial_joint};
+use super::{Activity, Expression, Kind, Rolling, SpatialJoint, SpatialKind};
 use syn::Ident;
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
 /// `pin_A: pin P to Q;`
@@ -37,6 +39,10 @@ pub enum JointKind {
     Rocker(Ident, Ident, Ident),
     /// `roll wheel radius r along beta`: the wheel does not slip on ground of that direction.
     Roll(Ident, Expression, Expression),
+    /// `revolute a at u axis n to b at v axis m` and its like, in space.
+    Spatial(Box<SpatialJoint>),
+    /// `roll disc radius r axis n on O normal k`, in space.
+    Rolling(Box<Rolling>),
 }
 
 /// `through O along beta`: a line.
@@ -55,7 +61,12 @@ pub(super) fn joint(input: ParseStream) -> Result<Joint> {
     docs(input)?;
     let name = name(input, FORM)?;
     colon(input, FORM)?;
-    let word = keyword(input, &["pin", "link", "slot", "slide", "gear", "rack", "cam", "roll"])?;
+    let known = ["pin", "link", "slot", "slide", "gear", "rack", "cam", "roll"];
+    let word = keyword(input, &[&known, SpatialKind::WORDS.as_slice()].concat())?;
+    if let Some(kind) = SpatialKind::of(&word.to_string()) {
+        let joint = spatial_joint(input, kind)?;
+        return Ok(Joint { name, kind: JointKind::Spatial(Box::new(joint)), initially: initially(input)? });
+    }
     let kind = match word.to_string().as_str() {
         "pin" => pin(input)?,
         "link" => link(input)?,
@@ -139,9 +150,16 @@ fn by(input: ParseStream, form: &str) -> Result<Ident> {
     name(input, "a table, by its name")
 }
 
+fn next_is(input: ParseStream, word: &str) -> bool {
+    input.peek(Ident::peek_any) && input.fork().call(Ident::parse_any).is_ok_and(|next| next == word)
+}
+
 fn roll(input: ParseStream) -> Result<JointKind> {
     const FORM: &str = "roll wheel radius r along beta;";
     let (wheel, radius) = (body(input)?, radius(input, FORM)?);
+    if next_is(input, "axis") {
+        return Ok(JointKind::Rolling(Box::new(rolling(input, wheel, radius)?)));
+    }
     expect_word(input, "along", FORM)?;
     Ok(JointKind::Roll(wheel, radius, expression(input)?))
 }

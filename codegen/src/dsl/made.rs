@@ -40,6 +40,22 @@ pub(super) fn zero(region: Region) -> Expression {
     Expression { region, kind: Kind::Number { literal: "0".into(), unit: None } }
 }
 
+pub(super) fn number(region: Region, literal: &str) -> Expression {
+    let number = |literal: &str| Expression { region, kind: Kind::Number { literal: literal.into(), unit: None } };
+    match literal.strip_prefix('-') {
+        Some(size) => Expression { region, kind: Kind::Negate(Box::new(number(size))) },
+        None => number(literal),
+    }
+}
+
+pub(super) fn vector(region: Region, components: Vec<Expression>) -> Expression {
+    Expression { region, kind: Kind::Vector(components) }
+}
+
+pub(super) fn quotient(a: Expression, b: Expression) -> Expression {
+    binary(Operator::Divide, a, b)
+}
+
 pub(super) fn product(a: Expression, b: Expression) -> Expression {
     binary(Operator::Multiply, a, b)
 }

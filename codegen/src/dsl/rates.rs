@@ -4,7 +4,7 @@ use super::{Declaration, Equation, Expression, Kind};
 use syn::Ident;
 
 impl Declaration {
-    /// Whether `dot(..)` stands in an equation, or in what a `let` names in it: then it holds between speeds.
+    /// Whether `dot(..)` or an angular velocity stands in an equation, or in what a `let` names in it: then it holds between speeds.
     pub fn has_rates(&self, equation: &Equation) -> bool {
         let mut rated: Vec<&Ident> = Vec::new();
         for definition in &self.lets {
@@ -21,7 +21,7 @@ fn mentions_rate(expression: &Expression, rated: &[&Ident]) -> bool {
     match &expression.kind {
         Kind::Number { .. } => false,
         Kind::Name(name) => rated.contains(&name),
-        Kind::Call(function, _) if function == "dot" || function == "ddot" => true,
+        Kind::Call(function, _) if ["dot", "ddot", "angular_velocity"].iter().any(|rate| function == rate) => true,
         _ => expression.parts().into_iter().any(|part| mentions_rate(part, rated)),
     }
 }

@@ -46,6 +46,8 @@ pub enum OptionalKernel {
     DynamicsJacobian,
     /// `dynamics_sensitivity;`
     DynamicsSensitivity,
+    /// `inverse_dynamics;`
+    InverseDynamics,
 }
 
 /// `alpha [rad];`
@@ -147,6 +149,8 @@ pub struct Body {
     pub inertia: Option<Expression>,
     /// `angle phi`
     pub angle: Option<Expression>,
+    /// `attitude R`, a rotation, in space.
+    pub attitude: Option<Expression>,
     /// The word `free`: it has a place and an angle of its own.
     pub free: Option<Region>,
 }
@@ -348,7 +352,7 @@ pub enum Shape {
     Slider {
         /// Its centre.
         at: Expression,
-        /// The angle of its guide.
+        /// The angle of its guide, in space its direction.
         along: Expression,
     },
     /// `circle O2 radius r;`
@@ -357,6 +361,8 @@ pub enum Shape {
         at: Expression,
         /// Its radius.
         radius: Expression,
+        /// `normal n`, in space.
+        normal: Option<Expression>,
     },
 }
 
@@ -377,7 +383,7 @@ pub enum Mark {
     Point,
 }
 
-/// A scalar or vector expression.
+/// A scalar, vector or rotation.
 #[derive(Clone)]
 pub struct Expression {
     /// Where it stands.

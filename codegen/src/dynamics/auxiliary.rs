@@ -4,7 +4,7 @@
 //! is R = sum of (dx/ds)' (M x'' - F) + (dC/ds)' lambda at s = 0: what a joint, cut by s, does to what s moves. (Kane and
 //! Levinson, Dynamics: Theory and Applications, 1985, section 4.9, who give it as an auxiliary generalised speed.)
 
-use super::rows::{LoadRow, load_rows};
+use super::rows::{Along, LoadRow, load_rows};
 use super::variables::inner;
 use crate::model::{Auxiliary, Event, EventStep, Level, Model};
 use crate::symbolic::{Differential, Expr, Symbol, substitute, transplant};
@@ -34,14 +34,33 @@ fn virtual_work(displaced: &mut Model, rows: &[LoadRow], auxiliary: &Auxiliary) 
     let mut motion = displaced.time_derivative();
     let mut terms = Vec::new();
     for row in rows {
-        let displacement = by_displacement.of(&mut displaced.graph, row.position);
+        let displacement = match row.along {
+            Along::Position(position) => by_displacement.of(&mut displaced.graph, position),
+            Along::Rate { velocity, .. } => by_rate.of(&mut displaced.graph, velocity),
+        };
         if displaced.graph.is_zero(displacement) {
             continue;
         }
-        let velocity = motion.of(&mut displaced.graph, row.position);
-        let acceleration = motion.of(&mut displaced.graph, velocity);
-        let inertial = displaced.graph.mul(row.inertia, acceleration);
-        let load = displaced.graph.sum(&row.forces);
+        let mut acceleration = |row: &LoadRow| match row.along {
+            Along::Position(position) => {
+                let velocity = motion.of(&mut displaced.graph, position);
+                motion.of(&mut displaced.graph, velocity)
+            }
+            Along::Rate { acceleration, .. } => acceleration,
+        };
+        let own = acceleration(row);
+        let coupled: Vec<(Expr, Expr)> =
+            row.coupling.iter().map(|(other, product)| (*product, acceleration(&rows[*other]))).collect();
+        let mut inertial = displaced.graph.mul(row.inertia, own);
+        for (product, other) in coupled {
+            let coupled = displaced.graph.mul(product, other);
+            inertial = displaced.graph.add(inertial, coupled);
+        }
+        inertial = displaced.graph.add(inertial, row.gyroscopic);
+        let mut load = displaced.graph.sum(&row.forces);
+        if let Some(weight) = row.weight {
+            load = displaced.graph.add(load, weight.force);
+        }
         let missing = displaced.graph.sub(inertial, load);
         terms.push(displaced.graph.mul(displacement, missing));
     }

@@ -28,8 +28,12 @@ impl Energy {
         for row in &tmt.rows {
             let squared = model.graph.mul(row.motion.velocity, row.motion.velocity);
             twice_kinetic.push(model.graph.mul(row.inertia, squared));
+            for (other, product) in &row.coupling {
+                let velocities = [row.motion.velocity, *product, tmt.rows[*other].motion.velocity];
+                twice_kinetic.push(model.graph.product(&velocities));
+            }
             power.push(model.graph.mul(row.force, row.motion.velocity));
-            power.push(drive_power(model, variables, drifts, row));
+            power.push(drive_power(model, variables, drifts, &tmt.rows, row));
         }
         for (i, multiplier) in model.multipliers().into_iter().enumerate() {
             let carried = inner(model, drifts, &constraints.jacobian[i]);
@@ -42,15 +46,24 @@ impl Energy {
 }
 
 /// T_t (M x'' - F): what a drive does that moves the row in time.
-fn drive_power(model: &mut Model, variables: &Variables, drifts: &[Expr], row: &Row) -> Expr {
+fn drive_power(model: &mut Model, variables: &Variables, drifts: &[Expr], rows: &[Row], row: &Row) -> Expr {
     let driven = total_time_derivative(model, &row.motion, drifts);
     if model.graph.is_zero(driven) {
         return driven;
     }
     let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| model.graph.variable(*a)).collect();
-    let moving = inner(model, &row.motion.jacobian, &accelerations);
-    let acceleration = model.graph.add(moving, row.motion.convective);
-    let inertia_force = model.graph.mul(row.inertia, acceleration);
+    let acceleration = |model: &mut Model, row: &Row| {
+        let moving = inner(model, &row.motion.jacobian, &accelerations);
+        model.graph.add(moving, row.motion.convective)
+    };
+    let own = acceleration(model, row);
+    let mut inertia_force = model.graph.mul(row.inertia, own);
+    for (other, product) in &row.coupling {
+        let coupled = acceleration(model, &rows[*other]);
+        let coupled = model.graph.mul(*product, coupled);
+        inertia_force = model.graph.add(inertia_force, coupled);
+    }
+    inertia_force = model.graph.add(inertia_force, row.gyroscopic);
     let drive = model.graph.sub(inertia_force, row.force);
     model.graph.mul(driven, drive)
 }

@@ -59,7 +59,8 @@ const DEPTHS: [usize; 4] = [2, 3, 4, 6];
 /// The cheapest way to write rows and constraints.
 pub(super) fn cheapest(model: &mut Model, rows: Vec<LoadRow>) -> Formulation {
     let plain = Formulation::without(model, rows);
-    if model.coordinates.len() < FEWEST_COORDINATES {
+    // Along chains of bodies in space velocities are carried from frame to frame, which is as short.
+    if model.coordinates.len() < FEWEST_COORDINATES || model.dimension == 3 {
         return plain;
     }
     let mut best = (plain.cost(model), None);
@@ -123,7 +124,7 @@ impl Formulation {
             let symbols = model.graph.symbols_of(&[expr]);
             (0..variables.len()).filter(|i| symbols.binary_search(&variables[*i]).is_ok()).collect()
         };
-        let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.position)).collect();
+        let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.quantity())).collect();
         // What a row between speeds constrains are the variables whose speeds stand in it.
         let speeds = self.variables(model).speeds;
         let constrained = |(value, constraint): (&Expr, &Constraint)| match constraint.level {

@@ -18,6 +18,7 @@ mod auxiliary;
 mod constraints;
 mod energy;
 mod intermediates;
+mod inverse;
 mod lagrange;
 pub mod order;
 mod outputs;
@@ -37,6 +38,7 @@ pub use tmt::{Row, Tmt};
 pub use variables::{Differentiated, Variables};
 
 use crate::model::Model;
+use crate::symbolic::Expr;
 use intermediates::{Formulation, cheapest};
 use variables::Derivatives;
 
@@ -63,6 +65,8 @@ pub struct EquationsOfMotion {
     pub by_state: Option<[Columns; 2]>,
     /// How it changes with the parameters, likewise.
     pub by_parameters: Option<Columns>,
+    /// M q'' + h - Q, if that is wanted, likewise.
+    pub inverse: Option<Vec<Expr>>,
 }
 
 /// Derives the equations of motion in the coordinates alone: what a reader wants to see.
@@ -84,6 +88,8 @@ fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
     let mut derivatives = Derivatives::of(&mut model, &variables);
     let intermediates = formulation.intermediates(&mut model, &variables, &mut derivatives);
     let Formulation { rows, constraints, .. } = formulation;
+    let has_inverse = model.wants_inverse && intermediates.is_empty();
+    let inverse = has_inverse.then(|| inverse::derive(&mut model, &rows)).flatten();
     let tmt = Tmt::derive(&mut model, &variables, &mut derivatives, rows);
     let constraints = Constraints::derive(&mut model, &variables, &mut derivatives, constraints);
     let mut drifts = vec![model.graph.zero(); model.coordinates.len()];
@@ -100,6 +106,7 @@ fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
         outputs,
         by_state: None,
         by_parameters: None,
+        inverse,
     };
     if equations.intermediates.is_empty() {
         sensitivity::derive(&mut equations, &mut derivatives);

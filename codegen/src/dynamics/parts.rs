@@ -1,7 +1,7 @@
 //! Parts of sums that sums have in common, found by their terms, and expressions written with them.
 
 use super::intermediates::Formulation;
-use super::rows::LoadRow;
+use super::rows::{Along, LoadRow};
 use super::variables::Variables;
 use crate::model::{Dependence, Model};
 use crate::symbolic::{Expr, Graph, Node, Symbol, with_operands};
@@ -24,7 +24,7 @@ struct Candidate {
 impl Candidates {
     pub(super) fn of(model: &mut Model, plain: &Formulation) -> Candidates {
         let named: Vec<Expr> = model.named.iter().map(|(_, expr)| *expr).collect();
-        let positions: Vec<Expr> = plain.rows.iter().map(|row| row.position).chain(named).collect();
+        let positions: Vec<Expr> = plain.rows.iter().map(LoadRow::quantity).chain(named).collect();
         let angles = arguments(&model.graph, &positions).into_iter();
         let sums: BTreeSet<Expr> = angles.chain(positions).filter(|expr| length(&model.graph, *expr) > 1).collect();
         let coordinates = Variables::coordinates(model).positions;
@@ -147,9 +147,16 @@ impl Writer {
     }
 
     fn row(&mut self, model: &mut Model, row: &LoadRow) -> LoadRow {
+        let along = match row.along {
+            Along::Position(position) => Along::Position(self.rewrite(model, position)),
+            rate => rate,
+        };
         LoadRow {
-            position: self.rewrite(model, row.position),
+            along,
             inertia: row.inertia,
+            coupling: row.coupling.clone(),
+            gyroscopic: row.gyroscopic,
+            weight: row.weight,
             forces: row.forces.iter().map(|force| self.rewrite(model, *force)).collect(),
         }
     }

@@ -1,18 +1,57 @@
 //! The rows of x = T(q, t) with their inertias and loads, before differentiation.
 
-use crate::model::Model;
+use crate::model::{Attitude, Model};
 use crate::symbolic::Expr;
 
 /// A row before differentiation.
 pub(super) struct LoadRow {
-    pub(super) position: Expr,
+    pub(super) along: Along,
     pub(super) inertia: Expr,
+    /// Inertias that it shares with other rows, by index: products of inertia.
+    pub(super) coupling: Vec<(usize, Expr)>,
+    /// The force that its inertia takes without acceleration: of w x J w its component.
+    pub(super) gyroscopic: Expr,
+    /// Weight, apart from other forces.
+    pub(super) weight: Option<Weight>,
     pub(super) forces: Vec<Expr>,
+}
+
+/// What a row is about.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Along {
+    /// A quantity x(q, t).
+    Position(Expr),
+    /// A speed A q' + b that need be no rate of anything, with its acceleration.
+    Rate { velocity: Expr, acceleration: Expr },
+}
+
+/// Weight along a row.
+#[derive(Clone, Copy)]
+pub(super) struct Weight {
+    /// The force.
+    pub(super) force: Expr,
+    /// The row's acceleration less that of free fall, which is shorter than both.
+    pub(super) proper: Expr,
+}
+
+impl LoadRow {
+    fn new(along: Along, inertia: Expr, zero: Expr) -> LoadRow {
+        LoadRow { along, inertia, coupling: vec![], gyroscopic: zero, weight: None, forces: vec![] }
+    }
+
+    /// What the row is made of.
+    pub(super) fn quantity(&self) -> Expr {
+        match self.along {
+            Along::Position(x) | Along::Rate { velocity: x, .. } => x,
+        }
+    }
 }
 
 /// The rows of bodies and loads.
 pub(super) fn load_rows(model: &mut Model) -> Vec<LoadRow> {
     let mut rows = body_rows(model);
+    let zero = model.graph.zero();
+    rows.extend(model.norms.iter().map(|norm| LoadRow::new(Along::Position(norm.square), norm.inertia, zero)));
     add_loads(model, &mut rows);
     rows
 }
@@ -20,29 +59,74 @@ pub(super) fn load_rows(model: &mut Model) -> Vec<LoadRow> {
 /// The rotation and position of each body, with the weight of its mass.
 fn body_rows(model: &mut Model) -> Vec<LoadRow> {
     let mut rows = Vec::new();
+    let zero = model.graph.zero();
     for body in &model.bodies {
         if let Some((inertia, angle)) = body.rotation {
-            rows.push(LoadRow { position: angle, inertia, forces: vec![] });
+            rows.push(LoadRow::new(Along::Position(angle), inertia, zero));
         }
-        if let Some((mass, at)) = body.mass {
-            for (axis, position) in at.into_iter().enumerate() {
-                let weight = model.gravity.map(|gravity| model.graph.mul(mass, gravity[axis]));
-                rows.push(LoadRow { position, inertia: mass, forces: weight.into_iter().collect() });
+        if let Some(attitude) = &body.attitude {
+            add_spatial(&mut model.graph, &mut rows, attitude, body.mass.as_ref().map(|(mass, _)| *mass));
+            continue;
+        }
+        if let Some((mass, at)) = &body.mass {
+            for (axis, position) in at.iter().enumerate() {
+                let weight = model.gravity.as_ref().map(|gravity| model.graph.mul(*mass, gravity[axis]));
+                let mut row = LoadRow::new(Along::Position(*position), *mass, zero);
+                row.forces.extend(weight);
+                rows.push(row);
             }
         }
     }
     rows
 }
 
+/// Three components of the angular velocity and three of the velocity of the centre of mass, all in the body's frame.
+fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, attitude: &Attitude, mass: Option<Expr>) {
+    let (first, zero, spin) = (rows.len(), graph.zero(), attitude.spin);
+    let momentum: [Expr; 3] = std::array::from_fn(|i| {
+        let terms: Vec<Expr> = (0..3).map(|k| graph.mul(attitude.inertia.entry(i, k), spin.velocity[k])).collect();
+        graph.sum(&terms)
+    });
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let (ahead, back) = (graph.mul(spin.velocity[j], momentum[k]), graph.mul(spin.velocity[k], momentum[j]));
+        let along = Along::Rate { velocity: spin.velocity[i], acceleration: spin.acceleration[i] };
+        let mut row = LoadRow::new(along, attitude.inertia.moments[i], zero);
+        row.gyroscopic = graph.sub(ahead, back);
+        let products = [j, k].map(|other| (first + other, attitude.inertia.entry(i, other)));
+        row.coupling.extend(products.into_iter().filter(|(_, product)| !graph.is_zero(*product)));
+        rows.push(row);
+    }
+    let (Some(mass), Some(centre)) = (mass, attitude.centre) else { return };
+    for i in 0..3 {
+        let along = Along::Rate { velocity: centre.velocity[i], acceleration: centre.acceleration[i] };
+        let mut row = LoadRow::new(along, mass, zero);
+        row.weight =
+            attitude.fall.map(|fall| Weight { force: graph.mul(mass, fall.gravity[i]), proper: fall.proper[i] });
+        rows.push(row);
+    }
+}
+
 /// Enters loads at the rows they act along, or at rows of their own.
 fn add_loads(model: &mut Model, rows: &mut Vec<LoadRow>) {
     let zero = model.graph.zero();
-    let efforts = model.efforts.iter().map(|effort| (effort.along, effort.force));
-    let forces = model.forces.iter().flat_map(|force| force.at.into_iter().zip(force.force));
-    for (position, force) in efforts.chain(forces) {
-        match rows.iter_mut().find(|row| row.position == position) {
+    let efforts = model.efforts.iter().map(|effort| (Along::Position(effort.along), effort.force));
+    let forces = model.forces.iter().flat_map(|force| force.at.iter().zip(&force.force));
+    let forces = forces.map(|(position, force)| (Along::Position(*position), *force));
+    let pushes = model.pushes.iter().flat_map(|push| {
+        (0..3).map(|i| {
+            let (velocity, acceleration) = (push.along.velocity[i], push.along.acceleration[i]);
+            (Along::Rate { velocity, acceleration }, push.effort[i])
+        })
+    });
+    for (along, force) in efforts.chain(forces).chain(pushes) {
+        match rows.iter_mut().find(|row| row.along == along) {
             Some(row) => row.forces.push(force),
-            None => rows.push(LoadRow { position, inertia: zero, forces: vec![force] }),
+            None => {
+                let mut row = LoadRow::new(along, zero, zero);
+                row.forces.push(force);
+                rows.push(row);
+            }
         }
     }
 }

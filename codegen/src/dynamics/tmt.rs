@@ -3,15 +3,21 @@
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Differentiated, Variables};
 use crate::model::Model;
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, substitute};
 use std::collections::BTreeMap;
 
-/// One row of x = T(q, t): a rotation or a coordinate of a point.
+/// One row of x = T(q, t): a rotation or a coordinate of a point; in space a component of a velocity.
 pub struct Row {
     /// M_i, a mass or moment of inertia; 0 for a point that only carries a load.
     pub inertia: Expr,
+    /// Entries of M in this row beside the diagonal: products of inertia.
+    pub coupling: Vec<(usize, Expr)>,
+    /// Of w x J w its component along the row.
+    pub gyroscopic: Expr,
     /// F_i, a force or torque along the row.
     pub force: Expr,
+    /// F_i - M_i g_i, where it is known in a shorter form.
+    pub net: Option<Expr>,
     /// T_i with its row of T_q, T_t, v = T_q q' + T_t and g = (T_q q' + T_t)_q q' + (..)_t.
     pub motion: Differentiated,
 }
@@ -37,22 +43,66 @@ impl Tmt {
         derivatives: &mut Derivatives,
         load_rows: Vec<LoadRow>,
     ) -> Tmt {
-        let rows: Vec<Row> = load_rows
-            .into_iter()
-            .map(|row| Row {
-                inertia: row.inertia,
-                force: model.graph.sum(&row.forces),
-                motion: derivatives.of_quantity(model, variables, row.position),
-            })
-            .collect();
+        let rows = rows(model, variables, derivatives, load_rows);
         let n = variables.len();
-        let convective_forces = reduce(model, &rows, n, |row| vec![row.inertia, row.motion.convective]);
-        let generalized_forces = reduce(model, &rows, n, |row| vec![row.force]);
-        let both = generalized_forces.iter().zip(&convective_forces);
-        let right_hand_side = both.map(|(force, convective)| model.graph.sub(*force, *convective)).collect();
+        let convective: Vec<Expr> = (0..rows.len()).map(|i| convective_force(model, &rows, i)).collect();
+        let convective_forces = reduce(model, &rows, n, |i, _| convective[i]);
+        let generalized_forces = reduce(model, &rows, n, |_, row| row.force);
+        let right_hand_side = match rows.iter().any(|row| row.net.is_some()) {
+            true => {
+                let net: Vec<Expr> = rows
+                    .iter()
+                    .zip(&convective)
+                    .map(|(row, convective)| row.net.unwrap_or_else(|| model.graph.sub(row.force, *convective)))
+                    .collect();
+                reduce(model, &rows, n, |i, _| net[i])
+            }
+            false => {
+                let both = generalized_forces.iter().zip(&convective_forces);
+                both.map(|(force, convective)| model.graph.sub(*force, *convective)).collect()
+            }
+        };
         let mass_matrix = mass_matrix(model, &rows, n);
         Tmt { rows, mass_matrix, convective_forces, generalized_forces, right_hand_side }
     }
+}
+
+fn rows(model: &mut Model, variables: &Variables, derivatives: &mut Derivatives, load_rows: Vec<LoadRow>) -> Vec<Row> {
+    let zero = model.graph.zero();
+    let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
+    let row = |row: LoadRow| {
+        let applied = model.graph.sum(&row.forces);
+        let force = match row.weight {
+            Some(weight) => model.graph.add(applied, weight.force),
+            None => applied,
+        };
+        let net = row.weight.map(|weight| {
+            let proper = substitute(&mut model.graph, &[weight.proper], &at_rest)[0];
+            let needed = model.graph.mul(row.inertia, proper);
+            model.graph.sub(applied, needed)
+        });
+        Row {
+            inertia: row.inertia,
+            coupling: row.coupling,
+            gyroscopic: row.gyroscopic,
+            force,
+            net,
+            motion: derivatives.of_row(model, variables, row.along, &at_rest),
+        }
+    };
+    load_rows.into_iter().map(row).collect()
+}
+
+/// M_i g, with w x J w.
+fn convective_force(model: &mut Model, rows: &[Row], i: usize) -> Expr {
+    let row = &rows[i];
+    let own = model.graph.product(&[row.inertia, row.motion.convective]);
+    if row.coupling.is_empty() && model.graph.is_zero(row.gyroscopic) {
+        return own;
+    }
+    let mut terms = vec![own, row.gyroscopic];
+    terms.extend(row.coupling.iter().map(|(k, product)| model.graph.mul(*product, rows[*k].motion.convective)));
+    model.graph.sum(&terms)
 }
 
 /// T_q' M T_q, from the entries of T_q that are not zero.
@@ -64,6 +114,12 @@ fn mass_matrix(model: &mut Model, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
             for (k, by_k) in &entries[..=at] {
                 let term = model.graph.product(&[*by_j, row.inertia, *by_k]);
                 terms.entry((*j, *k)).or_default().push(term);
+            }
+            for (other, product) in &row.coupling {
+                for (k, by_k) in nonzero(model, &rows[*other]).into_iter().filter(|(k, _)| k <= j) {
+                    let term = model.graph.product(&[*by_j, *product, by_k]);
+                    terms.entry((*j, k)).or_default().push(term);
+                }
             }
         }
     }
@@ -77,11 +133,11 @@ fn mass_matrix(model: &mut Model, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
     matrix
 }
 
-/// T_q' times the product of quantities of each row.
-fn reduce(model: &mut Model, rows: &[Row], n: usize, factors: impl Fn(&Row) -> Vec<Expr>) -> Vec<Expr> {
+/// T_q' times a quantity of each row.
+fn reduce(model: &mut Model, rows: &[Row], n: usize, quantity: impl Fn(usize, &Row) -> Expr) -> Vec<Expr> {
     let mut terms = vec![vec![]; n];
-    for row in rows {
-        let value = model.graph.product(&factors(row));
+    for (i, row) in rows.iter().enumerate() {
+        let value = quantity(i, row);
         for (j, by_j) in nonzero(model, row) {
             terms[j].push(model.graph.mul(by_j, value));
         }

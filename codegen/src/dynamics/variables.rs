@@ -1,6 +1,7 @@
 //! What the rows of T are differentiated by: the coordinates, and the intermediate quantities that stand for parts of
 //! long sums.
 
+use super::rows::Along;
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Symbol, substitute};
 
@@ -86,6 +87,23 @@ impl Derivatives {
         let velocity = model.graph.add(moving, time_derivative);
         let convective = self.convective.of(&mut model.graph, velocity);
         Differentiated { position, jacobian, time_derivative, velocity, convective }
+    }
+
+    /// A row of T: `at_rest` gives the accelerations the value 0.
+    pub(super) fn of_row(
+        &mut self,
+        model: &mut Model,
+        variables: &Variables,
+        along: Along,
+        at_rest: &[(Symbol, Expr)],
+    ) -> Differentiated {
+        match along {
+            Along::Position(position) => self.of_quantity(model, variables, position),
+            Along::Rate { velocity, acceleration } => {
+                let convective = substitute(&mut model.graph, &[acceleration], at_rest)[0];
+                Differentiated { convective, ..self.of_rate(model, variables, velocity) }
+            }
+        }
     }
 
     /// A quantity w(q, q', t) linear in the speeds, as if it were the velocity of some position: with w_q' for its

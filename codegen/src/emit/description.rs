@@ -59,6 +59,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
         };
         quote! { #path::Shape::#shape }
     });
+    let dimension = size(model.dimension);
     quote! {
         #path::Description {
             name: #name,
@@ -75,7 +76,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             outputs: &[#(#outputs),*],
             rated_outputs: &[#(#rated),*],
             figures: &[#(#figures),*],
-            dimension: 2,
+            dimension: #dimension,
             drawing: &[#(#drawing),*],
         }
     }

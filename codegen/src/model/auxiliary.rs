@@ -72,9 +72,12 @@ pub(super) fn check_displaced(declaration: &Declaration, displaced: &Model) -> s
 /// Everything that a displacement may move.
 fn positions(model: &Model) -> Vec<Expr> {
     let bodies = model.bodies.iter().flat_map(|body| {
-        let mass = body.mass.iter().flat_map(|(_, at)| *at);
-        mass.chain(body.rotation.map(|(_, angle)| angle)).collect::<Vec<_>>()
+        let mass = body.mass.iter().flat_map(|(_, at)| at.clone());
+        let attitude = body.attitude.iter().flat_map(|attitude| attitude.matrix.concat());
+        mass.chain(body.rotation.map(|(_, angle)| angle)).chain(attitude).collect::<Vec<_>>()
     });
-    let loads = model.forces.iter().flat_map(|force| force.at).chain(model.efforts.iter().map(|effort| effort.along));
+    let pushed = model.pushes.iter().flat_map(|push| push.along.velocity);
+    let forces = model.forces.iter().flat_map(|force| force.at.clone());
+    let loads = forces.chain(model.efforts.iter().map(|effort| effort.along)).chain(pushed);
     bodies.chain(loads).chain(model.constraints.iter().map(|c| c.value)).collect()
 }

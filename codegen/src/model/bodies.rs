@@ -3,17 +3,43 @@
 use super::interpret::Interpreter;
 use super::level::{self, MOVING};
 use super::scope::{Names, plain};
-use super::{Body, Dependence, Dimension, Level, Point};
-use crate::dsl::{self, Declaration, Expression, Region};
+use super::space::{Spatial, Turn, norm_square, resolve_inertia};
+use super::{Attitude, Body, Dependence, Dimension, Fall, Level, Norm, Point, Tensor};
+use crate::dsl::{self, Declaration, Expression, Kind, Region};
 use crate::symbolic::Expr;
 
-/// Bodies in order, a mistaken one as `None`, with their places by name.
-pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> (Vec<Option<Body>>, Names<usize>) {
+/// The attitude of a body, and the place of its centre of mass with the frame that its velocity is written in, as far as it
+/// has them.
+pub(super) type TurnedBody = Option<(Turn, Option<(Spatial, Turn)>)>;
+
+/// The bodies of a declaration.
+pub(super) struct ResolvedBodies {
+    /// In order, a mistaken one as `None`.
+    pub(super) bodies: Vec<Option<Body>>,
+    /// The attitude of each, with the place of its centre of mass.
+    pub(super) turns: Vec<TurnedBody>,
+    /// Their places by name.
+    pub(super) names: Names<usize>,
+    /// The quaternions that they are turned by.
+    pub(super) norms: Vec<Norm>,
+}
+
+pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> ResolvedBodies {
     let mut names = Names::new("body");
-    let mut bodies = Vec::new();
+    let (mut bodies, mut turns, mut norms) = (Vec::new(), Vec::new(), Vec::new());
     for (at, b) in declaration.bodies.iter().enumerate() {
         names.define(&b.name, Some(at), &mut i.mistakes);
-        let body = resolve_body(b, i);
+        let turn = b.attitude.as_ref().map(|attitude| i.turn(attitude));
+        let body = match turn {
+            Some(None) => None,
+            _ => resolve_body(b, turn.flatten(), i),
+        };
+        if let (Some(turn), Some(attitude)) = (turn.flatten(), body.as_ref().and_then(|body| body.attitude.as_ref())) {
+            add_norms(&mut norms, turn, &attitude.inertia, i);
+        }
+        let place = body.as_ref().and_then(|_| b.mass.as_ref()).and_then(|(_, place)| place.as_ref());
+        let place = place.filter(|_| turn.is_some()).and_then(|place| i.spatial_value(place));
+        turns.push(turn.flatten().map(|turn| (turn, place.map(|(place, _)| i.with_frame(place, turn)))));
         bodies.push(body);
     }
     if declaration.bodies.is_empty() {
@@ -22,12 +48,61 @@ pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> 
             place.error("a mechanism needs at least one body: `bodies { rod: mass m at G, inertia J, angle phi; }`"),
         );
     }
-    (bodies, names)
+    ResolvedBodies { bodies, turns, names, norms }
 }
 
-fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
+/// Gives each quaternion of coordinates, with the first body that it turns, that body's mean moment of inertia.
+fn add_norms(norms: &mut Vec<Norm>, turn: Turn, inertia: &Tensor, i: &mut Interpreter) {
+    for components in i.frames.quaternions(turn) {
+        let square = norm_square(&mut i.graph, &components);
+        if norms.iter().all(|norm| norm.square != square) {
+            let sum = i.graph.sum(&inertia.moments);
+            let third = i.graph.integer(3);
+            norms.push(Norm { square, inertia: i.graph.div(sum, third) });
+        }
+    }
+}
+
+/// Lets bodies fall: gravity in the frame of each.
+pub(super) fn fall(bodies: &mut [Option<Body>], turns: &[TurnedBody], gravity: &Spatial, i: &mut Interpreter) {
+    let Interpreter { graph, motion, frames, .. } = i;
+    let up = gravity.clone().map(|x| graph.neg(x));
+    for (body, turn) in bodies.iter_mut().zip(turns) {
+        if let (Some(Body { attitude: Some(attitude), .. }), Some((_, Some((place, frame))))) = (body, turn) {
+            let gravity = frames.resolved_in(graph, gravity, *frame);
+            attitude.fall =
+                Some(Fall { gravity, proper: frames.proper_acceleration(graph, motion, place, &up, *frame) });
+        }
+    }
+}
+
+/// What turns in space: its inertia, its attitude, and its centre of mass as it moves in its own frame.
+fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, i: &mut Interpreter) -> Option<Attitude> {
+    let Some(inertia) = &b.inertia else {
+        let message = format!(
+            "the inertia of `{}` is missing: `inertia [A, B, C]`, its principal moments, stands with an attitude",
+            b.name
+        );
+        return i.refuse(Region::from(&b.name), message);
+    };
+    let inertia = resolve_inertia(inertia, i)?;
+    let place = match &b.mass {
+        Some((_, Some(place))) if has_place => Some(i.spatial_value(place)?.0),
+        _ => None,
+    };
+    let place = place.map(|place| i.with_frame(place, turn));
+    let Interpreter { graph, motion, frames, .. } = i;
+    let centre = place.map(|(place, frame)| frames.point_rates(graph, motion, &place, frame));
+    let spin = frames.spin_rates(turn);
+    Some(Attitude { inertia, matrix: *frames.matrix(turn), spin, centre, fall: None })
+}
+
+fn resolve_body(b: &dsl::Body, turn: Option<Turn>, i: &mut Interpreter) -> Option<Body> {
     let name = plain(&b.name);
     let place = Region::from(&b.name);
+    if let (Some(attitude), Some(_)) = (&b.attitude, &b.angle) {
+        return i.refuse(attitude.region, format!("body `{name}` has an angle and an attitude; keep one of them"));
+    }
     // Every part is looked at before the first mistake counts.
     let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
     let angle = b.angle.as_ref().map(|angle| {
@@ -35,19 +110,33 @@ fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
         let value = level::angle(angle, WHAT, i)?;
         i.smooth(angle.region, &[value], Level::Positions, WHAT).map(|()| value)
     });
-    let inertia = b.inertia.as_ref().map(|inertia| {
+    let has_place = matches!(mass, Some(Some(_)));
+    let attitude = turn.map(|turn| resolve_attitude(b, turn, has_place, i));
+    let inertia = b.inertia.as_ref().filter(|_| turn.is_none()).map(|inertia| {
+        if let Kind::Vector(_) = inertia.kind {
+            let message = format!(
+                "how is `{name}` turned? An inertia of several moments stands with an attitude: \
+                 `inertia [A, B, C], attitude R`"
+            );
+            return i.refuse(inertia.region, message);
+        }
         let value = i.scalar_of(inertia, &Dimension::inertia(), "an inertia")?;
         inertial(inertia, value, i)
     });
-    if let (Some(inertia), None) = (&b.inertia, &b.angle) {
+    if let (Some(inertia), None, None) = (&b.inertia, &b.angle, turn) {
+        if let Kind::Vector(_) = inertia.kind {
+            return None;
+        }
         return i.refuse(inertia.region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
     }
     let zero = i.graph.zero();
     let mass = mass.map_or(Some(None), |mass| mass.map(Some))?;
     let angle = angle.map_or(Some(None), |angle| angle.map(Some))?;
     let inertia = inertia.unwrap_or(Some(zero))?;
+    let attitude = attitude.map_or(Some(None), |attitude| attitude.map(Some))?;
     let rotation = angle.map(|angle| (inertia, angle));
-    let moved: Vec<Expr> = mass.iter().flat_map(|(_, p)| *p).chain(angle).collect();
+    let turned = attitude.iter().flat_map(|attitude| attitude.matrix.concat());
+    let moved: Vec<Expr> = mass.iter().flat_map(|(_, p)| p.clone()).chain(angle).chain(turned).collect();
     if !moved.iter().any(|x| i.dependences.of(&i.graph, *x).meets(Dependence::COORDINATE.or(Dependence::TIME))) {
         return i.refuse(
             place,
@@ -56,7 +145,7 @@ fn resolve_body(b: &dsl::Body, i: &mut Interpreter) -> Option<Body> {
             ),
         );
     }
-    Some(Body { name, mass, rotation })
+    Some(Body { name, mass, rotation, attitude })
 }
 
 fn resolve_mass(
@@ -79,7 +168,7 @@ fn resolve_mass(
 }
 
 /// A mass or moment of inertia: made of parameters.
-fn inertial(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option<Expr> {
+pub(super) fn inertial(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option<Expr> {
     i.restrict(
         expression.region,
         &[value],

@@ -2,6 +2,7 @@
 
 use super::homogeneity::Measured;
 use super::interpret::Interpreter;
+use super::space::Spatial;
 use super::value::{Shape, Value};
 use crate::dsl::{self, Comparison, Expression, Region};
 use crate::symbolic::{Expr, Graph};
@@ -17,6 +18,7 @@ impl Interpreter {
         self.common_dimension(a, b, "only quantities of one dimension can be compared")?;
         let (a, b) = (yes.measured(&choice.yes), no.measured(&choice.no));
         let dimension = self.common_dimension(a, b, "both values of an `if` are of one dimension")?;
+        let (all_yes, all_no) = (self.components(&yes), self.components(&no));
         let mut choose = |yes: Expr, no: Expr| {
             // `a >= b` is what `b > a` is not.
             let (difference, above, otherwise) = match choice.comparison {
@@ -27,9 +29,13 @@ impl Interpreter {
             };
             self.graph.choice(difference, above, otherwise)
         };
-        let shape = match (yes.shape, no.shape) {
-            (Shape::Scalar(yes), Shape::Scalar(no)) => Shape::Scalar(choose(yes, no)),
-            (Shape::Vector([a, b]), Shape::Vector([c, d])) => Shape::Vector([choose(a, c), choose(b, d)]),
+        let shape = match (&yes.shape, &no.shape) {
+            (Shape::Scalar(yes), Shape::Scalar(no)) => Shape::Scalar(choose(*yes, *no)),
+            (Shape::Vector([a, b]), Shape::Vector([c, d])) => Shape::Vector([choose(*a, *c), choose(*b, *d)]),
+            (Shape::Spatial(_), Shape::Spatial(_)) => {
+                let chosen = std::array::from_fn(|k| choose(all_yes[k], all_no[k]));
+                Shape::Spatial(Spatial::world(chosen))
+            }
             _ => {
                 let message =
                     format!("{} stands after `then` and {} after `else`; both are of one kind", yes.kind(), no.kind());

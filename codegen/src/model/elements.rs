@@ -125,8 +125,9 @@ fn distance(from: &Expression, to: &Expression, i: &mut Interpreter) -> Option<A
     const WHAT: &str = "the end of an element";
     let (a, b) = (level::position(from, WHAT, i), level::position(to, WHAT, i));
     let (a, b) = (a?, b?);
-    let way = [i.graph.sub(b[0], a[0]), i.graph.sub(b[1], a[1])];
-    let square = i.inner(way, way);
+    let way: Vec<Expr> = a.into_iter().zip(b).map(|(a, b)| i.graph.sub(b, a)).collect();
+    let squares: Vec<Expr> = way.into_iter().map(|x| i.graph.mul(x, x)).collect();
+    let square = i.graph.sum(&squares);
     let dimension = Some(Dimension::length()).filter(|_| i.with_units);
     Some(Along { value: i.graph.sqrt(square), square: Some(square), dimension })
 }
@@ -146,7 +147,7 @@ fn check_moves(place: Region, along: Expr, i: &mut Interpreter) -> Option<()> {
 
 fn load_scalar(expression: &Expression, needed: Option<Dimension>, what: &str, i: &mut Interpreter) -> Option<Expr> {
     let (value, dimension) = i.scalar_value(expression)?;
-    load_level(expression, [value], i)?;
+    load_level(expression, vec![value], i)?;
     if let Some(needed) = needed {
         i.expect_in_place(Measured { expression, dimension: &dimension }, &needed, what);
     }

@@ -4,10 +4,11 @@ use super::interpret::Interpreter;
 use super::level::{BEYOND_POSITION, no_input};
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
+use super::space::Spatial;
 use super::value::{Shape, Value};
 use super::{Conditional, Constraint, Dependence, Dimension, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph};
 
 /// `conjugate` are the forces conjugate to auxiliary displacements, which are reactions too.
 pub(super) fn resolve_constraints(
@@ -35,6 +36,7 @@ pub(super) fn resolve_constraints(
         let reaction = match multipliers.as_slice() {
             [one] => Some(Value::scalar(*one, dimension)),
             [x, y] => Some(Value { shape: Shape::Vector([*x, *y]), dimension }),
+            [x, y, z] => Some(Value { shape: Shape::Spatial(Spatial::world([*x, *y, *z])), dimension }),
             _ => None,
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
@@ -78,9 +80,17 @@ fn conditional(
 pub(super) fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Value> {
     let (left, right) = (i.value(&equation.left), i.value(&equation.right));
     let (left, right) = (left?, right?);
-    let shape = match (left.shape, right.shape) {
-        (Shape::Scalar(l), Shape::Scalar(r)) => Shape::Scalar(i.graph.sub(l, r)),
-        (Shape::Vector([lx, ly]), Shape::Vector([rx, ry])) => Shape::Vector([i.graph.sub(lx, rx), i.graph.sub(ly, ry)]),
+    let shape = match (&left.shape, &right.shape) {
+        (Shape::Scalar(l), Shape::Scalar(r)) => Shape::Scalar(i.graph.sub(*l, *r)),
+        (Shape::Vector([lx, ly]), Shape::Vector([rx, ry])) => {
+            Shape::Vector([i.graph.sub(*lx, *rx), i.graph.sub(*ly, *ry)])
+        }
+        (Shape::Spatial(l), Shape::Spatial(r)) => Shape::Spatial(l.combine(r, &mut i.graph, Graph::sub)),
+        (Shape::Rotation(_), Shape::Rotation(_)) => {
+            let message = "two rotations are equated by three equations between their axes, such as \
+                           `inner(R*[1, 0, 0], S*[0, 1, 0]) = 0`, or by a joint";
+            return i.refuse(equation.left.region.to(equation.right.region), message);
+        }
         _ => {
             let message = format!("{} stands left and {} right; both sides are of one kind", left.kind(), right.kind());
             return i.refuse(equation.left.region.to(equation.right.region), message);
@@ -100,7 +110,7 @@ fn constraint_rows(
 ) -> Option<()> {
     let place = equation.left.region.to(equation.right.region);
     let name = plain(&equation.name);
-    let components = value.components();
+    let components = i.components(&value);
     no_input(place, &components, "a constraint", i)?;
     match level {
         Level::Positions => {
@@ -117,7 +127,7 @@ fn constraint_rows(
         Some(dimension) => Unit::coherent(work.over(dimension)),
         None => Unit::none(),
     };
-    let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y"] };
+    let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y", "_z"] };
     let named: Vec<_> = components.into_iter().zip(suffixes.iter().map(|suffix| format!("{name}{suffix}"))).collect();
     for (value, row) in &named {
         let constrained = match level {

@@ -3,6 +3,7 @@
 use super::homogeneity::Measured;
 use super::origin::Origins;
 use super::scope::{self, Names, Values, plain};
+use super::space::{Frames, Quaternion, Spatial, triple};
 use super::tables;
 use super::value::{Shape, Value};
 use super::{Dependence, Dependences, Dimension, Point, Unit};
@@ -30,6 +31,12 @@ pub(super) struct Interpreter {
     pub(super) time: Expr,
     pub(super) motion: Differential,
     pub(super) mistakes: Mistakes,
+    /// All rotations.
+    pub(super) frames: Frames,
+    /// Those quaternions whose components are coordinates.
+    pub(super) quaternions: Vec<Quaternion>,
+    /// How many components the first vector has, and where it stands: all others have as many.
+    pub(super) vectors: Option<(usize, Region)>,
 }
 
 impl Interpreter {
@@ -48,21 +55,59 @@ impl Interpreter {
         let value = self.value(expression)?;
         match value.shape {
             Shape::Scalar(scalar) => Some((scalar, value.dimension)),
-            Shape::Vector(_) => self.refuse(
+            Shape::Vector(_) | Shape::Spatial(_) => self.refuse(
                 expression.region,
                 "a vector stands where a scalar belongs; take a component (`.x`, `.y`) or `norm(..)`",
             ),
+            Shape::Rotation(_) => self.refuse(expression.region, "a rotation stands where a scalar belongs"),
         }
     }
 
-    /// A vector of the plane.
+    /// A vector by its components in the world.
     pub(super) fn point_value(&mut self, expression: &Expression) -> Option<(Point, Option<Dimension>)> {
+        let value = self.vector_value(expression)?;
+        Some((self.components(&value), value.dimension))
+    }
+
+    /// A vector of the plane or of space.
+    pub(super) fn vector_value(&mut self, expression: &Expression) -> Option<Value> {
         let value = self.value(expression)?;
         match value.shape {
-            Shape::Vector(point) => Some((point, value.dimension)),
+            Shape::Vector(_) | Shape::Spatial(_) => Some(value),
             Shape::Scalar(_) => {
-                self.refuse(expression.region, "a scalar stands where a vector belongs; a vector is written `[x, y]`")
+                let form = if self.is_spatial() { "[x, y, z]" } else { "[x, y]" };
+                self.refuse(
+                    expression.region,
+                    format!("a scalar stands where a vector belongs; a vector is written `{form}`"),
+                )
             }
+            Shape::Rotation(_) => {
+                self.refuse(expression.region, "a rotation stands where a vector belongs; `R*[x, y, z]` turns one")
+            }
+        }
+    }
+
+    /// A vector of space.
+    pub(super) fn spatial_value(&mut self, expression: &Expression) -> Option<(Spatial, Option<Dimension>)> {
+        let value = self.vector_value(expression)?;
+        match value.shape {
+            Shape::Spatial(vector) => Some((vector, value.dimension)),
+            _ => self.refuse(expression.region, "a vector of the plane stands where one of space belongs, `[x, y, z]`"),
+        }
+    }
+
+    /// Whether vectors have three components.
+    pub(super) fn is_spatial(&self) -> bool {
+        self.vectors.is_some_and(|(components, _)| components == 3)
+    }
+
+    /// The components of a value: of a vector those in the world, of a rotation those of its matrix.
+    pub(super) fn components(&mut self, value: &Value) -> Vec<Expr> {
+        match &value.shape {
+            Shape::Scalar(scalar) => vec![*scalar],
+            Shape::Vector(components) => components.to_vec(),
+            Shape::Spatial(vector) => self.resolved(vector).to_vec(),
+            Shape::Rotation(turn) => self.frames.matrix(*turn).concat(),
         }
     }
 
@@ -92,7 +137,8 @@ impl Interpreter {
             Kind::Component(vector, name) => self.component(vector, name),
             Kind::If(choice) => self.choice(choice),
         }?;
-        self.check_constants(region, &value.components())?;
+        let components = self.components(&value);
+        self.check_constants(region, &components)?;
         value.dimension = value.dimension.filter(|_| self.with_units);
         Some(value)
     }
@@ -137,7 +183,8 @@ impl Interpreter {
         if let Some((_, value)) = self.local.iter().find(|(word, _)| *word == text) {
             return Some(value.clone());
         }
-        if scope::functions().any(|function| function == text) {
+        let is_hidden = self.values.get_region(&text).is_some();
+        if !is_hidden && scope::functions().any(|function| function == text) {
             return self.refuse(name.into(), format!("`{text}` is a function; call it: `{text}(..)`"));
         }
         if self.tables.get_region(&text).is_some() {
@@ -168,26 +215,81 @@ impl Interpreter {
 
     fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {
         let values: Vec<_> = components.iter().map(|c| self.scalar_value(c)).collect();
-        let ([x, y], [of_x, of_y]) = (components, values.as_slice()) else {
-            let message = format!("a vector of the plane has two components, `[x, y]`; this has {}", values.len());
+        if ![2, 3].contains(&values.len()) {
+            let message = match values.len() {
+                6 => "six numbers in brackets are an inertia; a vector has two components in the plane, `[x, y]`, and \
+                      three in space, `[x, y, z]`"
+                    .to_owned(),
+                given => format!(
+                    "a vector of the plane has two components, `[x, y]`, and one of space three, `[x, y, z]`; this has {given}"
+                ),
+            };
             return self.refuse(region, message);
+        }
+        self.check_length(region, values.len())?;
+        let mut entries = Vec::new();
+        let (first, mut dimension) = (&components[0], None);
+        for (component, value) in components.iter().zip(values) {
+            let (value, own) = value?;
+            let (a, b) = (
+                Measured { expression: first, dimension: &dimension },
+                Measured { expression: component, dimension: &own },
+            );
+            let rule = match components.len() {
+                2 => "both components of a vector are of one dimension",
+                _ => "all components of a vector are of one dimension",
+            };
+            dimension = self.common_dimension(a, b, rule)?;
+            entries.push(value);
+        }
+        let shape = match entries.as_slice() {
+            [x, y] => Shape::Vector([*x, *y]),
+            [x, y, z] => Shape::Spatial(Spatial::world([*x, *y, *z])),
+            _ => return None,
         };
-        let ((of_x, dx), (of_y, dy)) = (of_x.as_ref()?, of_y.as_ref()?);
-        let (x, y) = (Measured { expression: x, dimension: dx }, Measured { expression: y, dimension: dy });
-        let dimension = self.common_dimension(x, y, "both components of a vector are of one dimension")?;
-        Some(Value { shape: Shape::Vector([*of_x, *of_y]), dimension })
+        Some(Value { shape, dimension })
+    }
+
+    /// Refuses a vector with more or fewer components than those before it.
+    fn check_length(&mut self, region: Region, components: usize) -> Option<()> {
+        let (known, first) = *self.vectors.get_or_insert((components, region));
+        if components == 3 {
+            self.frames.begin(&mut self.graph);
+        }
+        if known == components {
+            return Some(());
+        }
+        let message = match known {
+            2 => {
+                "this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, \
+                  or three components everywhere"
+            }
+            _ => {
+                "this vector has two components, and the mechanism is spatial, as its first vector says; write `[x, y, 0]`, \
+                  or two components everywhere"
+            }
+        };
+        let mut mistake = region.error(message);
+        mistake.combine(first.error("the first vector stands here"));
+        self.mistakes.add(mistake);
+        None
     }
 
     fn component(&mut self, vector: &Expression, name: &Ident) -> Option<Value> {
         let value = self.value(vector)?;
-        let Shape::Vector([x, y]) = value.shape else {
-            return self.refuse(name.into(), format!("a scalar has no component `.{name}`"));
-        };
-        match plain(name).as_str() {
-            "x" => Some(Value::scalar(x, value.dimension)),
-            "y" => Some(Value::scalar(y, value.dimension)),
-            _ => self
+        if let Shape::Scalar(_) | Shape::Rotation(_) = value.shape {
+            return self.refuse(name.into(), format!("{} has no component `.{name}`", value.kind()));
+        }
+        let components = self.components(&value);
+        let place = ["x", "y", "z"].iter().position(|axis| plain(name) == *axis);
+        match place.and_then(|place| components.get(place)) {
+            Some(component) => Some(Value::scalar(*component, value.dimension)),
+            None if components.len() == 2 => self
                 .refuse(name.into(), format!("a vector of the plane has the components `.x` and `.y`, not `.{name}`")),
+            None => self.refuse(
+                name.into(),
+                format!("a vector of space has the components `.x`, `.y` and `.z`, not `.{name}`"),
+            ),
         }
     }
 
@@ -196,7 +298,10 @@ impl Interpreter {
         let (a, b) = (a?, b?);
         match operator {
             Operator::Add | Operator::Subtract => self.sum(operator, left, right, a, b),
-            Operator::Multiply => self.multiply(left, right, a, b),
+            Operator::Multiply => match a.shape {
+                Shape::Rotation(turn) => self.turned(right.region, turn, b),
+                _ => self.multiply(left, right, a, b),
+            },
             Operator::Divide => self.divide(right, a, b),
             Operator::Power => self.power(left, right, a, b),
         }
@@ -207,11 +312,12 @@ impl Interpreter {
             Operator::Subtract => (Graph::sub, "only quantities of one dimension can be subtracted"),
             _ => (Graph::add, "only quantities of one dimension can be added"),
         };
-        let shape = match (a.shape, b.shape) {
-            (Shape::Scalar(a), Shape::Scalar(b)) => Shape::Scalar(operation(&mut self.graph, a, b)),
+        let shape = match (&a.shape, &b.shape) {
+            (Shape::Scalar(a), Shape::Scalar(b)) => Shape::Scalar(operation(&mut self.graph, *a, *b)),
             (Shape::Vector([ax, ay]), Shape::Vector([bx, by])) => {
-                Shape::Vector([operation(&mut self.graph, ax, bx), operation(&mut self.graph, ay, by)])
+                Shape::Vector([operation(&mut self.graph, *ax, *bx), operation(&mut self.graph, *ay, *by)])
             }
+            (Shape::Spatial(a), Shape::Spatial(b)) => Shape::Spatial(a.combine(b, &mut self.graph, operation)),
             _ => {
                 let (a, b) = (a.kind(), b.kind());
                 let message = format!(
@@ -226,9 +332,21 @@ impl Interpreter {
 
     fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
         let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.times(b));
-        let (scalar, other) = match (a.shape, b.shape) {
-            (Shape::Scalar(scalar), _) => (scalar, b),
-            (_, Shape::Scalar(scalar)) => (scalar, a),
+        if let Shape::Rotation(_) = b.shape {
+            let message =
+                "a rotation stands left of what it turns: `R*v`, and `transpose(R)*v` for the other way round";
+            return self.refuse(left.region.to(right.region), message);
+        }
+        let (scalar, other) = match (&a.shape, &b.shape) {
+            (Shape::Scalar(scalar), _) => (*scalar, b),
+            (_, Shape::Scalar(scalar)) => (*scalar, a),
+            (Shape::Spatial(_), Shape::Spatial(_)) => {
+                return self.refuse(
+                    left.region.to(right.region),
+                    "two vectors cannot be multiplied with `*`; the scalar product is `inner(a, b)`, the vector product \
+                     `cross(a, b)`",
+                );
+            }
             _ => {
                 return self.refuse(
                     left.region.to(right.region),
@@ -242,6 +360,9 @@ impl Interpreter {
 
     fn divide(&mut self, right: &Expression, a: Value, b: Value) -> Option<Value> {
         let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.over(b));
+        if let Shape::Rotation(_) = a.shape {
+            return self.refuse(right.region, "a rotation cannot be divided; its inverse is `transpose(R)`");
+        }
         let Shape::Scalar(divisor) = b.shape else {
             return self.refuse(right.region, "a vector cannot divide; divide by `norm(..)` or by a component");
         };
@@ -303,17 +424,44 @@ impl Interpreter {
             "max" => self.extreme(region, &text, arguments, Graph::max),
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
-                let (a, dimension) = self.point_value(a)?;
-                let square = self.inner(a, a);
-                Some(Value::scalar(self.graph.sqrt(square), dimension))
+                let a = self.vector_value(a)?;
+                let square = self.inner(&a, &a);
+                Some(Value::scalar(self.graph.sqrt(square), a.dimension))
             }
             "inner" => {
                 let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
-                let (a, b) = (self.point_value(a), self.point_value(b));
-                let ((a, da), (b, db)) = (a?, b?);
-                let dimension = da.zip(db).map(|(a, b)| a.times(&b));
-                Some(Value::scalar(self.inner(a, b), dimension))
+                let (a, b) = (self.vector_value(a), self.vector_value(b));
+                let (a, b) = (a?, b?);
+                let inner = self.inner(&a, &b);
+                let dimension = a.dimension.zip(b.dimension).map(|(a, b)| a.times(&b));
+                Some(Value::scalar(inner, dimension))
             }
+            "cross" => {
+                let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
+                let (a, b) = (self.spatial_value(a), self.spatial_value(b));
+                let ((a, da), (b, db)) = (a?, b?);
+                let (turn, a, b) = self.in_common(&a, &b);
+                let product = Spatial::within(turn, triple::cross(&mut self.graph, &a, &b));
+                Some(Value { shape: Shape::Spatial(product), dimension: da.zip(db).map(|(a, b)| a.times(&b)) })
+            }
+            "rotation" => {
+                let [axis, angle] = self.arguments(region, &text, arguments, ["axis", "angle"])?;
+                self.rotation(axis, angle)
+            }
+            "euler" => self.euler(region, arguments),
+            "quaternion" => {
+                let components = self.arguments(region, &text, arguments, ["q0", "q1", "q2", "q3"])?;
+                self.quaternion(region, components)
+            }
+            "transpose" => {
+                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
+                self.transpose(rotation)
+            }
+            "angular_velocity" => {
+                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
+                self.angular_velocity(rotation)
+            }
+            "omega" | "attitude" => self.refuse(region, format!("`{text}(..)` takes the name of a body that turns")),
             "dot" => {
                 let [x] = self.arguments(region, &text, arguments, ["x"])?;
                 self.rate(x)
@@ -356,8 +504,14 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn inner(&mut self, a: Point, b: Point) -> Expr {
-        let products = [self.graph.mul(a[0], b[0]), self.graph.mul(a[1], b[1])];
+    /// The scalar product of two vectors.
+    pub(super) fn inner(&mut self, a: &Value, b: &Value) -> Expr {
+        if let (Shape::Spatial(a), Shape::Spatial(b)) = (&a.shape, &b.shape) {
+            let (_, a, b) = self.in_common(a, b);
+            return triple::inner(&mut self.graph, &a, &b);
+        }
+        let (a, b) = (self.components(a), self.components(b));
+        let products: Vec<Expr> = a.iter().zip(&b).map(|(x, y)| self.graph.mul(*x, *y)).collect();
         self.graph.sum(&products)
     }
 
@@ -368,7 +522,10 @@ impl Interpreter {
     }
 
     pub(super) fn rate_of(&mut self, region: Region, value: Value) -> Option<Value> {
-        let components = value.components();
+        if let Shape::Rotation(_) = value.shape {
+            return self.refuse(region, "the rate of a rotation is an angular velocity: `angular_velocity(R)`");
+        }
+        let components = self.components(&value);
         self.restrict(
             region,
             &components,
@@ -383,9 +540,12 @@ impl Interpreter {
             "a third derivative is not computed; `ddot` of positions is the highest",
         )?;
         let dimension = value.dimension.as_ref().map(|d| d.over(&Dimension::time()));
-        let Interpreter { graph, motion, .. } = self;
-        let rate = value.map(|x| motion.of(graph, x));
-        Some(Value { dimension, ..rate })
+        let Interpreter { graph, motion, frames, .. } = self;
+        let shape = match value.shape {
+            Shape::Spatial(vector) => Shape::Spatial(frames.rate(graph, motion, &vector)),
+            _ => value.map(|x| motion.of(graph, x)).shape,
+        };
+        Some(Value { shape, dimension })
     }
 
     fn reaction(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {

@@ -1,10 +1,13 @@
 //! The `loads` block.
 
+use super::bodies::TurnedBody;
 use super::elements::{dissipation, element, potential, turned};
+use super::homogeneity::Measured;
 use super::interpret::Interpreter;
 use super::level::{self, BEYOND_SPEED};
 use super::scope::{Names, plain};
-use super::{Body, Dimension, Effort, Force, Point};
+use super::space::{Spatial, Turn};
+use super::{Body, Dimension, Effort, Force, Point, Push};
 use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
 use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
@@ -14,12 +17,16 @@ pub(super) struct Loads {
     pub(super) gravity: Option<Point>,
     pub(super) forces: Vec<Force>,
     pub(super) efforts: Vec<Effort>,
+    pub(super) pushes: Vec<Push>,
+    /// Gravity as a vector of space.
+    pub(super) falling: Option<Spatial>,
 }
 
 pub(super) fn resolve_loads(
     declaration: &Declaration,
     moving: &[(Symbol, Symbol)],
     bodies: &[Option<Body>],
+    turns: &[TurnedBody],
     names: &Names<usize>,
     i: &mut Interpreter,
 ) -> Loads {
@@ -27,6 +34,12 @@ pub(super) fn resolve_loads(
     let mut gravity_at: Option<Region> = None;
     for load in &declaration.loads {
         match load {
+            dsl::Load::Force { force, point } if i.is_spatial() => {
+                loads.pushes.extend(spatial_force(force, point, i));
+            }
+            dsl::Load::Torque { moment, body } if turned_body(body, turns, names).is_some() => {
+                loads.pushes.extend(turned_body(body, turns, names).and_then(|turn| spatial_torque(moment, turn, i)));
+            }
             dsl::Load::Force { force, point } => {
                 let value = i.point_of(force, &Dimension::force(), "a force");
                 let value = value.and_then(|value| load_level(force, value, i));
@@ -54,6 +67,9 @@ pub(super) fn resolve_loads(
                 }
                 let value = i.point_of(acceleration, &Dimension::acceleration(), "gravity");
                 let value = value.and_then(|value| load_level(acceleration, value, i));
+                if let Some(value) = value.as_ref().and_then(|value| <[Expr; 3]>::try_from(value.as_slice()).ok()) {
+                    loads.falling = Some(Spatial::world(value));
+                }
                 loads.gravity = value.or(loads.gravity);
                 let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
                 if massless && !declaration.bodies.is_empty() {
@@ -68,6 +84,37 @@ pub(super) fn resolve_loads(
     loads
 }
 
+/// A force at a point: it works along the point's velocity, in the frame that the force is written in.
+fn spatial_force(force: &Expression, point: &Expression, i: &mut Interpreter) -> Option<Push> {
+    let (value, at) = (spatial_load(force, &Dimension::force(), "a force", i), i.spatial_value(point));
+    let place = level::position(point, "the point of a force", i);
+    let (value, (at, _), _) = (value?, at?, place?);
+    let turn = value.frame().unwrap_or(Turn::NONE);
+    let Interpreter { graph, motion, frames, .. } = i;
+    let along = frames.point_rates(graph, motion, &at, turn);
+    Some(Push { effort: frames.resolved_in(graph, &value, turn), along })
+}
+
+/// A torque on a body: it works along the angular velocity, in the body's frame.
+fn spatial_torque(moment: &Expression, turn: Turn, i: &mut Interpreter) -> Option<Push> {
+    let value = spatial_load(moment, &Dimension::energy(), "a torque", i)?;
+    let effort = i.frames.resolved_in(&mut i.graph, &value, turn);
+    Some(Push { effort, along: i.frames.spin_rates(turn) })
+}
+
+fn spatial_load(expression: &Expression, needed: &Dimension, what: &str, i: &mut Interpreter) -> Option<Spatial> {
+    let (value, dimension) = i.spatial_value(expression)?;
+    i.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
+    let components = i.resolved(&value).to_vec();
+    load_level(expression, components, i)?;
+    Some(value)
+}
+
+/// The attitude of a body by its name.
+fn turned_body(body: &Ident, turns: &[TurnedBody], names: &Names<usize>) -> Option<Turn> {
+    names.get(&plain(body)).and_then(|at| turns[*at].as_ref()).map(|(turn, _)| *turn)
+}
+
 /// A torque on a body, about its angle; or, where no body is called so, on an angle itself.
 fn torque(
     moment: &Expression,
@@ -76,11 +123,12 @@ fn torque(
     names: &Names<usize>,
     i: &mut Interpreter,
 ) -> Option<Effort> {
-    let value = i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, [value], i));
+    let value =
+        i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, vec![value], i));
     let is_body = names.get_region(&plain(on)).is_some() || i.values.get_region(&plain(on)).is_none();
     let along = if is_body { angle_of(on, bodies, names, i) } else { turned(&named(on), i) };
-    let ([force], along) = (value?, along?);
-    Some(Effort { force, along })
+    let (value, along) = (value?, along?);
+    Some(Effort { force: value[0], along })
 }
 
 /// The body that `on` names, if that is no scalar too.
@@ -105,11 +153,7 @@ pub(super) fn named(name: &Ident) -> Expression {
     Expression { region: name.into(), kind: Kind::Name(name.clone()) }
 }
 
-pub(super) fn load_level<const N: usize>(
-    expression: &Expression,
-    values: [Expr; N],
-    i: &mut Interpreter,
-) -> Option<[Expr; N]> {
+pub(super) fn load_level(expression: &Expression, values: Point, i: &mut Interpreter) -> Option<Point> {
     i.restrict(
         expression.region,
         &values,

@@ -78,7 +78,10 @@ fn output_value(output: &dsl::Output, name: &str, unit: Option<&Unit>, i: &mut I
             i.expect_unit(value.measured(&output.value), &format!("output `{name}` is declared"), name, unit?);
             Some(scalar)
         }
-        Shape::Vector(_) => i.refuse(
+        Shape::Rotation(_) => {
+            i.refuse(output.value.region, format!("output `{name}` is a rotation; an output is a scalar"))
+        }
+        Shape::Vector(_) | Shape::Spatial(_) => i.refuse(
             output.value.region,
             format!("output `{name}` is a vector; write one output for each component: `{name}_x = (..).x;`"),
         ),

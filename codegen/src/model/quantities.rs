@@ -130,10 +130,14 @@ pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Ve
         };
         refuse_rate(&definition.name, declaration, i);
         let name = plain(&definition.name);
-        match value.as_ref().map(|value| value.shape) {
-            Some(Shape::Scalar(scalar)) => named.push((name.clone(), scalar)),
-            Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), x), (format!("{name}_y"), y)]),
-            None => {}
+        match value.as_ref().map(|value| &value.shape) {
+            Some(Shape::Scalar(scalar)) => named.push((name.clone(), *scalar)),
+            Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), *x), (format!("{name}_y"), *y)]),
+            Some(Shape::Spatial(vector)) => {
+                let components = i.frames.resolved(&mut i.graph, vector);
+                named.extend(["x", "y", "z"].iter().zip(components).map(|(axis, x)| (format!("{name}_{axis}"), x)));
+            }
+            Some(Shape::Rotation(_)) | None => {}
         }
         let origin = Origin::Defined(i.parts(&definition.value));
         i.origins.add(name, origin);
@@ -172,8 +176,9 @@ pub(super) fn check_coordinates_used(
     }
     let mut roots: Vec<Expr> = constraints.iter().map(|c| c.value).collect();
     for body in bodies.iter().flatten() {
-        roots.extend(body.mass.iter().flat_map(|(_, at)| *at));
+        roots.extend(body.mass.iter().flat_map(|(_, at)| at));
         roots.extend(body.rotation.map(|(_, angle)| angle));
+        roots.extend(body.attitude.iter().flat_map(|attitude| attitude.matrix.concat()));
     }
     let used = i.graph.symbols_of(&roots);
     for (c, written) in coordinates.iter().zip(&declaration.coordinates) {

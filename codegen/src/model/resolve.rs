@@ -1,7 +1,7 @@
 //! The whole declaration, block by block.
 
 use super::auxiliary::{Displacements, check_displaced, resolve_auxiliaries};
-use super::bodies::resolve_bodies;
+use super::bodies::{ResolvedBodies, fall, resolve_bodies};
 use super::drawing::resolve_drawing;
 use super::equations::resolve_constraints;
 use super::events::{Known, resolve_events};
@@ -13,10 +13,11 @@ use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
 };
 use super::scope::{Names, plain};
+use super::space::{Frames, check_norms};
 use super::start::resolve_initial;
 use super::tables::resolve_tables;
 use super::{Dependence, Dependences, Model, time_derivative};
-use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity};
+use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
 use crate::symbolic::{Differential, Graph};
@@ -62,6 +63,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
             .collect(),
         motion: Differential::along([]),
         mistakes: Mistakes::default(),
+        frames: Frames::default(),
+        quaternions: vec![],
+        vectors: None,
     };
     let i = &mut interpreter;
     resolve_tables(declaration, i);
@@ -77,8 +81,11 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
     }
     let named = resolve_lets(declaration, i);
-    let (bodies, body_names) = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &moving, &bodies, &body_names, i);
+    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, i);
+    let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, i);
+    if let Some(gravity) = &loads.falling {
+        fall(&mut bodies, &turns, gravity, i);
+    }
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
     resolve_initial(&declaration.initial, &mut coordinates, i);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
@@ -86,6 +93,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
+    check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
+    let dimension = if i.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     mistakes.or(Model {
         name: plain(&declaration.head.name),
@@ -101,6 +110,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         gravity: loads.gravity,
         forces: loads.forces,
         efforts: loads.efforts,
+        pushes: loads.pushes,
+        norms,
+        dimension,
         constraints,
         conditionals,
         events,
@@ -110,6 +122,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         auxiliaries,
         displaced: None,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
+        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
 }

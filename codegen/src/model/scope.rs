@@ -13,6 +13,10 @@ use syn::ext::IdentExt;
 pub(super) const OTHER_FUNCTIONS: [&str; 10] =
     ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
+/// Functions that names of the user's own may hide, as they have come later: rotations and vectors of space.
+pub(super) const SPATIAL_FUNCTIONS: [&str; 6] =
+    ["cross", "rotation", "euler", "quaternion", "transpose", "angular_velocity"];
+
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {
     ident.unraw().to_string()
@@ -110,11 +114,16 @@ pub(super) fn check_reserved(name: &Ident) -> syn::Result<()> {
 }
 
 fn is_function(name: &str) -> bool {
-    functions().any(|function| function == name)
+    reserved_functions().any(|function| function == name)
 }
 
 /// The functions a user may call.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
+    reserved_functions().chain(SPATIAL_FUNCTIONS)
+}
+
+/// Those whose names are no others.
+pub(super) fn reserved_functions() -> impl Iterator<Item = &'static str> {
     Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }
 

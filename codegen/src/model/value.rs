@@ -1,15 +1,19 @@
-//! What an expression of the language stands for: a scalar or a vector of the plane, with its dimension.
+//! What an expression of the language stands for: a scalar, a vector of the plane or of space, or a rotation, with its
+//! dimension.
 
+use super::Dimension;
 use super::homogeneity::Measured;
-use super::{Dimension, Point};
+use super::space::{Spatial, Turn};
 use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
-/// A scalar or a vector.
-#[derive(Clone, Copy)]
+/// A scalar, a vector or a rotation.
+#[derive(Clone)]
 pub(super) enum Shape {
     Scalar(Expr),
-    Vector(Point),
+    Vector([Expr; 2]),
+    Spatial(Spatial),
+    Rotation(Turn),
 }
 
 /// A value with its dimension, where that is known. A bare 0 may have any.
@@ -29,27 +33,24 @@ impl Value {
         Measured { expression, dimension: &self.dimension }
     }
 
-    /// The same operation on every component.
+    /// The same linear operation on every component; rotations stay.
     pub(super) fn map(self, mut f: impl FnMut(Expr) -> Expr) -> Value {
         let shape = match self.shape {
             Shape::Scalar(value) => Shape::Scalar(f(value)),
             Shape::Vector(components) => Shape::Vector(components.map(f)),
+            Shape::Spatial(vector) => Shape::Spatial(vector.map(f)),
+            rotation => rotation,
         };
         Value { shape, ..self }
     }
 
-    pub(super) fn components(&self) -> Vec<Expr> {
-        match self.shape {
-            Shape::Scalar(value) => vec![value],
-            Shape::Vector(components) => components.to_vec(),
-        }
-    }
-
-    /// "a scalar" or "a vector".
+    /// What it is, in words.
     pub(super) fn kind(&self) -> &'static str {
         match self.shape {
             Shape::Scalar(_) => "a scalar",
             Shape::Vector(_) => "a vector",
+            Shape::Spatial(_) => "a vector of space",
+            Shape::Rotation(_) => "a rotation",
         }
     }
 }

@@ -34,10 +34,10 @@ pub(super) fn element(
     match extent {
         Extent::Distance(from, to) => {
             let way = way(from, to, motion)?;
-            let length = inner(&way, &way).call("sqrt").ok_or_else(|| OracleError::new("no length"))?;
+            let length = inner(&way, &way)?.call("sqrt").ok_or_else(|| OracleError::new("no length"))?;
             let force = force(law, &length, motion)?;
             // The force on B as a vector: its size along the unit vector from A to B.
-            let vector = way.map(|component| (&(&force * &component) / &length).value());
+            let vector: Vec<Measured> = way.iter().map(|component| (&(&force * component) / &length).value()).collect();
             let places = self::way(from, to, positions)?;
             Ok(vector.into_iter().zip(places).map(|(force, place)| Effort { force, place }).collect())
         }
@@ -54,9 +54,9 @@ pub(super) fn element(
 }
 
 /// B - A.
-fn way(from: &Expression, to: &Expression, interpreter: &mut Interpreter) -> Result<[Jet; 2]> {
-    let ([ax, ay], [bx, by]) = (interpreter.vector(from)?, interpreter.vector(to)?);
-    Ok([&bx - &ax, &by - &ay])
+fn way(from: &Expression, to: &Expression, interpreter: &mut Interpreter) -> Result<Vec<Jet>> {
+    let (a, b) = (interpreter.vector(from)?, interpreter.vector(to)?);
+    Ok(a.iter().zip(&b).map(|(a, b)| b - a).collect())
 }
 
 /// The force that lets `along` grow.

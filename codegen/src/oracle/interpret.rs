@@ -4,9 +4,10 @@ use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
 use super::parameters::is_plain;
+use super::rotation::{Rotation, letter};
 use super::state::State;
 use super::table::Function;
-use super::value::{Value, inner};
+use super::value::{Value, cross, inner};
 use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Table, Unit};
 use syn::Ident;
 
@@ -143,8 +144,12 @@ impl<'d> Interpreter<'d> {
         self.value(expression)?.scalar()
     }
 
-    pub(super) fn vector(&mut self, expression: &Expression) -> Result<[Jet; 2]> {
+    pub(super) fn vector(&mut self, expression: &Expression) -> Result<Vec<Jet>> {
         self.value(expression)?.vector()
+    }
+
+    pub(super) fn rotation(&mut self, expression: &Expression) -> Result<Rotation> {
+        self.value(expression)?.rotation()
     }
 
     pub(super) fn value(&mut self, expression: &Expression) -> Result<Value> {
@@ -170,9 +175,9 @@ impl<'d> Interpreter<'d> {
     }
 
     fn components(&mut self, components: &[Expression]) -> Result<Value> {
-        match components {
-            [x, y] => Ok(Value::Vector([self.scalar(x)?, self.scalar(y)?])),
-            _ => refuse("a vector of the plane has two components"),
+        match components.len() {
+            2 | 3 => components.iter().map(|x| self.scalar(x)).collect::<Result<_>>().map(Value::Vector),
+            _ => refuse("a vector has two or three components"),
         }
     }
 
@@ -287,9 +292,19 @@ impl<'d> Interpreter<'d> {
             ("reaction", [constraint]) => self.reaction(constraint),
             ("norm", [v]) => {
                 let v = self.vector(v)?;
-                known(inner(&v, &v).call("sqrt"), &name)
+                known(inner(&v, &v)?.call("sqrt"), &name)
             }
-            ("inner", [a, b]) => Ok(Value::Scalar(inner(&self.vector(a)?, &self.vector(b)?))),
+            ("inner", [a, b]) => inner(&self.vector(a)?, &self.vector(b)?).map(Value::Scalar),
+            ("cross", [a, b]) => cross(&self.vector(a)?, &self.vector(b)?).map(Value::Vector),
+            ("rotation", [axis, angle]) => self.about(axis, angle),
+            ("euler", [sequence, angles @ ..]) => self.euler(sequence, angles),
+            ("quaternion", [a, b, c, d]) => self.quaternion([a, b, c, d]),
+            ("transpose", [rotation]) => Ok(Value::Rotation(self.rotation(rotation)?.transposed())),
+            ("angular_velocity", [rotation]) => {
+                let rotation = self.rotation(rotation)?;
+                let rates = self.rate(&Value::Vector(rotation.entries.clone()))?.components();
+                Ok(Value::Vector(rotation.angular_velocity(&rates)))
+            }
             ("atan2", [y, x]) => Ok(Value::Scalar(self.scalar(y)?.atan2(&self.scalar(x)?))),
             ("min", _) => self.extreme(arguments, |value, least| value < least),
             ("max", _) => self.extreme(arguments, |value, most| value > most),
@@ -318,6 +333,44 @@ impl<'d> Interpreter<'d> {
             Ok(fixed.scalar(expression)?.value().value * unit)
         };
         table.rows.iter().map(|[x, y]| Ok([entry(x, &table.over)?, entry(y, &table.unit)?])).collect()
+    }
+
+    fn about(&mut self, axis: &Expression, angle: &Expression) -> Result<Value> {
+        let components = match (letter(axis), self.value(axis)) {
+            (_, Ok(axis)) => axis.vector()?,
+            (Some(letter), Err(_)) => self.unit(letter)?,
+            (None, Err(error)) => return Err(error),
+        };
+        let rotation = Rotation::about(&components, &self.scalar(angle)?);
+        rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
+    }
+
+    fn unit(&self, letter: usize) -> Result<Vec<Jet>> {
+        (0..3).map(|k| self.constant(if k == letter { 1.0 } else { 0.0 }).scalar()).collect()
+    }
+
+    fn euler(&mut self, sequence: &Expression, angles: &[Expression]) -> Result<Value> {
+        let Kind::Name(letters) = &sequence.kind else { return refuse("a sequence of axes is a name") };
+        let mut whole: Option<Rotation> = None;
+        for (letter, angle) in letters.to_string().chars().zip(angles) {
+            let axis = "xyz".find(letter).ok_or_else(|| OracleError::new("an axis is x, y or z"))?;
+            let turn = Rotation::about(&self.unit(axis)?, &self.scalar(angle)?);
+            let turn = turn.ok_or_else(|| OracleError::new("no rotation"))?;
+            whole = Some(whole.map_or(turn.clone(), |before| before.then(&turn)));
+        }
+        whole.map(Value::Rotation).ok_or_else(|| OracleError::new("a sequence of no axes"))
+    }
+
+    fn quaternion(&mut self, components: [&Expression; 4]) -> Result<Value> {
+        let is_coordinate = |x: &&Expression| match &x.kind {
+            Kind::Name(name) => self.declaration.coordinates.iter().any(|c| c.name == *name),
+            _ => false,
+        };
+        let of_coordinates = components.iter().all(is_coordinate);
+        let q = components.into_iter().map(|x| self.scalar(x)).collect::<Result<Vec<Jet>>>()?;
+        let q = <[Jet; 4]>::try_from(q).map_err(|_| OracleError::new("a quaternion has four components"))?;
+        let rotation = Rotation::of_quaternion(q, of_coordinates);
+        rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
     }
 
     /// Only what is chosen is evaluated.

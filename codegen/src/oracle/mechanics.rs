@@ -6,17 +6,26 @@ use super::error::{OracleError, Result};
 use super::interpret::{Interpreter, Setting};
 use super::jet::Jet;
 use super::measured::Measured;
+use super::rotation::Rotation;
 use super::state::State;
-use super::value::Value;
-use crate::dsl::{Body, Declaration, Equation, Expression, Load, Operator, Unit};
+use super::value::{Value, cross, inner};
+use crate::dsl::{Body, Declaration, Equation, Expression, Kind, Load, Operator, Unit};
 use syn::Ident;
 
-/// One row of x = T(q, t): a coordinate of a mass point, or the angle of a body.
+/// One row of x = T(q, t): a coordinate of a mass point, or the angle of a body; in space an entry of its rotation.
 pub(super) struct Row {
     /// Its mass or moment of inertia.
     pub(super) inertia: Measured,
     /// Where it is.
     pub(super) place: Jet,
+    /// What its inertia is multiplied with the acceleration of: the same, but for products of inertia.
+    pub(super) partner: Jet,
+}
+
+impl Row {
+    fn new(inertia: Measured, place: Jet) -> Row {
+        Row { inertia, partner: place.clone(), place }
+    }
 }
 
 /// One component of a force or a moment, and the coordinate or angle along which it works.
@@ -63,8 +72,9 @@ impl Mechanics {
         for load in &declaration.loads {
             efforts.extend(builder.load(load, &declaration.bodies, &bodies)?);
         }
+        let norms = builder.norms(&declaration.bodies)?;
         Ok(Mechanics {
-            rows: bodies.into_iter().flatten().collect(),
+            rows: bodies.into_iter().flatten().chain(norms).collect(),
             efforts,
             constraints: constraints(declaration, si_factor, at, active)?,
             rates: at.rates(auxiliaries),
@@ -99,16 +109,82 @@ impl Builder<'_> {
         if let Some((mass, position)) = &body.mass {
             let inertia = self.fixed.scalar(mass)?.value();
             let place = self.positions.vector(needed(position.as_ref(), &body.name, "at")?)?;
-            rows.extend(place.map(|place| Row { inertia, place }));
+            rows.extend(place.into_iter().map(|place| Row::new(inertia, place)));
+        }
+        if let Some(attitude) = &body.attitude {
+            let rotation = self.positions.rotation(attitude)?;
+            rows.extend(self.turning(needed(body.inertia.as_ref(), &body.name, "inertia")?, &rotation)?);
+            return Ok(rows);
         }
         if let Some(inertia) = &body.inertia {
             let inertia = self.fixed.scalar(inertia)?.value();
-            rows.push(Row {
-                inertia,
-                place: self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?,
-            });
+            rows.push(Row::new(inertia, self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?));
         }
         Ok(rows)
+    }
+
+    /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the energy of turning is tr(R' S R'^T)/2.
+    fn turning(&mut self, inertia: &Expression, rotation: &Rotation) -> Result<Vec<Row>> {
+        let Kind::Vector(written) = &inertia.kind else { return Err(OracleError::new("an inertia is in brackets")) };
+        let given = written.iter().map(|x| Ok(self.fixed.scalar(x)?.value())).collect::<Result<Vec<_>>>()?;
+        let entry = |k: usize| given.get(k).copied().unwrap_or_default();
+        let half = Measured::given(0.5);
+        let [xx, yy, zz] = [entry(0), entry(1), entry(2)];
+        let mass = |i: usize, k: usize| match (i.min(k), i.max(k)) {
+            (0, 0) => half * (yy + zz - xx),
+            (1, 1) => half * (zz + xx - yy),
+            (2, 2) => half * (xx + yy - zz),
+            (0, 1) => -entry(3),
+            (0, 2) => -entry(4),
+            _ => -entry(5),
+        };
+        let mut rows = Vec::new();
+        for row in rotation.entries.chunks(3) {
+            for (i, place) in row.iter().enumerate() {
+                let partners = row.iter().enumerate().filter(|(k, _)| *k == i || given.len() > 3);
+                rows.extend(partners.map(|(k, partner)| Row {
+                    inertia: mass(i, k),
+                    place: place.clone(),
+                    partner: partner.clone(),
+                }));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// A quaternion of coordinates has along its norm the mean moment of the first body that it turns.
+    fn norms(&mut self, bodies: &[Body]) -> Result<Vec<Row>> {
+        let (mut rows, mut known): (Vec<Row>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
+        for body in bodies {
+            let (Some(attitude), Some(inertia)) = (&body.attitude, &body.inertia) else { continue };
+            for quaternion in self.positions.rotation(attitude)?.quaternions {
+                // Equal values at this state with other gradients are other coordinates.
+                let mark: Vec<f64> = quaternion.iter().flat_map(|x| x.gradient()).map(|slope| slope.value).collect();
+                let Kind::Vector(written) = &inertia.kind else { continue };
+                if known.contains(&mark) {
+                    continue;
+                }
+                known.push(mark);
+                let moments = written.iter().take(3).map(|x| Ok(self.fixed.scalar(x)?.value()));
+                let sum: Measured = moments.collect::<Result<Vec<_>>>()?.into_iter().sum();
+                rows.push(Row::new(sum * Measured::given(1.0 / 3.0), inner(&quaternion, &quaternion)?));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// M on what R turns: half of M x r on each column r, as it turns by half the sum of r x dr.
+    fn spatial_torque(&mut self, moment: &Expression, attitude: &Expression) -> Result<Vec<Effort>> {
+        let moment = self.motion.vector(moment)?;
+        let (now, places) = (self.motion.rotation(attitude)?, self.positions.rotation(attitude)?);
+        let mut efforts = Vec::new();
+        for column in 0..3 {
+            let of = |entries: &[Jet]| -> Vec<Jet> { (0..3).map(|row| entries[3 * row + column].clone()).collect() };
+            let force = cross(&moment, &of(&now.entries))?;
+            let halves = force.iter().map(|x| x.value() * Measured::given(0.5));
+            efforts.extend(halves.zip(of(&places.entries)).map(|(force, place)| Effort { force, place }));
+        }
+        Ok(efforts)
     }
 
     fn load(&mut self, load: &Load, bodies: &[Body], rows: &[Vec<Row>]) -> Result<Vec<Effort>> {
@@ -118,6 +194,10 @@ impl Builder<'_> {
                 Ok(force.iter().zip(place).map(|(force, place)| Effort { force: force.value(), place }).collect())
             }
             Load::Torque { moment, body } => {
+                let turned = bodies.iter().find(|b| b.name == *body).and_then(|b| b.attitude.as_ref());
+                if let Some(attitude) = turned {
+                    return self.spatial_torque(moment, attitude);
+                }
                 let force = self.motion.scalar(moment)?.value();
                 let place = match bodies.iter().find(|b| b.name == *body) {
                     Some(body) => self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?,
@@ -129,7 +209,7 @@ impl Builder<'_> {
             Load::Dissipation(function) => dissipation(function, &mut self.speeds, &self.positions),
             Load::Element(load) => element(&load.law, &load.extent, &mut self.positions, &mut self.motion),
             Load::Gravity { acceleration, .. } => {
-                let acceleration = self.motion.vector(acceleration)?.map(|component| component.value());
+                let acceleration: Vec<Measured> = self.motion.vector(acceleration)?.iter().map(Jet::value).collect();
                 let massive = bodies.iter().zip(rows).filter(|(body, _)| body.mass.is_some());
                 Ok(massive.flat_map(|(_, rows)| weight(rows, &acceleration)).collect())
             }
@@ -137,8 +217,8 @@ impl Builder<'_> {
     }
 }
 
-/// m g, of a body whose first two rows are those of its mass.
-fn weight(rows: &[Row], acceleration: &[Measured; 2]) -> Vec<Effort> {
+/// m g, of a body whose first rows are those of its mass.
+fn weight(rows: &[Row], acceleration: &[Measured]) -> Vec<Effort> {
     let components = rows.iter().zip(acceleration);
     components.map(|(row, g)| Effort { force: row.inertia * *g, place: row.place.clone() }).collect()
 }

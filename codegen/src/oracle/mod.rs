@@ -19,6 +19,7 @@ mod mechanics;
 mod motion;
 mod observe;
 mod parameters;
+mod rotation;
 mod solve;
 mod state;
 mod table;

@@ -55,7 +55,7 @@ impl Terms {
     pub(super) fn new(mechanics: &Mechanics) -> Terms {
         let (n, rates) = (mechanics.coordinates, &mechanics.rates);
         let applied_forces = along(n, mechanics.efforts.iter().map(|effort| (effort.force, &effort.place)));
-        let resisting = mechanics.rows.iter().map(|row| (row.inertia * row.place.curvature(rates), &row.place));
+        let resisting = mechanics.rows.iter().map(|row| (row.inertia * row.partner.curvature(rates), &row.place));
         let convective = along(n, resisting);
         let constraints = mechanics.constraint_rows();
         Terms {
@@ -118,14 +118,11 @@ fn along<'m>(n: usize, forces: impl Iterator<Item = (Measured, &'m Jet)>) -> Vec
 }
 
 fn mass_matrix(mechanics: &Mechanics, n: usize) -> Vec<Vec<Measured>> {
-    let column = |i: usize| mechanics.rows.iter().map(move |row| (row.inertia * row.place.gradient()[i], &row.place));
+    let column = |i: usize| mechanics.rows.iter().map(move |row| (row.inertia * row.partner.gradient()[i], &row.place));
     (0..n).map(|i| along(n, column(i))).collect()
 }
 
 fn kinetic_energy(mechanics: &Mechanics, rates: &[Measured]) -> Measured {
-    let twice = mechanics.rows.iter().map(|row| {
-        let speed = row.place.slope(rates);
-        row.inertia * speed * speed
-    });
+    let twice = mechanics.rows.iter().map(|row| row.inertia * row.place.slope(rates) * row.partner.slope(rates));
     Measured::given(0.5) * twice.sum()
 }

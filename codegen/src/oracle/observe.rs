@@ -62,7 +62,7 @@ pub(super) fn reactions(mechanics: &Mechanics, solution: &Solution) -> Result<Ve
     let mut rest = solution.multipliers.iter().map(|multiplier| Jet::of_time(*multiplier, &[]));
     let mut reaction = |constraint: &Constraint| match constraint.rows.len() {
         1 => rest.next().map(Value::Scalar),
-        _ => rest.next().zip(rest.next()).map(|(x, y)| Value::Vector([x, y])),
+        components => (0..components).map(|_| rest.next()).collect::<Option<_>>().map(Value::Vector),
     };
     let Some(mut reactions) = mechanics.constraints.iter().map(&mut reaction).collect::<Option<Vec<Value>>>() else {
         return refuse("a multiplier is missing in the solution");
@@ -79,7 +79,7 @@ fn conjugate_force(mechanics: &Mechanics, solution: &Solution, k: usize) -> Meas
     let inertia: Measured = mechanics
         .rows
         .iter()
-        .map(|row| by_auxiliary(&row.place) * row.inertia * acceleration(mechanics, &row.place, solution))
+        .map(|row| by_auxiliary(&row.place) * row.inertia * acceleration(mechanics, &row.partner, solution))
         .sum();
     let loads: Measured = mechanics.efforts.iter().map(|effort| effort.force * by_auxiliary(&effort.place)).sum();
     let constraints = mechanics.constraint_rows();
@@ -108,6 +108,6 @@ pub(super) fn power(mechanics: &Mechanics, solution: &Solution) -> Measured {
     let moved = mechanics
         .rows
         .iter()
-        .map(|row| row.place.gradient()[n] * row.inertia * acceleration(mechanics, &row.place, solution));
+        .map(|row| row.place.gradient()[n] * row.inertia * acceleration(mechanics, &row.partner, solution));
     loads + driven + moved.sum()
 }

@@ -1,46 +1,53 @@
-//! What an expression evaluates to: a scalar or a vector of the plane.
+//! What an expression evaluates to: a scalar, a vector or a rotation.
 
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
+use super::rotation::Rotation;
 use crate::dsl::Operator;
 
-/// A scalar, or x and y of a vector.
+/// A scalar, the components of a vector, two or three, or a rotation.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
     Scalar(Jet),
-    Vector([Jet; 2]),
+    Vector(Vec<Jet>),
+    Rotation(Rotation),
 }
 
 impl Value {
     pub(super) fn scalar(self) -> Result<Jet> {
         match self {
             Value::Scalar(jet) => Ok(jet),
-            Value::Vector(_) => refuse("a scalar is needed, not a vector"),
+            _ => refuse("a scalar is needed, not a vector or rotation"),
         }
     }
 
-    pub(super) fn vector(self) -> Result<[Jet; 2]> {
+    pub(super) fn vector(self) -> Result<Vec<Jet>> {
         match self {
             Value::Vector(components) => Ok(components),
-            Value::Scalar(_) => refuse("a vector is needed, not a scalar"),
+            _ => refuse("a vector is needed, not a scalar or rotation"),
         }
     }
 
-    /// The one component of a scalar, or x and y.
+    pub(super) fn rotation(self) -> Result<Rotation> {
+        match self {
+            Value::Rotation(rotation) => Ok(rotation),
+            _ => refuse("a rotation is needed"),
+        }
+    }
+
+    /// The one component of a scalar, those of a vector, or the entries of a rotation.
     pub(super) fn components(self) -> Vec<Jet> {
         match self {
             Value::Scalar(jet) => vec![jet],
-            Value::Vector(components) => components.into(),
+            Value::Vector(components) => components,
+            Value::Rotation(rotation) => rotation.entries,
         }
     }
 
     pub(super) fn component(self, name: &str) -> Result<Value> {
-        let [x, y] = self.vector()?;
-        match name {
-            "x" => Ok(Value::Scalar(x)),
-            "y" => Ok(Value::Scalar(y)),
-            _ => refuse(format!("a vector of the plane has no component `.{name}`")),
-        }
+        let components = self.vector()?;
+        let component = ["x", "y", "z"].iter().zip(components).find(|(axis, _)| **axis == name);
+        component.map(|(_, jet)| Value::Scalar(jet)).ok_or_else(|| OracleError::new(format!("no component `.{name}`")))
     }
 
     /// A multiple.
@@ -57,7 +64,8 @@ impl Value {
         let missing = || OracleError::new("a time derivative that is not known here");
         match self {
             Value::Scalar(jet) => of(jet).map(Value::Scalar),
-            Value::Vector([x, y]) => of(x).zip(of(y)).map(|(x, y)| Value::Vector([x, y])),
+            Value::Vector(components) => components.iter().map(of).collect::<Option<_>>().map(Value::Vector),
+            Value::Rotation(_) => None,
         }
         .ok_or_else(missing)
     }
@@ -77,6 +85,8 @@ impl Value {
 
     fn multiply(self, other: Value) -> Result<Value> {
         match (self, other) {
+            (Value::Rotation(a), Value::Rotation(b)) => Ok(Value::Rotation(a.then(&b))),
+            (Value::Rotation(a), Value::Vector(b)) => a.turn(&b).map(Value::Vector),
             (Value::Scalar(a), b) => Ok(b.map(|jet| &a * jet)),
             (a, Value::Scalar(b)) => Ok(a.map(|jet| jet * &b)),
             _ => refuse("a product of two vectors; the scalar product is `inner(a, b)`"),
@@ -86,20 +96,36 @@ impl Value {
     fn map(&self, change: impl Fn(&Jet) -> Jet) -> Value {
         match self {
             Value::Scalar(jet) => Value::Scalar(change(jet)),
-            Value::Vector([x, y]) => Value::Vector([change(x), change(y)]),
+            Value::Vector(components) => Value::Vector(components.iter().map(change).collect()),
+            Value::Rotation(_) => self.clone(),
         }
     }
 
     fn pairwise(self, other: Value, combine: impl Fn(&Jet, &Jet) -> Jet) -> Result<Value> {
         match (self, other) {
             (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(combine(&a, &b))),
-            (Value::Vector([a, b]), Value::Vector([c, d])) => Ok(Value::Vector([combine(&a, &c), combine(&b, &d)])),
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+                Ok(Value::Vector(a.iter().zip(&b).map(|(a, b)| combine(a, b)).collect()))
+            }
             _ => refuse("a sum of a scalar and a vector"),
         }
     }
 }
 
-/// ax bx + ay by.
-pub(super) fn inner([ax, ay]: &[Jet; 2], [bx, by]: &[Jet; 2]) -> Jet {
-    &(ax * bx) + &(ay * by)
+/// ax bx + ay by + ..
+pub(super) fn inner(a: &[Jet], b: &[Jet]) -> Result<Jet> {
+    let products = a.iter().zip(b).map(|(a, b)| a * b);
+    products.reduce(|sum, product| &sum + &product).ok_or_else(|| OracleError::new("a vector without components"))
+}
+
+/// a x b.
+pub(super) fn cross(a: &[Jet], b: &[Jet]) -> Result<Vec<Jet>> {
+    if a.len() != 3 || b.len() != 3 {
+        return refuse("a vector product is of vectors of three components");
+    }
+    let component = |i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &(&a[j] * &b[k]) - &(&a[k] * &b[j])
+    };
+    Ok((0..3).map(component).collect())
 }

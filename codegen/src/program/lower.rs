@@ -13,6 +13,8 @@ pub(super) struct Lowering<'a> {
     definitions: &'a FxHashMap<Symbol, Expr>,
     /// Other forms of expressions.
     alternatives: &'a FxHashMap<Expr, Expr>,
+    /// What is divided by so often that its reciprocal is taken once.
+    divisors: &'a [Expr],
     pub(super) values: Values,
     done: FxHashMap<Expr, Value>,
     computed: FxHashMap<Symbol, Value>,
@@ -26,12 +28,14 @@ impl<'a> Lowering<'a> {
         inputs: &'a FxHashMap<Symbol, Input>,
         definitions: &'a FxHashMap<Symbol, Expr>,
         alternatives: &'a FxHashMap<Expr, Expr>,
+        divisors: &'a [Expr],
     ) -> Lowering<'a> {
         Lowering {
             graph,
             inputs,
             definitions,
             alternatives,
+            divisors,
             wanted: vec![],
             values: Values::default(),
             done: FxHashMap::default(),
@@ -149,9 +153,8 @@ impl<'a> Lowering<'a> {
         let number = coefficient.to_f64() * inner;
         let mut term = Term { negative: false, factors: vec![self.values.constant(number.abs())], divisors: vec![] };
         for (base, exponent) in factors {
-            let base = self.lower_form(*base);
-            let power = self.values.integer_power(base, exponent.unsigned_abs());
-            let list = if *exponent > 0 { &mut term.factors } else { &mut term.divisors };
+            let (power, is_above) = self.integer_power(*base, *exponent);
+            let list = if is_above { &mut term.factors } else { &mut term.divisors };
             list.push(power);
         }
         term.negative = number < 0.0;
@@ -167,12 +170,22 @@ impl<'a> Lowering<'a> {
         let mut above = vec![self.values.constant(coefficient.to_f64())];
         let mut below = vec![];
         for (base, exponent) in factors {
-            let base = self.lower_form(*base);
-            let power = self.values.integer_power(base, exponent.unsigned_abs());
-            if *exponent > 0 { above.push(power) } else { below.push(power) }
+            let (power, is_above) = self.integer_power(*base, *exponent);
+            if is_above { above.push(power) } else { below.push(power) }
         }
         let (above, below) = (self.values.product(above), self.values.product(below));
         self.values.quotient(above, below)
+    }
+
+    /// A power, and whether it is a factor; otherwise it is a divisor.
+    fn integer_power(&mut self, base: Expr, exponent: i64) -> (Value, bool) {
+        let mut value = self.lower_form(base);
+        let is_inverted = exponent < 0 && self.divisors.contains(&base);
+        if is_inverted {
+            let one = self.values.constant(1.0);
+            value = self.values.quotient(one, value);
+        }
+        (self.values.integer_power(value, exponent.unsigned_abs()), exponent > 0 || is_inverted)
     }
 
     fn power(&mut self, base: Expr, exponent: Expr) -> Value {

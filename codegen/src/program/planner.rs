@@ -26,6 +26,8 @@ pub(super) struct Planner<'a> {
     inputs: FxHashMap<Symbol, Input>,
     definitions: FxHashMap<Symbol, Expr>,
     alternatives: &'a FxHashMap<Expr, Expr>,
+    /// The squares of the norms of quaternions.
+    divisors: Vec<Expr>,
     /// Names wished for values of the model.
     labels: Vec<(Expr, String)>,
 }
@@ -57,12 +59,13 @@ impl<'a> Planner<'a> {
             inputs,
             definitions: definitions.chain(courses).collect(),
             alternatives,
+            divisors: model.norms.iter().map(|norm| norm.square).collect(),
             labels: labels(equations),
         }
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
-        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives)
+        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
     }
 
     /// A kernel of its own, of the mechanism.

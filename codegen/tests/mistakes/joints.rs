@@ -27,7 +27,10 @@ fn joints() {
         ],
     );
     joint("pivot: pin on(bab, [1, 0]) to [0, 1];", &["7:24 no body above is called `bab` (did you mean `bob`?)"]);
-    joint("pivot: pin on(bob) to [0, 1];", &["7:21 a point on a body is written `on(body, [u, v])`"]);
+    joint(
+        "pivot: pin on(bob) to [0, 1];",
+        &["7:21 a point on a body is written `on(body, [u, v])`, in space `on(body, [u, v, w])`"],
+    );
     joint("pivot: pin P to 1;", &["7:21 a vector stands left and a scalar right; both sides are of one kind"]);
     joint("mesh: gear bob radius 1 to wheel radius 2;", &["7:37 no body above is called `wheel`"]);
 }

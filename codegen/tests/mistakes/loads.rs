@@ -12,7 +12,11 @@ fn loads() {
     check(
         "gravity [0, -g]",
         "gravity [0, 0, -g]",
-        &["6:17 a vector of the plane has two components, `[x, y]`; this has 3"],
+        &[
+            "6:17 this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, or \
+             three components everywhere",
+            "4:11 the first vector stands here",
+        ],
     );
     check(
         "gravity [0, -g]",

@@ -20,6 +20,7 @@ mod new_users;
 mod outputs;
 mod parameters;
 mod reuse;
+mod space;
 mod start;
 mod tables;
 mod units;

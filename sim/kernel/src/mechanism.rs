@@ -112,6 +112,17 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
         Self::prepared_dynamics(&self.prepare(), t, q, qd)
     }
+    /// M q'' + h - Q, n: the forces along the coordinates that must be added for these accelerations where there are no
+    /// constraints. A kernel of its own if the declaration has one made.
+    fn inverse_dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::Q {
+        let (mass, h) = (self.mass_matrix(t, q), self.convective_forces(t, q, qd));
+        let loads = self.generalized_forces(t, q, qd);
+        let force = |i: usize| {
+            let inertial = (0..Self::Q::LEN).fold(S::from_f64(0.0), |sum, j| sum + mass[i][j] * qdd[j]);
+            inertial + h[i] - loads[i]
+        };
+        Self::Q::from_fn(force)
+    }
     /// d(q'', lambda)/d(q, q'): a kernel if the declaration has one made, and otherwise from dual numbers.
     fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
         jacobian(self, t, q, qd)

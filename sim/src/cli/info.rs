@@ -100,6 +100,9 @@ fn as_text(facts: &Facts) -> String {
             for line in mobility.redundancies() {
                 text += &format!("redundant: {line}\n");
             }
+            for line in mobility.singularities() {
+                text += &format!("singular: {line}\n");
+            }
         }
         Err(why) => text += &format!("{size}\nnot assembled from its declared start: {why}\n"),
     }

@@ -1,15 +1,15 @@
 //! `sim kinematics`.
 
 use super::arguments::{Size, Voice, format};
-use super::folder::Folder;
+use super::files::Files;
+use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::run::{mechanism_with, start_with};
 use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
     Driven, Extreme, Extremes, Failure, Format, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table,
-    kinematics,
+    kinematics, write_json,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -174,9 +174,12 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let sweep = arguments.sweep(&mechanism, &start)?;
+    let directory = arguments.out.clone();
+    let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
+    let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
     let found = kinematics(mechanism, &start, &sweep)?;
     let draw = |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.size.show());
-    tell(&Found::new(&found), &found.table(), arguments, &draw, voice)
+    tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
 }
 
 /// What was found, without the type of the mechanism.
@@ -223,24 +226,17 @@ impl<'a> Found<'a> {
 fn tell(
     found: &Found,
     table: &Table,
-    arguments: &KinematicsArguments,
+    (arguments, mut files): (&KinematicsArguments, Files),
     draw: &dyn Fn(&Table, &Path) -> show::Figures,
     voice: Voice,
 ) -> Result<(), Stop> {
-    let name = || format!("out/{}-kinematics", found.description.name);
-    let directory = arguments.out.clone().unwrap_or_else(|| name().into());
-    let mut folder = Folder::open(found.description, &directory, &SWEEP_FIGURES)?;
-    folder.table(table, &arguments.format)?;
-    let summary = summary(found);
-    folder.json(&summary, "summary.json")?;
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(&summary(found), path));
     if !arguments.no_figures && !table.times().is_empty() {
-        folder.figures(draw(table, &directory));
+        files.add_figures(&draw(table, files.directory()));
     }
-    folder.say(voice, summary, &format!("{}{}", report(found), folder.line()))?;
-    match found.failure {
-        Some(failure) => Err(failure.clone().into()),
-        None => folder.check(),
-    }
+    files.say(voice, summary(found), &format!("{}{}", report(found), files.line()))?;
+    files.check(found.failure.iter().map(ToString::to_string).collect(), false)
 }
 
 /// What was found, in declared units.

@@ -1,7 +1,7 @@
 //! `sim linearize`.
 
 use super::arguments::{StartArguments, Voice};
-use super::run::{mechanism_with, start_with};
+use super::given::{mechanism_with, start_with};
 use super::settings::positive;
 use super::{Stop, print, unknown};
 use crate::formats::numpy::write_matrices;

@@ -18,8 +18,8 @@
 mod arguments;
 mod compare;
 mod files;
-mod folder;
 mod generate;
+mod given;
 mod info;
 mod json;
 mod kinematics;

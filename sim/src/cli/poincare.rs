@@ -1,12 +1,12 @@
 //! `sim poincare`.
 
 use super::arguments::{Size, StartArguments, Voice, format};
-use super::folder::Folder;
-use super::run::{mechanism_with, start_with};
+use super::files::Files;
+use super::given::{mechanism_with, start_with};
 use super::settings::positive;
 use super::{Stop, progress, unknown};
 use crate::show;
-use crate::{Crossing, Failure, Format, Method, Period, Sectioning, Settings, Table, What, poincare};
+use crate::{Crossing, Failure, Format, Method, Period, Sectioning, Settings, Table, What, poincare, write_json};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use sim_kernel::{Description, Mechanism};
@@ -90,12 +90,13 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
     let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
-    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
+    let files = Files::new(description, &directory, &["mechanism"])?;
+    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     let draw = |directory: &Path| show::section_figures(&found, directory, arguments.size.show());
     let (period, failure) = (found.period, found.trajectory.failure.as_ref());
-    tell(description, &table, (period, failure), arguments, &draw, (&directory, voice))
+    tell(description, &table, (period, failure), arguments, &draw, (files, voice))
 }
 
 /// Writes what was found, and prints it.
@@ -105,7 +106,7 @@ fn tell(
     (period, failure): (Option<Period>, Option<&Failure>),
     arguments: &PoincareArguments,
     draw: &dyn Fn(&Path) -> show::Figures,
-    (directory, voice): (&Path, Voice),
+    (mut files, voice): (Files, Voice),
 ) -> Result<(), Stop> {
     let times = table.times();
     let said = json!({
@@ -117,24 +118,23 @@ fn tell(
         "times": times,
         "failure": failure.map(ToString::to_string),
     });
-    let mut folder = Folder::open(description, directory, &[])?;
-    folder.table(table, &arguments.format)?;
-    folder.json(&said, "summary.json")?;
-    if !arguments.no_figures {
-        folder.figures(draw(directory));
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(&said, path));
+    if !arguments.no_figures && !times.is_empty() {
+        files.add_figures(&draw(files.directory()));
     }
-    folder.say(voice, said, &format!("{}{}", report(description, arguments, times, period), folder.line()))?;
-    match failure {
-        Some(failure) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.clone().into())),
-        Some(failure) => Err(failure.clone().into()),
-        None if times.is_empty() => Err(Stop::Failed(anyhow::anyhow!(
+    files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;
+    let problems = match failure {
+        Some(failure) => vec![failure.to_string()],
+        None if times.is_empty() => vec![format!(
             "event `{}` has not happened in {} s{}. Give a longer --t-end, or another event",
             arguments.event,
             positive("--t-end", &arguments.t_end)?,
             if arguments.direction.crossing().is_some() { " in this direction" } else { "" }
-        ))),
-        None => folder.check(),
-    }
+        )],
+        None => Vec::new(),
+    };
+    files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
 }
 
 fn report(description: &Description, arguments: &PoincareArguments, times: &[f64], period: Option<Period>) -> String {

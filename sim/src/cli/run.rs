@@ -1,18 +1,19 @@
 //! `sim run`.
 
 use super::arguments::{RunArguments, Voice};
-use super::files::{self, Took};
-use super::folder::Folder;
+use super::files::Files;
+use super::given::{held_at, mechanism_with, start_with};
 use super::list::counted;
-use super::quantity::{parse_quantity, split_assignment};
 use super::run_file::Reproduction;
-use super::{Stop, progress, unknown};
+use super::{Stop, progress};
 use crate::happening::impulses;
 use crate::outcome::{Outcome, Recorded};
+use crate::show::{self, About};
 use crate::write::summary_of;
-use crate::{Start, Stepping, Table, What, assemble, declared_start, mobility, run};
-use sim_kernel::{Description, Input, Mechanism};
-use std::path::{Path, PathBuf};
+use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
+use serde_json::{Value, json};
+use sim_kernel::Mechanism;
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Runs a mechanism, writes what it found, and prints a short table.
@@ -25,10 +26,11 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let settings = arguments.settings.settings(description)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
+    let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    told(&found, &table, arguments, (&reproduction, &directory, clock), voice)
+    told(&found, &table, arguments, (&reproduction, files, clock), voice)
 }
 
 /// Writes what was found, prints a short table, and says what went wrong.
@@ -36,22 +38,67 @@ fn told(
     found: &dyn Recorded,
     table: &Table,
     arguments: &RunArguments,
-    (reproduction, directory, clock): (&Reproduction, &Path, Instant),
+    (reproduction, mut files, clock): (&Reproduction, Files, Instant),
     voice: Voice,
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
     let summary = summary_of(&outcome, table);
-    let mut folder = Folder::open(outcome.description, directory, &[])?;
-    let took = files::write(found, (&outcome, table, &summary), arguments, reproduction, &mut folder, clock)?;
-    folder.say(voice, summary, &report(&outcome, &folder, &took))?;
-    match (outcome.failure, table.undefined_outputs().first()) {
-        (Some(failure), _) if failure.what == What::Interrupted => Err(Stop::Interrupted(failure.into())),
-        (Some(failure), _) => Err(failure.into()),
-        (None, Some((name, time))) => Err(Stop::Failed(anyhow::anyhow!(
+    let times = write(&mut files, found, (&outcome, table, &summary), arguments, (reproduction, clock));
+    files.say(voice, summary, &report(&outcome, &files, &times))?;
+    let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(failures(&outcome, table), is_interrupted)
+}
+
+/// Seconds from the start of a run.
+struct Times {
+    /// Until figures were begun.
+    without_figures: f64,
+    /// Until all was written.
+    total: f64,
+}
+
+/// Writes everything: run file, tables, summary, figures, report, and last the times.
+fn write(
+    files: &mut Files,
+    run: &dyn Recorded,
+    (outcome, table, summary): (&Outcome, &Table, &Value),
+    arguments: &RunArguments,
+    (reproduction, clock): (&Reproduction, Instant),
+) -> Times {
+    let seconds = || clock.elapsed().as_secs_f64();
+    files.add("run.json", |path| write_json(&reproduction.file, path));
+    files.add_table(table, &arguments.format);
+    files.add("summary.json", |path| write_json(summary, path));
+    let without_figures = seconds();
+    let is_empty = table.times().is_empty();
+    if !arguments.no_report && !is_empty {
+        let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
+        files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
+    }
+    if !arguments.no_figures && !is_empty {
+        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.size.show()));
+    }
+    let times = Times { without_figures, total: seconds() };
+    let timing = json!({
+        "integration_seconds": outcome.integration_seconds,
+        "without_figures_seconds": times.without_figures,
+        "total_seconds": times.total,
+    });
+    files.add("timing.json", |path| write_json(&timing, path));
+    times
+}
+
+/// What went wrong in the motion or its outputs.
+fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+    let of_output = |(name, time): &(&str, f64)| {
+        format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
-        ))),
-        (None, None) => folder.check(),
+        )
+    };
+    match &outcome.failure {
+        Some(failure) => vec![failure.to_string()],
+        None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
     }
 }
 
@@ -62,97 +109,6 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
         let found = mobility(mechanism, first.time, &first.positions);
         found.redundancies().iter().for_each(|line| eprintln!("redundant constraint: {line}"));
     }
-}
-
-pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut parameters = M::defaults().parameters();
-    set(parameters.as_mut(), description, settings)?;
-    Ok(M::defaults().with_parameters(parameters))
-}
-
-/// Sets parameters to what the user says.
-fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
-    for text in settings {
-        let (name, value) = split_assignment("--set", text)?;
-        let known = || description.parameters.iter().map(|p| p.name);
-        if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
-            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
-        }
-        if description.inputs.iter().any(|input| input.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
-        }
-        let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
-        parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
-    }
-    Ok(())
-}
-
-/// The mechanism with inputs held at what the user says.
-fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut inputs = mechanism.inputs();
-    hold(inputs.as_mut(), description, settings)?;
-    Ok(mechanism.with_inputs(inputs))
-}
-
-fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
-    for text in settings {
-        let (name, value) = split_assignment("--input", text)?;
-        let known = || description.inputs.iter().map(|input| input.name);
-        if description.parameters.iter().any(|p| p.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-        }
-        let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
-        inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
-    }
-    Ok(())
-}
-
-pub(super) fn start_with<M: Mechanism>(
-    mechanism: &M,
-    description: &Description,
-    settings: &[String],
-) -> Result<Start<M>, Stop> {
-    let mut start = declared_start(mechanism);
-    for (started, value) in started(description, settings)? {
-        match started {
-            Started::Position(at) => {
-                start.positions[at] = value;
-                start.position_given[at] = description.coordinates[at].start != sim_kernel::Start::Guess;
-            }
-            Started::Speed(at) => {
-                start.speeds[at] = value;
-                start.speed_given[at] = true;
-            }
-        }
-    }
-    Ok(start)
-}
-
-/// A coordinate or a speed, by index.
-enum Started {
-    Position(usize),
-    Speed(usize),
-}
-
-/// What the user says of the start.
-fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
-    let mut said = Vec::new();
-    for text in settings {
-        let (name, value) = split_assignment("--initial", text)?;
-        let coordinates = description.coordinates;
-        if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
-            said.push((Started::Position(at), parse_quantity(name, value, coordinates[at].position.unit)?));
-        } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
-            said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
-        } else {
-            if description.parameters.iter().any(|p| p.name == name) {
-                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
-            }
-            let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
-            return Err(unknown("coordinate or speed", name, known));
-        }
-    }
-    Ok(said)
 }
 
 /// The method, its steps and what they took.
@@ -170,7 +126,7 @@ fn method(run: &Outcome) -> String {
 }
 
 /// The short table for the terminal.
-fn report(run: &Outcome, folder: &Folder, took: &Took) -> String {
+fn report(run: &Outcome, files: &Files, times: &Times) -> String {
     let description = run.description;
     let end = run.settings.end;
     let reached = run.reached;
@@ -218,17 +174,17 @@ fn report(run: &Outcome, folder: &Folder, took: &Took) -> String {
     }
     let milliseconds = |seconds: f64| 1e3 * seconds;
     let integration = milliseconds(run.integration_seconds);
-    let (without, total) = (milliseconds(took.without_figures), milliseconds(took.total));
+    let (without, total) = (milliseconds(times.without_figures), milliseconds(times.total));
     rows.push((
         "wall time",
         format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
     ));
-    let is_picture = |name: &String| name.ends_with(".svg") || name.ends_with(".png");
-    let (pictures, files): (Vec<String>, Vec<String>) = folder.names().iter().cloned().partition(is_picture);
-    let (directory, figures) = (folder.directory(), counted(pictures.len() / 2, "figure"));
-    rows.push(("written", format!("{}: {}, {figures}", directory.display(), files.join(", "))));
-    if files.iter().any(|name| name == "report.html") {
-        rows.push(("look at", format!("{}", directory.join("report.html").display())));
+    let is_figure = |name: &&String| name.ends_with(".svg") || name.ends_with(".png");
+    let others: Vec<&str> = files.names.iter().filter(|name| !is_figure(name)).map(String::as_str).collect();
+    let figures = counted(files.names.iter().filter(|name| name.ends_with(".svg")).count(), "figure");
+    rows.push(("written", format!("{}: {}, {figures}", files.directory().display(), others.join(", "))));
+    if files.names.iter().any(|name| name == "report.html") {
+        rows.push(("look at", format!("{}", files.directory().join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }

@@ -1,8 +1,8 @@
 //! `sim assemble` and `sim equilibrium`.
 
 use super::arguments::{AssembleArguments, StartArguments, Voice};
+use super::given::{mechanism_with, start_with};
 use super::list::counted;
-use super::run::{mechanism_with, start_with};
 use super::{Stop, print};
 use crate::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
@@ -45,6 +45,7 @@ fn say_assembled(
             "degrees_of_freedom": found.degrees_of_freedom,
             "configuration_freedom": found.configuration_freedom,
             "redundant_constraints": found.dependent,
+            "singular_constraints": found.singular,
             "coordinates": coordinates,
             "speeds": speeds,
             "residuals": { "position": position, "velocity": velocity },
@@ -62,6 +63,9 @@ fn say_assembled(
     )?;
     for line in found.redundancies() {
         writeln!(out, "redundant    {line}")?;
+    }
+    for line in found.singularities() {
+        writeln!(out, "singular     {line}")?;
     }
     for (c, (q, qd)) in description.coordinates.iter().zip(positions.iter().zip(speeds)) {
         let (position, speed) = (q / c.position.factor, qd / c.speed.factor);

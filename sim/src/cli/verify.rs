@@ -1,7 +1,7 @@
 //! `sim verify`.
 
 use super::arguments::{VerifyArguments, Voice};
-use super::run::{mechanism_with, start_with};
+use super::given::{mechanism_with, start_with};
 use super::settings::positive;
 use super::{Stop, print};
 use crate::verify::{Check, verify};

@@ -34,9 +34,12 @@ pub struct Branches<M: Mechanism> {
     pub loops: Vec<Loop>,
     /// The coordinates that are not found so.
     pub open: Vec<&'static str>,
-    /// The configurations, nearest to the guesses first.
+    /// The configurations, nearest to the guesses first; of many the 256 nearest, as they are twice as many with each loop.
     pub positions: Vec<M::Q>,
 }
+
+/// Configurations that are followed; coordinates that are not found yet keep their guesses, and count nothing.
+const MOST_BRANCHES: usize = 256;
 
 /// The rows and unknowns of a loop, by index.
 type Block = (Vec<usize>, Vec<usize>);
@@ -54,6 +57,10 @@ pub(crate) fn close_loops<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Bran
                 block.1.iter().for_each(|j| known[*j] = true);
                 found.loops.push(named::<M>(&block, form));
                 found.positions = positions;
+                if found.positions.len() > MOST_BRANCHES {
+                    found.sort(start);
+                    found.positions.truncate(MOST_BRANCHES);
+                }
             }
         }
     }

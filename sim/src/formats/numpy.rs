@@ -6,7 +6,7 @@ use crate::table::{Column, Table};
 use crate::write::WriteError;
 use nalgebra::DMatrix;
 use std::fs::File;
-use std::io::{BufWriter, Result, Seek, Write};
+use std::io::{BufWriter, Error, Result, Seek, SeekFrom, Write};
 use std::path::Path;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
@@ -50,8 +50,55 @@ fn write_archive<'a>(
     arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>,
     path: &Path,
 ) -> std::result::Result<(), WriteError> {
-    let write = || -> Result<()> { archive(arrays, BufWriter::new(File::create(path)?)) };
+    let write = || -> Result<()> {
+        let mut out = KeepsError { inner: BufWriter::new(File::create(path)?), error: None, position: 0 };
+        let written = archive(arrays, &mut out);
+        out.error.map_or(written, Err)
+    };
     write().map_err(|why| WriteError::new(path, why))
+}
+
+/// A writer that keeps its first error and lets go whatever follows: an archive that cannot be written would print another
+/// message of its own when it is dropped.
+struct KeepsError<W> {
+    inner: W,
+    error: Option<Error>,
+    /// Where it would be without the error.
+    position: u64,
+}
+
+impl<W> KeepsError<W> {
+    fn kept<T>(&mut self, instead: T, act: impl FnOnce(&mut W) -> Result<T>) -> Result<T> {
+        if self.error.is_some() {
+            return Ok(instead);
+        }
+        act(&mut self.inner).or_else(|error| {
+            self.error = Some(error);
+            Ok(instead)
+        })
+    }
+}
+
+impl<W: Write> Write for KeepsError<W> {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize> {
+        self.position += bytes.len() as u64;
+        self.kept(bytes.len(), |inner| inner.write_all(bytes).map(|()| bytes.len()))
+    }
+
+    fn flush(&mut self) -> Result<()> {
+        self.kept((), Write::flush)
+    }
+}
+
+impl<W: Seek> Seek for KeepsError<W> {
+    fn seek(&mut self, to: SeekFrom) -> Result<u64> {
+        self.position = match to {
+            SeekFrom::Start(position) => position,
+            SeekFrom::Current(offset) => self.position.saturating_add_signed(offset),
+            SeekFrom::End(_) => self.position,
+        };
+        self.kept(self.position, |inner| inner.seek(to))
+    }
 }
 
 fn archive<'a>(arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>, out: impl Write + Seek) -> Result<()> {

@@ -33,7 +33,7 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         (weights, node): (&[Weight], f64),
     ) -> Result<(), Failure> {
         let inner = start.changed(start.time + node * h, h, &self.combined(weights));
-        self.stages[stage] = motion.sample(inner)?.rates();
+        self.stages[stage] = motion.sample_in_place(inner)?.rates();
         Ok(())
     }
 

@@ -19,6 +19,7 @@ pub use radau::Radau5;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
+use crate::gimbal;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::singular::{Lie, Singularity, end_of_step, may_be_ahead, parts_at, passed, weakest_constraint};
@@ -178,14 +179,14 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
             let is_near = may_be_ahead(sines);
-            let lie = Lie {
-                goal,
-                longest: length,
-                gap: method.gap(),
-                keeps_stages: method.is_explicit(),
-                least_sine: LEAST_SINE,
+            let time = match is_near {
+                true => {
+                    let (gap, keeps_stages) = (method.gap(), method.is_explicit());
+                    let lie = Lie { goal, longest: length, gap, keeps_stages, least_sine: LEAST_SINE };
+                    end_of_step(motion, from, &lie).min(course.end)
+                }
+                false => goal,
             };
-            let time = if is_near { end_of_step(motion, from, &lie).min(course.end) } else { goal };
             attempt(motion, method, from, time, None, to).map_err(|failure| explained(motion, &from.state, failure))?;
             sines = [sines[1], motion.least_sine()];
             steps.accepted += 1;
@@ -216,9 +217,13 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     let mut sines = [0.0; 2];
     let mut parts = parts_at(motion, &from.state);
     let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
+    let mut headway = Headway::from(from.state.time);
     while from.state.time < course.end {
         check_interrupt(course, from)?;
         let now = from.state.time;
+        if headway.is_lost(now, course.end - course.begin) {
+            return Err(too_small(motion, &from.state, h, None));
+        }
         // The last step is not followed by a tiny one.
         let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
         let lie = Lie {
@@ -257,6 +262,34 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     Ok(())
 }
 
+/// How far attempts have come lately.
+struct Headway {
+    since: f64,
+    attempts: u32,
+}
+
+impl Headway {
+    /// So many attempts that lead no further than this part of the whole time each will never come to its end: where a load
+    /// jumps to and fro, steps stay short enough to be accepted.
+    const ATTEMPTS: u32 = 20_000;
+    const LEAST: f64 = 1e-10;
+
+    fn from(time: f64) -> Headway {
+        Headway { since: time, attempts: 0 }
+    }
+
+    /// Whether the last of them have led nowhere.
+    fn is_lost(&mut self, now: f64, whole: f64) -> bool {
+        self.attempts += 1;
+        if self.attempts <= Headway::ATTEMPTS {
+            return false;
+        }
+        let come = now - self.since;
+        *self = Headway::from(now);
+        come < Headway::LEAST * whole * f64::from(Headway::ATTEMPTS)
+    }
+}
+
 /// The least sine of the angle between a row of C_q and those before it from which equal steps lead over a singular
 /// position: rounding of speeds, which grows with its square, stays near 1e-12, and longer steps are needed for it only
 /// where they are short.
@@ -267,7 +300,7 @@ const NEARLY_SINGULAR: f64 = 1e-2;
 /// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
 fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
     let cause = cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions));
-    explained(motion, at, cause)
+    gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
 }
 
 /// A failure that a singular position explains, as such.
@@ -302,15 +335,11 @@ fn attempt<M: Mechanism, A: Advance<M>>(
     if !(error <= 1.0) {
         return Ok(error);
     }
-    let Some(tolerance) = tolerance else {
-        motion.keep(&mut end)?;
-        *to = motion.sample(end)?;
-        return Ok(error);
-    };
     let before = end;
     motion.keep(&mut end)?;
-    *to = motion.sample(end)?;
-    Ok(error.max(tolerance.norm(&before, &end, &difference(&before, &end)) / MOST_MOVED))
+    *to = motion.sample_in_place(end)?;
+    let moved = |tolerance: &Tolerance| tolerance.norm(&before, &end, &difference(&before, &end));
+    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / MOST_MOVED)))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {

@@ -1,8 +1,8 @@
 //! How accelerations, multipliers and outputs change with state and inputs.
 
 use super::{Change, Control};
+use crate::equations::accelerate;
 use crate::failure::Failure;
-use crate::motion::accelerate;
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Dual, Dynamics, Mechanism, Scalar};

@@ -31,9 +31,11 @@ impl Reduction {
         let [of_positions, of_speeds] = [between_positions::<M>(&all), all].map(|rows| matrix::<M>(&rows));
         let chosen = chosen(mechanism, state);
         let freedoms = mobility(mechanism, state.time, &state.positions);
+        // In a singular position more than nearby.
+        let more = freedoms.singular.len();
         let [moves, rates] = [
-            Split::new(&of_positions, freedoms.configuration_freedom, &chosen[0]),
-            Split::new(&of_speeds, freedoms.degrees_of_freedom, &chosen[1]),
+            Split::new(&of_positions, freedoms.configuration_freedom + more, &chosen[0]),
+            Split::new(&of_speeds, freedoms.degrees_of_freedom + more, &chosen[1]),
         ];
         let by_positions = moves.spread(1.0, &moves.columns(&of_positions));
         let bent = rates_by_positions(mechanism, state) * &by_positions;

@@ -2,7 +2,7 @@
 //! the bodies.
 
 use super::{Check, VerifyError};
-use crate::motion::accelerate;
+use crate::equations::accelerate;
 use crate::trajectory::Sample;
 use codegen::dsl::{self, Declaration};
 use codegen::dynamics::{Lagrange, lagrange};

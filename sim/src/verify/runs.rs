@@ -1,7 +1,7 @@
 //! Checks of whole runs.
 
 use super::Check;
-use crate::motion::residuals;
+use crate::equations::residuals;
 use crate::run::Run;
 use sim_kernel::{Array, Mechanism};
 

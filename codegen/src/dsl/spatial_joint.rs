@@ -1,0 +1,289 @@
+//! Joints of bodies in space by name, and their equations.
+//!
+//! A joint holds a point and an axis of one body to those of another, or of the `ground`. From an axis n follow two marks
+//! t1 and t2 across it, t1 x t2 = n: of the axes of a frame the next two, in turn. Its equations are between products of
+//! such vectors, each fixed on its body (Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, section 7.1).
+
+use super::block::{accept_word, expect_word, name};
+use super::expression::expression;
+use super::made::{binary, call, difference, inner, number, product, quotient, vector, zero};
+use super::{Equation, Expression, Kind, Operator, Region};
+use syn::Ident;
+use syn::parse::{ParseStream, Result};
+
+/// `hinge: revolute arm at [l, 0, 0] axis [0, 0, 1] to ground at [0, 0, 0] axis [0, 0, 1];`
+pub struct SpatialJoint {
+    /// What it is.
+    pub kind: SpatialKind,
+    /// The body that holds.
+    pub first: Side,
+    /// The body that is held.
+    pub second: Side,
+    /// `pitch p`, of a screw.
+    pub pitch: Option<Expression>,
+}
+
+/// A kind of joint of bodies in space.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SpatialKind {
+    /// Points coincide.
+    Ball,
+    /// And axes are parallel.
+    Revolute,
+    /// Axes coincide.
+    Cylindrical,
+    /// And nothing turns.
+    Prismatic,
+    /// Points coincide and axes are at right angles.
+    Universal,
+    /// A plane moves on a plane.
+    Planar,
+    /// Axes coincide, and turning is advancing.
+    Screw,
+    /// Nothing moves.
+    Weld,
+}
+
+impl SpatialKind {
+    pub(super) const WORDS: [&str; 8] =
+        ["ball", "revolute", "cylindrical", "prismatic", "universal", "planar", "screw", "weld"];
+
+    pub(super) fn of(word: &str) -> Option<SpatialKind> {
+        use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
+        let kinds = [Ball, Revolute, Cylindrical, Prismatic, Universal, Planar, Screw, Weld];
+        SpatialKind::WORDS.iter().zip(kinds).find(|(known, _)| **known == word).map(|(_, kind)| kind)
+    }
+}
+
+/// A body with a point and an axis, in its own frame.
+pub struct Side {
+    /// The body, or `ground`.
+    pub body: Ident,
+    /// A point on it.
+    pub at: Expression,
+    /// An axis on it; z if none is given.
+    pub axis: Option<Expression>,
+}
+
+/// `roll disc radius r axis n on O normal k`: a thin disc rolls on a plane.
+pub struct Rolling {
+    /// The disc, whose centre is that of its mass.
+    pub disc: Ident,
+    /// Its radius.
+    pub radius: Expression,
+    /// Its axis, in its own frame.
+    pub axis: Expression,
+    /// A point of the plane.
+    pub on: Expression,
+    /// The plane's normal, in numbers.
+    pub normal: Expression,
+}
+
+pub(super) fn spatial_joint(input: ParseStream, kind: SpatialKind) -> Result<SpatialJoint> {
+    let first = side(input)?;
+    expect_word(input, "to", FORM)?;
+    let second = side(input)?;
+    let pitch = match kind {
+        SpatialKind::Screw => {
+            expect_word(input, "pitch", "screw nut at P axis n to bolt at Q axis n pitch p;")?;
+            Some(expression(input)?)
+        }
+        _ => None,
+    };
+    Ok(SpatialJoint { kind, first, second, pitch })
+}
+
+const FORM: &str = "revolute a at [u, v, w] axis [0, 0, 1] to b at [u, v, w] axis [0, 0, 1];";
+
+fn side(input: ParseStream) -> Result<Side> {
+    let body = name(input, "a body, by its name, or `ground`")?;
+    expect_word(input, "at", FORM)?;
+    let at = expression(input)?;
+    let axis = if accept_word(input, "axis")? { Some(expression(input)?) } else { None };
+    Ok(Side { body, at, axis })
+}
+
+/// The rest of `roll disc radius r axis n on O normal k;`.
+pub(super) fn rolling(input: ParseStream, disc: Ident, radius: Expression) -> Result<Rolling> {
+    const FORM: &str = "roll disc radius r axis n on O normal [0, 0, 1];";
+    expect_word(input, "axis", FORM)?;
+    let axis = expression(input)?;
+    expect_word(input, "on", FORM)?;
+    let on = expression(input)?;
+    expect_word(input, "normal", FORM)?;
+    Ok(Rolling { disc, radius, axis, on, normal: expression(input)? })
+}
+
+/// A point and an axis with its marks, in the world.
+pub(super) struct Placed {
+    pub(super) point: Expression,
+    axis: Expression,
+    marks: [Expression; 2],
+}
+
+impl Placed {
+    /// From the body's point in the world, and what turns vectors of its frame into the world.
+    pub(super) fn new(side: &Side, point: Expression, turned: impl Fn(Expression) -> Expression) -> Result<Placed> {
+        let at = side.at.region;
+        let axis = side.axis.clone().unwrap_or_else(|| coordinate_axis(at, 2, false));
+        let (axis, marks) = marked(&axis)?;
+        Ok(Placed { point, axis: turned(axis), marks: marks.map(turned) })
+    }
+}
+
+/// An axis of length 1 and the marks across it.
+fn marked(axis: &Expression) -> Result<(Expression, [Expression; 2])> {
+    let at = axis.region;
+    let form = || {
+        at.error(
+            "the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
+             components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
+        )
+    };
+    let Kind::Vector(components) = &axis.kind else { return Err(form()) };
+    if components.len() != 3 {
+        return Err(form());
+    }
+    let Some(values) = components.iter().map(value).collect::<Option<Vec<f64>>>() else {
+        // Of what parameters make only an axis across a known one has marks.
+        let across = components.iter().position(|x| value(x) == Some(0.0)).ok_or_else(form)?;
+        let axis = unit(axis.clone());
+        let first = coordinate_axis(at, across, false);
+        let second = call(at, "cross", vec![axis.clone(), first.clone()]);
+        return Ok((axis, [first, second]));
+    };
+    let length = values.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if !(length > 0.0) {
+        return Err(at.error("an axis without length has no direction; write `[0, 0, 1]`"));
+    }
+    let aligned = (0..3).find(|k| values[*k].abs() == length);
+    if let Some(k) = aligned {
+        let marks = [coordinate_axis(at, (k + 1) % 3, false), coordinate_axis(at, (k + 2) % 3, values[k] < 0.0)];
+        return Ok((coordinate_axis(at, k, values[k] < 0.0), marks));
+    }
+    let axis = if (length - 1.0).abs() < 1e-15 { axis.clone() } else { unit(axis.clone()) };
+    let least = (0..3).min_by(|i, k| values[*i].abs().total_cmp(&values[*k].abs())).unwrap_or(0);
+    let first = unit(call(at, "cross", vec![axis.clone(), coordinate_axis(at, least, false)]));
+    let second = call(at, "cross", vec![axis.clone(), first.clone()]);
+    Ok((axis, [first, second]))
+}
+
+/// v/|v|
+fn unit(v: Expression) -> Expression {
+    quotient(v.clone(), call(v.region, "norm", vec![v]))
+}
+
+/// x, y or z, or the opposite.
+fn coordinate_axis(at: Region, k: usize, is_opposite: bool) -> Expression {
+    let one = if is_opposite { "-1" } else { "1" };
+    vector(at, (0..3).map(|i| if i == k { number(at, one) } else { zero(at) }).collect())
+}
+
+/// The value of an expression of numbers.
+fn value(expression: &Expression) -> Option<f64> {
+    match &expression.kind {
+        Kind::Number { literal, unit: None } => literal.parse().ok(),
+        Kind::Negate(operand) => Some(-value(operand)?),
+        Kind::Binary(operator, left, right) => {
+            let (a, b) = (value(left)?, value(right)?);
+            Some(match operator {
+                Operator::Add => a + b,
+                Operator::Subtract => a - b,
+                Operator::Multiply => a * b,
+                Operator::Divide => a / b,
+                Operator::Power => a.powf(b),
+            })
+        }
+        Kind::Call(function, arguments) => match arguments.as_slice() {
+            [x] if function == "sqrt" => Some(value(x)?.sqrt()),
+            [x] if function == "sin" => Some(value(x)?.sin()),
+            [x] if function == "cos" => Some(value(x)?.cos()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The equations of a joint, each with what is added to its name.
+pub(super) fn equations(
+    at: Region,
+    kind: SpatialKind,
+    first: &Placed,
+    second: &Placed,
+) -> Vec<(&'static str, Expression, Expression)> {
+    use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
+    let null = |suffix, left| (suffix, left, zero(at));
+    let [t1, t2] = &first.marks;
+    let of_both = |a: &Expression, b: &Expression| inner(at, a.clone(), b.clone());
+    let apart = || difference(first.point.clone(), second.point.clone());
+    let mut rows = Vec::new();
+    match kind {
+        Ball | Revolute | Universal | Weld => rows.push(("", first.point.clone(), second.point.clone())),
+        Cylindrical | Prismatic | Screw => {
+            rows.extend([null("_f1", of_both(t1, &apart())), null("_f2", of_both(t2, &apart()))]);
+        }
+        Planar => rows.push(null("_f", of_both(&first.axis, &apart()))),
+    }
+    match kind {
+        Ball => {}
+        Universal => rows.push(null("_m", of_both(&first.axis, &second.axis))),
+        _ => {
+            let tilted = of_both(t1, &second.axis);
+            rows.push(null("_m1", of_both(t2, &second.axis)));
+            rows.push(null("_m2", Expression { region: at, kind: Kind::Negate(Box::new(tilted)) }));
+        }
+    }
+    if matches!(kind, Prismatic | Weld) {
+        rows.push(null("_m3", of_both(t1, &second.marks[1])));
+    }
+    rows
+}
+
+/// Turning is advancing: n.(P2 - P1)' = pitch/(2 pi) n.(w2 - w1).
+pub(super) fn screw(
+    at: Region,
+    pitch: Expression,
+    first: &Placed,
+    second: &Placed,
+    spins: [Expression; 2],
+) -> (Expression, Expression) {
+    let [first_spin, second_spin] = spins;
+    let advance = call(at, "dot", vec![difference(second.point.clone(), first.point.clone())]);
+    let turn = inner(at, first.axis.clone(), difference(second_spin, first_spin));
+    let whole = product(number(at, "2"), call_name(at, "pi"));
+    (inner(at, first.axis.clone(), advance), product(quotient(pitch, whole), turn))
+}
+
+fn call_name(at: Region, name: &str) -> Expression {
+    Expression { region: at, kind: Kind::Name(Ident::new(name, at.start())) }
+}
+
+/// A disc that touches a plane and does not slip on it. With a the axis of the disc and k the normal, the contact is r u
+/// from the centre, u = -(k - (k.a) a)/|k x a|; the disc's speed there, P' + w x r u, has no component in the plane.
+pub(super) fn rolls(
+    at: Region,
+    rolling: &Rolling,
+    centre: Expression,
+    axis: Expression,
+    spin: Expression,
+) -> Result<[(&'static str, Expression, Expression); 3]> {
+    let (normal, [t1, t2]) = marked(&rolling.normal)?;
+    let both = |a: &Expression, b: &Expression| inner(at, a.clone(), b.clone());
+    let tilt = call(at, "norm", vec![call(at, "cross", vec![normal.clone(), axis.clone()])]);
+    let height = both(&normal, &difference(centre.clone(), rolling.on.clone()));
+    let down = difference(product(both(&normal, &axis), axis), normal);
+    let arm = product(quotient(rolling.radius.clone(), tilt.clone()), down);
+    let swept = call(at, "cross", vec![spin, arm]);
+    let slip = binary(Operator::Add, call(at, "dot", vec![centre]), swept);
+    Ok([
+        ("", height, product(rolling.radius.clone(), tilt)),
+        ("_f1", both(&t1, &slip), zero(at)),
+        ("_f2", both(&t2, &slip), zero(at)),
+    ])
+}
+
+/// An equation with what is added to the name of its joint.
+pub(super) fn named(joint: &Ident, suffix: &str, left: Expression, right: Expression) -> Equation {
+    let name = Ident::new(&format!("{joint}{suffix}"), joint.span());
+    Equation { name, left, right, initially: None }
+}

@@ -1,0 +1,147 @@
+//! Unit quaternions.
+//!
+//! `quaternion(q0, q1, q2, q3)` is the rotation of the quaternion's direction, q/|q|, at whatever length: so position and
+//! angular velocity agree at every state, on the norm constraint and off it, and no force along q arises whose
+//! multiplier the norm would have to take. What it costs is one division.
+
+use super::frames::Step;
+use super::triple::{Matrix, Triple};
+use crate::dsl::{Expression, Region};
+use crate::mistakes::Mistakes;
+use crate::model::interpret::Interpreter;
+use crate::model::level::position_level;
+use crate::model::value::Value;
+use crate::model::{Constraint, Dependence, Dimension, Level};
+use crate::symbolic::{Expr, Graph, Node, Symbol, evaluate};
+
+/// A quaternion of coordinates, which need their norm constraint.
+pub(in crate::model) struct Quaternion {
+    pub(in crate::model) components: [Expr; 4],
+    symbols: [Symbol; 4],
+    names: [String; 4],
+    place: Region,
+}
+
+impl Interpreter {
+    /// `quaternion(q0, q1, q2, q3)`, the scalar part first.
+    pub(in crate::model) fn quaternion(&mut self, region: Region, arguments: &[Expression; 4]) -> Option<Value> {
+        let components = arguments.each_ref().map(|argument| {
+            let value = self.scalar_of(argument, &Dimension::none(), "a component of a quaternion")?;
+            position_level(argument, &[value], "a quaternion", self)?;
+            Some(value)
+        });
+        let [Some(q0), Some(q1), Some(q2), Some(q3)] = components else { return None };
+        let q = [q0, q1, q2, q3];
+        let is_of_coordinates = self.note_coordinates(region, q);
+        let Interpreter { graph, motion, .. } = self;
+        let square = norm_square(graph, &q);
+        let inverse = graph.integer_power(square, -1);
+        let matrix = matrix(graph, &q, inverse);
+        let rates = q.map(|x| motion.of(graph, x));
+        let spin = spin(graph, &q, &rates, inverse);
+        let spin_rate = spin.map(|x| motion.of(graph, x));
+        let step = Step { matrix, spin, spin_rate, quaternion: is_of_coordinates.then_some(q) };
+        Some(Value::rotation(self.frames.single(&mut self.graph, step)))
+    }
+
+    /// Takes note of a quaternion whose components are coordinates.
+    fn note_coordinates(&mut self, place: Region, components: [Expr; 4]) -> bool {
+        let symbols = components.map(|x| match self.graph.node(x) {
+            Node::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        });
+        let [Some(a), Some(b), Some(c), Some(d)] = symbols else { return false };
+        if components.iter().any(|x| !self.dependences.of(&self.graph, *x).meets(Dependence::COORDINATE)) {
+            return false;
+        }
+        if !self.quaternions.iter().any(|known| known.components == components) {
+            let symbols = [a, b, c, d];
+            let names = symbols.map(|symbol| self.graph.symbol_name(symbol).to_owned());
+            self.quaternions.push(Quaternion { components, symbols, names, place });
+        }
+        true
+    }
+}
+
+/// q.q
+pub(in crate::model) fn norm_square(graph: &mut Graph, q: &[Expr; 4]) -> Expr {
+    let squares = q.map(|x| graph.integer_power(x, 2));
+    graph.sum(&squares)
+}
+
+/// I + 2 (q0 [v] + [v]^2)/q.q.
+fn matrix(graph: &mut Graph, q: &[Expr; 4], inverse: Expr) -> Matrix {
+    let two = graph.integer(2);
+    let double = graph.mul(two, inverse);
+    let v = [q[1], q[2], q[3]];
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            if i == j {
+                let others = [v[(i + 1) % 3], v[(i + 2) % 3]].map(|x| graph.integer_power(x, 2));
+                let sum = graph.sum(&others);
+                let lost = graph.mul(double, sum);
+                let one = graph.one();
+                return graph.sub(one, lost);
+            }
+            let (both, turned) = (graph.mul(v[i], v[j]), graph.mul(q[0], v[3 - i - j]));
+            let sum = if (j + 3 - i) % 3 == 1 { graph.sub(both, turned) } else { graph.add(both, turned) };
+            graph.mul(double, sum)
+        })
+    })
+}
+
+/// 2 (q0 v' - q0' v - v x v')/q.q, in the turned frame.
+fn spin(graph: &mut Graph, q: &[Expr; 4], rates: &[Expr; 4], inverse: Expr) -> Triple {
+    let two = graph.integer(2);
+    std::array::from_fn(|i| {
+        let (j, k) = (1 + (i + 1) % 3, 1 + (i + 2) % 3);
+        let i = i + 1;
+        let terms = [
+            (graph.mul(q[0], rates[i]), false),
+            (graph.mul(q[i], rates[0]), true),
+            (graph.mul(q[j], rates[k]), true),
+            (graph.mul(q[k], rates[j]), false),
+        ];
+        let signed: Vec<Expr> =
+            terms.into_iter().map(|(term, minus)| if minus { graph.neg(term) } else { term }).collect();
+        let sum = graph.sum(&signed);
+        graph.product(&[two, inverse, sum])
+    })
+}
+
+/// Refuses quaternions of coordinates whose norm no constraint keeps.
+pub(in crate::model) fn check_norms(
+    quaternions: &[Quaternion],
+    constraints: &[Constraint],
+    graph: &Graph,
+    mistakes: &mut Mistakes,
+) {
+    for quaternion in quaternions {
+        if !constraints.iter().any(|constraint| quaternion.is_kept_by(constraint, graph)) {
+            let [a, b, c, d] = &quaternion.names;
+            mistakes.add(quaternion.place.error(format!(
+                "nothing keeps the norm of this quaternion, so its four coordinates would move freely; add \
+                 `constraints {{ {a}_norm: {a}^2 + {b}^2 + {c}^2 + {d}^2 = 1; }}`"
+            )));
+        }
+    }
+}
+
+impl Quaternion {
+    /// Whether a constraint holds where the norm is 1 and not where it is 2: tried at some points.
+    fn is_kept_by(&self, constraint: &Constraint, graph: &Graph) -> bool {
+        let occurring = graph.symbols_of(&[constraint.value]);
+        let same = occurring.len() == 4 && self.symbols.iter().all(|symbol| occurring.contains(symbol));
+        let at = |k: usize, norm: f64| {
+            let direction: [f64; 4] =
+                std::array::from_fn(|i| ((4 * k + i + 1) as f64 * 0.618_033_988_75).fract() - 0.4);
+            let size = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let value = |symbol: Symbol| {
+                self.symbols.iter().position(|own| *own == symbol).map_or(f64::NAN, |i| norm * direction[i] / size)
+            };
+            evaluate(graph, &[constraint.value], value)[0]
+        };
+        let keeps = |k: usize| at(k, 1.0).abs() < 1e-12 && at(k, 2.0).abs() > 0.1;
+        constraint.level == Level::Positions && same && (0..3).all(keeps)
+    }
+}

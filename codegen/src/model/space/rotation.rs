@@ -1,0 +1,189 @@
+//! Rotations: about an axis, by a sequence of Euler's angles, and their products.
+
+use super::frames::Step;
+use super::triple::{self, Matrix, Triple, add, cross, identity, scaled, sub};
+use super::{Spatial, Turn};
+use crate::dsl::{Expression, Kind, Region};
+use crate::model::interpret::Interpreter;
+use crate::model::level;
+use crate::model::scope::plain;
+use crate::model::value::{Shape, Value};
+use crate::model::{Dependence, Dimension};
+use crate::symbolic::{Expr, Function, Symbol, evaluate};
+
+const AXES: [char; 3] = ['x', 'y', 'z'];
+
+impl Value {
+    pub(in crate::model) fn rotation(turn: Turn) -> Value {
+        Value { shape: Shape::Rotation(turn), dimension: Some(Dimension::none()) }
+    }
+}
+
+impl Interpreter {
+    /// A rotation.
+    pub(in crate::model) fn turn(&mut self, expression: &Expression) -> Option<Turn> {
+        let value = self.value(expression)?;
+        match value.shape {
+            Shape::Rotation(turn) => Some(turn),
+            _ => {
+                let message = format!(
+                    "{} stands where a rotation belongs; a rotation is written `rotation(axis, angle)`, `euler(zxz, a, b, c)` \
+                     or `quaternion(q0, q1, q2, q3)`",
+                    value.kind()
+                );
+                self.refuse(expression.region, message)
+            }
+        }
+    }
+
+    /// `rotation(axis, angle)`
+    pub(in crate::model) fn rotation(&mut self, axis: &Expression, angle: &Expression) -> Option<Value> {
+        let (axis, angle) = (self.axis(axis), level::angle(angle, "the angle of a rotation", self));
+        let step = self.about(axis?, angle?);
+        Some(Value::rotation(self.frames.single(&mut self.graph, step)))
+    }
+
+    /// `euler(zxz, psi, theta, phi)`: about z, then about the new x, then about the new z.
+    pub(in crate::model) fn euler(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {
+        const FORM: &str = "Euler's angles are written `euler(zxz, psi, theta, phi)`: the axes, each in the frame that the \
+                            turns before it have given, and as many angles";
+        let [sequence, angles @ ..] = arguments else { return self.refuse(region, FORM) };
+        let Kind::Name(sequence_name) = &sequence.kind else { return self.refuse(sequence.region, FORM) };
+        let letters: Vec<char> = plain(sequence_name).chars().collect();
+        if letters.len() != 3 || letters.iter().any(|letter| !AXES.contains(letter)) {
+            return self.refuse(sequence.region, format!("`{sequence_name}` is no sequence of axes; {FORM}"));
+        }
+        if letters.windows(2).any(|pair| pair[0] == pair[1]) {
+            let message = format!("`{sequence_name}` turns twice about one axis; axes that follow each other differ");
+            return self.refuse(sequence.region, message);
+        }
+        if angles.len() != letters.len() {
+            return self.refuse(region, format!("{} angles wanted, {} given; {FORM}", letters.len(), angles.len()));
+        }
+        let angles: Vec<_> = angles.iter().map(|a| level::angle(a, "the angle of a rotation", self)).collect();
+        let mut turn = Turn::NONE;
+        for (letter, angle) in letters.into_iter().zip(angles) {
+            let axis = self.unit(letter)?;
+            let step = self.about(axis, angle?);
+            let single = self.frames.single(&mut self.graph, step);
+            turn = self.frames.product(&mut self.graph, turn, single);
+        }
+        Some(Value::rotation(turn))
+    }
+
+    /// The unit vector of an axis by its letter.
+    fn unit(&mut self, letter: char) -> Option<Triple> {
+        let index = AXES.iter().position(|axis| *axis == letter)?;
+        Some(identity(&mut self.graph)[index])
+    }
+
+    /// A direction of length 1: a vector, or `x`, `y` or `z` where that is no other name.
+    pub(in crate::model) fn axis(&mut self, expression: &Expression) -> Option<Triple> {
+        if let Kind::Name(name) = &expression.kind {
+            let text = plain(name);
+            let letter = text.chars().next().filter(|letter| text.len() == 1 && AXES.contains(letter));
+            if let Some(letter) = letter {
+                if self.values.get_region(&text).is_none() {
+                    return self.unit(letter);
+                }
+                if let Some(Value { shape: Shape::Scalar(_), .. }) = self.values.get(&text) {
+                    let message =
+                        format!("`{text}` is a name of yours here, and no axis; write `[0, 0, 1]` and the like");
+                    return self.refuse(expression.region, message);
+                }
+            }
+        }
+        let (direction, dimension) = self.spatial_value(expression)?;
+        let components = self.resolved(&direction);
+        level::position_level(expression, &components, "an axis", self)?;
+        let found = crate::model::homogeneity::Measured { expression, dimension: &dimension };
+        self.expect_in_place(found, &Dimension::none(), "an axis");
+        self.check_unit(expression.region, &components)?;
+        Some(components)
+    }
+
+    /// Refuses what is not of length 1, whatever its variables are.
+    fn check_unit(&mut self, region: Region, axis: &Triple) -> Option<()> {
+        let square = triple::inner(&mut self.graph, axis, axis);
+        let lengths: Vec<f64> = (1..=3).map(|k| self.sampled(square, k).sqrt()).collect();
+        let is_unit = |length: &f64| (length - 1.0).abs() < 1e-9;
+        if lengths.iter().all(is_unit) {
+            return Some(());
+        }
+        let constant = self.dependences.of(&self.graph, square) == Dependence::NONE;
+        let length = if constant { format!(", and this one has {}", lengths[0]) } else { String::new() };
+        self.refuse(region, format!("an axis is a vector of length 1{length}; write `u/norm(u)`"))
+    }
+
+    /// The value of an expression where its variables are some numbers, others for each `k`.
+    pub(super) fn sampled(&self, expr: Expr, k: usize) -> f64 {
+        let symbols = self.graph.symbols_of(&[expr]);
+        let number = |symbol: Symbol| {
+            let at = symbols.iter().position(|other| *other == symbol).unwrap_or(0);
+            0.3 + ((7 * k + 3 * at + 1) as f64 * 0.618_033_988_75).fract()
+        };
+        evaluate(&self.graph, &[expr], number)[0]
+    }
+
+    /// I + sin(a) [n] + (1 - cos(a)) [n]^2 (Rodrigues), with w = a' n + sin(a) n' - (1 - cos(a)) n x n' in the turned
+    /// frame.
+    fn about(&mut self, axis: Triple, angle: Expr) -> Step {
+        let Interpreter { graph, motion, .. } = self;
+        let (sine, cosine) = (graph.call(Function::Sin, angle), graph.call(Function::Cos, angle));
+        let one = graph.one();
+        let versine = graph.sub(one, cosine);
+        let matrix: Matrix = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                if i == j {
+                    // c + (1 - c) n_i^2, in which c alone or 1 alone is left where n_i is 0 or 1.
+                    let square = graph.integer_power(axis[i], 2);
+                    let rest = graph.sub(one, square);
+                    let terms = [graph.mul(cosine, rest), square];
+                    return graph.sum(&terms);
+                }
+                let both = graph.product(&[versine, axis[i], axis[j]]);
+                let turned = graph.mul(sine, axis[3 - i - j]);
+                if (j + 3 - i) % 3 == 1 { graph.sub(both, turned) } else { graph.add(both, turned) }
+            })
+        });
+        let rate = motion.of(graph, angle);
+        let moving = axis.map(|x| motion.of(graph, x));
+        let along = scaled(graph, rate, axis);
+        let tilting = scaled(graph, sine, moving);
+        let swept = cross(graph, &axis, &moving);
+        let swept = scaled(graph, versine, swept);
+        let sum = add(graph, along, tilting);
+        let spin = sub(graph, sum, swept);
+        let spin_rate = spin.map(|x| motion.of(graph, x));
+        Step { matrix, spin, spin_rate, quaternion: None }
+    }
+
+    /// `transpose(R)`
+    pub(in crate::model) fn transpose(&mut self, rotation: &Expression) -> Option<Value> {
+        let turn = self.turn(rotation)?;
+        Some(Value::rotation(self.frames.inverse(&mut self.graph, turn)))
+    }
+
+    /// `R*S` or `R*v`.
+    pub(in crate::model) fn turned(&mut self, region: Region, turn: Turn, other: Value) -> Option<Value> {
+        match other.shape {
+            Shape::Rotation(second) => Some(Value::rotation(self.frames.product(&mut self.graph, turn, second))),
+            Shape::Spatial(v) => {
+                let v = self.frames.turned(&mut self.graph, turn, &v);
+                Some(Value { shape: Shape::Spatial(v), dimension: other.dimension })
+            }
+            _ => self.refuse(
+                region,
+                format!("a rotation turns vectors of three components and other rotations, not {}", other.kind()),
+            ),
+        }
+    }
+
+    /// `angular_velocity(R)`, of what is turned so; components are the world's.
+    pub(in crate::model) fn angular_velocity(&mut self, rotation: &Expression) -> Option<Value> {
+        let turn = self.turn(rotation)?;
+        let spin = self.frames.spin(turn);
+        let dimension = Some(Dimension::none().over(&Dimension::time()));
+        Some(Value { shape: Shape::Spatial(Spatial::within(turn, spin)), dimension })
+    }
+}

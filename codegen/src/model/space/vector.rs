@@ -1,0 +1,137 @@
+//! Spatial vectors: sums of triples in frames.
+
+use super::triple::{self, Triple, add, apply};
+use super::{Frames, Turn};
+use crate::model::Dependence;
+use crate::model::interpret::Interpreter;
+use crate::symbolic::{Expr, Graph};
+
+/// A vector of space: triples, each in the frame of a rotation, no two in one frame.
+#[derive(Clone)]
+pub(in crate::model) struct Spatial(Vec<(Turn, Triple)>);
+
+impl Spatial {
+    /// By components in the world's frame.
+    pub(in crate::model) fn world(components: Triple) -> Spatial {
+        Spatial::within(Turn::NONE, components)
+    }
+
+    /// By components in a frame.
+    pub(in crate::model) fn within(turn: Turn, components: Triple) -> Spatial {
+        Spatial(vec![(turn, components)])
+    }
+
+    pub(super) fn terms(&self) -> &[(Turn, Triple)] {
+        &self.0
+    }
+
+    /// The one frame that it is written in.
+    pub(in crate::model) fn frame(&self) -> Option<Turn> {
+        match self.0.as_slice() {
+            [(turn, _)] => Some(*turn),
+            _ => None,
+        }
+    }
+
+    /// The same linear operation on every component.
+    pub(in crate::model) fn map(self, mut f: impl FnMut(Expr) -> Expr) -> Spatial {
+        Spatial(self.0.into_iter().map(|(turn, triple)| (turn, triple.map(&mut f))).collect())
+    }
+
+    /// The sum, or the difference.
+    pub(in crate::model) fn combine(
+        &self,
+        other: &Spatial,
+        graph: &mut Graph,
+        operation: fn(&mut Graph, Expr, Expr) -> Expr,
+    ) -> Spatial {
+        let zero = graph.zero();
+        let mut terms = self.0.clone();
+        for (turn, triple) in &other.0 {
+            let place = terms.iter().position(|(own, _)| own == turn).unwrap_or_else(|| {
+                terms.push((*turn, [zero; 3]));
+                terms.len() - 1
+            });
+            let own = terms[place].1;
+            terms[place].1 = std::array::from_fn(|k| operation(graph, own[k], triple[k]));
+        }
+        terms.retain(|(_, triple)| !triple::is_zero(graph, triple));
+        if terms.is_empty() {
+            terms.push((Turn::NONE, [zero; 3]));
+        }
+        Spatial(terms)
+    }
+}
+
+impl Frames {
+    /// R v.
+    pub(in crate::model) fn turned(&mut self, graph: &mut Graph, turn: Turn, v: &Spatial) -> Spatial {
+        let mut turned = Spatial::world(triple::zero(graph));
+        for (own, triple) in v.terms() {
+            let frame = self.product(graph, turn, *own);
+            turned = turned.combine(&Spatial::within(frame, *triple), graph, Graph::add);
+        }
+        turned
+    }
+
+    /// Components in the world's frame.
+    pub(in crate::model) fn resolved(&self, graph: &mut Graph, v: &Spatial) -> Triple {
+        let mut sum = triple::zero(graph);
+        for (turn, triple) in v.terms() {
+            let part = apply(graph, self.matrix(*turn), triple);
+            sum = add(graph, sum, part);
+        }
+        sum
+    }
+
+    /// Components in a frame.
+    pub(in crate::model) fn resolved_in(&self, graph: &mut Graph, v: &Spatial, turn: Turn) -> Triple {
+        self.carried(graph, v.terms(), turn)
+    }
+
+    /// The sum of triples in frames, in one frame: each carried along the chain no further than it must, and together
+    /// with the others that come along.
+    pub(super) fn carried(&self, graph: &mut Graph, terms: &[(Turn, Triple)], to: Turn) -> Triple {
+        let chain: Vec<Turn> = std::iter::once(Turn::NONE).chain(self.chain(to)).collect();
+        let mut at = vec![triple::zero(graph); chain.len()];
+        for (turn, v) in terms {
+            let (mut turn, mut v) = (*turn, *v);
+            while !chain.contains(&turn) {
+                v = self.step_out(graph, turn, &v);
+                turn = self.before(turn);
+            }
+            let place = chain.iter().position(|frame| *frame == turn).unwrap_or(0);
+            at[place] = add(graph, at[place], v);
+        }
+        let mut sum = at[0];
+        for (turn, own) in chain.into_iter().zip(at).skip(1) {
+            let carried = self.step_into(graph, turn, &sum);
+            sum = add(graph, carried, own);
+        }
+        sum
+    }
+}
+
+impl Interpreter {
+    /// The components in the world's frame.
+    pub(in crate::model) fn resolved(&mut self, v: &Spatial) -> Triple {
+        self.frames.resolved(&mut self.graph, v)
+    }
+
+    /// A place and the frame in which its velocity is short: that of the body whose centre it is, where what moves it is
+    /// turning, and the world's where it moves there in more directions than one.
+    pub(in crate::model) fn with_frame(&mut self, place: Spatial, turn: Turn) -> (Spatial, Turn) {
+        let moves = Dependence::COORDINATE.or(Dependence::TIME);
+        let own = place.terms().iter().filter(|(frame, _)| *frame == Turn::NONE).flat_map(|(_, u)| u);
+        let moving = own.filter(|x| self.dependences.of(&self.graph, **x).meets(moves)).count();
+        let frame = if moving > 1 { Turn::NONE } else { turn };
+        (place, frame)
+    }
+
+    /// The components of two vectors in a frame that they share, the world's if there is no other.
+    pub(in crate::model) fn in_common(&mut self, a: &Spatial, b: &Spatial) -> (Turn, Triple, Triple) {
+        let turn = a.frame().filter(|frame| b.frame() == Some(*frame)).unwrap_or(Turn::NONE);
+        let a = self.frames.resolved_in(&mut self.graph, a, turn);
+        (turn, a, self.frames.resolved_in(&mut self.graph, b, turn))
+    }
+}

@@ -1,0 +1,99 @@
+//! A mechanism and its start as the user gives them.
+
+use super::quantity::{parse_quantity, split_assignment};
+use super::{Stop, unknown};
+use crate::{Start, declared_start};
+use sim_kernel::{Description, Input, Mechanism};
+
+/// The mechanism with the parameters that the user sets.
+pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
+    let mut parameters = M::defaults().parameters();
+    set(parameters.as_mut(), description, settings)?;
+    Ok(M::defaults().with_parameters(parameters))
+}
+
+/// Sets parameters to what the user says.
+fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
+    for text in settings {
+        let (name, value) = split_assignment("--set", text)?;
+        let known = || description.parameters.iter().map(|p| p.name);
+        if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
+            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
+        }
+        if description.inputs.iter().any(|input| input.name == name) {
+            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
+        }
+        let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
+        parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
+    }
+    Ok(())
+}
+
+/// The mechanism with inputs held at what the user says.
+pub(super) fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
+    let mut inputs = mechanism.inputs();
+    hold(inputs.as_mut(), description, settings)?;
+    Ok(mechanism.with_inputs(inputs))
+}
+
+fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
+    for text in settings {
+        let (name, value) = split_assignment("--input", text)?;
+        let known = || description.inputs.iter().map(|input| input.name);
+        if description.parameters.iter().any(|p| p.name == name) {
+            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+        }
+        let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
+        inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
+    }
+    Ok(())
+}
+
+/// The declared start with what the user says of it.
+pub(super) fn start_with<M: Mechanism>(
+    mechanism: &M,
+    description: &Description,
+    settings: &[String],
+) -> Result<Start<M>, Stop> {
+    let mut start = declared_start(mechanism);
+    for (started, value) in started(description, settings)? {
+        match started {
+            Started::Position(at) => {
+                start.positions[at] = value;
+                start.position_given[at] = description.coordinates[at].start != sim_kernel::Start::Guess;
+            }
+            Started::Speed(at) => {
+                start.speeds[at] = value;
+                start.speed_given[at] = true;
+            }
+        }
+    }
+    Ok(start)
+}
+
+/// A coordinate or a speed, by index.
+enum Started {
+    Position(usize),
+    Speed(usize),
+}
+
+/// What the user says of the start.
+fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
+    let mut said = Vec::new();
+    for text in settings {
+        let (name, value) = split_assignment("--initial", text)?;
+        let coordinates = description.coordinates;
+        if let Some(at) = coordinates.iter().position(|c| c.position.name == name) {
+            said.push((Started::Position(at), parse_quantity(name, value, coordinates[at].position.unit)?));
+        } else if let Some(at) = coordinates.iter().position(|c| c.speed.name == name) {
+            said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
+        } else {
+            if description.parameters.iter().any(|p| p.name == name) {
+                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+            }
+            let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
+            return Err(unknown("coordinate or speed", name, known));
+        }
+    }
+    Ok(said)
+}

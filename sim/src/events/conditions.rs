@@ -1,0 +1,122 @@
+//! The conditions of events at one time, and what two times tell of what lies between.
+
+use crate::failure::Failure;
+use crate::integrate::{Advance, Step};
+use crate::motion::Motion;
+use crate::onset::Onset;
+use crate::trajectory::{Sample, State};
+use sim_kernel::event::Event;
+use sim_kernel::{Array, Mechanism};
+
+/// The conditions at one time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point<M: Mechanism> {
+    pub(super) time: f64,
+    pub(super) values: M::Events,
+    /// Of the values, by time.
+    pub(super) rates: M::Events,
+}
+
+/// The value of a condition at a time inside a step.
+pub(super) fn value<M: Mechanism, A: Advance<M>>(
+    step: &mut Step<M, A>,
+    time: f64,
+    event: usize,
+) -> Result<f64, Failure> {
+    let state = step.at(time)?;
+    Ok(conditions(step.motion, &state)?[event])
+}
+
+/// Whether any condition depends on accelerations or multipliers.
+const fn any_on_forces(events: &[Event]) -> bool {
+    let mut i = 0;
+    while i < events.len() {
+        if events[i].on_forces {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+/// left - right of each event at a state; the equations of motion are solved only where one needs it.
+pub(crate) fn conditions<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<M::Events, Failure> {
+    let (qdd, lambda) = match const { any_on_forces(M::DESCRIPTION.events) } {
+        true => {
+            let sample = motion.sample(*state)?;
+            (sample.accelerations, sample.multipliers)
+        }
+        false => (M::Q::filled(0.0), M::L::filled(0.0)),
+    };
+    Ok(motion.mechanism().events(state.time, &state.positions, &state.speeds, &qdd, &lambda))
+}
+
+/// A state a little later or earlier, by constant accelerations.
+pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
+    let state = &sample.state;
+    State {
+        time: state.time + d,
+        positions: M::Q::from_fn(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i])),
+        speeds: M::Q::from_fn(|i| state.speeds[i] + d * sample.accelerations[i]),
+        work: state.work,
+    }
+}
+
+impl<M: Mechanism> Point<M> {
+    /// Values, and rates by central differences along the motion, over 1e-4 of the interval to be searched.
+    pub(super) fn of(motion: &Motion<M>, sample: &Sample<M>, interval: f64) -> Result<Point<M>, Failure> {
+        let (state, d) = (&sample.state, 1e-4 * interval);
+        let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
+        let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
+        Ok(Point {
+            time: state.time,
+            values: motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda),
+            rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+        })
+    }
+
+    /// The point from which a search starts: what holds there is left and not crossed.
+    pub(super) fn started(mut self, onset: Option<&Onset<M>>) -> Point<M> {
+        for i in 0..M::Events::LEN {
+            let is_zero = self.values[i].abs() <= 2.0 * tolerance(self.time) * self.rates[i].abs();
+            let sign = match onset {
+                Some(onset) if onset.holds(i) => onset.sign(i),
+                _ if is_zero => self.rates[i],
+                _ => 0.0,
+            };
+            if sign != 0.0 {
+                self.values[i] = f64::MIN_POSITIVE.copysign(sign);
+            }
+        }
+        self
+    }
+}
+
+/// A change of sign between numbers; reaching zero counts, leaving it does not.
+pub(super) fn crosses([before, after]: [f64; 2]) -> bool {
+    let finite = before.is_finite() && after.is_finite();
+    finite && before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))
+}
+
+/// Whether both values are far from zero beside what they change by, or one is not finite.
+pub(super) fn cannot_reach_zero(values: [f64; 2], rates: [f64; 2]) -> bool {
+    let least = values[0].abs().min(values[1].abs());
+    let undefined = !(values[0] + values[1]).is_finite();
+    undefined || least > rates[0].abs().max(rates[1].abs())
+}
+
+/// Whether a condition that keeps its sign heads for zero at both ends.
+pub(super) fn turns_back(values: [f64; 2], rates: [f64; 2]) -> bool {
+    let sign = values[0].signum();
+    values[0] * values[1] > 0.0 && sign * rates[0] < 0.0 && sign * rates[1] > 0.0
+}
+
+/// Whether the value where the sign changes has come near zero; at a jump or a pole it has not.
+pub(super) fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
+    value.abs() <= 0.5 * before.abs().max(after.abs())
+}
+
+/// To what a time is located, in seconds.
+pub(crate) fn tolerance(time: f64) -> f64 {
+    f64::max(1e-12, 4.0 * f64::EPSILON * time.abs())
+}

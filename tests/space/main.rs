@@ -1,0 +1,20 @@
+//! Mechanisms in space: their kernels against the oracle and Lagrange's equations, and their motion against closed forms.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+mod mechanisms;
+
+#[path = "../kernels/evaluation.rs"]
+mod evaluation;
+#[path = "../kernels/lagrange.rs"]
+mod lagrange;
+#[path = "../kernels/oracle.rs"]
+mod oracle;
+
+mod arm;
+mod common;
+mod elliptic;
+mod linkages;
+mod rolling;
+mod top;
+mod torque_free;
