@@ -5,12 +5,12 @@
 //! work on motions that it admits for b = 0, as its reaction is A' lambda. (Neimark and Fufaev, Dynamics of Nonholonomic
 //! Systems, 1972, chapter III.)
 //!
-//! The rows of a constraint that events switch are chosen by its activity, so that a released one is 0 = 0 everywhere, also where it
-//! has no value.
+//! The rows of a constraint that events switch are scaled by its activity, or chosen by it where they may have no value, so that a
+//! released one is 0 = 0 everywhere.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::{Level, Model};
-use crate::symbolic::{Expr, Function, Node, Number};
+use crate::symbolic::{Expr, Function, Graph, Node, Number};
 
 /// m constraint rows C(q, t) = 0.
 pub struct Constraints {
@@ -50,14 +50,27 @@ impl Constraints {
                 Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
             };
             let activity = model.constraints[i].activity;
-            let mut switched = |expr: Expr| activity.map_or(expr, |activity| model.graph.choice(activity, expr, zero));
+            constraints.magnitudes.push(match activity {
+                Some(activity) if !model.graph.has_value_everywhere(size) => model.graph.choice(activity, size, zero),
+                _ => size,
+            });
+            let mut switched =
+                |expr: Expr| activity.map_or(expr, |activity| switched(&mut model.graph, activity, expr));
             constraints.values.push(switched(own));
-            constraints.magnitudes.push(switched(size));
             constraints.jacobian.push(row.jacobian.into_iter().map(&mut switched).collect());
             constraints.time_derivative.push(switched(row.time_derivative));
             constraints.convective.push(switched(row.convective));
         }
         constraints
+    }
+}
+
+/// What stands in a row while it is active, and 0 while it is released: a multiple, unless it may have no value.
+fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
+    let zero = graph.zero();
+    match graph.has_value_everywhere(expr) {
+        true => graph.mul(activity, expr),
+        false => graph.choice(activity, expr, zero),
     }
 }
 
