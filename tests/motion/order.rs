@@ -85,8 +85,11 @@ fn a_double_pendulum_shows_every_order() {
     check(DoublePendulum::default(), 1.0, (1.0, 576), (1.61, 128));
 }
 
-/// The largest error of positions and of speeds, at places inside one step of this length.
-fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> [f64; 2] {
+/// Of positions and of speeds.
+type Pair = [f64; 2];
+
+/// The largest error at places inside one step of this length.
+fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
     let mechanism = QuickReturn::default();
     let motion = Motion::new(&mechanism, Stabilisation::Projection);
     let first = motion.sample(assemble(&mechanism, &declared_start(&mechanism)).unwrap()).unwrap();
@@ -119,7 +122,7 @@ fn dense_output_shows_its_order() {
     let dop853 = |h| error_inside(Dop853::new(), h);
     let radau = |h| error_inside(Radau5::new(), h);
     let explicit = |tableau, h| error_inside(ExplicitRungeKutta::new(tableau), h);
-    let rows: [(&str, [[f64; 2]; 2], [f64; 2]); 5] = [
+    let rows: [(&str, [Pair; 2], Pair); 5] = [
         ("dop853", [0.025, 0.0125].map(dop853), [7.0, 7.0]),
         ("radau5", [0.004, 0.002].map(radau), [3.0, 3.0]),
         ("dopri5", [0.008, 0.004].map(|h| explicit(&DOPRI5, h)), [5.0, 4.0]),

@@ -76,10 +76,3 @@ fn a_run_does_not_start_where_the_motion_is_not_determined() {
     let apart = |sample: &sim::Sample<Flat>| (sample.state.positions[0] - sample.state.positions[2]).abs();
     assert!(run.trajectory.samples.iter().all(|sample| apart(sample) < 1e-7));
 }
-
-/// Lengths of a tenth of a millimetre change nothing of that.
-#[test]
-fn size_does_not_deceive() {
-    let small = Flat { a: 2e-4, b: 5e-4, ..Default::default() };
-    assert_eq!(found(small), (1, vec![], vec!["closure_x"]));
-}
