@@ -1,0 +1,2011 @@
+/// A disc rolls in a circle, leaning inwards.
+///
+/// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// [
+///     mass_matrix, transpose(constraint_jacobian);
+///     constraint_jacobian, 0
+/// ] * [accelerations; multipliers] = [
+///     generalized_forces - convective_forces;
+///     -constraint_convective
+/// ]
+/// coordinates = [x; y; z; psi; lean; phi]
+/// multipliers = [
+///     lambda_ground;
+///     lambda_ground_f1;
+///     lambda_ground_f2
+/// ]
+/// constraints = 0
+///
+/// mass_matrix = [
+///     m, 0, 0, 0, 0, 0;
+///     0, m, 0, 0, 0, 0;
+///     0, 0, m, 0, 0, 0;
+///     0, 0, 0, mass_matrix[4, 4], 0, mass_matrix[4, 6];
+///     0, 0, 0, 0, A, 0;
+///     0, 0, 0, mass_matrix[4, 6], 0, C
+/// ]
+/// mass_matrix[4, 4] = m*r^2/4 + m*r^2*sin(lean)^2/4
+/// mass_matrix[4, 6] = m*r^2*sin(lean)/2
+///
+/// convective_forces = [
+///     0;
+///     0;
+///     0;
+///     convective_forces[4];
+///     s_10*sin(phi)/4 - s_9*cos(phi)/4;
+///     m*r^2*psi_dot*lean_dot*cos(lean)/2
+/// ]
+/// convective_forces[4] = s_9*cos(lean)*sin(phi)/4 + m*r^2*psi_dot*lean_dot*sin(lean)*cos(lean)/2
+///     + s_10*cos(lean)*cos(phi)/4
+///
+/// generalized_forces = [0; 0; -m*g; 0; 0; 0]
+///
+/// constraints = [z - r*sqrt(cos(lean)^2); 0; 0]
+///
+/// constraint_jacobian = [
+///     0, 0, 1, 0, constraint_jacobian[1, 5], 0;
+///     1, 0, 0, constraint_jacobian[2, 4], -s_7*sin(psi), constraint_jacobian[2, 6];
+///     0, 1, 0, constraint_jacobian[3, 4], s_7*cos(psi), constraint_jacobian[3, 6]
+/// ]
+/// constraint_jacobian[1, 5] = r*sqrt(cos(lean)^2)*sin(lean)*cos(lean)/cos(lean)^2
+/// constraint_jacobian[2, 4] = -r*cos(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+/// constraint_jacobian[2, 6] = -r*cos(psi)*sin(lean)^2*cos(lean)/sqrt(cos(lean)^2) - s_7*cos(psi)*cos(lean)
+/// constraint_jacobian[3, 4] = -r*sin(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+/// constraint_jacobian[3, 6] = -r*sin(psi)*sin(lean)^2*cos(lean)/sqrt(cos(lean)^2) - s_7*sin(psi)*cos(lean)
+///
+/// constraint_convective = [
+///     constraint_convective[1];
+///     constraint_convective[2];
+///     constraint_convective[3]
+/// ]
+/// constraint_convective[1] = 2*r*lean_dot^2*sqrt(cos(lean)^2)*sin(lean)^2*cos(lean)/cos(lean)^3
+///     - 2*r*lean_dot^2*sqrt(cos(lean)^2)*sin(lean)^2/cos(lean)^2
+///     - r*lean_dot^2*sqrt(cos(lean)^2)*sin(lean)^2*cos(lean)^2/cos(lean)^4
+///     + r*lean_dot^2*sqrt(cos(lean)^2)/cos(lean)^2
+/// constraint_convective[2] = r*s_6*psi_dot*sin(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+///     - r*s_13*cos(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+///     + 2*r*s_6*lean_dot*cos(psi)*sin(lean)^2/sqrt(cos(lean)^2)
+///     - r*s_6*lean_dot*sqrt(cos(lean)^2)*cos(psi)*sin(lean)^2*cos(lean)^2/(sqrt(cos(lean)^2)^2*cos(lean)^2)
+///     - r*s_6*lean_dot*cos(psi)/sqrt(cos(lean)^2)
+///     - s_7*(s_3*psi_dot*cos(psi) + s_14*sin(psi) + s_15*cos(psi) - s_5*psi_dot*sin(psi))
+///     - s_16*(s_3*sin(psi) + s_5*cos(psi))
+/// constraint_convective[3] = 2*r*s_6*lean_dot*sin(psi)*sin(lean)^2/sqrt(cos(lean)^2)
+///     - r*s_6*psi_dot*cos(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+///     - r*s_13*sin(psi)*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+///     - r*s_6*lean_dot*sqrt(cos(lean)^2)*sin(psi)*sin(lean)^2*cos(lean)^2/(sqrt(cos(lean)^2)^2*cos(lean)^2)
+///     - r*s_6*lean_dot*sin(psi)/sqrt(cos(lean)^2)
+///     + s_7*(s_14*cos(psi) - s_3*psi_dot*sin(psi) - s_5*psi_dot*cos(psi) - s_15*sin(psi))
+///     + s_16*(s_3*cos(psi) - s_5*sin(psi))
+///
+/// A = m*r^2/4
+/// C = m*r^2/2
+/// s_1 = lean_dot*cos(phi) - psi_dot*cos(lean)*sin(phi)
+/// s_2 = lean_dot*sin(phi) + psi_dot*cos(lean)*cos(phi)
+/// s_3 = s_1*cos(phi) + s_2*sin(phi)
+/// s_4 = s_2*cos(phi) - s_1*sin(phi)
+/// s_5 = (phi_dot + psi_dot*sin(lean))*cos(lean) - s_4*sin(lean)
+/// s_6 = (phi_dot + psi_dot*sin(lean))*sin(lean) + s_4*cos(lean)
+/// s_7 = r/sqrt(cos(lean)^2) - r*sin(lean)^2/sqrt(cos(lean)^2)
+/// s_8 = psi_dot*lean_dot*sin(lean)*sin(phi) - lean_dot*phi_dot*sin(phi)
+///     - psi_dot*phi_dot*cos(lean)*cos(phi)
+/// s_9 = m*r^2*s_2*(phi_dot + psi_dot*sin(lean))
+///     + m*r^2*(s_2*phi_dot - psi_dot*lean_dot*sin(lean)*sin(phi))
+/// s_10 = m*r^2*s_1*(phi_dot + psi_dot*sin(lean))
+///     + m*r^2*(s_1*phi_dot - psi_dot*lean_dot*sin(lean)*cos(phi))
+/// s_11 = psi_dot*lean_dot*sin(lean)*cos(phi) - lean_dot*phi_dot*cos(phi)
+///     + psi_dot*phi_dot*cos(lean)*sin(phi)
+/// s_12 = s_2*phi_dot*sin(phi) + s_11*cos(phi) + s_1*phi_dot*cos(phi) + s_8*sin(phi)
+/// s_13 = lean_dot*(phi_dot + psi_dot*sin(lean))*cos(lean) + psi_dot*lean_dot*sin(lean)*cos(lean)
+///     - s_4*lean_dot*sin(lean) - s_12*cos(lean)
+/// s_14 = s_8*cos(phi) - s_1*phi_dot*sin(phi) + s_2*phi_dot*cos(phi) - s_11*sin(phi)
+/// s_15 = psi_dot*lean_dot*cos(lean)^2 - lean_dot*(phi_dot + psi_dot*sin(lean))*sin(lean)
+///     - s_4*lean_dot*cos(lean) + s_12*sin(lean)
+/// s_16 = r*lean_dot*sqrt(cos(lean)^2)*sin(lean)*cos(lean)/(sqrt(cos(lean)^2)^2*cos(lean)^2)
+///     - 2*r*lean_dot*sin(lean)*cos(lean)/sqrt(cos(lean)^2)
+///     - r*lean_dot*sqrt(cos(lean)^2)*sin(lean)^3*cos(lean)/(sqrt(cos(lean)^2)^2*cos(lean)^2)
+/// ```
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDisc<S = ::core::primitive::f64> {
+    /// In `kg`.
+    pub m: S,
+    /// In `m`.
+    pub r: S,
+    /// In `m/s^2`.
+    pub g: S,
+    /// Lean at the start, in `1`.
+    pub lean0: S,
+    /// Rate of turning at the start, in `rad/s`.
+    pub turning: S,
+}
+impl<S: sim_kernel::Scalar> ::core::default::Default for RollingDisc<S> {
+    /// The declared values.
+    fn default() -> Self {
+        <Self as sim_kernel::Mechanism<S>>::defaults()
+    }
+}
+/// Coordinates of [`RollingDisc`] by name, in SI units; also for their speeds and accelerations.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscCoordinates<S = ::core::primitive::f64> {
+    /// Place of the centre, in `m`.
+    pub x: S,
+    /// In `m`.
+    pub y: S,
+    /// In `m`.
+    pub z: S,
+    /// Direction of rolling, in `rad`.
+    pub psi: S,
+    /// Lean from the upright, in `rad`.
+    pub lean: S,
+    /// Turn about its own axis, in `rad`.
+    pub phi: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 6]> for RollingDiscCoordinates<S> {
+    fn from(values: [S; 6]) -> Self {
+        Self {
+            x: values[0],
+            y: values[1],
+            z: values[2],
+            psi: values[3],
+            lean: values[4],
+            phi: values[5],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<RollingDiscCoordinates<S>> for [S; 6] {
+    fn from(record: RollingDiscCoordinates<S>) -> Self {
+        [record.x, record.y, record.z, record.psi, record.lean, record.phi]
+    }
+}
+/// Outputs of [`RollingDisc`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscOutputs<S = ::core::primitive::f64> {
+    /// lean, in `1`.
+    pub leaning: S,
+    /// speed of the centre, in `m/s`.
+    pub speed: S,
+    /// force on the ground, in `N`.
+    pub normal_force: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 3]> for RollingDiscOutputs<S> {
+    fn from(values: [S; 3]) -> Self {
+        Self {
+            leaning: values[0],
+            speed: values[1],
+            normal_force: values[2],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<RollingDiscOutputs<S>> for [S; 3] {
+    fn from(record: RollingDiscOutputs<S>) -> Self {
+        [record.leaning, record.speed, record.normal_force]
+    }
+}
+/// Rates of the outputs of [`RollingDisc`] by name, in SI units.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscOutputRates<S = ::core::primitive::f64> {
+    /// Rate of `leaning`.
+    pub leaning: S,
+    /// Rate of `speed`.
+    pub speed: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 2]> for RollingDiscOutputRates<S> {
+    fn from(values: [S; 2]) -> Self {
+        Self {
+            leaning: values[0],
+            speed: values[1],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<RollingDiscOutputRates<S>> for [S; 2] {
+    fn from(record: RollingDiscOutputRates<S>) -> Self {
+        [record.leaning, record.speed]
+    }
+}
+/// What the equations of motion need of the parameters of [`RollingDisc`], from [`RollingDisc::prepare`]; its methods are the kernels of each step.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscPrepared<S = ::core::primitive::f64> {
+    m: S,
+    r: S,
+    A_: S,
+    C_: S,
+    minus_rhs_z: S,
+    k: S,
+    k_2: S,
+    inverse_x: S,
+    inverse_lean: S,
+    k_3: S,
+    k_4: S,
+    k_5: S,
+    k_6: S,
+    k_7: S,
+    k_8: S,
+    k_9: S,
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> RollingDisc<S> {
+    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    ///
+    /// Operations: 15 multiplications, 2 divisions.
+    #[inline]
+    pub fn prepare(&self) -> RollingDiscPrepared<S> {
+        let r_squared = self.r * self.r;
+        let A_ = self.m * S::from_f64(0.25) * r_squared;
+        let w = self.m * self.g;
+        let inverse_m = S::from_f64(1.0) / self.m;
+        RollingDiscPrepared {
+            m: self.m,
+            r: self.r,
+            A_: A_,
+            C_: self.m * r_squared * S::from_f64(0.5),
+            minus_rhs_z: w,
+            k: self.m * r_squared,
+            k_2: self.r * S::from_f64(2.0),
+            inverse_x: inverse_m,
+            inverse_lean: S::from_f64(1.0) / A_,
+            k_3: w * inverse_m,
+            k_4: self.r * S::from_f64(3.0),
+            k_5: self.r * S::from_f64(4.0),
+            k_6: self.r * S::from_f64(10.0),
+            k_7: self.r * S::from_f64(12.0),
+            k_8: self.r * S::from_f64(6.0),
+            k_9: self.r * S::from_f64(7.0),
+        }
+    }
+    /// Mass matrix `T_q' M T_q`, 6 x 6, symmetric, in SI units.
+    ///
+    /// Operations: 1 addition, 8 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn mass_matrix(&self, t: S, q: &[S; 6]) -> [[S; 6]; 6] {
+        let [_, _, _, _, lean, _] = *q;
+        let r_squared = self.r * self.r;
+        let A_ = self.m * S::from_f64(0.25) * r_squared;
+        let ([sin_lean], [_]) = S::sin_cos_each([lean]);
+        let C_ = self.m * r_squared * S::from_f64(0.5);
+        let mass_phi_psi = sin_lean * C_;
+        [
+            [
+                self.m,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                self.m,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                self.m,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                A_ * (S::from_f64(1.0) + sin_lean * sin_lean),
+                S::from_f64(0.0),
+                mass_phi_psi,
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                A_,
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                mass_phi_psi,
+                S::from_f64(0.0),
+                C_,
+            ],
+        ]
+    }
+    /// Convective forces `T_q' M g`, 6, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
+    ///
+    /// Operations: 3 additions, 18 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn convective_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
+        let [_, _, _, _, lean, _] = *q;
+        let [_, _, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let r_squared = self.r * self.r;
+        let w = self.m * r_squared * S::from_f64(0.5);
+        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
+        [
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            w * cos_lean * lean_dot * (psi_dot * sin_lean + phi_dot),
+            -(cos_lean
+                * (psi_dot * phi_dot * w
+                    + sin_lean * psi_dot * psi_dot * S::from_f64(0.25) * self.m
+                        * r_squared)),
+            cos_lean * lean_dot * psi_dot * w,
+        ]
+    }
+    /// Generalised forces `T_q' F`, 6: joules per unit of each coordinate.
+    ///
+    /// Operations: 1 addition, 1 multiplication.
+    #[inline]
+    pub fn generalized_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
+        [
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            -(self.m * self.g),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+        ]
+    }
+    /// Constraints `C`, 3, in SI units; zero throughout the motion.
+    ///
+    /// Operations: 1 addition, 2 multiplications, 1 sine-cosine pair, 1 square root.
+    #[inline]
+    pub fn constraints(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        let [_, _, z, _, lean, _] = *q;
+        let ([_], [cos_lean]) = S::sin_cos_each([lean]);
+        [z - self.r * (cos_lean * cos_lean).sqrt(), S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// The sum of the magnitudes of the terms of `C`, 3, in SI units: what its rounding is relative to.
+    ///
+    /// Operations: 3 additions, 2 multiplications, 1 sine-cosine pair, 1 square root.
+    #[inline]
+    pub fn constraint_magnitudes(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        let [_, _, z, _, lean, _] = *q;
+        let ([_], [cos_lean]) = S::sin_cos_each([lean]);
+        [
+            z.abs() + (self.r * (cos_lean * cos_lean).sqrt()).abs(),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+        ]
+    }
+    /// Constraint Jacobian `C_q`, 3 x 6: units of each constraint per unit of each coordinate.
+    ///
+    /// Operations: 6 additions, 18 multiplications, 6 divisions, 2 sine-cosine pairs, 1 square root.
+    #[inline]
+    pub fn constraint_jacobian(&self, t: S, q: &[S; 6]) -> [[S; 6]; 3] {
+        let [_, _, _, psi, lean, _] = *q;
+        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let cos_lean_squared = cos_lean * cos_lean;
+        let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
+        let w = self.r
+            * ((S::from_f64(1.0) - sin_lean * sin_lean) / sqrt_cos_lean_squared);
+        [
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(1.0),
+                S::from_f64(0.0),
+                self.r * sin_lean * cos_lean * sqrt_cos_lean_squared / cos_lean_squared,
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(1.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                -(self.r * sin_lean * cos_lean * cos_psi / sqrt_cos_lean_squared),
+                -(sin_psi * w),
+                -(self.r * cos_lean * cos_psi / sqrt_cos_lean_squared),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(1.0),
+                S::from_f64(0.0),
+                -(self.r * sin_lean * cos_lean * sin_psi / sqrt_cos_lean_squared),
+                cos_psi * w,
+                -(self.r * cos_lean * sin_psi / sqrt_cos_lean_squared),
+            ],
+        ]
+    }
+    /// `C_t`, 3, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_time_derivative(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        [S::from_f64(0.0), S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 3, units of `C` per second squared: the part of `C''` without accelerations.
+    ///
+    /// Operations: 46 additions, 106 multiplications, 16 divisions, 3 sine-cosine pairs, 1 square root.
+    #[inline]
+    pub fn constraint_convective(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 3] {
+        let [_, _, _, psi, lean, phi] = *q;
+        let [_, _, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
+            lean,
+            psi,
+            phi,
+        ]);
+        let cos_lean_squared = cos_lean * cos_lean;
+        let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = S::from_f64(2.0) * self.r;
+        let w_2 = sin_lean * psi_dot;
+        let w_3 = phi_dot + w_2;
+        let w_4 = sin_lean * w_3;
+        let w_5 = lean_dot * sin_phi + cos_lean * psi_dot * cos_phi;
+        let w_6 = lean_dot * cos_phi - cos_lean * psi_dot * sin_phi;
+        let w_7 = cos_phi * w_5 - sin_phi * w_6;
+        let w_8 = cos_lean * w_7;
+        let w_9 = w_4 + w_8;
+        let w_10 = sin_lean * w_7;
+        let w_11 = sin_phi * w_5;
+        let w_12 = cos_phi * w_6;
+        let w_13 = w_2 - phi_dot;
+        let w_14 = lean_dot * cos_phi * w_13 + cos_lean * phi_dot * psi_dot * sin_phi;
+        let w_15 = lean_dot * sin_phi * w_13 - cos_lean * phi_dot * psi_dot * cos_phi;
+        let w_16 = phi_dot * (w_11 + w_12) + cos_phi * w_14 + sin_phi * w_15;
+        let w_17 = lean_dot * (cos_lean * (w_3 + w_2) - w_10) - cos_lean * w_16;
+        let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
+            * sqrt_cos_lean_squared;
+        let w_18 = cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_19 = cos_psi
+            * ((sin_lean * cos_lean * w_17 + lean_dot * w_9) / sqrt_cos_lean_squared
+                + lean_dot * sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared
+                    * w_9 / w_18);
+        let w_20 = self.r
+            * (sin_lean * cos_lean * psi_dot * sin_psi * w_9 / sqrt_cos_lean_squared
+                - w_19);
+        let w_21 = self.r
+            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
+        let w_22 = w_12 + w_11;
+        let w_23 = psi_dot * w_22
+            + (lean_dot * (cos_lean_squared * psi_dot - w_4 - w_8) + sin_lean * w_16);
+        let w_24 = cos_lean * w_3 - w_10;
+        let w_25 = cos_phi * (w_15 + phi_dot * w_5) - sin_phi * (phi_dot * w_6 + w_14)
+            - psi_dot * w_24;
+        let w_26 = lean_dot * cos_lean
+            * (self.r * sqrt_cos_lean_squared
+                * ((sin_lean - sin_lean * sin_lean_squared)
+                    / sqrt_cos_lean_squared_squared / cos_lean_squared)
+                - sin_lean * w / sqrt_cos_lean_squared);
+        let w_27 = w_9
+            * ((sin_lean * cos_lean * cos_psi * psi_dot + lean_dot * sin_psi)
+                / sqrt_cos_lean_squared
+                + lean_dot * sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared
+                    * sin_psi / w_18);
+        let w_28 = self.r
+            * (w_27 + sin_lean * cos_lean * w_17 * sin_psi / sqrt_cos_lean_squared);
+        [
+            lean_dot * lean_dot * sqrt_cos_lean_squared
+                * (sin_lean_squared
+                    * (w
+                        * (cos_lean / (cos_lean * cos_lean_squared)
+                            - S::from_f64(1.0) / cos_lean_squared)
+                        - self.r * cos_lean_squared
+                            / (cos_lean_squared * cos_lean_squared))
+                    + self.r / cos_lean_squared),
+            w_20
+                + lean_dot * sin_lean_squared * w * cos_psi * w_9 / sqrt_cos_lean_squared
+                - w_21 * (cos_psi * w_23 + sin_psi * w_25)
+                - (sin_psi * w_22 + cos_psi * w_24) * w_26,
+            lean_dot * sin_lean_squared * w * sin_psi * w_9 / sqrt_cos_lean_squared
+                - w_28 + w_21 * (cos_psi * w_25 - sin_psi * w_23)
+                + w_26 * (cos_psi * w_22 - sin_psi * w_24),
+        ]
+    }
+    /// `C` (3), `C_q` (3 x 6) and `C_t` (3) together, in SI units, for projection.
+    ///
+    /// Operations: 7 additions, 19 multiplications, 6 divisions, 2 sine-cosine pairs, 1 square root.
+    #[inline]
+    pub fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 6],
+    ) -> sim_kernel::ConstraintLinearization<[S; 3], [[S; 6]; 3]> {
+        let [_, _, z, psi, lean, _] = *q;
+        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let cos_lean_squared = cos_lean * cos_lean;
+        let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
+        let w = self.r
+            * ((S::from_f64(1.0) - sin_lean * sin_lean) / sqrt_cos_lean_squared);
+        sim_kernel::ConstraintLinearization {
+            values: [
+                z - self.r * sqrt_cos_lean_squared,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            jacobian: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(1.0),
+                    S::from_f64(0.0),
+                    self.r * cos_lean * sqrt_cos_lean_squared * sin_lean
+                        / cos_lean_squared,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(1.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.r * cos_lean * sin_lean * cos_psi / sqrt_cos_lean_squared),
+                    -(sin_psi * w),
+                    -(self.r * cos_lean * cos_psi / sqrt_cos_lean_squared),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(1.0),
+                    S::from_f64(0.0),
+                    -(self.r * cos_lean * sin_lean * sin_psi / sqrt_cos_lean_squared),
+                    cos_psi * w,
+                    -(self.r * cos_lean * sin_psi / sqrt_cos_lean_squared),
+                ],
+            ],
+            time_derivative: [S::from_f64(0.0), S::from_f64(0.0), S::from_f64(0.0)],
+        }
+    }
+    /// Kinetic energy `v' M v / 2`, in joules.
+    ///
+    /// Operations: 8 additions, 22 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn kinetic_energy(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> S {
+        let [_, _, _, _, lean, phi] = *q;
+        let [x_dot, y_dot, z_dot, psi_dot, lean_dot, phi_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m
+            * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot);
+        let r_squared = self.r * self.r;
+        let ([sin_phi, sin_lean], [cos_phi, cos_lean]) = S::sin_cos_each([phi, lean]);
+        let w_2 = lean_dot * cos_phi - psi_dot * cos_lean * sin_phi;
+        let w_3 = lean_dot * sin_phi + cos_phi * psi_dot * cos_lean;
+        let w_4 = phi_dot + psi_dot * sin_lean;
+        w + self.m * S::from_f64(0.125) * r_squared * (w_2 * w_2 + w_3 * w_3)
+            + w_4 * w_4 * self.m * r_squared * S::from_f64(0.25)
+    }
+    /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
+    ///
+    /// Operations: 1 addition, 2 multiplications.
+    #[inline]
+    pub fn power(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+        lambda: &[S; 3],
+    ) -> S {
+        let [_, _, z_dot, _, _, _] = *qd;
+        -(z_dot * self.m * self.g)
+    }
+    /// Outputs, 3, in SI units.
+    ///
+    /// Operations: 3 additions, 3 multiplications, 1 square root.
+    #[inline]
+    pub fn outputs(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+        lambda: &[S; 3],
+    ) -> RollingDiscOutputs<S> {
+        let [_, _, _, _, lean, _] = *q;
+        let [x_dot, y_dot, z_dot, _, _, _] = *qd;
+        let [lambda_ground, _, _] = *lambda;
+        [lean, (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot).sqrt(), -lambda_ground]
+            .into()
+    }
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 2, in SI units per second.
+    ///
+    /// Operations: 4 additions, 7 multiplications, 1 division, 1 square root.
+    #[inline]
+    pub fn output_rates(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+    ) -> RollingDiscOutputRates<S> {
+        let [x_dot, y_dot, z_dot, _, lean_dot, _] = *qd;
+        let [x_ddot, y_ddot, z_ddot, _, _, _] = *qdd;
+        let w = x_dot * x_dot + y_dot * y_dot + z_dot * z_dot;
+        [lean_dot, w.sqrt() * (x_dot * x_ddot + y_dot * y_ddot + z_dot * z_ddot) / w]
+            .into()
+    }
+    /// `left - right` of each event, 1, in SI units: zero when it happens.
+    ///
+    /// Operations: 1 multiplication, 1 sine-cosine pair.
+    #[inline]
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+        lambda: &[S; 3],
+    ) -> [S; 1] {
+        let [_, _, _, psi, _, _] = *q;
+        let ([w], [_]) = S::sin_cos_each([S::from_f64(0.5) * psi]);
+        [w]
+    }
+    /// The numbers of each shape of the drawing, in metres and radians.
+    ///
+    /// Operations: 12 additions, 12 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 28] {
+        let [x, y, z, psi, lean, phi] = *q;
+        let ([sin_psi, sin_lean, sin_phi], [cos_psi, cos_lean, cos_phi]) = S::sin_cos_each([
+            psi,
+            lean,
+            phi,
+        ]);
+        [
+            -S::from_f64(1.0),
+            -S::from_f64(1.0),
+            S::from_f64(0.0),
+            S::from_f64(1.0),
+            -S::from_f64(1.0),
+            S::from_f64(0.0),
+            S::from_f64(1.0),
+            S::from_f64(1.0),
+            S::from_f64(0.0),
+            -S::from_f64(1.0),
+            S::from_f64(1.0),
+            S::from_f64(0.0),
+            -S::from_f64(1.0),
+            -S::from_f64(1.0),
+            S::from_f64(0.0),
+            x,
+            y,
+            z,
+            self.r,
+            -(sin_psi * cos_lean),
+            cos_lean * cos_psi,
+            sin_lean,
+            x,
+            y,
+            z,
+            x + self.r * (cos_psi * cos_phi - sin_psi * sin_lean * sin_phi),
+            y + self.r * (sin_psi * cos_phi + cos_psi * sin_lean * sin_phi),
+            z - self.r * cos_lean * sin_phi,
+        ]
+    }
+    /// Declared start: values or guesses of the coordinates (6), and speeds (6), in SI units; 0 where nothing is declared.
+    ///
+    /// Operations: 3 additions, 15 multiplications, 1 division, 1 sine-cosine pair.
+    #[inline]
+    pub fn initial(&self) -> sim_kernel::Initial<[S; 6]> {
+        let ([sin_lean0], [cos_lean0]) = S::sin_cos_each([self.lean0]);
+        let r_squared = self.r * self.r;
+        let w = S::from_f64(0.16666666666666666)
+            * (self.r * sin_lean0 * self.m * S::from_f64(4.0) * self.g
+                - sin_lean0 * self.m * r_squared * cos_lean0 * self.turning
+                    * self.turning) / (self.turning * self.m * r_squared * cos_lean0);
+        sim_kernel::Initial {
+            positions: [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                self.r,
+                S::from_f64(0.0),
+                self.lean0,
+                S::from_f64(0.0),
+            ],
+            speeds: [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                self.turning,
+                S::from_f64(0.0),
+                -(self.turning * sin_lean0 + w),
+            ],
+        }
+    }
+    /// [`RollingDiscPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::Dynamics<S, [S; 6], [S; 3]> {
+        self.prepare().dynamics(t, q, qd)
+    }
+    /// [`RollingDiscPrepared::dynamics_jacobian`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 6]; 6], [[S; 6]; 3]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
+    /// Accelerations (6), multipliers (3) and power, from
+    ///
+    /// ```text
+    /// [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]
+    /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
+    /// ```
+    ///
+    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    ///
+    /// Operations: 94 additions, 196 multiplications, 26 divisions, 3 sine-cosine pairs, 1 square root.
+    #[inline(always)]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::Dynamics<S, [S; 6], [S; 3]> {
+        let [_, _, _, psi, lean, phi] = *q;
+        let [_, _, z_dot, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
+            lean,
+            psi,
+            phi,
+        ]);
+        let cos_lean_squared = cos_lean * cos_lean;
+        let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
+        let ground_by_lean = self.r * sin_lean * cos_lean * sqrt_cos_lean_squared
+            / cos_lean_squared;
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = self.r * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
+        let minus_ground_f1_by_lean = sin_psi * w;
+        let minus_l_lambda_ground_f1_lean = minus_ground_f1_by_lean * self.inverse_lean;
+        let k_lambda_ground_f1_lambda_ground = ground_by_lean
+            * minus_l_lambda_ground_f1_lean;
+        let l_lambda_ground_lean = ground_by_lean * self.inverse_lean;
+        let minus_pivot_lambda_ground = self.inverse_x
+            + ground_by_lean * l_lambda_ground_lean;
+        let minus_inverse_lambda_ground = S::from_f64(1.0) / minus_pivot_lambda_ground;
+        let minus_l_lambda_ground_f1_lambda_ground = k_lambda_ground_f1_lambda_ground
+            * minus_inverse_lambda_ground;
+        let minus_ground_f1_by_psi = self.r * sin_lean * cos_lean * cos_psi
+            / sqrt_cos_lean_squared;
+        let mass_psi_psi = self.A_ * (S::from_f64(1.0) + sin_lean_squared);
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let minus_l_lambda_ground_f1_psi = minus_ground_f1_by_psi * inverse_psi;
+        let mass_phi_psi = sin_lean * self.C_;
+        let k_lambda_ground_f1_phi = mass_phi_psi * minus_l_lambda_ground_f1_psi
+            - self.r * cos_lean * cos_psi / sqrt_cos_lean_squared;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let pivot_phi = self.C_ - mass_phi_psi * l_phi_psi;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_ground_f1_phi = inverse_phi * k_lambda_ground_f1_phi;
+        let w_2 = self.inverse_x + minus_ground_f1_by_psi * minus_l_lambda_ground_f1_psi
+            + k_lambda_ground_f1_phi * l_lambda_ground_f1_phi
+            + minus_ground_f1_by_lean * minus_l_lambda_ground_f1_lean;
+        let pivot_lambda_ground_f1 = k_lambda_ground_f1_lambda_ground
+            * minus_l_lambda_ground_f1_lambda_ground - w_2;
+        let inverse_lambda_ground_f1 = S::from_f64(1.0) / pivot_lambda_ground_f1;
+        let rhs_lean = cos_lean
+            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot);
+        let w_3 = sin_lean * psi_dot;
+        let w_4 = phi_dot + w_3;
+        let w_5 = sin_lean * w_4;
+        let w_6 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
+        let w_7 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
+        let w_8 = cos_phi * w_6 - sin_phi * w_7;
+        let w_9 = cos_lean * w_8;
+        let w_10 = w_5 + w_9;
+        let w_11 = w_6 * phi_dot;
+        let w_12 = w_3 - phi_dot;
+        let w_13 = sin_phi * lean_dot * w_12 - cos_lean * psi_dot * cos_phi * phi_dot;
+        let w_14 = lean_dot * cos_phi * w_12 + cos_lean * sin_phi * psi_dot * phi_dot;
+        let w_15 = phi_dot * w_7;
+        let w_16 = sin_phi * (w_11 + w_13) + cos_phi * (w_14 + w_15);
+        let w_17 = cos_lean * (lean_dot * (w_4 + w_3) - w_16)
+            - sin_lean * lean_dot * w_8;
+        let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
+            * sqrt_cos_lean_squared;
+        let w_18 = cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_19 = cos_psi
+            * ((sin_lean * cos_lean * w_17 + lean_dot * w_10) / sqrt_cos_lean_squared
+                + sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * lean_dot
+                    * w_10 / w_18);
+        let w_20 = self.r
+            * (sin_lean * cos_lean * sin_psi * psi_dot * w_10 / sqrt_cos_lean_squared
+                - w_19);
+        let w_21 = cos_phi * w_7 + sin_phi * w_6;
+        let w_22 = psi_dot * w_21
+            + (lean_dot * (cos_lean_squared * psi_dot - w_5 - w_9) + sin_lean * w_16);
+        let w_23 = cos_lean * w_4 - sin_lean * w_8;
+        let w_24 = cos_phi * (w_13 + w_11) - sin_phi * (w_15 + w_14) - psi_dot * w_23;
+        let w_25 = cos_lean * lean_dot
+            * (self.r * sqrt_cos_lean_squared
+                * ((sin_lean - sin_lean * sin_lean_squared)
+                    / sqrt_cos_lean_squared_squared / cos_lean_squared)
+                - sin_lean * self.k_2 / sqrt_cos_lean_squared);
+        let w_26 = w_20
+            + sin_lean_squared * cos_psi * lean_dot * self.k_2 * w_10
+                / sqrt_cos_lean_squared - w * (cos_psi * w_22 + sin_psi * w_24)
+            - (sin_psi * w_21 + cos_psi * w_23) * w_25;
+        let minus_rhs_psi = self.C_ * cos_lean * lean_dot * (w_3 + phi_dot);
+        let rhs_phi = minus_rhs_psi * l_phi_psi
+            - self.C_ * cos_lean * lean_dot * psi_dot;
+        let w_27 = sqrt_cos_lean_squared * lean_dot * lean_dot
+            * (sin_lean_squared
+                * (self.k_2
+                    * (cos_lean / (cos_lean * cos_lean_squared)
+                        - S::from_f64(1.0) / cos_lean_squared)
+                    - self.r * cos_lean_squared / (cos_lean_squared * cos_lean_squared))
+                + self.r / cos_lean_squared);
+        let rhs_lambda_ground = self.k_3 - w_27 - rhs_lean * l_lambda_ground_lean;
+        let rhs_lambda_ground_f1 = rhs_lean * minus_l_lambda_ground_f1_lean - w_26
+            - minus_rhs_psi * minus_l_lambda_ground_f1_psi
+            - l_lambda_ground_f1_phi * rhs_phi
+            + minus_l_lambda_ground_f1_lambda_ground * rhs_lambda_ground;
+        let ground_f2_by_lean = cos_psi * w;
+        let l_lambda_ground_f2_lean = ground_f2_by_lean * self.inverse_lean;
+        let minus_ground_f2_by_psi = self.r * sin_lean * cos_lean * sin_psi
+            / sqrt_cos_lean_squared;
+        let minus_l_lambda_ground_f2_psi = minus_ground_f2_by_psi * inverse_psi;
+        let k_lambda_ground_f2_phi = mass_phi_psi * minus_l_lambda_ground_f2_psi
+            - self.r * cos_lean * sin_psi / sqrt_cos_lean_squared;
+        let l_lambda_ground_f2_phi = inverse_phi * k_lambda_ground_f2_phi;
+        let minus_k_lambda_ground_f2_lambda_ground = ground_by_lean
+            * l_lambda_ground_f2_lean;
+        let l_lambda_ground_f2_lambda_ground = minus_k_lambda_ground_f2_lambda_ground
+            * minus_inverse_lambda_ground;
+        let k_lambda_ground_f2_lambda_ground_f1 = minus_ground_f1_by_lean
+            * l_lambda_ground_f2_lean
+            - minus_ground_f1_by_psi * minus_l_lambda_ground_f2_psi
+            - k_lambda_ground_f1_phi * l_lambda_ground_f2_phi
+            - k_lambda_ground_f1_lambda_ground * l_lambda_ground_f2_lambda_ground;
+        let l_lambda_ground_f2_lambda_ground_f1 = inverse_lambda_ground_f1
+            * k_lambda_ground_f2_lambda_ground_f1;
+        let w_28 = self.inverse_x + minus_ground_f2_by_psi * minus_l_lambda_ground_f2_psi
+            + k_lambda_ground_f2_phi * l_lambda_ground_f2_phi
+            + ground_f2_by_lean * l_lambda_ground_f2_lean;
+        let pivot_lambda_ground_f2 = minus_k_lambda_ground_f2_lambda_ground
+            * l_lambda_ground_f2_lambda_ground - w_28
+            - k_lambda_ground_f2_lambda_ground_f1 * l_lambda_ground_f2_lambda_ground_f1;
+        let w_29 = w_10
+            * ((sin_lean * cos_lean * cos_psi * psi_dot + sin_psi * lean_dot)
+                / sqrt_cos_lean_squared
+                + sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * sin_psi
+                    * lean_dot / w_18);
+        let w_30 = self.r
+            * (w_29 + sin_lean * cos_lean * sin_psi * w_17 / sqrt_cos_lean_squared);
+        let w_31 = sin_lean_squared * sin_psi * lean_dot * self.k_2 * w_10
+            / sqrt_cos_lean_squared - w_30 + w * (cos_psi * w_24 - sin_psi * w_22)
+            + w_25 * (cos_psi * w_21 - sin_psi * w_23);
+        let minus_lambda_ground_f2 = S::from_f64(1.0) / pivot_lambda_ground_f2
+            * (w_31 + minus_rhs_psi * minus_l_lambda_ground_f2_psi
+                + l_lambda_ground_f2_phi * rhs_phi + rhs_lean * l_lambda_ground_f2_lean
+                + l_lambda_ground_f2_lambda_ground * rhs_lambda_ground
+                + l_lambda_ground_f2_lambda_ground_f1 * rhs_lambda_ground_f1);
+        let lambda_ground_f1 = inverse_lambda_ground_f1 * rhs_lambda_ground_f1
+            + l_lambda_ground_f2_lambda_ground_f1 * minus_lambda_ground_f2;
+        let lambda_ground = minus_l_lambda_ground_f1_lambda_ground * lambda_ground_f1
+            - minus_inverse_lambda_ground * rhs_lambda_ground
+            + l_lambda_ground_f2_lambda_ground * minus_lambda_ground_f2;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_phi * lambda_ground_f1
+            + l_lambda_ground_f2_phi * minus_lambda_ground_f2;
+        sim_kernel::Dynamics {
+            accelerations: [
+                -(self.inverse_x * lambda_ground_f1),
+                self.inverse_x * minus_lambda_ground_f2,
+                -(self.k_3 + self.inverse_x * lambda_ground),
+                minus_l_lambda_ground_f1_psi * lambda_ground_f1
+                    - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
+                    - minus_l_lambda_ground_f2_psi * minus_lambda_ground_f2,
+                rhs_lean * self.inverse_lean - l_lambda_ground_lean * lambda_ground
+                    + minus_l_lambda_ground_f1_lean * lambda_ground_f1
+                    + l_lambda_ground_f2_lean * minus_lambda_ground_f2,
+                phi_ddot,
+            ],
+            multipliers: [lambda_ground, lambda_ground_f1, -minus_lambda_ground_f2],
+            power: -(self.minus_rhs_z * z_dot),
+            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(self.A_, self.A_)
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_ground,
+                    minus_pivot_lambda_ground,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1, w_2)
+                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f2, w_28),
+        }
+    }
+    /// The derivatives of accelerations (6 rows) and multipliers (3 rows) with respect to coordinates and speeds (6 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
+    ///
+    /// Operations: 401 additions, 683 multiplications, 79 divisions, 3 sine-cosine pairs, 1 square root.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 6]; 6], [[S; 6]; 3]> {
+        let [_, _, _, psi, lean, phi] = *q;
+        let [_, _, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
+            lean,
+            psi,
+            phi,
+        ]);
+        let cos_lean_squared = cos_lean * cos_lean;
+        let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
+        let ground_by_lean = self.r * sin_lean * cos_lean * sqrt_cos_lean_squared
+            / cos_lean_squared;
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = self.r * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
+        let minus_ground_f1_by_lean = sin_psi * w;
+        let minus_l_lambda_ground_f1_lean = minus_ground_f1_by_lean * self.inverse_lean;
+        let k_lambda_ground_f1_lambda_ground = ground_by_lean
+            * minus_l_lambda_ground_f1_lean;
+        let l_lambda_ground_lean = ground_by_lean * self.inverse_lean;
+        let minus_pivot_lambda_ground = self.inverse_x
+            + ground_by_lean * l_lambda_ground_lean;
+        let minus_inverse_lambda_ground = S::from_f64(1.0) / minus_pivot_lambda_ground;
+        let minus_l_lambda_ground_f1_lambda_ground = k_lambda_ground_f1_lambda_ground
+            * minus_inverse_lambda_ground;
+        let minus_ground_f1_by_psi = self.r * sin_lean * cos_lean * cos_psi
+            / sqrt_cos_lean_squared;
+        let mass_psi_psi = self.A_ * (S::from_f64(1.0) + sin_lean_squared);
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let minus_l_lambda_ground_f1_psi = minus_ground_f1_by_psi * inverse_psi;
+        let mass_phi_psi = sin_lean * self.C_;
+        let k_lambda_ground_f1_phi = mass_phi_psi * minus_l_lambda_ground_f1_psi
+            - self.r * cos_lean * cos_psi / sqrt_cos_lean_squared;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let pivot_phi = self.C_ - mass_phi_psi * l_phi_psi;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_ground_f1_phi = inverse_phi * k_lambda_ground_f1_phi;
+        let w_2 = self.inverse_x + minus_ground_f1_by_psi * minus_l_lambda_ground_f1_psi
+            + k_lambda_ground_f1_phi * l_lambda_ground_f1_phi
+            + minus_ground_f1_by_lean * minus_l_lambda_ground_f1_lean;
+        let pivot_lambda_ground_f1 = k_lambda_ground_f1_lambda_ground
+            * minus_l_lambda_ground_f1_lambda_ground - w_2;
+        let inverse_lambda_ground_f1 = S::from_f64(1.0) / pivot_lambda_ground_f1;
+        let w_3 = sin_lean * psi_dot;
+        let w_4 = w_3 - phi_dot;
+        let w_5 = sin_phi * lean_dot * w_4 - cos_lean * psi_dot * cos_phi * phi_dot;
+        let w_6 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
+        let w_7 = w_6 * phi_dot;
+        let w_8 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
+        let w_9 = phi_dot * w_8;
+        let w_10 = lean_dot * cos_phi * w_4 + cos_lean * sin_phi * psi_dot * phi_dot;
+        let w_11 = phi_dot + w_3;
+        let w_12 = cos_phi * w_6 - sin_phi * w_8;
+        let w_13 = sin_lean * w_12;
+        let w_14 = cos_lean * w_11 - w_13;
+        let w_15 = cos_phi * (w_5 + w_7) - sin_phi * (w_9 + w_10) - psi_dot * w_14;
+        let w_16 = cos_phi * w_8;
+        let w_17 = sin_phi * w_6;
+        let w_18 = w_16 + w_17;
+        let w_19 = cos_lean_squared * psi_dot;
+        let w_20 = sin_lean * w_11;
+        let w_21 = cos_lean * w_12;
+        let w_22 = sin_phi * (w_7 + w_5) + cos_phi * (w_10 + w_9);
+        let w_23 = sin_lean * w_22;
+        let w_24 = psi_dot * w_18 + (lean_dot * (w_19 - w_20 - w_21) + w_23);
+        let w_25 = cos_psi * w_15 - sin_psi * w_24;
+        let rhs_lean = cos_lean
+            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot);
+        let w_26 = w_20 + w_21;
+        let w_27 = sin_lean * cos_lean * sin_psi * psi_dot * w_26
+            / sqrt_cos_lean_squared;
+        let w_28 = cos_lean * (lean_dot * (w_11 + w_3) - w_22)
+            - sin_lean * lean_dot * w_12;
+        let w_29 = lean_dot * w_26;
+        let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
+            * sqrt_cos_lean_squared;
+        let w_30 = cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_31 = sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * lean_dot
+            * w_26 / w_30;
+        let w_32 = sin_lean_squared * cos_psi * lean_dot * self.k_2 * w_26
+            / sqrt_cos_lean_squared;
+        let w_33 = cos_psi * w_24 + sin_psi * w_15;
+        let w_34 = sin_psi * w_18 + cos_psi * w_14;
+        let w_35 = sin_lean * sin_lean_squared;
+        let w_36 = sin_lean * self.k_2 / sqrt_cos_lean_squared;
+        let w_37 = cos_lean * lean_dot
+            * (self.r * sqrt_cos_lean_squared
+                * ((sin_lean - w_35) / sqrt_cos_lean_squared_squared / cos_lean_squared)
+                - w_36);
+        let w_38 = w_34 * w_37;
+        let w_39 = self.r
+            * (w_27
+                - cos_psi
+                    * ((sin_lean * cos_lean * w_28 + w_29) / sqrt_cos_lean_squared
+                        + w_31)) + w_32 - w * w_33 - w_38;
+        let minus_rhs_psi = self.C_ * cos_lean * lean_dot * (w_3 + phi_dot);
+        let rhs_phi = minus_rhs_psi * l_phi_psi
+            - self.C_ * cos_lean * lean_dot * psi_dot;
+        let lean_dot_squared = lean_dot * lean_dot;
+        let w_40 = cos_lean * cos_lean_squared;
+        let w_41 = cos_lean / w_40;
+        let inverse_cos_lean_squared = S::from_f64(1.0) / cos_lean_squared;
+        let cos_lean_squared_squared = cos_lean_squared * cos_lean_squared;
+        let w_42 = self.r * cos_lean_squared / cos_lean_squared_squared;
+        let w_43 = self.r / cos_lean_squared;
+        let rhs_lambda_ground = self.k_3
+            - sqrt_cos_lean_squared * lean_dot_squared
+                * (sin_lean_squared
+                    * (self.k_2 * (w_41 - inverse_cos_lean_squared) - w_42) + w_43)
+            - rhs_lean * l_lambda_ground_lean;
+        let rhs_lambda_ground_f1 = rhs_lean * minus_l_lambda_ground_f1_lean - w_39
+            - minus_rhs_psi * minus_l_lambda_ground_f1_psi
+            - l_lambda_ground_f1_phi * rhs_phi
+            + minus_l_lambda_ground_f1_lambda_ground * rhs_lambda_ground;
+        let ground_f2_by_lean = cos_psi * w;
+        let l_lambda_ground_f2_lean = ground_f2_by_lean * self.inverse_lean;
+        let minus_ground_f2_by_psi = self.r * sin_lean * cos_lean * sin_psi
+            / sqrt_cos_lean_squared;
+        let minus_l_lambda_ground_f2_psi = minus_ground_f2_by_psi * inverse_psi;
+        let k_lambda_ground_f2_phi = mass_phi_psi * minus_l_lambda_ground_f2_psi
+            - self.r * cos_lean * sin_psi / sqrt_cos_lean_squared;
+        let l_lambda_ground_f2_phi = inverse_phi * k_lambda_ground_f2_phi;
+        let minus_k_lambda_ground_f2_lambda_ground = ground_by_lean
+            * l_lambda_ground_f2_lean;
+        let l_lambda_ground_f2_lambda_ground = minus_k_lambda_ground_f2_lambda_ground
+            * minus_inverse_lambda_ground;
+        let k_lambda_ground_f2_lambda_ground_f1 = minus_ground_f1_by_lean
+            * l_lambda_ground_f2_lean
+            - minus_ground_f1_by_psi * minus_l_lambda_ground_f2_psi
+            - k_lambda_ground_f1_phi * l_lambda_ground_f2_phi
+            - k_lambda_ground_f1_lambda_ground * l_lambda_ground_f2_lambda_ground;
+        let l_lambda_ground_f2_lambda_ground_f1 = inverse_lambda_ground_f1
+            * k_lambda_ground_f2_lambda_ground_f1;
+        let w_44 = self.inverse_x + minus_ground_f2_by_psi * minus_l_lambda_ground_f2_psi
+            + k_lambda_ground_f2_phi * l_lambda_ground_f2_phi
+            + ground_f2_by_lean * l_lambda_ground_f2_lean;
+        let pivot_lambda_ground_f2 = minus_k_lambda_ground_f2_lambda_ground
+            * l_lambda_ground_f2_lambda_ground - w_44
+            - k_lambda_ground_f2_lambda_ground_f1 * l_lambda_ground_f2_lambda_ground_f1;
+        let inverse_lambda_ground_f2 = S::from_f64(1.0) / pivot_lambda_ground_f2;
+        let w_45 = sin_lean_squared * sin_psi * lean_dot * self.k_2 * w_26
+            / sqrt_cos_lean_squared;
+        let w_46 = sin_psi * lean_dot;
+        let w_47 = sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * sin_psi
+            * lean_dot / w_30;
+        let w_48 = cos_psi * w_18 - sin_psi * w_14;
+        let w_49 = w_37 * w_48;
+        let w_50 = w_45
+            - self.r
+                * (w_26
+                    * ((sin_lean * cos_lean * cos_psi * psi_dot + w_46)
+                        / sqrt_cos_lean_squared + w_47)
+                    + sin_lean * cos_lean * sin_psi * w_28 / sqrt_cos_lean_squared)
+            + w * w_25 + w_49;
+        let minus_lambda_ground_f2 = inverse_lambda_ground_f2
+            * (w_50 + minus_rhs_psi * minus_l_lambda_ground_f2_psi
+                + l_lambda_ground_f2_phi * rhs_phi + rhs_lean * l_lambda_ground_f2_lean
+                + l_lambda_ground_f2_lambda_ground * rhs_lambda_ground
+                + l_lambda_ground_f2_lambda_ground_f1 * rhs_lambda_ground_f1);
+        let lambda_ground_f1 = inverse_lambda_ground_f1 * rhs_lambda_ground_f1
+            + l_lambda_ground_f2_lambda_ground_f1 * minus_lambda_ground_f2;
+        let lambda_ground = minus_l_lambda_ground_f1_lambda_ground * lambda_ground_f1
+            - minus_inverse_lambda_ground * rhs_lambda_ground
+            + l_lambda_ground_f2_lambda_ground * minus_lambda_ground_f2;
+        let lean_ddot = rhs_lean * self.inverse_lean
+            - l_lambda_ground_lean * lambda_ground
+            + minus_l_lambda_ground_f1_lean * lambda_ground_f1
+            + l_lambda_ground_f2_lean * minus_lambda_ground_f2;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_phi * lambda_ground_f1
+            + l_lambda_ground_f2_phi * minus_lambda_ground_f2;
+        let psi_ddot = minus_l_lambda_ground_f1_psi * lambda_ground_f1
+            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
+            - minus_l_lambda_ground_f2_psi * minus_lambda_ground_f2;
+        let w_51 = w_28 + psi_ddot;
+        let w_52 = (sin_lean * cos_lean * (sin_psi * w_51 + cos_psi * psi_dot * w_26)
+            + sin_psi * lean_dot * w_26) / sqrt_cos_lean_squared;
+        let w_53 = self.r * sin_lean_squared / sqrt_cos_lean_squared + w;
+        let w_54 = cos_lean * sin_psi * w_53;
+        let w_55 = w * (w_25 + cos_psi * lean_ddot)
+            - self.r
+                * (w_52
+                    + sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared
+                        * sin_psi * lean_dot * w_26 / w_30) + w_45 + w_49
+            - w_54 * phi_ddot;
+        let w_56 = sin_psi * lambda_ground_f1;
+        let w_57 = cos_psi * minus_lambda_ground_f2;
+        let w_58 = self.r * sin_lean * cos_lean
+            * ((w_56 + w_57) / sqrt_cos_lean_squared);
+        let w_59 = cos_lean * cos_psi * w_53;
+        let w_60 = l_phi_psi * w_58
+            - (w_54 * lambda_ground_f1 + w_59 * minus_lambda_ground_f2);
+        let w_61 = cos_psi * lambda_ground_f1;
+        let w_62 = sin_psi * minus_lambda_ground_f2;
+        let w_63 = w_61 - w_62;
+        let w_64 = w * w_63;
+        let w_65 = l_lambda_ground_lean * w_64;
+        let w_66 = w_55 - minus_l_lambda_ground_f1_psi * w_58
+            - l_lambda_ground_f1_phi * w_60 + minus_l_lambda_ground_f1_lean * w_64
+            - minus_l_lambda_ground_f1_lambda_ground * w_65;
+        let w_67 = self.r
+            * (cos_psi
+                * ((sin_lean * cos_lean * w_51 + w_29) / sqrt_cos_lean_squared + w_31)
+                - w_27) + w * (w_33 + sin_psi * lean_ddot) - w_32 + w_38
+            + w_59 * phi_ddot;
+        let w_68 = inverse_lambda_ground_f2
+            * (w_67 - minus_l_lambda_ground_f2_psi * w_58 - l_lambda_ground_f2_phi * w_60
+                - l_lambda_ground_f2_lean * w_64
+                + l_lambda_ground_f2_lambda_ground * w_65
+                - l_lambda_ground_f2_lambda_ground_f1 * w_66);
+        let w_69 = inverse_lambda_ground_f1 * w_66
+            - l_lambda_ground_f2_lambda_ground_f1 * w_68;
+        let w_70 = cos_lean_squared * self.k_2;
+        let w_71 = self.r * w_40;
+        let w_72 = sqrt_cos_lean_squared
+            * ((w_35
+                * (w_70 / w_40 - cos_lean * self.k_8 / cos_lean_squared
+                    - w_71 / cos_lean_squared_squared)
+                + sin_lean * cos_lean * self.k_4 / cos_lean_squared)
+                / sqrt_cos_lean_squared_squared);
+        let w_73 = sqrt_cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_74 = w_26
+            * (w_72 - sin_lean * cos_lean * self.k_5 / sqrt_cos_lean_squared
+                + w_40 * self.k_2 * sqrt_cos_lean_squared_squared * w_35
+                    / (cos_lean_squared_squared * w_73));
+        let w_75 = self.r * cos_lean_squared * sqrt_cos_lean_squared / w_30;
+        let w_76 = self.k_2 / sqrt_cos_lean_squared;
+        let w_77 = lean_dot
+            * (w_74
+                + w_14
+                    * (sin_lean_squared * (w_75 - w_76)
+                        + self.r / sqrt_cos_lean_squared));
+        let w_78 = psi_dot
+            * (sin_lean * sin_phi * phi_dot - cos_lean * lean_dot * cos_phi);
+        let w_79 = psi_dot
+            * (sin_lean * cos_phi * phi_dot + cos_lean * sin_phi * lean_dot);
+        let w_80 = cos_phi * w_78 - sin_phi * w_79;
+        let w_81 = self.r
+            * (w_28
+                - sin_lean * cos_lean
+                    * (lean_dot
+                        * (S::from_f64(2.0) * psi_dot
+                            * (sin_lean_squared - S::from_f64(1.0)) + w_20 + w_21) - w_23
+                        - cos_lean * w_80) + psi_ddot);
+        let w_82 = psi_dot - w_20 - w_21;
+        let w_83 = w_77
+            + (w_81 - self.k_2 * sin_lean_squared * w_51) / sqrt_cos_lean_squared
+            + self.r * sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared
+                * (w_51 / sqrt_cos_lean_squared_squared / cos_lean_squared)
+            + w_37 * w_82;
+        let w_84 = sin_lean_squared * self.k_2 * w_26 / sqrt_cos_lean_squared;
+        let w_85 = sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * w_26
+            / w_30;
+        let w_86 = self.r
+            * ((sin_lean * cos_lean * w_14 + w_26) / sqrt_cos_lean_squared + w_85);
+        let w_87 = cos_lean
+            * (sin_lean * (w_76 - self.r * sqrt_cos_lean_squared / w_30)
+                + self.r * sqrt_cos_lean_squared * w_35 / w_30);
+        let w_88 = lean_ddot * w_87;
+        let w_89 = cos_phi * w_79 + sin_phi * w_78 - sin_lean * psi_dot * phi_dot
+            - psi_dot * w_82;
+        let w_90 = cos_lean
+            * (lean_dot * (w_11 + sin_lean * psi_dot * S::from_f64(2.0)) - w_22)
+            + sin_lean * (w_80 - lean_dot * w_12);
+        let w_91 = cos_lean * self.k_2 / w_40;
+        let sin_lean_squared_squared = sin_lean_squared * sin_lean_squared;
+        let w_92 = sqrt_cos_lean_squared
+            * ((sin_lean_squared * (self.k_9 / cos_lean_squared - w_91 + w_42)
+                + sin_lean_squared_squared * (w_91 - self.k_8 / cos_lean_squared - w_42)
+                - w_43) / sqrt_cos_lean_squared_squared);
+        let w_93 = lean_dot
+            * (w_92
+                + self.k_2
+                    * (cos_lean_squared * sqrt_cos_lean_squared_squared
+                        * ((sin_lean_squared_squared - sin_lean_squared) / w_73
+                            / cos_lean_squared_squared)
+                        + S::from_f64(1.0) / sqrt_cos_lean_squared)
+                - sin_lean_squared * self.k_5 / sqrt_cos_lean_squared);
+        let w_94 = self.k_4 / sqrt_cos_lean_squared;
+        let w_95 = w_35 * (w_94 - w_75) + sin_lean * (w - w_76) + cos_lean * w_87;
+        let w_96 = cos_psi * w_95;
+        let w_97 = cos_psi * w_83 + sin_psi * (psi_dot * (w_84 - w_86) - w_88)
+            + w * (sin_psi * w_89 - cos_psi * w_90) - w_33 * w_87 - w_34 * w_93
+            - phi_ddot * w_96;
+        let w_98 = sin_lean_squared
+            * (self.k_2 * ((w_62 - w_61) / sqrt_cos_lean_squared)
+                + self.r * cos_lean_squared * sqrt_cos_lean_squared
+                    * (w_63 / sqrt_cos_lean_squared_squared / cos_lean_squared)
+                + lean_dot * psi_dot * self.k);
+        let w_99 = cos_phi * self.k
+            * (w_11 * w_8 + (w_9 - sin_lean * lean_dot * psi_dot * cos_phi));
+        let w_100 = self.k
+            * (psi_dot * (cos_lean * w_6 - sin_lean * cos_phi * w_11) - w_79);
+        let w_101 = self.k
+            * (psi_dot * (sin_lean * sin_phi * w_11 + cos_lean * w_8) + w_78);
+        let w_102 = sin_lean
+            * (sin_phi * self.k
+                * (w_6 * w_11 + (w_7 - sin_lean * sin_phi * lean_dot * psi_dot)) + w_99)
+            - cos_lean * (sin_phi * w_100 + cos_phi * w_101);
+        let w_103 = w_98 + S::from_f64(0.25) * w_102
+            - self.C_
+                * (cos_lean * (sin_lean * psi_ddot + phi_ddot) + lean_dot * psi_dot)
+            + self.r * (w_63 / sqrt_cos_lean_squared);
+        let w_104 = sin_psi * w_95;
+        let w_105 = self.C_ * (sin_lean * lean_dot * psi_dot - cos_lean * psi_ddot)
+            - lambda_ground_f1 * w_96 + minus_lambda_ground_f2 * w_104
+            - l_phi_psi * w_103;
+        let w_106 = inverse_cos_lean_squared - w_41;
+        let w_107 = sin_lean_squared * (self.k_2 * w_106 + w_42) - w_43;
+        let w_108 = sqrt_cos_lean_squared * lambda_ground * w_107
+            + S::from_f64(0.25) * (cos_phi * w_100 - sin_phi * w_101)
+            - w_87 * (w_57 + w_56);
+        let w_109 = w_35
+            * (self.k_6 / w_40 - cos_lean * self.k_7 / cos_lean_squared_squared
+                + cos_lean_squared * self.k_8 / (cos_lean * cos_lean_squared_squared)
+                - w_71 / (w_40 * w_40));
+        let w_110 = sqrt_cos_lean_squared
+            * (lean_dot_squared
+                * (w_109
+                    + sin_lean
+                        * (cos_lean
+                            * (self.k_5 / cos_lean_squared
+                                + self.k_4 / cos_lean_squared_squared) - self.k_8 / w_40))
+                + lean_ddot * w_107) - l_lambda_ground_lean * w_108;
+        let w_111 = w_97 + minus_l_lambda_ground_f1_psi * w_103
+            - l_lambda_ground_f1_phi * w_105 + minus_l_lambda_ground_f1_lean * w_108
+            + minus_l_lambda_ground_f1_lambda_ground * w_110;
+        let w_112 = sin_psi * w_83 + cos_psi * (psi_dot * (w_86 - w_84) + w_88)
+            - w * (cos_psi * w_89 + sin_psi * w_90) + w_25 * w_87 + w_48 * w_93
+            - phi_ddot * w_104;
+        let w_113 = inverse_lambda_ground_f2
+            * (w_112 + minus_l_lambda_ground_f2_psi * w_103
+                - l_lambda_ground_f2_phi * w_105 - l_lambda_ground_f2_lean * w_108
+                - l_lambda_ground_f2_lambda_ground * w_110
+                - l_lambda_ground_f2_lambda_ground_f1 * w_111);
+        let w_114 = inverse_lambda_ground_f1 * w_111
+            - l_lambda_ground_f2_lambda_ground_f1 * w_113;
+        let w_115 = minus_inverse_lambda_ground * w_65
+            + minus_l_lambda_ground_f1_lambda_ground * w_69
+            - l_lambda_ground_f2_lambda_ground * w_68;
+        let w_116 = minus_l_lambda_ground_f1_lambda_ground * w_114
+            - minus_inverse_lambda_ground * w_110
+            - l_lambda_ground_f2_lambda_ground * w_113;
+        let w_117 = inverse_phi * w_60 - l_lambda_ground_f1_phi * w_69
+            - l_lambda_ground_f2_phi * w_68;
+        let w_118 = inverse_phi * w_105 - l_lambda_ground_f1_phi * w_114
+            - l_lambda_ground_f2_phi * w_113;
+        let w_119 = cos_lean * sin_phi * phi_dot + sin_lean * lean_dot * cos_phi;
+        let w_120 = cos_lean * cos_phi * phi_dot - sin_lean * sin_phi * lean_dot;
+        let w_121 = cos_phi * w_119 - sin_phi * w_120;
+        let w_122 = cos_lean * (sin_lean * lean_dot - w_121);
+        let w_123 = w_26 + psi_dot;
+        let w_124 = self.r
+            * ((sin_lean * cos_lean * (cos_psi * w_122 - sin_psi * w_123)
+                + cos_psi * lean_dot) / sqrt_cos_lean_squared
+                + sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared * cos_psi
+                    * lean_dot / w_30);
+        let w_125 = w_18 - (sin_lean_squared * lean_dot - sin_lean * w_121);
+        let w_126 = w_14 + (cos_phi * w_120 + sin_phi * w_119 - cos_lean * phi_dot);
+        let w_127 = self.k * (cos_lean * cos_phi * w_11 + sin_lean * w_6 + w_120);
+        let w_128 = self.k * (sin_lean * w_8 - cos_lean * sin_phi * w_11 - w_119);
+        let w_129 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_127 + cos_phi * w_128)
+                + sin_lean * self.C_ * lean_dot);
+        let w_130 = l_phi_psi * w_129 - self.C_ * cos_lean * lean_dot;
+        let w_131 = S::from_f64(0.25) * (cos_phi * w_127 - sin_phi * w_128);
+        let w_132 = l_lambda_ground_lean * w_131;
+        let w_133 = w_124
+            - sin_lean_squared * cos_psi * lean_dot * self.k_2 / sqrt_cos_lean_squared
+            + w * (cos_psi * w_125 - sin_psi * w_126)
+            - minus_l_lambda_ground_f1_psi * w_129 - l_lambda_ground_f1_phi * w_130
+            + minus_l_lambda_ground_f1_lean * w_131
+            - minus_l_lambda_ground_f1_lambda_ground * w_132;
+        let w_134 = self.r
+            * ((sin_lean * cos_lean * (cos_psi * w_123 + sin_psi * w_122) + w_46)
+                / sqrt_cos_lean_squared + w_47);
+        let w_135 = w_134
+            - sin_lean_squared * sin_psi * lean_dot * self.k_2 / sqrt_cos_lean_squared
+            + w * (sin_psi * w_125 + cos_psi * w_126);
+        let w_136 = inverse_lambda_ground_f2
+            * (w_135 - minus_l_lambda_ground_f2_psi * w_129
+                - l_lambda_ground_f2_phi * w_130 - l_lambda_ground_f2_lean * w_131
+                + l_lambda_ground_f2_lambda_ground * w_132
+                - l_lambda_ground_f2_lambda_ground_f1 * w_133);
+        let w_137 = inverse_lambda_ground_f1 * w_133
+            - l_lambda_ground_f2_lambda_ground_f1 * w_136;
+        let w_138 = cos_phi * (phi_dot - w_3);
+        let w_139 = sin_phi * w_4;
+        let w_140 = phi_dot - cos_phi * w_138 + sin_phi * w_139;
+        let w_141 = self.r
+            * ((sin_lean * cos_lean * (cos_lean * (w_11 + w_3 - w_140) - w_13) + w_26)
+                / sqrt_cos_lean_squared + w_85) - w_84;
+        let w_142 = sin_lean * (w_11 - w_140) + w_21 - w_19;
+        let w_143 = cos_phi * w_139 + sin_phi * w_138;
+        let w_144 = cos_psi * w_141 + w * (cos_psi * (psi_dot - w_142) + sin_psi * w_143)
+            + sin_psi * w_37 - w_34 * w_87;
+        let w_145 = self.k * (sin_phi * w_11 - w_139);
+        let w_146 = self.k * (cos_phi * w_11 + w_138);
+        let w_147 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_145 + cos_phi * w_146)
+                + sin_lean * self.C_ * psi_dot);
+        let w_148 = l_phi_psi * w_147 - self.C_ * cos_lean * psi_dot;
+        let w_149 = S::from_f64(0.25) * (cos_phi * w_145 - sin_phi * w_146);
+        let w_150 = sqrt_cos_lean_squared * lean_dot
+            * (sin_lean_squared * (w_106 * self.k_5 + w_70 / cos_lean_squared_squared)
+                - self.k_2 / cos_lean_squared) - l_lambda_ground_lean * w_149;
+        let w_151 = w_144 - minus_l_lambda_ground_f1_psi * w_147
+            - l_lambda_ground_f1_phi * w_148 + minus_l_lambda_ground_f1_lean * w_149
+            + minus_l_lambda_ground_f1_lambda_ground * w_150;
+        let w_152 = sin_psi * w_141 - w * (sin_psi * (w_142 - psi_dot) + cos_psi * w_143)
+            - cos_psi * w_37 + w_48 * w_87;
+        let w_153 = inverse_lambda_ground_f2
+            * (w_152 - minus_l_lambda_ground_f2_psi * w_147
+                - l_lambda_ground_f2_phi * w_148 - l_lambda_ground_f2_lean * w_149
+                - l_lambda_ground_f2_lambda_ground * w_150
+                - l_lambda_ground_f2_lambda_ground_f1 * w_151);
+        let w_154 = inverse_lambda_ground_f1 * w_151
+            - l_lambda_ground_f2_lambda_ground_f1 * w_153;
+        let w_155 = lean_dot * (w_35 * (w_75 - w_94) + w_36) + cos_lean * w_37;
+        let w_156 = cos_psi * w_155
+            - self.r * sin_lean_squared * cos_lean * sin_psi * psi_dot
+                / sqrt_cos_lean_squared
+            - w * (sin_lean * cos_psi * lean_dot + cos_lean * sin_psi * psi_dot);
+        let w_157 = self.C_ * cos_lean * (w_17 + w_16);
+        let w_158 = l_phi_psi * w_157;
+        let w_159 = self.C_ * w_12;
+        let w_160 = l_lambda_ground_lean * w_159;
+        let w_161 = w_156 - minus_l_lambda_ground_f1_psi * w_157
+            - l_lambda_ground_f1_phi * w_158 + minus_l_lambda_ground_f1_lean * w_159
+            - minus_l_lambda_ground_f1_lambda_ground * w_160;
+        let w_162 = sin_psi * w_155
+            + self.r * sin_lean_squared * cos_lean * cos_psi * psi_dot
+                / sqrt_cos_lean_squared
+            + w * (cos_lean * cos_psi * psi_dot - sin_lean * sin_psi * lean_dot);
+        let w_163 = inverse_lambda_ground_f2
+            * (w_162 - minus_l_lambda_ground_f2_psi * w_157
+                - l_lambda_ground_f2_phi * w_158 - l_lambda_ground_f2_lean * w_159
+                + l_lambda_ground_f2_lambda_ground * w_160
+                - l_lambda_ground_f2_lambda_ground_f1 * w_161);
+        let w_164 = inverse_lambda_ground_f1 * w_161
+            - l_lambda_ground_f2_lambda_ground_f1 * w_163;
+        let w_165 = minus_inverse_lambda_ground * w_132
+            + minus_l_lambda_ground_f1_lambda_ground * w_137
+            - l_lambda_ground_f2_lambda_ground * w_136;
+        let w_166 = minus_l_lambda_ground_f1_lambda_ground * w_154
+            - minus_inverse_lambda_ground * w_150
+            - l_lambda_ground_f2_lambda_ground * w_153;
+        let w_167 = minus_inverse_lambda_ground * w_160
+            + minus_l_lambda_ground_f1_lambda_ground * w_164
+            - l_lambda_ground_f2_lambda_ground * w_163;
+        let w_168 = inverse_phi * w_130 - l_lambda_ground_f1_phi * w_137
+            - l_lambda_ground_f2_phi * w_136;
+        let w_169 = inverse_phi * w_148 - l_lambda_ground_f1_phi * w_154
+            - l_lambda_ground_f2_phi * w_153;
+        let w_170 = inverse_phi * w_158 - l_lambda_ground_f1_phi * w_164
+            - l_lambda_ground_f2_phi * w_163;
+        sim_kernel::DynamicsJacobian {
+            accelerations_by_positions: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_69),
+                    -(self.inverse_x * w_114),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_68),
+                    -(self.inverse_x * w_113),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_115),
+                    -(self.inverse_x * w_116),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_l_lambda_ground_f1_psi * w_69 - inverse_psi * w_58
+                        - l_phi_psi * w_117 + minus_l_lambda_ground_f2_psi * w_68,
+                    inverse_psi * w_103 - l_phi_psi * w_118
+                        + minus_l_lambda_ground_f1_psi * w_114
+                        + minus_l_lambda_ground_f2_psi * w_113,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    self.inverse_lean * w_64 - l_lambda_ground_lean * w_115
+                        + minus_l_lambda_ground_f1_lean * w_69
+                        - l_lambda_ground_f2_lean * w_68,
+                    self.inverse_lean * w_108 - l_lambda_ground_lean * w_116
+                        + minus_l_lambda_ground_f1_lean * w_114
+                        - l_lambda_ground_f2_lean * w_113,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_117,
+                    w_118,
+                    S::from_f64(0.0),
+                ],
+            ],
+            accelerations_by_speeds: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_137),
+                    -(self.inverse_x * w_154),
+                    -(self.inverse_x * w_164),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_136),
+                    -(self.inverse_x * w_153),
+                    -(self.inverse_x * w_163),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_165),
+                    -(self.inverse_x * w_166),
+                    -(self.inverse_x * w_167),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_l_lambda_ground_f1_psi * w_137 - inverse_psi * w_129
+                        - l_phi_psi * w_168 + minus_l_lambda_ground_f2_psi * w_136,
+                    minus_l_lambda_ground_f1_psi * w_154 - inverse_psi * w_147
+                        - l_phi_psi * w_169 + minus_l_lambda_ground_f2_psi * w_153,
+                    minus_l_lambda_ground_f1_psi * w_164 - inverse_psi * w_157
+                        - l_phi_psi * w_170 + minus_l_lambda_ground_f2_psi * w_163,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    self.inverse_lean * w_131 - l_lambda_ground_lean * w_165
+                        + minus_l_lambda_ground_f1_lean * w_137
+                        - l_lambda_ground_f2_lean * w_136,
+                    self.inverse_lean * w_149 - l_lambda_ground_lean * w_166
+                        + minus_l_lambda_ground_f1_lean * w_154
+                        - l_lambda_ground_f2_lean * w_153,
+                    self.inverse_lean * w_159 - l_lambda_ground_lean * w_167
+                        + minus_l_lambda_ground_f1_lean * w_164
+                        - l_lambda_ground_f2_lean * w_163,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_168,
+                    w_169,
+                    w_170,
+                ],
+            ],
+            multipliers_by_positions: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_115,
+                    w_116,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_69,
+                    w_114,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_68,
+                    w_113,
+                    S::from_f64(0.0),
+                ],
+            ],
+            multipliers_by_speeds: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_165,
+                    w_166,
+                    w_167,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_137,
+                    w_154,
+                    w_164,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_136,
+                    w_153,
+                    w_163,
+                ],
+            ],
+            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(self.A_, self.A_)
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_ground,
+                    minus_pivot_lambda_ground,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1, w_2)
+                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f2, w_44),
+        }
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
+    type Q = [S; 6];
+    type L = [S; 3];
+    type Z = [S; 9];
+    type QQ = [[S; 6]; 6];
+    type LQ = [[S; 6]; 3];
+    type LL = [[S; 3]; 3];
+    type ZZ = [[S; 9]; 9];
+    type Parameters = [S; 5];
+    type Outputs = [S; 3];
+    type OutputRates = [S; 2];
+    type Events = [S; 1];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
+    type Drawing = [S; 28];
+    type QP = [[S; 5]; 6];
+    type LP = [[S; 5]; 3];
+    type Inputs = [sim_kernel::Input<S>; 0];
+    type Prepared = RollingDiscPrepared<S>;
+    type On<T: sim_kernel::Scalar> = RollingDisc<T>;
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "rolling-disc",
+        type_name: "RollingDisc",
+        docs: "A disc rolls in a circle, leaning inwards.",
+        declaration: "/// A disc rolls in a circle, leaning inwards.\npub RollingDisc;\n\ncoordinates {\n    /// Place of the centre.\n    x [m];\n    y [m];\n    z [m];\n    /// Direction of rolling.\n    psi [rad];\n    /// Lean from the upright.\n    lean [rad];\n    /// Turn about its own axis.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 0.5;\n    r [m] = 0.2;\n    g [m/s^2] = 9.81;\n    /// Lean at the start.\n    lean0 [deg] = -20;\n    /// Rate of turning at the start.\n    turning [rad/s] = 1.5;\n}\n\nlet A = m*r^2/4;\nlet C = m*r^2/2;\nlet axial = (A*turning^2*sin(lean0)*cos(lean0) - m*g*r*sin(lean0))/((C + m*r^2)*turning*cos(lean0));\nlet R = rotation([0, 0, 1], psi)*rotation([1, 0, 0], lean)*rotation([0, 1, 0], phi);\nlet P = [x, y, z];\n\nbodies { disc: mass m at P, inertia [A, C, A], attitude R; }\nloads { gravity [0, 0, -g]; }\njoints { ground: roll disc radius r axis [0, 1, 0] on [0, 0, 0] normal [0, 0, 1]; }\n\ninitial {\n    x = 0;\n    y = 0;\n    guess z = r;\n    psi = 0;\n    lean = lean0;\n    phi = 0;\n    dot(psi) = turning;\n    dot(lean) = 0;\n    dot(phi) = axial - turning*sin(lean0);\n}\nevents { period: sin(psi/2) = 0; }\n\noutputs {\n    /// lean\n    leaning [deg] = lean;\n    /// speed of the centre\n    speed [m/s] = norm(dot(P));\n    /// force on the ground\n    normal_force [N] = -reaction(ground);\n}\n\ndrawing {\n    curve [-1 [m], -1 [m], 0], [1 [m], -1 [m], 0], [1 [m], 1 [m], 0], [-1 [m], 1 [m], 0], [-1 [m], -1 [m], 0];\n    circle P radius r normal R*[0, 1, 0];\n    line P, on(disc, [r, 0, 0]);\n}\n",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "x",
+                    unit: "m",
+                    factor: 1f64,
+                    docs: "Place of the centre.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "x_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "x_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "y",
+                    unit: "m",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "y_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "y_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "z",
+                    unit: "m",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "z_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "z_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Guess,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "psi",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Direction of rolling.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "psi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "psi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "lean",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Lean from the upright.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "lean_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "lean_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "Turn about its own axis.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+        ],
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "r",
+                unit: "m",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "lean0",
+                unit: "deg",
+                factor: 0.017453292519943295f64,
+                docs: "Lean at the start.",
+            },
+            sim_kernel::Quantity {
+                name: "turning",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "Rate of turning at the start.",
+            },
+        ],
+        inputs: &[],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "ground",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "ground_f1",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "ground_f2",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        speed_constraints: &[1, 2],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "period",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "leaning",
+                unit: "deg",
+                factor: 0.017453292519943295f64,
+                docs: "lean",
+            },
+            sim_kernel::Quantity {
+                name: "speed",
+                unit: "m/s",
+                factor: 1f64,
+                docs: "speed of the centre",
+            },
+            sim_kernel::Quantity {
+                name: "normal_force",
+                unit: "N",
+                factor: 1f64,
+                docs: "force on the ground",
+            },
+        ],
+        rated_outputs: &[0, 1],
+        figures: &[
+            sim_kernel::Figure {
+                name: "leaning",
+                title: "lean",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "speed",
+                title: "speed of the centre",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "normal_force",
+                title: "force on the ground",
+                len: 1,
+            },
+        ],
+        dimension: 3,
+        drawing: &[
+            sim_kernel::Shape::Curve(5),
+            sim_kernel::Shape::Circle,
+            sim_kernel::Shape::Line(2),
+        ],
+    };
+    fn defaults() -> Self {
+        Self {
+            m: S::from_f64(0.5f64),
+            r: S::from_f64(0.2f64),
+            g: S::from_f64(9.81f64),
+            lean0: S::from_f64(-0.3490658503988659f64),
+            turning: S::from_f64(1.5f64),
+        }
+    }
+    fn parameters(&self) -> [S; 5] {
+        [self.m, self.r, self.g, self.lean0, self.turning]
+    }
+    fn with_parameters(&self, parameters: [S; 5]) -> Self {
+        Self {
+            m: parameters[0],
+            r: parameters[1],
+            g: parameters[2],
+            lean0: parameters[3],
+            turning: parameters[4],
+            ..*self
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> RollingDisc<T> {
+        RollingDisc {
+            m: convert(self.m),
+            r: convert(self.r),
+            g: convert(self.g),
+            lean0: convert(self.lean0),
+            turning: convert(self.turning),
+        }
+    }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    #[inline(always)]
+    fn prepare(&self) -> RollingDiscPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::Dynamics<S, [S; 6], [S; 3]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 6]; 6], [[S; 6]; 3]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 6]) -> [[S; 6]; 6] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 6]) -> [[S; 6]; 3] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 6]) -> [S; 3] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 3] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 6],
+    ) -> sim_kernel::ConstraintLinearization<[S; 3], [[S; 6]; 3]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 6], qd: &[S; 6], qdd: &[S; 6], lambda: &[S; 3]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+        lambda: &[S; 3],
+    ) -> [S; 3] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 6], qd: &[S; 6], qdd: &[S; 6]) -> [S; 2] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+        lambda: &[S; 3],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 6]) -> [S; 28] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 6]> {
+        self.initial()
+    }
+}
