@@ -99,7 +99,7 @@ fn bare(random: &mut Random) -> RobotArm {
     let arm = RobotArm::default();
     let mut parameters = arm.parameters();
     parameters.iter_mut().for_each(|p| *p *= random.between(0.8, 1.2));
-    let arm = RobotArm::with_parameters(parameters);
+    let arm = arm.with_parameters(parameters);
     let arm = arm.with_inputs(arm.inputs().map(|_| sim::Input::Held(0.0)));
     RobotArm { c: 0.0, ..arm }
 }

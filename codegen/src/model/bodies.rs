@@ -37,7 +37,7 @@ pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> 
         if let (Some(turn), Some(attitude)) = (turn.flatten(), body.as_ref().and_then(|body| body.attitude.as_ref())) {
             add_norms(&mut norms, turn, &attitude.inertia, i);
         }
-        let place = body.as_ref().and_then(|_| b.mass.as_ref()).and_then(|(_, place)| place.as_ref());
+        let place = body.as_ref().and(b.mass.as_ref()).and_then(|(_, place)| place.as_ref());
         let place = place.filter(|_| turn.is_some()).and_then(|place| i.spatial_value(place));
         turns.push(turn.flatten().map(|turn| (turn, place.map(|(place, _)| i.with_frame(place, turn)))));
         bodies.push(body);

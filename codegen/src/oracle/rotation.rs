@@ -24,7 +24,7 @@ impl Rotation {
         let square = product(&n, &n);
         let entry = |k: usize| {
             let turned = &(&sine * &n[k]) + &(&versine * &square[k]);
-            if k % 4 == 0 { &one + &turned } else { turned }
+            if k.is_multiple_of(4) { &one + &turned } else { turned }
         };
         Some(Rotation { entries: (0..9).map(entry).collect(), quaternions: vec![] })
     }

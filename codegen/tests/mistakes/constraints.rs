@@ -41,7 +41,8 @@ fn constraints_and_events() {
     check(
         "initial {",
         "kernels { jacobian; } initial {",
-        &["7:11 `jacobian` is not known here; expected one of `dynamics_jacobian`, `dynamics_sensitivity`"],
+        &["7:11 `jacobian` is not known here; expected one of `dynamics_jacobian`, `dynamics_sensitivity`, \
+             `inverse_dynamics`"],
     );
     check(
         "initial {",

@@ -11,9 +11,10 @@ fn joints() {
     joint("pivot: slot P through [0, 1] along phi;", &[]);
     joint("pivot: slot on(bob, [l, 0]) through [0, 1] along phi;", &[]);
     joint(
-        "pivot: weld P to [0, 1];",
+        "pivot: glue P to [0, 1];",
         &[
-            "7:17 `weld` is not known here; expected one of `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam`, `roll`",
+            "7:17 `glue` is not known here; expected one of `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam`, `roll`, `ball`, \
+             `revolute`, `cylindrical`, `prismatic`, `universal`, `planar`, `screw`, `weld`",
         ],
     );
     joint("pivot: pin P and [0, 1];", &["7:23 expected `to`: `pin P to Q;`"]);

@@ -173,7 +173,7 @@ fn inertias_that_no_body_has() {
         &["6:36 this inertia is not positive definite: about some axis it is negative, as that of no body is"],
     );
     inertia(
-        &format!("[2 {u}, 2 {u}, 3 {u}, 0.8 {u}, 0, 0]"),
+        &format!("[1 {u}, 3 {u}, 3 {u}, 0, 0, 1 {u}]"),
         &[
             "6:36 no body has this inertia: a principal moment is at most the sum of the other two (is it about the centre of \
            mass, in [kg*m^2]?)",
@@ -209,7 +209,7 @@ fn attitudes() {
     check(
         "attitude R",
         "attitude R, free",
-        &["6:24 body `top` is free and has its place of its own, [top_x, top_y]; leave out `at ..`, or `free`"],
+        &["6:25 body `top` is free and has its place of its own, [top_x, top_y]; leave out `at ..`, or `free`"],
     );
 }
 
@@ -223,5 +223,42 @@ fn drawings() {
         "line [0, 0], P;",
         "circle P radius l normal 1;",
         &["9:36 a circle in the plane has no normal; leave it out"],
+    );
+}
+
+#[test]
+fn joints() {
+    let joint =
+        |line: &str, expected: &[&str]| check("drawing {", &format!("joints {{ {line} }}\ndrawing {{"), expected);
+    joint("j: revolute ground at [l, 0, 0] axis [0, 3/5, 4/5] to top at [0, 0, l] axis [0, 0, -1];", &[]);
+    joint("j: screw ground at [l, 0, 0] axis [0, sin(l/(2 [m])), cos(l/(2 [m]))] to top at [0, 0, l] pitch l;", &[]);
+    joint("j: roll top radius l axis [0, 0, 1] on [0, 0, 0] normal [0, 0, 1];", &[]);
+    joint(
+        "j: revolute ground to top;",
+        &["9:29 expected `at`: `revolute a at [u, v, w] axis [0, 0, 1] to b at [u, v, w] axis [0, 0, 1];`"],
+    );
+    joint(
+        "j: ball ground at [0, 0, 0] to tip at [0, 0, 0];",
+        &["9:41 no body above is called `tip` (did you mean `top`?)"],
+    );
+    joint(
+        "j: screw ground at [0, 0, 0] to top at [0, 0, 0];",
+        &["9:58 expected `pitch`: `screw nut at P axis n to bolt at Q axis n pitch p;`"],
+    );
+    joint(
+        "j: revolute ground at [0, 0, 0] axis [0, 0, 0] to top at [0, 0, 0];",
+        &["9:47 an axis without length has no direction; write `[0, 0, 1]`"],
+    );
+    joint(
+        "j: revolute ground at [0, 0, 0] axis P to top at [0, 0, 0];",
+        &[
+            "9:47 the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
+           components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
+        ],
+    );
+    in_the_plane(
+        "initial {",
+        "joints { j: ball ground at [0, 0] to bob at [0, 0]; } initial {",
+        &["7:38 body `bob` has no attitude; write `attitude R` in its line, or let it be `free`"],
     );
 }
