@@ -1856,6 +1856,20 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 - self.tau6.or(S::from_f64(0.0)) + self.c * q6_dot,
         ]
     }
+    /// The inputs, 6, in SI units: what each is held at, or its declared course.
+    ///
+    /// Operations: 2 additions.
+    #[inline]
+    pub fn input_values(&self, t: S, q: &[S; 6]) -> [S; 6] {
+        [
+            self.tau1.or(S::from_f64(0.0)),
+            self.tau2.or(-S::from_f64(60.0)),
+            self.tau3.or(-S::from_f64(20.0)),
+            self.tau4.or(S::from_f64(0.0)),
+            self.tau5.or(S::from_f64(0.0)),
+            self.tau6.or(S::from_f64(0.0)),
+        ]
+    }
     /// [`RobotArmPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
     #[inline]
     pub fn dynamics(
@@ -2799,5 +2813,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
     #[inline(always)]
     fn inverse_dynamics(&self, t: S, q: &[S; 6], qd: &[S; 6], qdd: &[S; 6]) -> [S; 6] {
         self.inverse_dynamics(t, q, qd, qdd)
+    }
+    fn held_inputs(&self, t: S, q: &[S; 6]) -> Self::Inputs {
+        self.input_values(t, q).map(sim_kernel::Input::Held)
     }
 }
