@@ -11,6 +11,33 @@ fn value(expression: &str) -> f64 {
     evaluate(&model.graph, &[model.parameters[0].default], |_| f64::NAN)[0]
 }
 
+/// A power of a sum with a number of many digits stays within the range of numbers, and so do its derivatives.
+#[test]
+fn powers_of_sums_with_many_digits() {
+    let text = "M; coordinates { x; } bodies { b: mass 1 at [(x/3 + 1.9000000000000001)^40/1e11, 0]; }";
+    let equations = codegen::equations(text.parse().unwrap()).unwrap();
+    let values = evaluate(&equations.model.graph, &[equations.tmt.mass_matrix[0][0]], |_| 0.3);
+    let expected = (40.0 / 3.0 * 2f64.powi(39) / 1e11).powi(2);
+    // 80 factors, each with the rounding of the sum.
+    assert!((values[0] / expected - 1.0).abs() < 1e-13, "{} {expected}", values[0]);
+}
+
+/// What has no value where a constraint is released counts for nothing there.
+#[test]
+fn released_constraints_need_no_value() {
+    let text = "M; coordinates { x; } bodies { b: mass 1 at [x, 0]; } events { on: x = 2 { activate c; } }
+        constraints { c: sqrt(x - 1) = ln(x)/(x - 0.5) initially released; }";
+    let equations = codegen::equations(text.parse().unwrap()).unwrap();
+    let (model, constraints) = (&equations.model, &equations.constraints);
+    let all = [constraints.values[0], constraints.jacobian[0][0], constraints.convective[0], constraints.magnitudes[0]];
+    let at = |x: f64, activity: f64| {
+        evaluate(&model.graph, &all, |symbol| if symbol == model.conditionals[0].symbol { activity } else { x })
+    };
+    assert_eq!(at(0.5, 0.0), [0.0; 4]);
+    assert!(at(0.5, 1.0).iter().all(|value| !value.is_finite()));
+    assert!(at(2.0, 1.0).iter().all(|value| value.is_finite() && *value != 0.0));
+}
+
 #[test]
 fn precedence_and_functions() {
     let rows = [

@@ -60,8 +60,8 @@ mechanism! {
     }
 
     drawing {
-        curve on(body, [1 [m], 0, 0]), on(body, [0, 0.7 [m], 0]), on(body, [-1 [m], 0, 0]), on(body, [0, -0.7 [m], 0]), on(body, [1 [m], 0, 0]);
-        curve on(body, [0, 0, -0.3 [m]]), on(body, [0, 0, 0.5 [m]]);
+        line on(body, [1 [m], 0, 0]), on(body, [0, 0.7 [m], 0]), on(body, [-1 [m], 0, 0]), on(body, [0, -0.7 [m], 0]), on(body, [1 [m], 0, 0]);
+        line on(body, [0, 0, -0.3 [m]]), on(body, [0, 0, 0.5 [m]]);
         curve [0, 0, 0], [0, 0, 1.2 [m]];
         point on(body, [0, 0, 0]);
     }

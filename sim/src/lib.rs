@@ -77,7 +77,7 @@ pub use kinematics::{
     DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
     dead_points, inverse_dynamics, kinematics,
 };
-pub use linearize::{Linearization, Mode, linearize};
+pub use linearize::{Control, Linearization, Mode, linearize};
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};

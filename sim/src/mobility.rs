@@ -63,15 +63,23 @@ impl Mobility {
 /// A part of a constraint this small beside the whole is rounding.
 const NO_PART: f64 = 1e-7;
 
-/// A row is dependent whose distance from the space of those before it is less than this part of its length.
+/// A row is dependent whose distance from the space of those before it is less than this part of its length, here or nearby.
 const DEPENDENT: f64 = 1e-7;
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows that
 /// depend on others there are looked at in positions near it too.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    let here = dependent_rows(mechanism, &mechanism.constraint_jacobian(time, q));
-    let (jacobian, rows) = fewest_dependent(mechanism, time, q);
-    let of_positions = dependent_rows(mechanism, &between_positions::<M>(&jacobian)).len();
+    let jacobians = jacobians(mechanism, time, q);
+    let length = |row: usize| jacobians.iter().map(|jacobian| norm(&jacobian[row])).fold(0.0, f64::max);
+    let lengths: Vec<f64> = (0..M::L::LEN).map(length).collect();
+    let dependent = |jacobian: &M::LQ| dependent_rows(mechanism, jacobian, &lengths);
+    let here = dependent(&jacobians[0]);
+    let (jacobian, rows) =
+        jacobians[1..].iter().fold((&jacobians[0], here.clone()), |fewest, jacobian| match dependent(jacobian) {
+            rows if rows.len() < fewest.1.len() => (jacobian, rows),
+            _ => fewest,
+        });
+    let of_positions = dependent(&between_positions::<M>(jacobian)).len();
     let is_singular = |row: &&usize| !rows.contains(row);
     let singular = here.iter().filter(is_singular).take(here.len() - rows.len());
     let held = (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).count();
@@ -79,29 +87,32 @@ pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
         degrees_of_freedom: M::Q::LEN + rows.len() - held,
         configuration_freedom: M::Q::LEN + of_positions - held,
         singular: singular.map(|row| constraint_name::<M>(*row)).collect(),
-        implied_by: rows.iter().map(|row| implying::<M>(&jacobian, *row, &rows)).collect(),
+        implied_by: rows.iter().map(|row| implying::<M>(jacobian, *row, &rows)).collect(),
         dependent: rows.into_iter().map(constraint_name::<M>).collect(),
     }
 }
 
-/// C_q where the fewest of its rows depend on those before them, here or nearby, and those rows.
-fn fewest_dependent<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> (M::LQ, Vec<usize>) {
-    let counted = |q: &M::Q| {
-        let jacobian = mechanism.constraint_jacobian(time, q);
-        (jacobian, dependent_rows(mechanism, &jacobian))
+/// C_q at a position, and where rows depend on others or vanish there, in positions near it too.
+fn jacobians<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<M::LQ> {
+    let here = mechanism.constraint_jacobian(time, q);
+    let lengths: Vec<f64> = (0..M::L::LEN).map(|row| norm(&here[row])).collect();
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let vanishes = (0..M::L::LEN).any(|row| lengths[row] <= DEPENDENT * longest);
+    let nearby = match vanishes || !dependent_rows(mechanism, &here, &lengths).is_empty() {
+        true => nearby_positions(mechanism, time, q),
+        false => Vec::new(),
     };
-    let here = counted(q);
-    if here.1.is_empty() {
-        return here;
-    }
-    let nearby = nearby_positions(mechanism, time, q);
-    nearby.iter().map(counted).fold(here, |fewest, there| if there.1.len() < fewest.1.len() { there } else { fewest })
+    [here].into_iter().chain(nearby.iter().map(|q| mechanism.constraint_jacobian(time, q))).collect()
 }
 
-/// The rows that depend on those before them, of those that hold.
-fn dependent_rows<M: Mechanism>(mechanism: &M, jacobian: &M::LQ) -> Vec<usize> {
-    let sines = independence::<M>(jacobian);
+/// The rows that depend on those before them, of those that hold, beside these lengths.
+fn dependent_rows<M: Mechanism>(mechanism: &M, jacobian: &M::LQ, lengths: &[f64]) -> Vec<usize> {
+    let sines = independence::<M>(jacobian, lengths);
     (0..M::L::LEN).filter(|row| is_active(mechanism, *row) && !(sines[*row] > DEPENDENT)).collect()
+}
+
+fn norm<A: Array<f64>>(row: &A) -> f64 {
+    row.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
 /// The independent constraints before a row that it is a combination of.
@@ -125,25 +136,16 @@ fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> 
         .collect()
 }
 
-/// A row this short beside the longest is rounding.
-const NO_ROW: f64 = 1e-13;
-
-/// For each row of C_q the sine of its angle to the space of those before it; 0 for one that is zero.
-fn independence<M: Mechanism>(jacobian: &M::LQ) -> Vec<f64> {
+/// For each row of C_q the sine of its angle to the space of those before it, times how long it is beside its length elsewhere.
+fn independence<M: Mechanism>(jacobian: &M::LQ, lengths: &[f64]) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let row = |i: usize| DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
-    let longest = (0..M::L::LEN).map(|i| row(i).norm()).fold(0.0, f64::max);
     let of_row = |i: usize| {
-        let row = row(i);
-        if row.norm() <= NO_ROW * longest {
-            return 0.0;
-        }
-        let mut rest = row.clone();
+        let mut rest = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
         // Twice, so that rounding leaves nothing of what was taken.
         for direction in basis.iter().chain(&basis) {
             rest -= direction * direction.dot(&rest);
         }
-        let sine = rest.norm() / row.norm();
+        let sine = rest.norm() / lengths[i];
         if sine > DEPENDENT {
             basis.push(rest.normalize());
         }

@@ -1,8 +1,8 @@
 //! Linearisation, modes and the matrices of a controller.
 
-use models::{DoublePendulum, FourBar, Pendulum};
+use models::{CartPole, DoublePendulum, FourBar, Pendulum};
 use nalgebra::DMatrix;
-use sim::{Mechanism, Start, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
+use sim::{Control, Input, Mechanism, Start, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
 
 mechanism! {
     /// A cart on a spring and a damper, pushed by a force, with a pendulum hung from it.
@@ -21,7 +21,7 @@ fn the_matrices_of_a_cart_with_a_pendulum() {
     let cart = Cart::default();
     let state = equilibrium(&cart, &declared_start(&cart)).unwrap().state;
     let force = Cart::<f64>::DESCRIPTION.parameters.iter().position(|p| p.name == "F").unwrap();
-    let found = linearize(&cart, &state, &[force]).unwrap();
+    let found = linearize(&cart, &state, &[Control::Parameter(force)]).unwrap();
     let (big, m, l, k, c, g) = (3.0, 1.0, 0.5, 40.0, 2.0, 9.81);
     // x'' = (F - c x' - k x + m g phi) / M.
     let x = [-k / big, m * g / big, -c / big, 0.0];
@@ -36,8 +36,33 @@ fn the_matrices_of_a_cart_with_a_pendulum() {
     }
     // What constraints depend on is no input.
     let linkage = FourBar::default();
-    let failure = linearize(&linkage, &assemble(&linkage, &declared_start(&linkage)).unwrap(), &[0]).unwrap_err();
+    let failure =
+        linearize(&linkage, &assemble(&linkage, &declared_start(&linkage)).unwrap(), &[Control::Parameter(0)])
+            .unwrap_err();
     assert!(matches!(failure.what, What::NotAnInput { parameter: "a" }), "{failure}");
+}
+
+/// (M + m) x'' + m l phi'' = u and x'' + l phi'' = g phi of the pole that stands, by hand; of the power u x' at speed v, where u is
+/// not zero.
+#[test]
+fn the_inputs_of_a_cart_with_a_pole() {
+    let cart: CartPole = CartPole::default();
+    let state = State { time: 0.3, positions: [0.2, 0.0], speeds: [1.5, 0.0], work: 0.0 };
+    let course = 3.0 * (4.0 * state.time).sin();
+    for (cart, push) in [(cart, course), (CartPole { push: Input::Held(-2.0), ..cart }, -2.0)] {
+        let found = linearize(&cart, &state, &[Control::Input(0), Control::Parameter(4)]).unwrap();
+        let (big, m, l, g) = (1.0, 0.2, 0.5, 9.81);
+        let x = [0.0, -m * g / big, 0.0, 0.0];
+        let phi = [0.0, (big + m) * g / (big * l), 0.0, 0.0];
+        let a = DMatrix::from_row_slice(4, 4, &[[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], x, phi].concat());
+        // Free fall acts on a pole that stands by its angle alone.
+        let b = DMatrix::from_row_slice(4, 2, &[0.0, 0.0, 0.0, 0.0, 1.0 / big, 0.0, -1.0 / (big * l), 0.0]);
+        let c = DMatrix::from_row_slice(3, 4, &[1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, push, 0.0]);
+        let d = DMatrix::from_row_slice(3, 2, &[0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
+        for (found, expected) in [(&found.a, a), (&found.b, b), (&found.c, c), (&found.d, d)] {
+            assert!((found - &expected).amax() < 1e-12, "{found}{expected}");
+        }
+    }
 }
 
 /// The modes of two equal slender rods: (4/3) a'' + b''/2 + (3/2)(g/l) a = 0 and a''/2 + b''/3 + (g/l) b/2 = 0, so that

@@ -217,6 +217,6 @@ fn what_stands_in_space_has_a_scale_and_its_axes() {
     let space = Shapes { dimension: 3, shapes: &shapes };
     mechanism("A wheel on an arm", space, &poses, &directory, "space").unwrap();
     let drawn = svg(&directory, "space");
-    assert!(drawn.contains(">0.2 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
+    assert!(drawn.contains(">0.1 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
     assert!(!drawn.contains("x [m]"));
 }

@@ -19,7 +19,7 @@ mechanism! {
         push [N*m] over [s] = monotone, periodic { 0, 0; 0.3, 5; 0.7, 1; 0.9, -2; 1.1, 0; }
         saw [N] over [rad] = linear, periodic { 0, 0; 3, 2; pi, 0; }
         three [N] over [m] = cubic { 0, 1; 0.4, 2; 0.7, 1 [N]; }
-        two [m] over [m] = monotone { 0, 1; 0.4, 2; }
+        two [m] over [m] = monotone from "kernels/rows.csv";
     }
     inputs { T [N*m] = 2*push(t); }
     let P = [0, s];

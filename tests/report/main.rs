@@ -197,3 +197,31 @@ fn what_a_reader_does_has_its_effect() {
     assert!(pdf > 20_000, "{pdf}");
     assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
 }
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn what_stands_in_space_is_turned_by_the_mouse_and_comes_nearer_by_the_wheel() {
+    let report = made("top", "2s");
+    let mut browser = Browser::start(&scratch("chromium-space"));
+    browser.window(1400, 1000, 1.0, false);
+    browser.open(&report, "#t=0.5");
+    let first = browser.evaluate(PIXELS);
+    let (from, to) = (browser.place("#drawing", 0.4), browser.place("#drawing", 0.7));
+    let azimuth = browser.evaluate("report.drawing.view.azimuth").as_f64().unwrap();
+    browser.drag(from, (to.0, to.1 + 60.0));
+    let turned = browser.evaluate(PIXELS);
+    assert_ne!(first[1], turned[1], "dragging does not turn it");
+    // What was in front goes with the mouse: to the right, as the eye goes to the left.
+    assert!(browser.evaluate("report.drawing.view.azimuth").as_f64().unwrap() < azimuth - 0.5);
+    assert_eq!(browser.evaluate("report.drawing.traced.size"), 0, "dragging is no click");
+    browser.screenshot(&pictures().join("turned.png"));
+    let wheel = serde_json::json!({ "type": "mouseWheel", "x": from.0, "y": from.1, "deltaX": 0, "deltaY": -200 });
+    browser.call("Input.dispatchMouseEvent", wheel);
+    browser.settle();
+    assert!(browser.evaluate("report.drawing.view.zoom").as_f64().unwrap() > 1.2);
+    browser.key("v");
+    assert_eq!(browser.evaluate(PIXELS)[1], first[1], "the first view comes back");
+    browser.key(".");
+    assert_ne!(browser.evaluate(PIXELS)[1], first[1], "keys turn it");
+    assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
+}

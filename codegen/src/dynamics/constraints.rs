@@ -5,11 +5,12 @@
 //! work on motions that it admits for b = 0, as its reaction is A' lambda. (Neimark and Fufaev, Dynamics of Nonholonomic
 //! Systems, 1972, chapter III.)
 //!
-//! The rows of a constraint that events switch are scaled by its activity, so that a released one is 0 = 0 everywhere.
+//! The rows of a constraint that events switch are scaled by its activity, or chosen by it where they may have no value, so that a
+//! released one is 0 = 0 everywhere.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::{Level, Model};
-use crate::symbolic::{Expr, Function, Node, Number};
+use crate::symbolic::{Expr, Function, Graph, Node, Number};
 
 /// m constraint rows C(q, t) = 0.
 pub struct Constraints {
@@ -35,26 +36,41 @@ impl Constraints {
     ) -> Constraints {
         let declared: Vec<(Level, Expr)> = model.constraints.iter().map(|c| (c.level, c.value)).collect();
         let zero = model.graph.zero();
-        let magnitudes = declared.iter().map(|(level, value)| match level {
-            Level::Positions => magnitude(model, *value),
-            Level::Speeds => zero,
-        });
-        let magnitudes = magnitudes.collect();
-        let mut constraints =
-            Constraints { values: vec![], magnitudes, jacobian: vec![], time_derivative: vec![], convective: vec![] };
-        for (i, (value, (level, _))) in values.into_iter().zip(declared).enumerate() {
+        let mut constraints = Constraints {
+            values: vec![],
+            magnitudes: vec![],
+            jacobian: vec![],
+            time_derivative: vec![],
+            convective: vec![],
+        };
+        for (i, (value, (level, declared))) in values.into_iter().zip(declared).enumerate() {
+            let size = if level == Level::Positions { magnitude(model, declared) } else { zero };
             let (own, row) = match level {
                 Level::Positions => (value, derivatives.of_quantity(model, variables, value)),
                 Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
             };
             let activity = model.constraints[i].activity;
-            let mut scaled = |expr: Expr| activity.map_or(expr, |activity| model.graph.mul(activity, expr));
-            constraints.values.push(scaled(own));
-            constraints.jacobian.push(row.jacobian.into_iter().map(&mut scaled).collect());
-            constraints.time_derivative.push(scaled(row.time_derivative));
-            constraints.convective.push(scaled(row.convective));
+            constraints.magnitudes.push(match activity {
+                Some(activity) if !model.graph.has_value_everywhere(size) => model.graph.choice(activity, size, zero),
+                _ => size,
+            });
+            let mut switched =
+                |expr: Expr| activity.map_or(expr, |activity| switched(&mut model.graph, activity, expr));
+            constraints.values.push(switched(own));
+            constraints.jacobian.push(row.jacobian.into_iter().map(&mut switched).collect());
+            constraints.time_derivative.push(switched(row.time_derivative));
+            constraints.convective.push(switched(row.convective));
         }
         constraints
+    }
+}
+
+/// What stands in a row while it is active, and 0 while it is released: a multiple, unless it may have no value.
+fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
+    let zero = graph.zero();
+    match graph.has_value_everywhere(expr) {
+        true => graph.mul(activity, expr),
+        false => graph.choice(activity, expr, zero),
     }
 }
 

@@ -285,6 +285,11 @@ fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let returns = returned_array(model, kernel, path);
     let to_array = record_of(model, kernel).map(|_| quote! { .into() });
     match kernel.receiver {
+        Receiver::Mechanism if kernel.name == "input_values" => quote! {
+            fn held_inputs(&self #(, #list)*) -> Self::Inputs {
+                self.#function(#(#names),*).map(#path::Input::Held)
+            }
+        },
         Receiver::Mechanism => quote! {
             #[inline(always)]
             fn #function(&self #(, #list)*) -> #returns {

@@ -189,13 +189,18 @@ const OTHER_SPELLINGS: [(&str, &str); 14] = [
     ("s2", "s^2"),
 ];
 
+/// What a unit may be, for a name like none of them.
+const KNOWN: &str = "; known are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, \
+     deg, rpm, min, inch, lb and their like, with SI prefixes";
+
 fn unknown(name: &syn::Ident) -> syn::Error {
     if let Some((_, right)) = OTHER_SPELLINGS.iter().find(|(other, _)| name == other) {
         return syn::Error::new(name.span(), format!("`{name}` is not a known unit; write `{right}`"));
     }
     let common = ["mm", "cm", "km", "kg", "ms", "kN", "mN", "MPa", "kW", "kHz", "mrad"];
     let near = nearest::suggestion(&name.to_string(), UNITS.iter().map(|row| row.0).chain(common));
-    syn::Error::new(name.span(), format!("`{name}` is not a known unit{near}"))
+    let known = if near.is_empty() { KNOWN } else { "" };
+    syn::Error::new(name.span(), format!("`{name}` is not a known unit{near}{known}"))
 }
 
 #[cfg(test)]

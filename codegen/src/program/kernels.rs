@@ -27,6 +27,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     kernels.extend(separate_kernels(&planner, zero));
     kernels.extend(event_values_kernel(&planner));
     kernels.extend(inverse_kernel(&planner));
+    kernels.extend(input_values_kernel(&planner));
     Program { kernels }
 }
 
@@ -67,6 +68,15 @@ fn inverse_kernel(planner: &Planner) -> Option<Kernel> {
     );
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(forces));
     Some(planner.kernel("inverse_dynamics", Arguments::Accelerations, docs, kernel))
+}
+
+/// What inputs are, if there are any.
+fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
+    let model = &planner.equations.model;
+    let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();
+    let docs = format!("The inputs, {}, in SI units: what each is held at, or its declared course.", inputs.len());
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&inputs));
+    (!inputs.is_empty()).then(|| planner.kernel("input_values", Arguments::Positions, docs, kernel))
 }
 
 /// The kernels that share nothing with others.

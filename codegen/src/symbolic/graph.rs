@@ -194,6 +194,11 @@ impl Graph {
         self.as_number(expr).is_some_and(Number::is_zero)
     }
 
+    /// Whether an expression is known to have a value for all real values of its symbols.
+    pub fn has_value_everywhere(&self, expr: Expr) -> bool {
+        self.facts(expr).finite
+    }
+
     /// Whether the numbers that an expression itself is made of are within the range of `f64`.
     pub fn numbers_in_range(&self, expr: Expr) -> bool {
         let in_range = |number: &Number| {

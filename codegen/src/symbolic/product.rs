@@ -6,6 +6,9 @@
 
 use super::{Expr, Graph, Node, Number};
 
+/// The largest integer coefficient that a sum is given for the sake of integers.
+const LARGEST_INTEGER: f64 = 4e9;
+
 impl Graph {
     /// The product of any number of factors; 1 for none.
     pub fn product(&mut self, factors: &[Expr]) -> Expr {
@@ -88,14 +91,18 @@ impl Graph {
         exponent > 0 || factors.iter().all(|(base, e)| *e > 0 || self.facts(*base).nonzero)
     }
 
-    /// A sum as a number times a sum with coprime integer coefficients, the first one positive.
+    /// A sum as a number times a sum with coprime integer coefficients, the first one positive; where these would be
+    /// large, so that powers of the sum could leave the range of `f64`, times a sum whose first coefficient is 1.
     fn split_content(&mut self, sum: Expr) -> (Number, Expr) {
         let Node::Sum { constant, terms } = self.node(sum).clone() else {
             return (Number::ONE, sum);
         };
         let mut content = terms.iter().fold(constant.abs(), |gcd, (_, c)| gcd.gcd(c)).abs();
-        if terms.first().is_some_and(|(_, c)| c.is_negative()) {
-            content = -&content;
+        let largest = terms.iter().map(|(_, c)| c).chain([&constant]).map(|c| c.to_f64().abs()).fold(0.0, f64::max);
+        match terms.first() {
+            Some((_, first)) if largest > LARGEST_INTEGER * content.to_f64() => content = first.clone(),
+            Some((_, first)) if first.is_negative() => content = -&content,
+            _ => {}
         }
         match content.recip() {
             Some(inverse) if !content.is_one() => {

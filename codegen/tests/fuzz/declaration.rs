@@ -159,7 +159,10 @@ impl Writer {
         let coordinate = self.random.pick(&self.coordinates).clone();
         match self.random.below(6) {
             0 => format!("spring p1, rest {} on {coordinate} + {};\n", self.scalar(0), self.scalar(2)),
-            1 => format!("spring p2*stretch^3, rest 0.3 between {} and {coordinate};\n", self.scalar(1)),
+            1 => format!(
+                "spring p2*stretch^3, rest 0.3 between {} and 3*{coordinate} + {coordinate}^3/9;\n",
+                self.scalar(1)
+            ),
             2 => format!(
                 "spring p1, length 0.4 from {} to [9 + sin({coordinate}), 7 - {coordinate}^2];\n",
                 self.vector(1)
@@ -204,17 +207,17 @@ impl Writer {
 
     /// Events, and what happens at them.
     fn events(&mut self, switched: &[String]) -> String {
-        let mut text = format!("events {{ crossing: {} = {};\n", self.rate(2), self.scalar(1));
+        let mut text = format!("events {{ crossing: {} + q_1 = {};\n", self.rate(2), self.scalar(1));
         let (value, speed) = (self.scalar(2), self.rate(1));
         text += &format!(
-            "jump: {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",
+            "jump: q_1 + {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",
             self.rate(1)
         );
         for name in switched {
             let (condition, restitution) = (self.rate(1), self.scalar(1));
-            text += &format!("on_{name}: {condition} = 0 falling {{ activate {name}; }}\n");
+            text += &format!("on_{name}: {condition} = t falling {{ activate {name}; }}\n");
             text += &format!(
-                "hit_{name}: {condition} = 0.1 rising {{ impact {name} restitution tanh({restitution})^2; release {name}; }}\n"
+                "hit_{name}: {condition} = 0.1*t rising {{ impact {name} restitution tanh({restitution})^2; release {name}; }}\n"
             );
         }
         text + "}\n"
@@ -248,7 +251,8 @@ impl Writer {
             5 => format!("({a})/(1.5 + ({b})^2)"),
             6 => format!("sin({a})"),
             7 => format!("cos({a} + {b})"),
-            8 => format!("tanh({a})"),
+            // Kernels have 1 - tanh^2 as its slope, of which little is left where tanh is near 1.
+            8 => format!("tanh(({a})/4)"),
             9 => format!("sqrt(1 + ({a})^2)"),
             10 => format!("exp(-({a})^2)*({b})"),
             11 => format!("({a})^{}", 2 + self.random.below(2)),

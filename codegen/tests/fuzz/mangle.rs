@@ -15,7 +15,8 @@ const CASES: usize = 500;
 const WORDS: &str = "x y q_1 t pi e 0 1 2.5 1e400 99999999999999999999 -1 [m] [rad] [kg*m^2] [x, y] [] () {} (x) ; , : . = + - * \
     / ^ .. ..= % ! # & -> => dot ddot reaction norm sin sqrt atan2 let use as fragment repeat in sum const at on mass inertia \
     angle force torque gravity guess coordinates parameters bodies loads constraints initial events outputs drawing \
-    kernels line slider \"title\" 'c' r#type _ self P_[0] q_[i] repeat i in 1..=3 { } use A as b; x^99 1/0 (((x))) if else";
+    kernels line slider tables over linear cubic periodic natural held from joints cam by \"title\" 'c' r#type \
+    _ self P_[0] q_[i] repeat i in 1..=3 { } use A as b; x^99 1/0 (((x))) if else";
 
 /// Sound declarations: random ones, the models, and the examples of the language's reference.
 fn declarations() -> Vec<TokenStream> {

@@ -21,7 +21,13 @@ fn outputs() {
         &["8:26 a vector of the plane has the components `.x` and `.y`, not `.z`"],
     );
     check("height [m] = P.y", "height [m] = phi.x", &["8:28 a scalar has no component `.x`"]);
-    check("height [m] = P.y", "height [mtr] = P.y", &["8:19 `mtr` is not a known unit"]);
+    check(
+        "height [m] = P.y",
+        "height [mtr] = P.y",
+        &[
+            "8:19 `mtr` is not a known unit; known are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, deg, rpm, min, inch, lb and their like, with SI prefixes",
+        ],
+    );
     check("height [m] = P.y", "phi [rad] = phi", &["8:11 `phi` is recorded already, under this name; choose another"]);
     check(
         "height [m] = P.y",

@@ -57,8 +57,19 @@ class Drawing {
 
   /** A view of all positions. */
   around() {
-    const radius = Math.hypot(...this.extent.map(([low, high]) => high - low)) / 2;
-    return new View(this.extent.map(([low, high]) => (low + high) / 2), radius || 1);
+    const centre = this.extent.map(([low, high]) => (low + high) / 2);
+    let radius = 0;
+    for (let row = 0; row < drawn.length; row += this.width) {
+      for (const shape of run.drawing.shapes) {
+        const more = shape.kind === "circle" ? Math.abs(drawn[row + shape.first + 3]) : 0;
+        shape.points.forEach((_, i) => {
+          const at = row + shape.first + 3 * i;
+          const apart = Math.hypot(...centre.map((part, j) => drawn[at + j] - part)) + more;
+          if (apart > radius) radius = apart;
+        });
+      }
+    }
+    return new View(centre, radius || 1);
   }
 
   /** Shows the view anew. */

@@ -71,6 +71,11 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn inputs(&self) -> Self::Inputs;
     /// The mechanism with these inputs.
     fn with_inputs(&self, inputs: Self::Inputs) -> Self;
+    /// The inputs as they are at a time, each held at its value there.
+    fn held_inputs(&self, t: S, q: &Self::Q) -> Self::Inputs {
+        let _ = (t, q);
+        self.inputs()
+    }
     /// Sets the inputs of what has been prepared.
     fn set_inputs(prepared: &mut Self::Prepared, inputs: Self::Inputs);
     /// The same mechanism on other numbers, each parameter and input converted.

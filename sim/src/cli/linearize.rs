@@ -6,7 +6,8 @@ use super::settings::positive;
 use super::{Stop, print, unknown};
 use crate::formats::numpy::write_matrices;
 use crate::{
-    Linearization, Mode, Settings, Start, State, WriteError, assemble, equilibrium, linearize, run, write_json,
+    Control, Description, Linearization, Mode, Settings, Start, State, WriteError, assemble, equilibrium, linearize,
+    run, write_json,
 };
 use clap::Args;
 use nalgebra::DMatrix;
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 /// What is linearised, and where.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  sim linearize four-bar\n  sim linearize four-bar --input T\n  sim linearize double-pendulum --at 0.5\n\n\
+    after_help = "Examples:\n  sim linearize four-bar\n  sim linearize four-bar --input T\n  sim linearize cart-pole --initial phi=0\n  sim linearize double-pendulum --at 0.5\n\n\
     Files written to DIR:\n  linear.json   the state, A, B, C, D, eigenvalues and modes, in SI units\n  \
     linear.npz    numpy.load(\"linear.npz\")[\"A\"], and B, C, D"
 )]
@@ -29,8 +30,8 @@ pub(super) struct LinearizeArguments {
     #[arg(long, value_name = "PLACE|TIME", default_value = "equilibrium", allow_hyphen_values = true)]
     at: String,
 
-    /// A parameter that is an input, as a torque; may be repeated.
-    #[arg(long, value_name = "PARAMETER")]
+    /// An input, or a parameter that stands for one, as a torque; may be repeated [default: all inputs].
+    #[arg(long, value_name = "NAME")]
     input: Vec<String>,
 
     /// Where to write [default: out/MODEL-linear].
@@ -43,11 +44,7 @@ pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, vo
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
-    let parameters = || description.parameters.iter().map(|p| p.name);
-    let input = |name: &String| {
-        parameters().position(|known| known == name).ok_or_else(|| unknown("parameter", name, parameters()))
-    };
-    let inputs: Vec<usize> = arguments.input.iter().map(input).collect::<Result<_, _>>()?;
+    let inputs = controls(description, &arguments.input)?;
     let state = state_at(&mechanism, &start, &arguments.at)?;
     let found = linearize(&mechanism, &state, &inputs)?;
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", description.name).into());
@@ -61,6 +58,21 @@ pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, vo
         Voice { json: true, .. } => print(&format!("{said:#}\n")),
         _ => print(&format!("{}written      {}: linear.json, linear.npz\n", report(&found), directory.display())),
     }
+}
+
+/// What is named, or all inputs.
+fn controls(description: &'static Description, named: &[String]) -> Result<Vec<Control>, Stop> {
+    let inputs = description.inputs.iter().enumerate().map(|(i, input)| (input.name, Control::Input(i)));
+    if named.is_empty() {
+        return Ok(inputs.map(|(_, control)| control).collect());
+    }
+    let parameters = description.parameters.iter().enumerate().map(|(i, p)| (p.name, Control::Parameter(i)));
+    let known: Vec<(&str, Control)> = inputs.chain(parameters).collect();
+    let control = |name: &String| {
+        let found = known.iter().find(|(known, _)| known == name).map(|(_, control)| *control);
+        found.ok_or_else(|| unknown("input or parameter", name, known.iter().map(|(known, _)| *known)))
+    };
+    named.iter().map(control).collect()
 }
 
 fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Result<State<M>, Stop> {
@@ -107,7 +119,7 @@ fn summary<M: Mechanism>(found: &Linearization<M>, place: &str) -> Value {
         "coordinates": values(&found.state.positions, false),
         "speeds": values(&found.state.speeds, true),
         "states": states(found),
-        "inputs": found.inputs.iter().map(|p| description.parameters[*p].name).collect::<Vec<_>>(),
+        "inputs": found.inputs.iter().map(|input| input.name::<M>()).collect::<Vec<_>>(),
         "outputs": description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
         "A": rows(&found.a),
         "B": rows(&found.b),

@@ -15,8 +15,8 @@ pub use modes::Mode;
 
 /// x' = A x + B u, y = C x + D u about a state, in SI units.
 ///
-/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of parameters that stand
-/// for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
+/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of inputs, or of
+/// parameters that stand for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
 /// alone; eigenvalues away from an equilibrium are those of an instant.
 #[derive(Clone, Debug)]
 pub struct Linearization<M: Mechanism> {
@@ -27,8 +27,8 @@ pub struct Linearization<M: Mechanism> {
     pub independent: Vec<usize>,
     /// The independent speeds, likewise: of the same coordinates, unless constraints hold between speeds alone.
     pub independent_speeds: Vec<usize>,
-    /// The parameters that are inputs, by index.
-    pub inputs: Vec<usize>,
+    /// What u changes.
+    pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
     pub a: DMatrix<f64>,
     /// B, h + f x inputs.
@@ -43,6 +43,26 @@ pub struct Linearization<M: Mechanism> {
     pub modes: Vec<Mode>,
 }
 
+/// What a controller changes: by index, in the order of declaration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Control {
+    /// An input.
+    Input(usize),
+    /// A parameter that stands for one.
+    Parameter(usize),
+}
+
+impl Control {
+    /// Its name.
+    pub fn name<M: Mechanism>(self) -> &'static str {
+        let description = const { &M::DESCRIPTION };
+        match self {
+            Control::Input(index) => description.inputs[index].name,
+            Control::Parameter(index) => description.parameters[index].name,
+        }
+    }
+}
+
 /// Linearises the equations of motion about a state on the constraints.
 ///
 /// With q = (q_i, q_d) the changes of dependent coordinates and speeds are those that keep C = 0 and C_q q' + C_t = 0 to
@@ -51,9 +71,13 @@ pub struct Linearization<M: Mechanism> {
 ///
 /// # Errors
 /// [`What::NotAnInput`] for a parameter that constraints depend on; as the right-hand side.
-pub fn linearize<M: Mechanism>(mechanism: &M, state: &State<M>, inputs: &[usize]) -> Result<Linearization<M>, Failure> {
-    if let Some(input) = inputs.iter().find(|p| constraints_depend_on(mechanism, state, **p)) {
-        let what = What::NotAnInput { parameter: M::DESCRIPTION.parameters[*input].name };
+pub fn linearize<M: Mechanism>(
+    mechanism: &M,
+    state: &State<M>,
+    inputs: &[Control],
+) -> Result<Linearization<M>, Failure> {
+    if let Some(input) = inputs.iter().find(|input| constraints_depend_on(mechanism, state, **input)) {
+        let what = What::NotAnInput { parameter: input.name::<M>() };
         return Err(Failure::at::<M>(what, state.time, &state.positions));
     }
     let derivatives = Derivatives::at(mechanism, state, inputs)?;
@@ -67,7 +91,7 @@ pub fn linearize<M: Mechanism>(mechanism: &M, state: &State<M>, inputs: &[usize]
         true => change.speeds[reduction.independent[i]],
         false => change.accelerations[reduction.independent_speeds[i - h]],
     };
-    let slope = |change: &Change, i: usize, input: Option<usize>| {
+    let slope = |change: &Change, i: usize, input: Option<Control>| {
         output_slope(mechanism, state, &derivatives, change, input, i)
     };
     let outputs = M::Outputs::LEN;

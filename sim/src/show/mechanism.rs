@@ -50,7 +50,7 @@ fn spatial(
     (x_range, y_range, scale): (Point, Point, f64),
 ) -> Result<Scene, ShowError> {
     let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
-    let (x, y) = (Axis::new(x_range, f64::INFINITY), Axis::new(y_range, f64::INFINITY));
+    let (x, y) = (Axis::bare(x_range), Axis::bare(y_range));
     let legend = Legend::new(entries(poses, placed), Some("t [s]"), height)?;
     let (left, top) = (MARGIN, top_room(title, &y));
     let sheet = left + width + MARGIN + legend.width();

@@ -22,6 +22,11 @@ pub(super) struct Axis {
 }
 
 impl Axis {
+    /// A range without ticks.
+    pub(super) fn bare((low, high): (f64, f64)) -> Axis {
+        Axis { low, high, ticks: Vec::new(), note: None }
+    }
+
     /// The same ticks without labels.
     pub(super) fn without_labels(&self) -> Axis {
         let ticks = self.ticks.iter().map(|tick| Tick { at: tick.at, label: String::new() }).collect();

@@ -3,20 +3,19 @@
 use super::Check;
 use crate::trajectory::Sample;
 use sim_kernel::{Array, Dual, Mechanism};
+use std::collections::BTreeMap;
 
 /// How much more than its own rounding a derivative may differ; it is relative to the largest entry of its row.
 const BOUND: f64 = 1e-8;
-/// A row this small beside the whole matrix, as that of an acceleration that time prescribes, may be its rounding.
+/// A row this small beside all rows of all samples, as that of an acceleration that time prescribes, or of a follower where its
+/// cam dwells, may be rounding.
 const SMALL: f64 = 1e-6;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
 pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
-    let mut worst = (0.0, "");
+    let mut compared: Vec<Difference> = Vec::new();
     let mut compare = |what: &'static str, generated: f64, dual: f64, size: f64| {
-        let apart = (generated - dual).abs() / size.max(f64::MIN_POSITIVE);
-        if !(apart <= worst.0) && size > 0.0 {
-            worst = (apart, what);
-        }
+        compared.push(Difference { what, apart: (generated - dual).abs(), size });
     };
     for sample in samples {
         let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
@@ -49,6 +48,7 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
             }
         }
     }
+    let worst = worst(&compared);
     let meaning = match worst.1 {
         "" => "largest difference relative to its row".into(),
         what => format!("largest difference relative to its row: {what}"),
@@ -56,11 +56,34 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
     Check { name: "Jacobians against dual numbers", figure: worst.0, bound: BOUND, meaning }
 }
 
-/// What the entries of each row are compared with.
+/// The difference of an entry of some matrix, and the size of its row.
+struct Difference {
+    what: &'static str,
+    apart: f64,
+    size: f64,
+}
+
+/// The largest difference relative to its row, and in which matrix it is.
+fn worst(compared: &[Difference]) -> (f64, &'static str) {
+    let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
+    for Difference { what, size, .. } in compared {
+        let all = largest.entry(what).or_default();
+        *all = all.max(*size);
+    }
+    let mut worst = (0.0, "");
+    for Difference { what, apart, size } in compared {
+        let size = largest.get(what).map_or(*size, |all| size.max(SMALL * all));
+        let relative = apart / size;
+        if !(relative <= worst.0) && size > 0.0 {
+            worst = (relative, what);
+        }
+    }
+    worst
+}
+
+/// The largest entry of each row.
 fn row_sizes(entry: &dyn Fn(usize, usize) -> f64, rows: usize, n: usize) -> Vec<f64> {
-    let row_size = |i: usize| (0..n).fold(0.0f64, |size, j| entry(i, j).abs().max(size));
-    let whole = (0..rows).map(row_size).fold(0.0, f64::max);
-    (0..rows).map(|i| row_size(i).max(SMALL * whole)).collect()
+    (0..rows).map(|i| (0..n).fold(0.0f64, |size, j| entry(i, j).abs().max(size))).collect()
 }
 
 /// The derivatives of everything by one coordinate or speed.

@@ -338,6 +338,14 @@ impl<S: sim_kernel::Scalar> CartPole<S> {
             speeds: [S::from_f64(0.0), S::from_f64(0.0)],
         }
     }
+    /// The inputs, 1, in SI units: what each is held at, or its declared course.
+    ///
+    /// Operations: 2 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn input_values(&self, t: S, q: &[S; 2]) -> [S; 1] {
+        let ([w], [_]) = S::sin_cos_each([S::from_f64(4.0) * t]);
+        [self.push.or(S::from_f64(3.0) * w)]
+    }
     /// [`CartPolePrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
     #[inline]
     pub fn dynamics(
@@ -749,5 +757,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
     #[inline(always)]
     fn initial(&self) -> sim_kernel::Initial<[S; 2]> {
         self.initial()
+    }
+    fn held_inputs(&self, t: S, q: &[S; 2]) -> Self::Inputs {
+        self.input_values(t, q).map(sim_kernel::Input::Held)
     }
 }
