@@ -17,8 +17,8 @@
 /// constraints = 0
 /// [
 ///     m, 0, 0;
-///     0, m, if floor_activity > 0 then 1 else 0;
-///     0, if floor_activity > 0 then 1 else 0, floor_activity - 1
+///     0, m, floor_activity;
+///     0, floor_activity, floor_activity - 1
 /// ] * [x_ddot; y_ddot; lambda_floor] = [0; -m*g; 0]
 ///
 /// mass_matrix = [m, 0; 0, m]
@@ -27,10 +27,9 @@
 ///
 /// generalized_forces = [0; -m*g]
 ///
-/// constraints = [constraints[1]]
-/// constraints[1] = if floor_activity > 0 then y - r else 0
+/// constraints = [floor_activity*(y - r)]
 ///
-/// constraint_jacobian = [0, if floor_activity > 0 then 1 else 0]
+/// constraint_jacobian = [0, floor_activity]
 ///
 /// constraint_convective = [0]
 /// ```
@@ -171,14 +170,13 @@ pub struct BouncingBallPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> BouncingBall<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 6 additions, 7 multiplications, 2 divisions.
+    /// Operations: 5 additions, 7 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> BouncingBallPrepared<S> {
         let w = self.m * self.g;
-        let floor_by_y = self.floor_activity.choose(S::from_f64(1.0), S::from_f64(0.0));
         let inverse_m = S::from_f64(1.0) / self.m;
-        let w_2 = floor_by_y * inverse_m;
-        let w_3 = S::from_f64(1.0) - self.floor_activity + floor_by_y * w_2;
+        let w_2 = self.floor_activity * inverse_m;
+        let w_3 = S::from_f64(1.0) - self.floor_activity + self.floor_activity * w_2;
         let w_4 = S::from_f64(1.0) / w_3 * w * w_2;
         BouncingBallPrepared {
             m: self.m,
@@ -212,31 +210,26 @@ impl<S: sim_kernel::Scalar> BouncingBall<S> {
     }
     /// Constraints `C`, 1, in SI units; zero throughout the motion.
     ///
-    /// Operations: 2 additions.
+    /// Operations: 1 addition, 1 multiplication.
     #[inline]
     pub fn constraints(&self, t: S, q: &[S; 2]) -> [S; 1] {
         let [_, y] = *q;
-        [self.floor_activity.choose(y - self.r, S::from_f64(0.0))]
+        [(y - self.r) * self.floor_activity]
     }
     /// The sum of the magnitudes of the terms of `C`, 1, in SI units: what its rounding is relative to.
     ///
-    /// Operations: 4 additions.
+    /// Operations: 3 additions.
     #[inline]
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 2]) -> [S; 1] {
         let [_, y] = *q;
-        [self.floor_activity.choose(y.abs() + self.r.abs(), S::from_f64(0.0))]
+        [y.abs() + self.r.abs()]
     }
     /// Constraint Jacobian `C_q`, 1 x 2: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 1 addition.
+    /// Operations: none.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 2]) -> [[S; 2]; 1] {
-        [
-            [
-                S::from_f64(0.0),
-                self.floor_activity.choose(S::from_f64(1.0), S::from_f64(0.0)),
-            ],
-        ]
+        [[S::from_f64(0.0), self.floor_activity]]
     }
     /// `C_t`, 1, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
@@ -254,7 +247,7 @@ impl<S: sim_kernel::Scalar> BouncingBall<S> {
     }
     /// `C` (1), `C_q` (1 x 2) and `C_t` (1) together, in SI units, for projection.
     ///
-    /// Operations: 3 additions.
+    /// Operations: 1 addition, 1 multiplication.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -263,13 +256,8 @@ impl<S: sim_kernel::Scalar> BouncingBall<S> {
     ) -> sim_kernel::ConstraintLinearization<[S; 1], [[S; 2]; 1]> {
         let [_, y] = *q;
         sim_kernel::ConstraintLinearization {
-            values: [self.floor_activity.choose(y - self.r, S::from_f64(0.0))],
-            jacobian: [
-                [
-                    S::from_f64(0.0),
-                    self.floor_activity.choose(S::from_f64(1.0), S::from_f64(0.0)),
-                ],
-            ],
+            values: [(y - self.r) * self.floor_activity],
+            jacobian: [[S::from_f64(0.0), self.floor_activity]],
             time_derivative: [S::from_f64(0.0)],
         }
     }

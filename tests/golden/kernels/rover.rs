@@ -622,6 +622,13 @@ impl<S: sim_kernel::Scalar> Rover<S> {
             ],
         }
     }
+    /// The inputs, 2, in SI units: what each is held at, or its declared course.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn input_values(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        [self.tau_left.or(S::from_f64(0.2)), self.tau_right.or(S::from_f64(0.3))]
+    }
     /// [`RoverPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
     #[inline]
     pub fn dynamics(
@@ -1468,5 +1475,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rover<S> {
     #[inline(always)]
     fn initial(&self) -> sim_kernel::Initial<[S; 5]> {
         self.initial()
+    }
+    fn held_inputs(&self, t: S, q: &[S; 5]) -> Self::Inputs {
+        self.input_values(t, q).map(sim_kernel::Input::Held)
     }
 }
