@@ -36,7 +36,7 @@ fn main() {
     let times = [
         (
             "inverse_dynamics",
-            each(Box::new(move |[q, qd, qdd]| drop(black_box(arm.inverse_dynamics(0.0, q, qd, qdd))))),
+            each(Box::new(move |[q, qd, qdd]| drop(black_box(prepared.inverse_dynamics(0.0, q, qd, qdd))))),
         ),
         ("mass_matrix", each(Box::new(move |[q, ..]| drop(black_box(Mechanism::mass_matrix(&arm, 0.0, q)))))),
         (

@@ -7,11 +7,19 @@
 
 use super::rows::{Along, LoadRow};
 use crate::model::Model;
-use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol};
+use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol, substitute};
 use std::collections::BTreeMap;
 
-/// M q'' + h - Q, n; none if a velocity is not a polynomial of speeds.
-pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<Vec<Expr>> {
+/// The forces that a motion takes.
+pub struct Inverse {
+    /// q'' of that motion, n: variables beside those that the equations of motion are solved for.
+    pub accelerations: Vec<Symbol>,
+    /// M q'' + h - Q, n.
+    pub forces: Vec<Expr>,
+}
+
+/// None if a velocity is not a polynomial of speeds.
+pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<Inverse> {
     let mut motion = model.time_derivative();
     let moving: Vec<(Expr, Expr)> = rows.iter().map(|row| motion_of(&mut model.graph, &mut motion, row)).collect();
     let accelerations: Vec<Expr> = moving.iter().map(|(_, acceleration)| *acceleration).collect();
@@ -19,7 +27,17 @@ pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<Vec<Expr>> {
         rows.iter().enumerate().map(|(i, row)| needed(&mut model.graph, row, i, &accelerations)).collect();
     let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
     let pairs: Vec<(Expr, Expr)> = moving.into_iter().map(|(velocity, _)| velocity).zip(forces).collect();
-    backwards(&mut model.graph, &pairs, &speeds)
+    let forces = backwards(&mut model.graph, &pairs, &speeds)?;
+    let accelerations: Vec<Symbol> =
+        model.coordinates.iter().map(|c| model.graph.symbol(&format!("{}_ddot", c.name))).collect();
+    let given: Vec<(Symbol, Expr)> = model
+        .coordinates
+        .iter()
+        .zip(&accelerations)
+        .map(|(c, given)| (c.acceleration, model.graph.variable(*given)))
+        .collect();
+    let forces = substitute(&mut model.graph, &forces, &given);
+    Some(Inverse { accelerations, forces })
 }
 
 /// Velocity and acceleration along a row.

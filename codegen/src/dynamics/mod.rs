@@ -31,6 +31,7 @@ mod variables;
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use intermediates::Intermediate;
+pub use inverse::Inverse;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
 pub use sensitivity::Columns;
@@ -38,7 +39,6 @@ pub use tmt::{Row, Tmt};
 pub use variables::{Differentiated, Variables};
 
 use crate::model::Model;
-use crate::symbolic::Expr;
 use intermediates::{Formulation, cheapest};
 use variables::Derivatives;
 
@@ -65,8 +65,8 @@ pub struct EquationsOfMotion {
     pub by_state: Option<[Columns; 2]>,
     /// How it changes with the parameters, likewise.
     pub by_parameters: Option<Columns>,
-    /// M q'' + h - Q, if that is wanted, likewise.
-    pub inverse: Option<Vec<Expr>>,
+    /// The forces that a motion takes, if they are wanted, likewise.
+    pub inverse: Option<Inverse>,
 }
 
 /// Derives the equations of motion in the coordinates alone: what a reader wants to see.

@@ -26,7 +26,6 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let mut kernels = prepared_kernels(&planner);
     kernels.extend(separate_kernels(&planner, zero));
     kernels.extend(event_values_kernel(&planner));
-    kernels.extend(inverse_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
     Program { kernels }
 }
@@ -56,18 +55,6 @@ fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     );
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
     (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
-}
-
-/// The forces that a motion takes, if they are wanted.
-fn inverse_kernel(planner: &Planner) -> Option<Kernel> {
-    let forces = planner.equations.inverse.as_ref()?;
-    let docs = format!(
-        "Inverse dynamics `T_q' (M x'' - F)`, {}: the forces along the coordinates that must be added for these accelerations, \
-         joules per unit of each coordinate.",
-        forces.len()
-    );
-    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(forces));
-    Some(planner.kernel("inverse_dynamics", Arguments::Accelerations, docs, kernel))
 }
 
 /// What inputs are, if there are any.

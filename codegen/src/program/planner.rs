@@ -50,6 +50,10 @@ impl<'a> Planner<'a> {
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
         inputs.extend(model.inputs.iter().enumerate().map(|(i, input)| (input.symbol, Input::Held(i))));
+        if let Some(inverse) = &equations.inverse {
+            let given = inverse.accelerations.iter().enumerate();
+            inputs.extend(given.map(|(i, symbol)| (*symbol, Input::Acceleration(i))));
+        }
         let courses = model.inputs.iter().map(|input| (input.symbol, input.course));
         let definitions = equations.intermediates.iter().flat_map(|y| {
             y.symbols.into_iter().zip([y.definition.position, y.definition.velocity, y.acceleration, y.time_derivative])

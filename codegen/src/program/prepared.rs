@@ -16,6 +16,10 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let mut lowering = planner.lowering();
     let motion = Motion::solve(planner.equations, &mut lowering);
     let mut planned = vec![("dynamics", dynamics_docs(planner), motion.dynamics())];
+    if let Some(inverse) = &planner.equations.inverse {
+        let forces = Results::Vector(lowering.lower_all(&inverse.forces));
+        planned.push(("inverse_dynamics", inverse_docs(planner), forces));
+    }
     if let Some(columns) = &planner.equations.by_state {
         planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, columns)));
     }
@@ -35,7 +39,8 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let prepare =
         planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), vec![], Leaves::default());
     let kernels = planned.into_iter().map(|(name, docs, results)| {
-        let head = Head { name, docs, receiver: Receiver::Prepared, arguments: Arguments::Speeds };
+        let arguments = if name == "inverse_dynamics" { Arguments::Accelerations } else { Arguments::Speeds };
+        let head = Head { name, docs, receiver: Receiver::Prepared, arguments };
         planner.finish(head, &lowering, &results, motion.labels.clone(), leaves.clone())
     });
     [prepare].into_iter().chain(kernels).collect()
@@ -112,6 +117,14 @@ fn dynamics_docs(planner: &Planner) -> String {
          [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]\n\
          [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]\n```\n\n\
          by an elimination planned from the structure of the system. {REFUSED}: solve that state from the other kernels."
+    )
+}
+
+fn inverse_docs(planner: &Planner) -> String {
+    let [n, ..] = sizes(planner);
+    format!(
+        "Inverse dynamics `T_q' (M x'' - F)`, {n}: the forces along the coordinates that must be added for these accelerations \
+         where there are no constraints, joules per unit of each coordinate."
     )
 }
 

@@ -110,7 +110,7 @@ pub(super) fn spring(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
     let halves = 12;
     let peak = |half: u32| {
         let along = 0.15 + 0.7 * (f64::from(half) + 0.5) / f64::from(halves);
-        let across = if half % 2 == 0 { SPRING } else { -SPRING };
+        let across = if half.is_multiple_of(2) { SPRING } else { -SPRING };
         turned(ends[0], angle, (along * length, across))
     };
     let straight = |along: f64| turned(ends[0], angle, (along * length, 0.0));

@@ -404,6 +404,7 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<RobotArmOutputRates<S>> for [S
     ::core::cmp::PartialEq
 )]
 pub struct RobotArmPrepared<S = ::core::primitive::f64> {
+    m5: S,
     a1: S,
     a2: S,
     d4: S,
@@ -411,9 +412,11 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
     d6: S,
     k: S,
     k_2: S,
+    m3: S,
     k_3: S,
     k_4: S,
     k_5: S,
+    m4: S,
     k_6: S,
     k_7: S,
     k_8: S,
@@ -460,6 +463,25 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
     k_45: S,
     k_46: S,
     k_47: S,
+    k_48: S,
+    k_49: S,
+    k_50: S,
+    k_51: S,
+    k_52: S,
+    k_53: S,
+    k_54: S,
+    k_55: S,
+    k_56: S,
+    k_57: S,
+    k_58: S,
+    k_59: S,
+    k_60: S,
+    k_61: S,
+    k_62: S,
+    k_63: S,
+    k_64: S,
+    k_65: S,
+    k_66: S,
     /// In `N*m`.
     pub tau1: sim_kernel::Input<S>,
     /// In `N*m`.
@@ -477,17 +499,19 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> RobotArm<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 17 additions, 80 multiplications, 1 division.
+    /// Operations: 18 additions, 99 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> RobotArmPrepared<S> {
+        let w = S::from_f64(0.16) * self.a1 * self.a1 * self.m1;
         let a2_squared = self.a2 * self.a2;
-        let w = self.d4 * self.m6;
+        let w_2 = self.d4 * self.m6;
         let d4_squared = self.d4 * self.d4;
         let d6_squared = self.d6 * self.d6;
-        let w_2 = self.m5 * S::from_f64(0.04) * d6_squared;
-        let w_3 = self.m6 * d6_squared;
-        let mass_q5_q5 = w_2 + w_3 + S::from_f64(0.0075);
+        let w_3 = self.m5 * S::from_f64(0.04) * d6_squared;
+        let w_4 = self.m6 * d6_squared;
+        let mass_q5_q5 = w_3 + w_4 + S::from_f64(0.0075);
         RobotArmPrepared {
+            m5: self.m5,
             a1: self.a1,
             a2: self.a2,
             d4: self.d4,
@@ -495,24 +519,26 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             d6: self.d6,
             k: self.a1 * S::from_f64(20.0),
             k_2: self.a2 * S::from_f64(9.0),
+            m3: self.m3,
             k_3: self.a1 * S::from_f64(100.0),
             k_4: self.a2 * S::from_f64(100.0),
             k_5: self.d4 * S::from_f64(20.0),
+            m4: self.m4,
             k_6: self.d4 * S::from_f64(3.0),
             k_7: S::from_f64(0.0025) * self.m2,
             k_8: S::from_f64(0.0001) * self.m3,
             k_9: S::from_f64(0.01) * self.m4,
             k_10: self.m5 * S::from_f64(0.04),
             k_11: self.m5 + self.m6,
-            k_12: S::from_f64(0.16) * self.a1 * self.a1 * self.m1 + S::from_f64(0.8),
+            k_12: w + S::from_f64(0.8),
             k_13: self.a2 * S::from_f64(5.0),
             k_14: self.m4 * a2_squared,
             k_15: self.m3 * S::from_f64(0.04),
             k_16: self.m2 * a2_squared * S::from_f64(0.2025) + S::from_f64(1.116),
             k_17: self.d4 * S::from_f64(5.0),
-            k_18: w,
+            k_18: w_2,
             k_19: self.d4 * self.m4 * S::from_f64(0.07),
-            k_20: self.m5 * self.d4 + w,
+            k_20: self.m5 * self.d4 + w_2,
             k_21: self.m3 * S::from_f64(0.0003),
             k_22: self.d4 * self.m3 * S::from_f64(0.04),
             k_23: self.m3 * S::from_f64(0.0009)
@@ -521,14 +547,14 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_24: self.m5 * d4_squared + self.m6 * d4_squared,
             k_25: self.m6 * self.d6,
             k_26: self.m5 * self.d6 * S::from_f64(0.04),
-            k_27: S::from_f64(0.0015) + w_2 + w_3,
+            k_27: S::from_f64(0.0015) + w_3 + w_4,
             k_28: self.m5 * self.a1 * self.d6 * S::from_f64(0.2)
                 + self.a1 * self.m6 * self.d6,
             k_29: self.m5 * self.a2 * self.d6 * S::from_f64(0.2)
                 + self.a2 * self.m6 * self.d6,
             k_30: self.m5 * self.d4 * self.d6 * S::from_f64(0.2)
                 + self.d4 * self.m6 * self.d6,
-            k_31: S::from_f64(0.0075) + w_2 + w_3,
+            k_31: S::from_f64(0.0075) + w_3 + w_4,
             mass_q5_q5: mass_q5_q5,
             c: self.c,
             k_32: self.a2 * S::from_f64(200.0),
@@ -549,6 +575,25 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_45: self.m3 * S::from_f64(0.01),
             k_46: self.m3 * S::from_f64(0.2),
             k_47: S::from_f64(0.1) * self.m4,
+            k_48: self.m6 * S::from_f64(5.0),
+            k_49: self.m5 * S::from_f64(2.0),
+            k_50: self.m6 * S::from_f64(10.0),
+            k_51: self.m2 * S::from_f64(9.0),
+            k_52: self.m3 * S::from_f64(4.0),
+            k_53: self.m2 * S::from_f64(5.0),
+            k_54: self.m6 * S::from_f64(25.0),
+            k_55: self.d6 * S::from_f64(80.0),
+            k_56: self.d4 * self.m4 * S::from_f64(60.0),
+            k_57: self.d4 * S::from_f64(4.0),
+            k_58: self.m3 * S::from_f64(3.0),
+            k_59: self.a2 * S::from_f64(0.0025),
+            k_60: self.a1 * S::from_f64(0.01),
+            k_61: S::from_f64(0.7) + w,
+            k_62: self.m4 * S::from_f64(10.0),
+            k_63: self.d4 * S::from_f64(0.002),
+            k_64: self.a2 * S::from_f64(0.2),
+            k_65: self.a2 * S::from_f64(0.01),
+            k_66: self.d6 * S::from_f64(0.04),
             tau1: self.tau1,
             tau2: self.tau2,
             tau3: self.tau3,
@@ -1643,217 +1688,18 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             ],
         }
     }
-    /// Inverse dynamics `T_q' (M x'' - F)`, 6: the forces along the coordinates that must be added for these accelerations, joules per unit of each coordinate.
+    /// The inputs, 6, in SI units: what each is held at, or its declared course.
     ///
-    /// Operations: 206 additions, 304 multiplications, 5 sine-cosine pairs.
+    /// Operations: 2 additions.
     #[inline]
-    pub fn inverse_dynamics(
-        &self,
-        t: S,
-        q: &[S; 6],
-        qd: &[S; 6],
-        qdd: &[S; 6],
-    ) -> [S; 6] {
-        let [_, q2, q3, q4, q5, q6] = *q;
-        let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot, q6_dot] = *qd;
-        let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot, q6_ddot] = *qdd;
-        let (
-            [sin_q2,
-            sin_q3,
-            sin_q4,
-            sin_q5,
-            sin_q6,
-            ],
-            [cos_q2,
-            cos_q3,
-            cos_q4,
-            cos_q5,
-            cos_q6,
-            ],
-        ) = S::sin_cos_each([q2, q3, q4, q5, q6]);
-        let w = q1_ddot * sin_q2;
-        let w_2 = q1_dot * S::from_f64(2.0) * q2_dot * cos_q2 + w;
-        let w_3 = q1_dot * (sin_q2 * cos_q3 + cos_q2 * sin_q3);
-        let w_4 = q2_dot + q3_dot;
-        let w_5 = q3_dot + w_4;
-        let w_6 = q1_dot * q2_dot * cos_q2 + w;
-        let w_7 = sin_q3 * w_6;
-        let w_8 = q1_dot * sin_q2 * q2_dot - q1_ddot * cos_q2;
-        let w_9 = cos_q3 * w_8;
-        let w_10 = w_3 * w_5 + w_7 + w_9;
-        let w_11 = q1_ddot * self.a1 + self.a2 * w_2 - self.d4 * w_10;
-        let w_12 = cos_q4 * w_11;
-        let w_13 = q4_dot - w_3;
-        let w_14 = w_13 * cos_q5;
-        let w_15 = q1_dot * (cos_q2 * cos_q3 - sin_q2 * sin_q3);
-        let w_16 = w_15 * cos_q4 - w_4 * sin_q4;
-        let w_17 = w_16 * sin_q5;
-        let w_18 = w_14 - w_17;
-        let w_19 = w_4 * cos_q4;
-        let w_20 = w_15 * sin_q4;
-        let w_21 = q5_dot + w_19 + w_20;
-        let w_22 = q3_dot * w_15;
-        let w_23 = sin_q3 * w_8;
-        let w_24 = cos_q3 * w_6;
-        let w_25 = q4_ddot - w_22 + w_23 - w_24;
-        let w_26 = sin_q5 * w_25;
-        let w_27 = w_19 + w_20;
-        let w_28 = q2_ddot + q3_ddot;
-        let w_29 = sin_q4 * w_28;
-        let w_30 = q3_dot * w_3 + w_7 + w_9;
-        let w_31 = cos_q4 * w_30;
-        let w_32 = q4_dot * w_27 + w_29 + w_31;
-        let w_33 = cos_q5 * w_32;
-        let w_34 = self.d6 * (w_18 * (q5_dot + w_21) + w_26 - w_33);
-        let w_35 = w_15 * w_3;
-        let w_36 = q2_ddot + q3_ddot + w_35;
-        let q1_dot_squared = q1_dot * q1_dot;
-        let w_37 = q2_ddot - sin_q2 * cos_q2 * q1_dot_squared;
-        let w_38 = self.a2 * w_37 - self.a1 * cos_q2 * q1_dot_squared - sin_q2 * self.g;
-        let w_39 = sin_q3 * w_38;
-        let w_40 = self.a2 * (q2_dot * q2_dot + q1_dot_squared * sin_q2 * sin_q2)
-            + sin_q2 * self.a1 * q1_dot_squared - cos_q2 * self.g;
-        let w_41 = cos_q3 * w_40;
-        let w_42 = self.d4 * w_36 - w_39 + w_41;
-        let w_43 = sin_q4 * w_42;
-        let w_44 = w_12 + w_34 - w_43;
-        let w_45 = q4_dot * w_16;
-        let w_46 = cos_q4 * w_28;
-        let w_47 = sin_q4 * w_30;
-        let w_48 = w_13 * sin_q5 + w_16 * cos_q5;
-        let w_49 = self.d6 * (q5_ddot + w_45 + w_46 - w_47 - w_18 * w_48);
-        let w_4_squared = w_4 * w_4;
-        let w_50 = w_4_squared + w_15 * w_15;
-        let w_51 = cos_q3 * w_38;
-        let w_52 = sin_q3 * w_40;
-        let w_53 = self.d4 * w_50 - w_51 - w_52;
-        let w_54 = sin_q5 * w_53;
-        let w_55 = sin_q4 * w_11 + cos_q4 * w_42;
-        let w_56 = w_55 * cos_q5;
-        let w_57 = w_49 + w_54 + w_56;
-        let w_58 = sin_q6 * w_44 + cos_q6 * w_57;
-        let w_59 = cos_q6 * w_44 - sin_q6 * w_57;
-        let w_60 = sin_q6 * w_58 + cos_q6 * w_59;
-        let w_61 = w_12 - w_43;
-        let w_62 = S::from_f64(3.0) * self.d4;
-        let w_63 = q4_dot - w_13;
-        let w_64 = S::from_f64(10.0) * w_61 + w_62 * (w_63 * w_27 + w_29 + w_31);
-        let w_65 = S::from_f64(5.0) * w_61 + w_34;
-        let w_66 = S::from_f64(10.0) * self.m6 * w_60 + self.m4 * w_64
-            + w_65 * S::from_f64(2.0) * self.m5;
-        let w_67 = cos_q5 * w_53;
-        let w_68 = w_55 * sin_q5;
-        let w_69 = self.d6 * (w_21 * w_21 + w_48 * w_48);
-        let w_70 = S::from_f64(5.0) * self.m6;
-        let w_71 = self.m5 * (S::from_f64(5.0) * (w_67 - w_68) + w_69)
-            + w_70 * (w_69 - w_68 + w_67);
-        let w_72 = cos_q6 * w_58 - sin_q6 * w_59;
-        let w_73 = self.m5 * (S::from_f64(5.0) * (w_54 + w_56) + w_49);
-        let w_74 = w_70 * w_72 + w_73;
-        let w_75 = (w_16 * w_63 + w_46 - w_47) * w_62 - S::from_f64(10.0) * w_55;
-        let w_76 = S::from_f64(2.0) * (sin_q5 * w_71 - cos_q5 * w_74) + self.m4 * w_75;
-        let w_77 = cos_q4 * w_66 - sin_q4 * w_76;
-        let w_78 = S::from_f64(20.0) * self.a1;
-        let w_79 = self.a2 * S::from_f64(9.0);
-        let w_80 = q1_ddot * w_78 + w_2 * w_79;
-        let w_81 = S::from_f64(20.0) * self.d4;
-        let w_82 = S::from_f64(3.0) * (w_15 * w_5 - w_23 + w_24)
-            + q1_ddot * self.a1 * S::from_f64(100.0) + w_2 * self.a2 * S::from_f64(100.0)
-            - w_10 * w_81;
-        let w_83 = (S::from_f64(40.0) * w_77 + w_80 * S::from_f64(9.0) * self.m2
-            + w_82 * S::from_f64(4.0) * self.m3) * S::from_f64(0.0025) * self.a2;
-        let w_84 = self.m3 * w_82;
-        let w_85 = self.d4 * self.m4 * S::from_f64(60.0);
-        let w_86 = w_18 * q5_dot + w_26 - w_33;
-        let w_87 = self.m6 * S::from_f64(25.0);
-        let w_88 = self.d6 * S::from_f64(80.0);
-        let w_89 = cos_q6 * w_21 + w_48 * sin_q6;
-        let w_90 = q5_ddot + w_45 + w_46 - w_47;
-        let w_91 = q6_dot + w_14 - w_17;
-        let w_92 = S::from_f64(3.0) * (q6_dot * w_89 - cos_q6 * w_86 + sin_q6 * w_90)
-            + w_89 * w_91;
-        let w_93 = w_48 * cos_q6 - sin_q6 * w_21;
-        let w_94 = S::from_f64(3.0) * (q6_dot * w_93 + cos_q6 * w_90 + sin_q6 * w_86)
-            + w_91 * w_93;
-        let w_95 = S::from_f64(14.0) * w_86 + S::from_f64(2.0) * w_18 * w_21
-            + (w_60 * w_87 + self.m5 * w_65) * w_88 - cos_q6 * w_92 + sin_q6 * w_94;
-        let w_96 = cos_q5 * w_25;
-        let w_97 = w_48 * q5_dot;
-        let w_98 = sin_q5 * w_32;
-        let w_99 = S::from_f64(7.0) * (w_96 - w_97 + w_98) + S::from_f64(2.0) * q6_ddot
-            + w_48 * w_21;
-        let w_100 = w_32 * S::from_f64(120.0) - w_13 * w_27 * S::from_f64(80.0)
-            + w_64 * w_85 - cos_q5 * w_95 + S::from_f64(2.0) * sin_q5 * w_99;
-        let w_101 = w_72 * w_87 + w_73;
-        let w_102 = sin_q6 * w_92;
-        let w_103 = cos_q6 * w_94;
-        let w_104 = S::from_f64(132.0) * (w_45 + w_46 - w_47)
-            + q5_ddot * S::from_f64(12.0) - w_16 * w_13 * S::from_f64(80.0)
-            - S::from_f64(4.0) * w_18 * w_48 + w_88 * w_101 + w_102 + w_103
-            + w_75 * w_85;
-        let w_105 = w_30 * S::from_f64(480.0) + w_4 * w_3 * S::from_f64(340.0)
-            - (w_77 * S::from_f64(50.0) + w_84) * S::from_f64(4.0) * self.d4
-            + cos_q4 * w_100 - sin_q4 * w_104;
-        let w_106 = S::from_f64(1000.0) * (w_23 - w_22 - w_24)
-            + q4_ddot * S::from_f64(200.0) - w_15 * S::from_f64(100.0) * w_4
-            - w_82 * self.m3 * S::from_f64(3.0) + sin_q5 * S::from_f64(5.0) * w_95
-            + S::from_f64(10.0) * cos_q5 * w_99;
-        let w_107 = sin_q2
-            * (w_83 + sin_q3 * S::from_f64(0.0005) * w_105
-                - cos_q3 * S::from_f64(0.0001) * w_106
-                + S::from_f64(0.05)
-                    * (q1_dot * q2_dot * cos_q2 * S::from_f64(29.0)
-                        + q1_ddot * sin_q2 * S::from_f64(15.0)));
-        let w_108 = cos_q2
-            * (cos_q3 * S::from_f64(0.0005) * w_105
-                + sin_q3 * S::from_f64(0.0001) * w_106
-                + S::from_f64(0.05)
-                    * (q1_dot * sin_q2 * q2_dot * S::from_f64(3.0)
-                        - q1_ddot * S::from_f64(2.0) * cos_q2));
-        let w_109 = w_51 + w_52;
-        let w_110 = S::from_f64(3.0) * (q2_ddot + q3_ddot - w_35)
-            + S::from_f64(100.0) * w_109 - w_81 * w_50;
-        let w_111 = self.a2 * S::from_f64(0.01);
-        let w_112 = (self.m3 * w_110
-            - (w_50 * self.d4 * S::from_f64(10.0) - S::from_f64(10.0) * w_109
-                - w_62 * (w_27 * w_27 + w_16 * w_16)) * self.m4 * S::from_f64(10.0))
-            * w_111;
-        let w_113 = cos_q3
-            * (w_112 - self.a2 * S::from_f64(0.2) * (sin_q5 * w_74 + cos_q5 * w_71));
-        let w_114 = S::from_f64(0.0005) * (sin_q4 * w_100 + cos_q4 * w_104);
-        let w_115 = w_15 * w_3 * S::from_f64(0.16);
-        let w_116 = w_110 * self.m3 * S::from_f64(0.0003);
-        let w_117 = self.m3
-            * (S::from_f64(3.0) * (w_4_squared + w_3 * w_3)
-                + S::from_f64(100.0) * (w_41 - w_39) + w_81 * w_36);
-        let w_118 = cos_q4 * w_76 + sin_q4 * w_66;
-        let w_119 = (w_117 - S::from_f64(50.0) * w_118) * self.d4 * S::from_f64(0.002);
-        let w_120 = (w_79 * w_37 - cos_q2 * w_78 * q1_dot_squared
-            - sin_q2 * S::from_f64(20.0) * self.g) * self.a2 * self.m2
-            * S::from_f64(0.0225);
+    pub fn input_values(&self, t: S, q: &[S; 6]) -> [S; 6] {
         [
-            w_107 - w_108
-                + q1_ddot
-                    * (S::from_f64(0.7)
-                        + S::from_f64(0.16) * self.a1 * self.a1 * self.m1)
-                - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
-                + (S::from_f64(10.0) * w_77 + w_80 * self.m2 * S::from_f64(5.0) + w_84)
-                    * self.a1 * S::from_f64(0.01),
-            w_113 + w_114 + q2_ddot * S::from_f64(1.05) + q3_ddot * S::from_f64(0.25)
-                - self.tau2.or(-S::from_f64(60.0))
-                - sin_q2 * cos_q2 * q1_dot_squared * S::from_f64(0.65) + w_115
-                + self.c * q2_dot + w_116 + w_119
-                - sin_q3 * (w_117 - S::from_f64(10.0) * w_118) * w_111 + w_120,
-            w_28 * S::from_f64(0.25) + w_114 - self.tau3.or(-S::from_f64(20.0)) + w_115
-                + self.c * q3_dot + w_116 + w_119,
-            w_25 * S::from_f64(0.02) - self.tau4.or(S::from_f64(0.0)) + self.c * q4_dot
-                + sin_q5 * S::from_f64(0.0005) * w_95
-                + cos_q5 * w_99 * S::from_f64(0.001),
-            w_90 * S::from_f64(0.006) + S::from_f64(0.0005) * (w_102 + w_103)
-                - self.tau5.or(S::from_f64(0.0)) - w_18 * w_48 * S::from_f64(0.002)
-                + self.c * q5_dot + w_101 * self.d6 * S::from_f64(0.04),
-            S::from_f64(0.002) * (q6_ddot - w_97 + w_96 + w_98)
-                - self.tau6.or(S::from_f64(0.0)) + self.c * q6_dot,
+            self.tau1.or(S::from_f64(0.0)),
+            self.tau2.or(-S::from_f64(60.0)),
+            self.tau3.or(-S::from_f64(20.0)),
+            self.tau4.or(S::from_f64(0.0)),
+            self.tau5.or(S::from_f64(0.0)),
+            self.tau6.or(S::from_f64(0.0)),
         ]
     }
     /// The inputs, 6, in SI units: what each is held at, or its declared course.
@@ -1879,6 +1725,17 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         qd: &[S; 6],
     ) -> sim_kernel::Dynamics<S, [S; 6], [S; 0]> {
         self.prepare().dynamics(t, q, qd)
+    }
+    /// [`RobotArmPrepared::inverse_dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn inverse_dynamics(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+    ) -> [S; 6] {
+        self.prepare().inverse_dynamics(t, q, qd, qdd)
     }
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
@@ -2279,6 +2136,201 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
                 | sim_kernel::pivot_is_refused(pivot_q4, mass_q4_q4)
                 | sim_kernel::pivot_is_refused(pivot_q6, S::from_f64(0.002)),
         }
+    }
+    /// Inverse dynamics `T_q' (M x'' - F)`, 6: the forces along the coordinates that must be added for these accelerations where there are no constraints, joules per unit of each coordinate.
+    ///
+    /// Operations: 208 additions, 271 multiplications, 5 sine-cosine pairs.
+    #[inline]
+    pub fn inverse_dynamics(
+        &self,
+        t: S,
+        q: &[S; 6],
+        qd: &[S; 6],
+        qdd: &[S; 6],
+    ) -> [S; 6] {
+        let [_, q2, q3, q4, q5, q6] = *q;
+        let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot, q6_dot] = *qd;
+        let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot, q6_ddot] = *qdd;
+        let (
+            [sin_q4,
+            sin_q5,
+            sin_q2,
+            sin_q3,
+            sin_q6,
+            ],
+            [cos_q4,
+            cos_q5,
+            cos_q2,
+            cos_q3,
+            cos_q6,
+            ],
+        ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
+        let w = sin_q2 * q1_ddot;
+        let w_2 = cos_q2 * q1_dot * q2_dot * S::from_f64(2.0) + w;
+        let w_3 = (sin_q2 * cos_q3 + cos_q2 * sin_q3) * q1_dot;
+        let w_4 = q2_dot + q3_dot;
+        let w_5 = q3_dot + w_4;
+        let w_6 = cos_q2 * q1_dot * q2_dot + w;
+        let w_7 = sin_q3 * w_6;
+        let w_8 = sin_q2 * q1_dot * q2_dot - cos_q2 * q1_ddot;
+        let w_9 = cos_q3 * w_8;
+        let w_10 = w_3 * w_5 + w_7 + w_9;
+        let w_11 = self.a1 * q1_ddot + self.a2 * w_2 - self.d4 * w_10;
+        let w_12 = cos_q4 * w_11;
+        let w_13 = q4_dot - w_3;
+        let w_14 = cos_q5 * w_13;
+        let w_15 = (cos_q2 * cos_q3 - sin_q2 * sin_q3) * q1_dot;
+        let w_16 = cos_q4 * w_15 - sin_q4 * w_4;
+        let w_17 = sin_q5 * w_16;
+        let w_18 = w_14 - w_17;
+        let w_19 = cos_q4 * w_4;
+        let w_20 = sin_q4 * w_15;
+        let w_21 = q5_dot + w_19 + w_20;
+        let w_22 = q3_dot * w_15;
+        let w_23 = sin_q3 * w_8;
+        let w_24 = cos_q3 * w_6;
+        let w_25 = w_22 - q4_ddot - w_23 + w_24;
+        let w_26 = sin_q5 * w_25;
+        let w_27 = w_19 + w_20;
+        let w_28 = q2_ddot + q3_ddot;
+        let w_29 = sin_q4 * w_28;
+        let w_30 = q3_dot * w_3 + w_7 + w_9;
+        let w_31 = cos_q4 * w_30;
+        let w_32 = q4_dot * w_27 + w_29 + w_31;
+        let w_33 = cos_q5 * w_32;
+        let w_34 = self.d6 * (w_18 * (q5_dot + w_21) - w_26 - w_33);
+        let q1_dot_squared = q1_dot * q1_dot;
+        let w_35 = self.a2 * (q2_dot * q2_dot + sin_q2 * sin_q2 * q1_dot_squared)
+            + self.a1 * sin_q2 * q1_dot_squared - cos_q2 * self.g;
+        let w_36 = cos_q3 * w_35;
+        let w_37 = w_15 * w_3;
+        let w_38 = w_37 + q2_ddot + q3_ddot;
+        let w_39 = sin_q2 * cos_q2 * q1_dot_squared - q2_ddot;
+        let w_40 = self.a1 * cos_q2 * q1_dot_squared + sin_q2 * self.g + self.a2 * w_39;
+        let w_41 = sin_q3 * w_40;
+        let w_42 = w_36 + self.d4 * w_38 + w_41;
+        let w_43 = sin_q4 * w_42;
+        let w_44 = w_12 + w_34 - w_43;
+        let w_45 = q4_dot * w_16;
+        let w_46 = sin_q5 * w_13 + cos_q5 * w_16;
+        let w_47 = cos_q4 * w_28;
+        let w_48 = sin_q4 * w_30;
+        let w_49 = self.d6 * (w_45 - w_46 * w_18 + q5_ddot + w_47 - w_48);
+        let w_4_squared = w_4 * w_4;
+        let w_50 = w_4_squared + w_15 * w_15;
+        let w_51 = sin_q3 * w_35;
+        let w_52 = cos_q3 * w_40;
+        let w_53 = self.d4 * w_50 - w_51 + w_52;
+        let w_54 = sin_q5 * w_53;
+        let w_55 = sin_q4 * w_11 + cos_q4 * w_42;
+        let w_56 = cos_q5 * w_55;
+        let w_57 = w_49 + w_54 + w_56;
+        let w_58 = sin_q6 * w_44 + cos_q6 * w_57;
+        let w_59 = cos_q6 * w_44 - sin_q6 * w_57;
+        let w_60 = sin_q6 * w_58 + cos_q6 * w_59;
+        let w_61 = w_12 - w_43;
+        let w_62 = q4_dot - w_13;
+        let w_63 = S::from_f64(10.0) * w_61 + self.k_6 * (w_27 * w_62 + w_29 + w_31);
+        let w_64 = S::from_f64(5.0) * w_61 + w_34;
+        let w_65 = self.k_50 * w_60 + self.m4 * w_63 + w_64 * self.k_49;
+        let w_66 = cos_q5 * w_53;
+        let w_67 = sin_q5 * w_55;
+        let w_68 = self.d6 * (w_21 * w_21 + w_46 * w_46);
+        let w_69 = self.m5 * (S::from_f64(5.0) * (w_66 - w_67) + w_68)
+            + self.k_48 * (w_68 - w_67 + w_66);
+        let w_70 = cos_q6 * w_58 - sin_q6 * w_59;
+        let w_71 = self.m5 * (S::from_f64(5.0) * (w_54 + w_56) + w_49);
+        let w_72 = self.k_48 * w_70 + w_71;
+        let w_73 = self.k_6 * (w_16 * w_62 + w_47 - w_48) - S::from_f64(10.0) * w_55;
+        let w_74 = S::from_f64(2.0) * (sin_q5 * w_69 - cos_q5 * w_72) + self.m4 * w_73;
+        let w_75 = cos_q4 * w_65 - sin_q4 * w_74;
+        let w_76 = self.k * q1_ddot + self.k_2 * w_2;
+        let w_77 = S::from_f64(3.0) * (w_15 * w_5 - w_23 + w_24) + self.k_3 * q1_ddot
+            + self.k_4 * w_2 - self.k_5 * w_10;
+        let w_78 = self.m3 * w_77;
+        let w_79 = q5_dot * w_18 - w_26 - w_33;
+        let w_80 = cos_q6 * w_21 + sin_q6 * w_46;
+        let w_81 = w_45 + q5_ddot + w_47 - w_48;
+        let w_82 = q6_dot + w_14 - w_17;
+        let w_83 = S::from_f64(3.0) * (q6_dot * w_80 - cos_q6 * w_79 + sin_q6 * w_81)
+            + w_82 * w_80;
+        let w_84 = cos_q6 * w_46 - sin_q6 * w_21;
+        let w_85 = S::from_f64(3.0) * (q6_dot * w_84 + cos_q6 * w_81 + sin_q6 * w_79)
+            + w_84 * w_82;
+        let w_86 = S::from_f64(14.0) * w_79 + S::from_f64(2.0) * w_21 * w_18
+            + (w_60 * self.k_54 + self.m5 * w_64) * self.k_55 - cos_q6 * w_83
+            + sin_q6 * w_85;
+        let w_87 = q5_dot * w_46;
+        let w_88 = cos_q5 * w_25;
+        let w_89 = sin_q5 * w_32;
+        let w_90 = S::from_f64(7.0) * (w_87 + w_88 - w_89) - w_46 * w_21
+            - S::from_f64(2.0) * q6_ddot;
+        let w_91 = w_32 * S::from_f64(120.0) - w_13 * w_27 * S::from_f64(80.0)
+            + w_63 * self.k_56 - cos_q5 * w_86 - sin_q5 * S::from_f64(2.0) * w_90;
+        let w_92 = w_70 * self.k_54 + w_71;
+        let w_93 = sin_q6 * w_83;
+        let w_94 = cos_q6 * w_85;
+        let w_95 = S::from_f64(132.0) * (w_45 + w_47 - w_48)
+            - w_16 * w_13 * S::from_f64(80.0) - w_46 * w_18 * S::from_f64(4.0)
+            + q5_ddot * S::from_f64(12.0) + self.k_55 * w_92 + w_93 + w_94
+            + w_73 * self.k_56;
+        let w_96 = w_30 * S::from_f64(480.0) + w_4 * w_3 * S::from_f64(340.0)
+            - (w_75 * S::from_f64(50.0) + w_78) * self.k_57 + cos_q4 * w_91
+            - sin_q4 * w_95;
+        let w_97 = S::from_f64(1000.0) * (w_22 - w_23 + w_24)
+            + S::from_f64(100.0) * w_15 * w_4 - S::from_f64(200.0) * q4_ddot
+            + w_77 * self.k_58 - sin_q5 * S::from_f64(5.0) * w_86
+            + cos_q5 * S::from_f64(10.0) * w_90;
+        let w_98 = S::from_f64(0.05)
+            * (cos_q2 * q1_dot * q2_dot * S::from_f64(29.0)
+                + sin_q2 * q1_ddot * S::from_f64(15.0));
+        let w_99 = sin_q2
+            * ((S::from_f64(40.0) * w_75 + w_76 * self.k_51 + w_77 * self.k_52)
+                * self.k_59 + sin_q3 * S::from_f64(0.0005) * w_96
+                + cos_q3 * S::from_f64(0.0001) * w_97 + w_98);
+        let w_100 = cos_q2
+            * (sin_q3 * S::from_f64(0.0001) * w_97 - cos_q3 * S::from_f64(0.0005) * w_96
+                - S::from_f64(0.05)
+                    * (sin_q2 * S::from_f64(3.0) * q1_dot * q2_dot
+                        - cos_q2 * S::from_f64(2.0) * q1_ddot));
+        let w_101 = S::from_f64(0.0005) * (sin_q4 * w_91 + cos_q4 * w_95);
+        let w_102 = w_52 - w_51;
+        let w_103 = S::from_f64(3.0) * (w_37 - q2_ddot - q3_ddot)
+            + S::from_f64(100.0) * w_102 + self.k_5 * w_50;
+        let w_104 = (self.m3 * w_103
+            + (S::from_f64(10.0) * w_102 + w_50 * self.k_37
+                - self.k_6 * (w_27 * w_27 + w_16 * w_16)) * self.k_62) * self.k_65;
+        let w_105 = cos_q3 * (self.k_64 * (sin_q5 * w_72 + cos_q5 * w_69) + w_104);
+        let w_106 = S::from_f64(0.16) * w_15 * w_3;
+        let w_107 = self.k_21 * w_103;
+        let w_108 = self.m3
+            * (S::from_f64(3.0) * (w_4_squared + w_3 * w_3)
+                + S::from_f64(100.0) * (w_36 + w_41) + self.k_5 * w_38);
+        let w_109 = cos_q4 * w_74 + sin_q4 * w_65;
+        let w_110 = (w_108 - S::from_f64(50.0) * w_109) * self.k_63;
+        let w_111 = self.k_38
+            * (cos_q2 * self.k * q1_dot_squared + sin_q2 * self.k_36 + self.k_2 * w_39);
+        [
+            w_99 + w_100 - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
+                + q1_ddot * self.k_61
+                + (S::from_f64(10.0) * w_75 + w_76 * self.k_53 + w_78) * self.k_60,
+            w_101 - w_105 - self.tau2.or(-S::from_f64(60.0))
+                - sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared + w_106
+                + self.c * q2_dot + q2_ddot * S::from_f64(1.05)
+                + q3_ddot * S::from_f64(0.25) - w_107 + w_110
+                - sin_q3 * (w_108 - S::from_f64(10.0) * w_109) * self.k_65 - w_111,
+            w_28 * S::from_f64(0.25) + w_101 - self.tau3.or(-S::from_f64(20.0)) + w_106
+                + self.c * q3_dot - w_107 + w_110,
+            S::from_f64(0.02) * (q4_ddot - w_22 + w_23 - w_24)
+                - self.tau4.or(S::from_f64(0.0)) + self.c * q4_dot
+                + sin_q5 * S::from_f64(0.0005) * w_86
+                - cos_q5 * S::from_f64(0.001) * w_90,
+            S::from_f64(0.006) * w_81 + S::from_f64(0.0005) * (w_93 + w_94)
+                - self.tau5.or(S::from_f64(0.0)) - S::from_f64(0.002) * w_46 * w_18
+                + self.c * q5_dot + w_92 * self.k_66,
+            S::from_f64(0.002) * (q6_ddot - w_87 - w_88 + w_89)
+                - self.tau6.or(S::from_f64(0.0)) + self.c * q6_dot,
+        ]
     }
 }
 #[allow(non_snake_case, clippy::all, clippy::pedantic)]
@@ -2729,6 +2781,10 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         prepared.dynamics(t, q, qd)
     }
     #[inline(always)]
+    fn inverse_dynamics(&self, t: S, q: &[S; 6], qd: &[S; 6], qdd: &[S; 6]) -> [S; 6] {
+        self.prepare().inverse_dynamics(t, q, qd, qdd)
+    }
+    #[inline(always)]
     fn mass_matrix(&self, t: S, q: &[S; 6]) -> [[S; 6]; 6] {
         self.mass_matrix(t, q)
     }
@@ -2810,9 +2866,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
     fn initial(&self) -> sim_kernel::Initial<[S; 6]> {
         self.initial()
     }
-    #[inline(always)]
-    fn inverse_dynamics(&self, t: S, q: &[S; 6], qd: &[S; 6], qdd: &[S; 6]) -> [S; 6] {
-        self.inverse_dynamics(t, q, qd, qdd)
+    fn held_inputs(&self, t: S, q: &[S; 6]) -> Self::Inputs {
+        self.input_values(t, q).map(sim_kernel::Input::Held)
     }
     fn held_inputs(&self, t: S, q: &[S; 6]) -> Self::Inputs {
         self.input_values(t, q).map(sim_kernel::Input::Held)

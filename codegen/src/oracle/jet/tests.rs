@@ -178,7 +178,7 @@ fn a_derivative_that_is_not_known_is_refused() -> Outcome {
     assert!(!without_accelerations("ddot(x)")? && !without_accelerations("dot(t*dot(x))")?);
     assert!(in_position("x*t")? && !in_position("dot(x)")? && !in_position("dot(a)")?);
     assert!(!known("reaction(x)")? && !known("z")? && !known("cosine(x)")? && !known("r")? && !known("r*r")?);
-    assert!(!known("x + r")? && !known("x/r")? && !known("x.x")? && !known("r.z")? && !known("[x, y, t].x")?);
+    assert!(!known("x + r")? && !known("x/r")? && !known("x.x")? && !known("r.z")? && !known("[x, y, t, x].x")?);
     Ok(())
 }
 
