@@ -7,7 +7,7 @@
 use sim_kernel::mechanism;
 
 mechanism! {
-    /// A disc rolls in a circle, leaning inwards.
+    /// A disc rolls in a circle, leaning inwards and, unless `nod` is 0, nodding.
     pub RollingDisc;
 
     coordinates {
@@ -31,6 +31,8 @@ mechanism! {
         lean0 [deg] = -20;
         /// Rate of turning at the start.
         turning [rad/s] = 1.5;
+        /// Speed of leaning at the start.
+        nod [rad/s] = 0.2;
     }
 
     let A = m*r^2/4;
@@ -51,7 +53,7 @@ mechanism! {
         lean = lean0;
         phi = 0;
         dot(psi) = turning;
-        dot(lean) = 0;
+        dot(lean) = nod;
         dot(phi) = axial - turning*sin(lean0);
     }
     events { period: sin(psi/2) = 0; }

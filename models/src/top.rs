@@ -1,4 +1,4 @@
-//! The heavy symmetric top in steady precession.
+//! The heavy symmetric top about its steady precession.
 //!
 //! Source: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. 2002, section 5.7: with nutation theta held by none, the
 //! rate p of precession obeys A cos(theta) p^2 - C w p + m g l = 0, A about the pivot, w the component of the angular
@@ -7,7 +7,7 @@
 use sim_kernel::mechanism;
 
 mechanism! {
-    /// A heavy symmetric top on a fixed point that precesses steadily.
+    /// A heavy symmetric top on a fixed point that precesses and, unless `nod` is 0, nods.
     pub Top;
 
     coordinates {
@@ -32,6 +32,8 @@ mechanism! {
         theta0 [deg] = 30;
         /// Angular velocity along the axis.
         spin [rad/s] = 150;
+        /// Speed of nutation at the start.
+        nod [rad/s] = 0.5;
     }
 
     let R = euler(zxz, psi, theta, phi);
@@ -47,7 +49,7 @@ mechanism! {
         theta = theta0;
         phi = 0;
         dot(psi) = steady;
-        dot(theta) = 0;
+        dot(theta) = nod;
         dot(phi) = spin - steady*cos(theta0);
     }
 

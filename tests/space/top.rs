@@ -18,7 +18,7 @@ fn steady(top: &Top) -> [f64; 2] {
 
 #[test]
 fn a_top_precesses_steadily() {
-    let top = Top::default();
+    let top = Top { nod: 0.0, ..Top::default() };
     let [slow, _] = steady(&top);
     let run = run_with(top, &Settings::adaptive(Method::Dop853, 10.0, 1e-13)).unwrap();
     let (times, psi) = (column(&run, "t"), column(&run, "psi"));
@@ -32,7 +32,7 @@ fn a_top_precesses_steadily() {
 /// A top that sleeps upright stands where its angles fail.
 #[test]
 fn gimbal_lock_is_explained() {
-    let upright = Top { theta0: 0.0, ..Top::default() };
+    let upright = Top { theta0: 0.0, nod: 0.0, ..Top::default() };
     let settings = Settings::adaptive(Method::Dop853, 1.0, 1e-10);
     let failure = match run_with(upright, &settings) {
         Ok(run) => run.trajectory.failure.unwrap(),
