@@ -1,4 +1,4 @@
-/// A disc rolls in a circle, leaning inwards.
+/// A disc rolls in a circle, leaning inwards and, unless `nod` is 0, nodding.
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
 ///
@@ -126,6 +126,8 @@ pub struct RollingDisc<S = ::core::primitive::f64> {
     pub lean0: S,
     /// Rate of turning at the start, in `rad/s`.
     pub turning: S,
+    /// Speed of leaning at the start, in `rad/s`.
+    pub nod: S,
 }
 impl<S: sim_kernel::Scalar> ::core::default::Default for RollingDisc<S> {
     /// The declared values.
@@ -731,7 +733,7 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 self.turning,
-                S::from_f64(0.0),
+                self.nod,
                 -(self.turning * sin_lean0 + w),
             ],
         }
@@ -1604,23 +1606,23 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
     type LQ = [[S; 6]; 3];
     type LL = [[S; 3]; 3];
     type ZZ = [[S; 9]; 9];
-    type Parameters = [S; 5];
+    type Parameters = [S; 6];
     type Outputs = [S; 3];
     type OutputRates = [S; 2];
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 28];
-    type QP = [[S; 5]; 6];
-    type LP = [[S; 5]; 3];
+    type QP = [[S; 6]; 6];
+    type LP = [[S; 6]; 3];
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = RollingDiscPrepared<S>;
     type On<T: sim_kernel::Scalar> = RollingDisc<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "rolling-disc",
         type_name: "RollingDisc",
-        docs: "A disc rolls in a circle, leaning inwards.",
-        declaration: "/// A disc rolls in a circle, leaning inwards.\npub RollingDisc;\n\ncoordinates {\n    /// Place of the centre.\n    x [m];\n    y [m];\n    z [m];\n    /// Direction of rolling.\n    psi [rad];\n    /// Lean from the upright.\n    lean [rad];\n    /// Turn about its own axis.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 0.5;\n    r [m] = 0.2;\n    g [m/s^2] = 9.81;\n    /// Lean at the start.\n    lean0 [deg] = -20;\n    /// Rate of turning at the start.\n    turning [rad/s] = 1.5;\n}\n\nlet A = m*r^2/4;\nlet C = m*r^2/2;\nlet axial = (A*turning^2*sin(lean0)*cos(lean0) - m*g*r*sin(lean0))/((C + m*r^2)*turning*cos(lean0));\nlet R = rotation([0, 0, 1], psi)*rotation([1, 0, 0], lean)*rotation([0, 1, 0], phi);\nlet P = [x, y, z];\n\nbodies { disc: mass m at P, inertia [A, C, A], attitude R; }\nloads { gravity [0, 0, -g]; }\njoints { ground: roll disc radius r axis [0, 1, 0] on [0, 0, 0] normal [0, 0, 1]; }\n\ninitial {\n    x = 0;\n    y = 0;\n    guess z = r;\n    psi = 0;\n    lean = lean0;\n    phi = 0;\n    dot(psi) = turning;\n    dot(lean) = 0;\n    dot(phi) = axial - turning*sin(lean0);\n}\nevents { period: sin(psi/2) = 0; }\n\noutputs {\n    /// lean\n    leaning [deg] = lean;\n    /// speed of the centre\n    speed [m/s] = norm(dot(P));\n    /// force on the ground\n    normal_force [N] = -reaction(ground);\n}\n\ndrawing {\n    curve [-1 [m], -1 [m], 0], [1 [m], -1 [m], 0], [1 [m], 1 [m], 0], [-1 [m], 1 [m], 0], [-1 [m], -1 [m], 0];\n    circle P radius r normal R*[0, 1, 0];\n    line P, on(disc, [r, 0, 0]);\n}\n",
+        docs: "A disc rolls in a circle, leaning inwards and, unless `nod` is 0, nodding.",
+        declaration: "/// A disc rolls in a circle, leaning inwards and, unless `nod` is 0, nodding.\npub RollingDisc;\n\ncoordinates {\n    /// Place of the centre.\n    x [m];\n    y [m];\n    z [m];\n    /// Direction of rolling.\n    psi [rad];\n    /// Lean from the upright.\n    lean [rad];\n    /// Turn about its own axis.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 0.5;\n    r [m] = 0.2;\n    g [m/s^2] = 9.81;\n    /// Lean at the start.\n    lean0 [deg] = -20;\n    /// Rate of turning at the start.\n    turning [rad/s] = 1.5;\n    /// Speed of leaning at the start.\n    nod [rad/s] = 0.2;\n}\n\nlet A = m*r^2/4;\nlet C = m*r^2/2;\nlet axial = (A*turning^2*sin(lean0)*cos(lean0) - m*g*r*sin(lean0))/((C + m*r^2)*turning*cos(lean0));\nlet R = rotation([0, 0, 1], psi)*rotation([1, 0, 0], lean)*rotation([0, 1, 0], phi);\nlet P = [x, y, z];\n\nbodies { disc: mass m at P, inertia [A, C, A], attitude R; }\nloads { gravity [0, 0, -g]; }\njoints { ground: roll disc radius r axis [0, 1, 0] on [0, 0, 0] normal [0, 0, 1]; }\n\ninitial {\n    x = 0;\n    y = 0;\n    guess z = r;\n    psi = 0;\n    lean = lean0;\n    phi = 0;\n    dot(psi) = turning;\n    dot(lean) = nod;\n    dot(phi) = axial - turning*sin(lean0);\n}\nevents { period: sin(psi/2) = 0; }\n\noutputs {\n    /// lean\n    leaning [deg] = lean;\n    /// speed of the centre\n    speed [m/s] = norm(dot(P));\n    /// force on the ground\n    normal_force [N] = -reaction(ground);\n}\n\ndrawing {\n    curve [-1 [m], -1 [m], 0], [1 [m], -1 [m], 0], [1 [m], 1 [m], 0], [-1 [m], 1 [m], 0], [-1 [m], -1 [m], 0];\n    circle P radius r normal R*[0, 1, 0];\n    line P, on(disc, [r, 0, 0]);\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -1786,6 +1788,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
                 factor: 1f64,
                 docs: "Rate of turning at the start.",
             },
+            sim_kernel::Quantity {
+                name: "nod",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "Speed of leaning at the start.",
+            },
         ],
         inputs: &[],
         constraints: &[
@@ -1870,18 +1878,20 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
             g: S::from_f64(9.81f64),
             lean0: S::from_f64(-0.3490658503988659f64),
             turning: S::from_f64(1.5f64),
+            nod: S::from_f64(0.2f64),
         }
     }
-    fn parameters(&self) -> [S; 5] {
-        [self.m, self.r, self.g, self.lean0, self.turning]
+    fn parameters(&self) -> [S; 6] {
+        [self.m, self.r, self.g, self.lean0, self.turning, self.nod]
     }
-    fn with_parameters(&self, parameters: [S; 5]) -> Self {
+    fn with_parameters(&self, parameters: [S; 6]) -> Self {
         Self {
             m: parameters[0],
             r: parameters[1],
             g: parameters[2],
             lean0: parameters[3],
             turning: parameters[4],
+            nod: parameters[5],
             ..*self
         }
     }
@@ -1895,6 +1905,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
             g: convert(self.g),
             lean0: convert(self.lean0),
             turning: convert(self.turning),
+            nod: convert(self.nod),
         }
     }
     fn inputs(&self) -> [sim_kernel::Input<S>; 0] {

@@ -1,4 +1,4 @@
-/// A heavy symmetric top on a fixed point that precesses steadily.
+/// A heavy symmetric top on a fixed point that precesses and, unless `nod` is 0, nods.
 ///
 /// The fields are its parameters, in SI units; the methods are its kernels.
 ///
@@ -69,6 +69,8 @@ pub struct Top<S = ::core::primitive::f64> {
     pub theta0: S,
     /// Angular velocity along the axis, in `rad/s`.
     pub spin: S,
+    /// Speed of nutation at the start, in `rad/s`.
+    pub nod: S,
 }
 impl<S: sim_kernel::Scalar> ::core::default::Default for Top<S> {
     /// The declared values.
@@ -473,7 +475,7 @@ impl<S: sim_kernel::Scalar> Top<S> {
             positions: [S::from_f64(0.0), self.theta0, S::from_f64(0.0)],
             speeds: [
                 S::from_f64(0.5) * w / w_2,
-                S::from_f64(0.0),
+                self.nod,
                 self.spin - S::from_f64(0.5) * cos_theta0 * w / w_2,
             ],
         }
@@ -682,23 +684,23 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type LQ = [[S; 3]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 3]; 3];
-    type Parameters = [S; 7];
+    type Parameters = [S; 8];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 22];
-    type QP = [[S; 7]; 3];
-    type LP = [[S; 7]; 0];
+    type QP = [[S; 8]; 3];
+    type LP = [[S; 8]; 0];
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = TopPrepared<S>;
     type On<T: sim_kernel::Scalar> = Top<T>;
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "top",
         type_name: "Top",
-        docs: "A heavy symmetric top on a fixed point that precesses steadily.",
-        declaration: "/// A heavy symmetric top on a fixed point that precesses steadily.\npub Top;\n\ncoordinates {\n    /// Precession about the vertical.\n    psi [rad];\n    /// Nutation from the vertical.\n    theta [rad];\n    /// Spin about its own axis.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 0.5;\n    /// Distance of the centre of mass from the point it stands on.\n    l [m] = 0.04;\n    /// Moment of inertia across the axis, about the centre of mass.\n    A [kg*m^2] = 3e-4;\n    /// And about the axis.\n    C [kg*m^2] = 5e-4;\n    g [m/s^2] = 9.81;\n    /// Nutation.\n    theta0 [deg] = 30;\n    /// Angular velocity along the axis.\n    spin [rad/s] = 150;\n}\n\nlet R = euler(zxz, psi, theta, phi);\nlet inertia_about_pivot = A + m*l^2;\nlet discriminant = (C*spin)^2 - 4*inertia_about_pivot*cos(theta0)*m*g*l;\nlet steady = (C*spin - sqrt(discriminant))/(2*inertia_about_pivot*cos(theta0));\n\nbodies { top: mass m at R*[0, 0, l], inertia [A, A, C], attitude R; }\nloads { gravity [0, 0, -g]; }\n\ninitial {\n    psi = 0;\n    theta = theta0;\n    phi = 0;\n    dot(psi) = steady;\n    dot(theta) = 0;\n    dot(phi) = spin - steady*cos(theta0);\n}\n\nevents { period: sin(psi/2) = 0; }\n\noutputs {\n    /// rate of precession\n    precession [rad/s] = dot(psi);\n    /// nutation\n    nutation [deg] = theta;\n    /// angular velocity along the axis\n    own_spin [rad/s] = (transpose(R)*omega(top)).z;\n    /// height of the centre of mass\n    height [m] = on(top, [0, 0, 0]).z;\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], on(top, [0, 0, l]);\n    circle on(top, [0, 0, 0]) radius 0.8*l normal R*[0, 0, 1];\n    line on(top, [0, 0, 0]), on(top, [0.8*l, 0, 0]);\n}\n",
+        docs: "A heavy symmetric top on a fixed point that precesses and, unless `nod` is 0, nods.",
+        declaration: "/// A heavy symmetric top on a fixed point that precesses and, unless `nod` is 0, nods.\npub Top;\n\ncoordinates {\n    /// Precession about the vertical.\n    psi [rad];\n    /// Nutation from the vertical.\n    theta [rad];\n    /// Spin about its own axis.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 0.5;\n    /// Distance of the centre of mass from the point it stands on.\n    l [m] = 0.04;\n    /// Moment of inertia across the axis, about the centre of mass.\n    A [kg*m^2] = 3e-4;\n    /// And about the axis.\n    C [kg*m^2] = 5e-4;\n    g [m/s^2] = 9.81;\n    /// Nutation.\n    theta0 [deg] = 30;\n    /// Angular velocity along the axis.\n    spin [rad/s] = 150;\n    /// Speed of nutation at the start.\n    nod [rad/s] = 0.5;\n}\n\nlet R = euler(zxz, psi, theta, phi);\nlet inertia_about_pivot = A + m*l^2;\nlet discriminant = (C*spin)^2 - 4*inertia_about_pivot*cos(theta0)*m*g*l;\nlet steady = (C*spin - sqrt(discriminant))/(2*inertia_about_pivot*cos(theta0));\n\nbodies { top: mass m at R*[0, 0, l], inertia [A, A, C], attitude R; }\nloads { gravity [0, 0, -g]; }\n\ninitial {\n    psi = 0;\n    theta = theta0;\n    phi = 0;\n    dot(psi) = steady;\n    dot(theta) = nod;\n    dot(phi) = spin - steady*cos(theta0);\n}\n\nevents { period: sin(psi/2) = 0; }\n\noutputs {\n    /// rate of precession\n    precession [rad/s] = dot(psi);\n    /// nutation\n    nutation [deg] = theta;\n    /// angular velocity along the axis\n    own_spin [rad/s] = (transpose(R)*omega(top)).z;\n    /// height of the centre of mass\n    height [m] = on(top, [0, 0, 0]).z;\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], on(top, [0, 0, l]);\n    circle on(top, [0, 0, 0]) radius 0.8*l normal R*[0, 0, 1];\n    line on(top, [0, 0, 0]), on(top, [0.8*l, 0, 0]);\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -810,6 +812,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
                 factor: 1f64,
                 docs: "Angular velocity along the axis.",
             },
+            sim_kernel::Quantity {
+                name: "nod",
+                unit: "rad/s",
+                factor: 1f64,
+                docs: "Speed of nutation at the start.",
+            },
         ],
         inputs: &[],
         constraints: &[],
@@ -889,12 +897,13 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
             g: S::from_f64(9.81f64),
             theta0: S::from_f64(0.5235987755982988f64),
             spin: S::from_f64(150f64),
+            nod: S::from_f64(0.5f64),
         }
     }
-    fn parameters(&self) -> [S; 7] {
-        [self.m, self.l, self.A, self.C, self.g, self.theta0, self.spin]
+    fn parameters(&self) -> [S; 8] {
+        [self.m, self.l, self.A, self.C, self.g, self.theta0, self.spin, self.nod]
     }
-    fn with_parameters(&self, parameters: [S; 7]) -> Self {
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
         Self {
             m: parameters[0],
             l: parameters[1],
@@ -903,6 +912,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
             g: parameters[4],
             theta0: parameters[5],
             spin: parameters[6],
+            nod: parameters[7],
             ..*self
         }
     }
@@ -918,6 +928,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
             g: convert(self.g),
             theta0: convert(self.theta0),
             spin: convert(self.spin),
+            nod: convert(self.nod),
         }
     }
     fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
