@@ -32,7 +32,7 @@ mechanism! {
         J [kg*m^2] = 0.004;
         g [m/s^2] = 9.81;
         /// Speed at the first hinge at the start.
-        speed [rad/s] = 2;
+        speed [rad/s] = 0.5;
     }
 
     let beta = asin(b*sin(alpha)/a);

@@ -43,7 +43,7 @@ mechanism! {
         m5 [kg] = 2.5;
         m6 [kg] = 1;
         g [m/s^2] = 9.81;
-        /// Viscous friction of each drive.
+        /// Viscous friction of the first three drives; those of the wrist have a fortieth of it.
         c [N*m*s] = 0.8;
     }
 
@@ -74,9 +74,9 @@ mechanism! {
         torque tau1 - c*dot(q1) on q1;
         torque tau2 - c*dot(q2) on q2;
         torque tau3 - c*dot(q3) on q3;
-        torque tau4 - c*dot(q4) on q4;
-        torque tau5 - c*dot(q5) on q5;
-        torque tau6 - c*dot(q6) on q6;
+        torque tau4 - c/40*dot(q4) on q4;
+        torque tau5 - c/40*dot(q5) on q5;
+        torque tau6 - c/40*dot(q6) on q6;
     }
 
     initial { q1 = 0; q2 = 20 [deg]; q3 = -30 [deg]; q4 = 10 [deg]; q5 = 40 [deg]; q6 = 0; dot(q1) = 0.5; }

@@ -57,11 +57,11 @@ pub fn lagrange_against_kernels<M: Mechanism>(mechanism: &M, declared: &Declared
         let (apart, size) = lagrange_difference(mechanism, declared, sample, &solved.accelerations);
         found.push((apart, size, sample.state.time));
     }
-    // Where accelerations pass through zero their rounding is that of others.
+    // Where accelerations pass through zero their rounding is that of where they do not.
     let largest = found.iter().map(|(_, size, _)| *size).fold(f64::MIN_POSITIVE, f64::max);
     let mut worst = (0.0, 0.0);
-    for (apart, size, time) in found {
-        let relative = apart / size.max(VANISHING * largest);
+    for (apart, _, time) in found {
+        let relative = apart / largest;
         if !(relative <= worst.0) {
             worst = (relative, time);
         }
@@ -119,11 +119,14 @@ fn lagrange_difference<M: Mechanism>(
         matrix.column_mut(i).scale_mut(scale[i]);
         rhs[i] *= scale[i];
     }
-    let svd = matrix.svd(true, true);
+    let svd = matrix.clone().svd(true, true);
     // Of the reactions of redundant constraints the smallest are taken; accelerations are the same for all.
     let least = 1e-12 * svd.singular_values.max();
     let regular = svd.singular_values.iter().copied().filter(|value| *value > least).fold(f64::INFINITY, f64::min);
     let Ok(solution) = svd.solve(&rhs, least) else { return (f64::NAN, f64::NAN) };
+    // Once more for what is left: a decomposition by iteration keeps fewer digits.
+    let Ok(correction) = svd.solve(&(&rhs - &matrix * &solution), least) else { return (f64::NAN, f64::NAN) };
+    let solution = solution + correction;
     let apart = (0..n).map(|i| (solution[i] - accelerations[i] / scale[i]).powi(2)).sum::<f64>().sqrt();
     (apart / (f64::EPSILON * svd.singular_values.max() / regular), solution.norm())
 }

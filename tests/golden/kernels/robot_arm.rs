@@ -27,7 +27,7 @@
 ///     generalized_forces[3] - convective_forces[3];
 ///     generalized_forces[4] - convective_forces[4];
 ///     generalized_forces[5] - convective_forces[5];
-///     tau6 - c*q6_dot - convective_forces[6]
+///     tau6 - 0.025*c*q6_dot - convective_forces[6]
 /// ]
 ///
 /// mass_matrix = [
@@ -124,7 +124,7 @@
 ///     generalized_forces[3];
 ///     generalized_forces[4];
 ///     generalized_forces[5];
-///     tau6 - c*q6_dot
+///     tau6 - 0.025*c*q6_dot
 /// ]
 /// generalized_forces[1] = tau1 - c*q1_dot + m5*s_22*s_32*sin(q4)*sin(q5) + m6*s_22*s_32*sin(q4)*sin(q5)
 ///     + m6*s_24*s_50 - 0.1*m4*s_21*s_74*sin(q4) + 0.1*m4*s_21*s_76*cos(q4)
@@ -136,9 +136,9 @@
 /// generalized_forces[3] = tau3 - c*q3_dot + 0.03*m3*s_20 + d4*m5*s_22*cos(q4)*sin(q5)
 ///     + d4*m6*s_22*cos(q4)*sin(q5) + m6*s_25*s_56 - 0.2*d4*m3*s_21 - 0.2*m5*s_21*s_83*sin(q4)
 ///     - 0.2*m5*s_23*s_86 - m6*s_24*s_91 - 0.7*d4*m4*s_21
-/// generalized_forces[4] = tau4 - c*q4_dot + d6*m6*s_24*sin(q5)*cos(q6) + 0.2*d6*m5*s_21*sin(q4)*sin(q5)
+/// generalized_forces[4] = tau4 - 0.025*c*q4_dot + d6*m6*s_24*sin(q5)*cos(q6) + 0.2*d6*m5*s_21*sin(q4)*sin(q5)
 ///     - d6*m6*s_25*sin(q5)*sin(q6)
-/// generalized_forces[5] = tau5 - c*q5_dot - 0.2*d6*m5*s_23 - d6*m6*s_24*sin(q6) - d6*m6*s_25*cos(q6)
+/// generalized_forces[5] = tau5 - 0.025*c*q5_dot - 0.2*d6*m5*s_23 - d6*m6*s_24*sin(q6) - d6*m6*s_25*cos(q6)
 ///
 /// s_1 = q1_dot*cos(q2)*cos(q3) - q1_dot*sin(q2)*sin(q3)
 /// s_2 = q1_dot*sin(q2)*cos(q3) + q1_dot*cos(q2)*sin(q3)
@@ -269,7 +269,7 @@ pub struct RobotArm<S = ::core::primitive::f64> {
     pub m6: S,
     /// In `m/s^2`.
     pub g: S,
-    /// Viscous friction of each drive, in `N*m*s`.
+    /// Viscous friction of the first three drives; those of the wrist have a fortieth of it, in `N*m*s`.
     pub c: S,
     /// In `N*m`.
     pub tau1: sim_kernel::Input<S>,
@@ -457,8 +457,8 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
     k_40: S,
     k_41: S,
     k_42: S,
-    inverse_q5: S,
     k_43: S,
+    inverse_q5: S,
     k_44: S,
     k_45: S,
     k_46: S,
@@ -482,6 +482,7 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
     k_64: S,
     k_65: S,
     k_66: S,
+    k_67: S,
     /// In `N*m`.
     pub tau1: sim_kernel::Input<S>,
     /// In `N*m`.
@@ -499,7 +500,7 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> RobotArm<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 18 additions, 99 multiplications, 1 division.
+    /// Operations: 18 additions, 100 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> RobotArmPrepared<S> {
         let w = S::from_f64(0.16) * self.a1 * self.a1 * self.m1;
@@ -569,31 +570,32 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_40: self.a2 * S::from_f64(0.1) * self.m4,
             k_41: self.d4 * self.m3 * S::from_f64(0.002),
             k_42: self.m5 * self.d4 * S::from_f64(0.2),
+            k_43: self.c * S::from_f64(0.025),
             inverse_q5: S::from_f64(1.0) / mass_q5_q5,
-            k_43: self.a2 * self.m4,
-            k_44: self.a2 * self.m2 * self.g * S::from_f64(0.45),
-            k_45: self.m3 * S::from_f64(0.01),
-            k_46: self.m3 * S::from_f64(0.2),
-            k_47: S::from_f64(0.1) * self.m4,
-            k_48: self.m6 * S::from_f64(5.0),
-            k_49: self.m5 * S::from_f64(2.0),
-            k_50: self.m6 * S::from_f64(10.0),
-            k_51: self.m2 * S::from_f64(9.0),
-            k_52: self.m3 * S::from_f64(4.0),
-            k_53: self.m2 * S::from_f64(5.0),
-            k_54: self.m6 * S::from_f64(25.0),
-            k_55: self.d6 * S::from_f64(80.0),
-            k_56: self.d4 * self.m4 * S::from_f64(60.0),
-            k_57: self.d4 * S::from_f64(4.0),
-            k_58: self.m3 * S::from_f64(3.0),
-            k_59: self.a2 * S::from_f64(0.0025),
-            k_60: self.a1 * S::from_f64(0.01),
-            k_61: S::from_f64(0.7) + w,
-            k_62: self.m4 * S::from_f64(10.0),
-            k_63: self.d4 * S::from_f64(0.002),
-            k_64: self.a2 * S::from_f64(0.2),
-            k_65: self.a2 * S::from_f64(0.01),
-            k_66: self.d6 * S::from_f64(0.04),
+            k_44: self.a2 * self.m4,
+            k_45: self.a2 * self.m2 * self.g * S::from_f64(0.45),
+            k_46: self.m3 * S::from_f64(0.01),
+            k_47: self.m3 * S::from_f64(0.2),
+            k_48: S::from_f64(0.1) * self.m4,
+            k_49: self.m6 * S::from_f64(5.0),
+            k_50: self.m5 * S::from_f64(2.0),
+            k_51: self.m6 * S::from_f64(10.0),
+            k_52: self.m2 * S::from_f64(9.0),
+            k_53: self.m3 * S::from_f64(4.0),
+            k_54: self.m2 * S::from_f64(5.0),
+            k_55: self.m6 * S::from_f64(25.0),
+            k_56: self.d6 * S::from_f64(80.0),
+            k_57: self.d4 * self.m4 * S::from_f64(60.0),
+            k_58: self.d4 * S::from_f64(4.0),
+            k_59: self.m3 * S::from_f64(3.0),
+            k_60: self.a2 * S::from_f64(0.0025),
+            k_61: self.a1 * S::from_f64(0.01),
+            k_62: S::from_f64(0.7) + w,
+            k_63: self.m4 * S::from_f64(10.0),
+            k_64: self.d4 * S::from_f64(0.002),
+            k_65: self.a2 * S::from_f64(0.2),
+            k_66: self.a2 * S::from_f64(0.01),
+            k_67: self.d6 * S::from_f64(0.04),
             tau1: self.tau1,
             tau2: self.tau2,
             tau3: self.tau3,
@@ -1037,7 +1039,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Generalised forces `T_q' F`, 6: joules per unit of each coordinate.
     ///
-    /// Operations: 76 additions, 159 multiplications, 5 sine-cosine pairs.
+    /// Operations: 76 additions, 160 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -1118,6 +1120,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_41 = sin_q5 * cos_q4 * w_15 * (self.m5 * self.d4 + self.d4 * self.m6);
         let w_42 = self.m5 * self.g * self.d6 * S::from_f64(0.2)
             + self.g * self.m6 * self.d6;
+        let w_43 = self.c * S::from_f64(0.025);
         [
             w_17 + w_24 + self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c
                 + cos_q4 * w_4 * sin_q4 * w_12 * w_13
@@ -1129,10 +1132,10 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 + w_14 * self.m3 * S::from_f64(0.03) + w_41
                 - w_18 * w_10 * cos_q4 * (self.d6 + cos_q5 * w_39),
             w_42 * sin_q4 * sin_q5 * w_3 + self.tau4.or(S::from_f64(0.0))
-                - self.c * q4_dot,
+                - q4_dot * w_43,
             w_42 * (cos_q5 * cos_q4 * w_5 - w_8) + self.tau5.or(S::from_f64(0.0))
-                - self.c * q5_dot,
-            self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot,
+                - w_43 * q5_dot,
+            self.tau6.or(S::from_f64(0.0)) - w_43 * q6_dot,
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -1277,7 +1280,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 59 additions, 107 multiplications, 5 sine-cosine pairs.
+    /// Operations: 59 additions, 111 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -1333,30 +1336,34 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             * (cos_q3 * w_22 * self.a2 * self.m4
                 + (self.tau2.or(-S::from_f64(60.0)) - q2_dot * self.c)
                 + sin_q2 * self.a2 * self.g * S::from_f64(0.45) * self.m2);
-        let w_24 = w_14 - w_13 + w_19;
-        let w_25 = self.d6 * (q5_dot + w_6 + w_8);
-        let w_26 = w_25 - q2_dot * self.a2 * cos_q3 * sin_q5 + cos_q5 * w_12;
-        let w_27 = w_22 * sin_q5 + cos_q5 * cos_q4 * w_3;
-        let w_28 = (cos_q6 * w_27 - sin_q4 * w_3 * sin_q6)
-            * (w_24 * sin_q6 + cos_q6 * w_26);
-        let w_29 = self.m6
-            * ((cos_q6 * w_24 - sin_q6 * w_26) * (sin_q4 * w_3 * cos_q6 + sin_q6 * w_27)
-                - w_28);
-        let w_30 = (q2_dot * self.a2 * cos_q3 * cos_q5 + sin_q5 * w_12)
+        let w_24 = q6_dot
+            * (S::from_f64(40.0) * self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot);
+        let w_25 = S::from_f64(0.025)
+            * (q4_dot
+                * (S::from_f64(40.0) * self.tau4.or(S::from_f64(0.0)) - q4_dot * self.c)
+                + q5_dot
+                    * (S::from_f64(40.0) * self.tau5.or(S::from_f64(0.0))
+                        - q5_dot * self.c) + w_24);
+        let w_26 = w_14 - w_13 + w_19;
+        let w_27 = self.d6 * (q5_dot + w_6 + w_8);
+        let w_28 = w_27 - q2_dot * self.a2 * cos_q3 * sin_q5 + cos_q5 * w_12;
+        let w_29 = w_22 * sin_q5 + cos_q5 * cos_q4 * w_3;
+        let w_30 = (cos_q6 * w_29 - sin_q4 * w_3 * sin_q6)
+            * (w_26 * sin_q6 + cos_q6 * w_28);
+        let w_31 = self.m6
+            * ((cos_q6 * w_26 - sin_q6 * w_28) * (sin_q4 * w_3 * cos_q6 + sin_q6 * w_29)
+                - w_30);
+        let w_32 = (q2_dot * self.a2 * cos_q3 * cos_q5 + sin_q5 * w_12)
             * (w_22 * cos_q5 - sin_q5 * cos_q4 * w_3) * (self.m5 + self.m6);
-        let w_31 = q3_dot * (self.tau3.or(-S::from_f64(20.0)) - q3_dot * self.c);
-        let w_32 = q6_dot * (self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot);
         let w_33 = w_22
             * (w_5 * S::from_f64(3.0) + q2_dot * cos_q3 * self.a2 * S::from_f64(100.0))
             * S::from_f64(0.01) * self.m3;
-        let w_34 = w_27
-            * (w_25 - q2_dot * cos_q3 * sin_q5 * w_17 + cos_q5 * w_12 * S::from_f64(5.0))
+        let w_34 = w_29
+            * (w_27 - q2_dot * cos_q3 * sin_q5 * w_17 + cos_q5 * w_12 * S::from_f64(5.0))
             * w_20;
-        w_21 + w_23 + w_29 + w_30
-            + q1_dot * (self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c) + w_31
-            + q4_dot * (self.tau4.or(S::from_f64(0.0)) - q4_dot * self.c)
-            + q5_dot * (self.tau5.or(S::from_f64(0.0)) - q5_dot * self.c) + w_32 + w_33
-            - w_34
+        w_21 + w_23 + w_25 + w_31 + w_32
+            + q1_dot * (self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c)
+            + q3_dot * (self.tau3.or(-S::from_f64(20.0)) - q3_dot * self.c) + w_33 - w_34
     }
     /// Outputs, 4, in SI units.
     ///
@@ -1584,7 +1591,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     ///
     /// Operations: 39 additions, 52 multiplications, 6 sine-cosine pairs.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 36] {
+    pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 27] {
         let [q1, q2, q3, q4, q5, q6] = *q;
         let (
             [sin_q1,
@@ -1602,25 +1609,19 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q1, q2, q3, q5, q4, q6]);
-        let shoulder_x = self.a1 * cos_q1;
-        let shoulder_y = self.a1 * sin_q1;
         let w = self.a1 + self.a2 * sin_q2;
         let elbow_x = cos_q1 * w;
         let elbow_y = sin_q1 * w;
         let w_2 = self.a2 * cos_q2;
-        let elbow_z = self.h + w_2;
         let w_3 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
         let w_4 = cos_q1 * w_3;
         let w_5 = self.d4 * w_4;
-        let wrist_x = elbow_x + w_5;
         let w_6 = sin_q1 * w_3;
         let w_7 = self.d4 * w_6;
-        let wrist_y = elbow_y + w_7;
         let w_8 = sin_q2 * cos_q3;
         let w_9 = cos_q2 * sin_q3;
         let w_10 = w_8 + w_9;
         let w_11 = self.d4 * w_10;
-        let wrist_z = self.h + w_2 - w_11;
         let w_12 = w_9 + w_8;
         let w_13 = cos_q1 * w_12;
         let w_14 = sin_q1 * sin_q4 + w_13 * cos_q4;
@@ -1642,24 +1643,15 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             S::from_f64(0.0),
             S::from_f64(0.0),
             self.h,
-            shoulder_x,
-            shoulder_y,
-            self.h,
-            shoulder_x,
-            shoulder_y,
+            self.a1 * cos_q1,
+            self.a1 * sin_q1,
             self.h,
             elbow_x,
             elbow_y,
-            elbow_z,
-            elbow_x,
-            elbow_y,
-            elbow_z,
-            wrist_x,
-            wrist_y,
-            wrist_z,
-            wrist_x,
-            wrist_y,
-            wrist_z,
+            self.h + w_2,
+            elbow_x + w_5,
+            elbow_y + w_7,
+            self.h + w_2 - w_11,
             flange_x,
             flange_y,
             flange_z,
@@ -1750,7 +1742,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 398 additions, 629 multiplications, 5 divisions, 5 sine-cosine pairs.
+    /// Operations: 398 additions, 636 multiplications, 5 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1924,142 +1916,141 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             + self.k_9 * (w_18 * w_104 - w_19 * w_105) - w_108 + tau1 - w_109
             - w_21 * S::from_f64(0.002) * w_93 + w_111;
         let tau5 = self.tau5.or(S::from_f64(0.0));
-        let w_113 = self.c * q5_dot;
         let rhs_q5 = S::from_f64(0.006) * (w_45 - w_44)
             - S::from_f64(0.0005) * (cos_q6 * w_101 + sin_q6 * w_99)
             + self.k_25 * (sin_q6 * w_88 - cos_q6 * w_89) + tau5
-            + S::from_f64(0.002) * w_49 * w_52 - w_113 - self.k_26 * w_107;
+            + S::from_f64(0.002) * w_49 * w_52 - q5_dot * self.k_43 - self.k_26 * w_107;
         let rhs_q1 = w_112 - rhs_q5 * l_q1_q5;
-        let w_114 = self.d4 - self.a2 * sin_q3;
-        let w_115 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_114;
-        let w_116 = sin_q4
-            * (sin_q5 * (w_5 * self.k_11 * w_115 - S::from_f64(0.007) * w_21)
+        let w_113 = self.d4 - self.a2 * sin_q3;
+        let w_114 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_113;
+        let w_115 = sin_q4
+            * (sin_q5 * (w_5 * self.k_11 * w_114 - S::from_f64(0.007) * w_21)
                 + w_4 * cos_q4 * S::from_f64(0.006)
                 - cos_q5 * w_10 * S::from_f64(0.007));
-        let w_117 = self.k_6 - S::from_f64(10.0) * w_114;
-        let w_118 = cos_q4 * w_117;
-        let w_119 = sin_q4 * w_117;
-        let w_120 = self.d6 * cos_q5;
-        let w_121 = sin_q4 * (S::from_f64(5.0) * w_114 + w_120);
-        let w_122 = sin_q5 * cos_q3 * self.k_13
-            - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_114);
-        let w_123 = cos_q6 * cos_q4 - sin_q4 * cos_q5 * sin_q6;
-        let w_124 = sin_q4 * cos_q6 * cos_q5 + cos_q4 * sin_q6;
-        let w_125 = S::from_f64(0.0015) * (w_26 * w_123 - w_27 * w_124);
-        let w_126 = sin_q4 * (w_114 + w_120);
-        let w_127 = sin_q5 * self.a2 * cos_q3 - cos_q4 * (self.d6 + cos_q5 * w_114);
-        let w_128 = cos_q6 * w_126 - sin_q6 * w_127;
-        let w_129 = sin_q6 * w_126 + cos_q6 * w_127;
-        let mass_q2_q1 = w_116 + self.k_9 * (w_19 * w_118 - w_18 * w_119)
-            - self.k_10 * (w_23 * w_121 + w_24 * w_122) + w_125
-            - self.m6 * (w_15 * w_128 + w_16 * w_129);
-        let w_130 = sin_q3 * self.k_29;
-        let mass_q5_q2 = cos_q4 * (cos_q5 * (self.k_30 - w_130) + self.k_31)
+        let w_116 = self.k_6 - S::from_f64(10.0) * w_113;
+        let w_117 = cos_q4 * w_116;
+        let w_118 = sin_q4 * w_116;
+        let w_119 = self.d6 * cos_q5;
+        let w_120 = sin_q4 * (S::from_f64(5.0) * w_113 + w_119);
+        let w_121 = sin_q5 * cos_q3 * self.k_13
+            - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_113);
+        let w_122 = cos_q6 * cos_q4 - sin_q4 * cos_q5 * sin_q6;
+        let w_123 = sin_q4 * cos_q6 * cos_q5 + cos_q4 * sin_q6;
+        let w_124 = S::from_f64(0.0015) * (w_26 * w_122 - w_27 * w_123);
+        let w_125 = sin_q4 * (w_113 + w_119);
+        let w_126 = sin_q5 * self.a2 * cos_q3 - cos_q4 * (self.d6 + cos_q5 * w_113);
+        let w_127 = cos_q6 * w_125 - sin_q6 * w_126;
+        let w_128 = sin_q6 * w_125 + cos_q6 * w_126;
+        let mass_q2_q1 = w_115 + self.k_9 * (w_19 * w_117 - w_18 * w_118)
+            - self.k_10 * (w_23 * w_120 + w_24 * w_121) + w_124
+            - self.m6 * (w_15 * w_127 + w_16 * w_128);
+        let w_129 = sin_q3 * self.k_29;
+        let mass_q5_q2 = cos_q4 * (cos_q5 * (self.k_30 - w_129) + self.k_31)
             - sin_q5 * cos_q3 * self.k_29;
         let l_q2_q5 = mass_q5_q2 * self.inverse_q5;
         let k_q2_q1 = mass_q2_q1 - mass_q5_q1 * l_q2_q5;
         let l_q2_q1 = inverse_q1 * k_q2_q1;
-        let w_131 = self.k_9 * (w_119 * w_119 + w_118 * w_118);
-        let w_132 = self.k_10 * (w_121 * w_121 + w_122 * w_122);
-        let w_133 = S::from_f64(0.0015) * (w_123 * w_123 + w_124 * w_124);
-        let w_134 = cos_q3 * self.k_4 + S::from_f64(3.0);
-        let w_135 = self.d4 - sin_q3 * self.k_13;
-        let w_136 = sin_q4_squared * S::from_f64(0.001);
-        let mass_q2_q2 = self.m6 * (w_128 * w_128 + w_129 * w_129) + w_131 + w_132
-            + w_133 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_115 * w_115 + self.k_16
-            + self.k_8 * w_134 * w_134 + w_135 * w_135 * self.k_15 + w_136;
+        let w_130 = self.k_9 * (w_118 * w_118 + w_117 * w_117);
+        let w_131 = self.k_10 * (w_120 * w_120 + w_121 * w_121);
+        let w_132 = S::from_f64(0.0015) * (w_122 * w_122 + w_123 * w_123);
+        let w_133 = cos_q3 * self.k_4 + S::from_f64(3.0);
+        let w_134 = self.d4 - sin_q3 * self.k_13;
+        let w_135 = sin_q4_squared * S::from_f64(0.001);
+        let mass_q2_q2 = self.m6 * (w_127 * w_127 + w_128 * w_128) + w_130 + w_131
+            + w_132 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_114 * w_114 + self.k_16
+            + self.k_8 * w_133 * w_133 + w_134 * w_134 * self.k_15 + w_135;
         let pivot_q2 = mass_q2_q2 - mass_q5_q2 * l_q2_q5 - k_q2_q1 * l_q2_q1;
         let inverse_q2 = S::from_f64(1.0) / pivot_q2;
-        let w_137 = S::from_f64(0.001) * (sin_q5 * w_94 + cos_q5 * w_96);
-        let w_138 = S::from_f64(0.02) * w_42;
-        let w_139 = sin_q5 * S::from_f64(0.002) * w_93;
-        let w_140 = self.m6 * (w_115 * w_75 + w_128 * w_88 + w_129 * w_89);
-        let w_141 = S::from_f64(0.02) * w_48;
-        let w_142 = S::from_f64(0.002) * w_54;
-        let w_143 = S::from_f64(0.0005) * (w_123 * w_101 + w_124 * w_99);
-        let w_144 = self.k_9 * (w_119 * w_104 + w_118 * w_105);
-        let w_145 = self.k_10 * (w_121 * w_106 + w_122 * w_107);
+        let w_136 = S::from_f64(0.001) * (sin_q5 * w_94 + cos_q5 * w_96);
+        let w_137 = S::from_f64(0.02) * w_42;
+        let w_138 = sin_q5 * S::from_f64(0.002) * w_93;
+        let w_139 = self.m6 * (w_114 * w_75 + w_127 * w_88 + w_128 * w_89);
+        let w_140 = S::from_f64(0.02) * w_48;
+        let w_141 = S::from_f64(0.002) * w_54;
+        let w_142 = S::from_f64(0.0005) * (w_122 * w_101 + w_123 * w_99);
+        let w_143 = self.k_9 * (w_118 * w_104 + w_117 * w_105);
+        let w_144 = self.k_10 * (w_120 * w_106 + w_121 * w_107);
         let tau2 = self.tau2.or(-S::from_f64(60.0));
-        let w_146 = S::from_f64(0.16) * w_33 * w_37;
-        let w_147 = self.c * q2_dot;
-        let w_148 = (cos_q2 * w_29 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
-        let w_149 = w_72 - w_71;
-        let w_150 = S::from_f64(100.0) * w_149 + S::from_f64(3.0) * w_33 * w_37
+        let w_145 = S::from_f64(0.16) * w_33 * w_37;
+        let w_146 = self.c * q2_dot;
+        let w_147 = (cos_q2 * w_29 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
+        let w_148 = w_72 - w_71;
+        let w_149 = S::from_f64(100.0) * w_148 + S::from_f64(3.0) * w_33 * w_37
             + self.k_5 * w_70;
-        let w_151 = S::from_f64(3.0) * (w_31_squared + w_37 * w_37)
+        let w_150 = S::from_f64(3.0) * (w_31_squared + w_37 * w_37)
             + S::from_f64(100.0) * (w_63 + w_66) + self.k_5 * w_33 * w_37;
-        let w_152 = cos_q3
-            * (S::from_f64(10.0) * w_149 + w_70 * self.k_37
+        let w_151 = cos_q3
+            * (S::from_f64(10.0) * w_148 + w_70 * self.k_37
                 - self.k_6 * (w_35 * w_35 + w_43 * w_43)) * self.k_40;
-        let w_153 = sin_q4 * (w_137 - w_138 + w_139) + w_140 - cos_q4 * (w_141 + w_142)
-            - w_143 - w_144 + w_145 + tau2
-            + sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared - w_146 - w_147
-            + w_148 + self.k_8 * w_134 * w_150 - w_135 * w_151 * self.k_39 + w_152
-            + w_115 * w_110 * self.k_35;
-        let rhs_q2 = w_153 - rhs_q5 * l_q2_q5 - l_q2_q1 * rhs_q1;
-        let w_154 = cos_q4 * (sin_q5 * w_115 * self.k_20 - w_118 * self.k_19);
-        let w_155 = sin_q4 * (self.d4 + w_120);
-        let w_156 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_157 = cos_q6 * w_155 + sin_q6 * w_156;
-        let w_158 = sin_q6 * w_155 - cos_q6 * w_156;
-        let w_159 = sin_q4 * (self.k_17 + w_120);
-        let w_160 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
-        let mass_q3_q2 = w_154 + self.m6 * (w_128 * w_157 + w_129 * w_158) + w_133
-            + self.k_10 * (w_121 * w_159 - w_122 * w_160) + w_136 + w_134 * self.k_21
-            + w_135 * self.k_22 - sin_q4 * w_119 * self.k_19 + S::from_f64(0.316);
+        let w_152 = sin_q4 * (w_136 - w_137 + w_138) + w_139 - cos_q4 * (w_140 + w_141)
+            - w_142 - w_143 + w_144 + tau2
+            + sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared - w_145 - w_146
+            + w_147 + self.k_8 * w_133 * w_149 - w_134 * w_150 * self.k_39 + w_151
+            + w_114 * w_110 * self.k_35;
+        let rhs_q2 = w_152 - rhs_q5 * l_q2_q5 - l_q2_q1 * rhs_q1;
+        let w_153 = cos_q4 * (sin_q5 * w_114 * self.k_20 - w_117 * self.k_19);
+        let w_154 = sin_q4 * (self.d4 + w_119);
+        let w_155 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_156 = cos_q6 * w_154 + sin_q6 * w_155;
+        let w_157 = sin_q6 * w_154 - cos_q6 * w_155;
+        let w_158 = sin_q4 * (self.k_17 + w_119);
+        let w_159 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
+        let mass_q3_q2 = w_153 + self.m6 * (w_127 * w_156 + w_128 * w_157) + w_132
+            + self.k_10 * (w_120 * w_158 - w_121 * w_159) + w_135 + w_133 * self.k_21
+            + w_134 * self.k_22 - sin_q4 * w_118 * self.k_19 + S::from_f64(0.316);
         let mass_q5_q3 = cos_q4 * (self.k_31 + cos_q5 * self.k_30);
         let l_q3_q5 = mass_q5_q3 * self.inverse_q5;
-        let w_161 = sin_q4
+        let w_160 = sin_q4
             * (cos_q4 * (sin_q5_squared * w_5 * self.k_20 + w_4 * S::from_f64(0.006))
                 - S::from_f64(0.007) * (sin_q5 * w_21 + cos_q5 * w_10)
                 + w_18 * self.k_19);
-        let mass_q3_q1 = w_161 + w_125 + self.k_10 * (w_24 * w_160 - w_23 * w_159)
-            - self.m6 * (w_15 * w_157 + w_16 * w_158) - cos_q4 * w_19 * self.k_19;
+        let mass_q3_q1 = w_160 + w_124 + self.k_10 * (w_24 * w_159 - w_23 * w_158)
+            - self.m6 * (w_15 * w_156 + w_16 * w_157) - cos_q4 * w_19 * self.k_19;
         let k_q3_q1 = mass_q3_q1 - mass_q5_q1 * l_q3_q5;
         let l_q3_q1 = inverse_q1 * k_q3_q1;
         let k_q3_q2 = mass_q3_q2 - mass_q5_q2 * l_q3_q5 - k_q2_q1 * l_q3_q1;
         let l_q3_q2 = inverse_q2 * k_q3_q2;
-        let mass_q3_q3 = self.m6 * (w_157 * w_157 + w_158 * w_158) + w_133
-            + self.k_10 * (w_159 * w_159 + w_160 * w_160) + self.k_23
-            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24 + w_136;
+        let mass_q3_q3 = self.m6 * (w_156 * w_156 + w_157 * w_157) + w_132
+            + self.k_10 * (w_158 * w_158 + w_159 * w_159) + self.k_23
+            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24 + w_135;
         let pivot_q3 = mass_q3_q3 - mass_q5_q3 * l_q3_q5 - k_q3_q1 * l_q3_q1
             - k_q3_q2 * l_q3_q2;
         let inverse_q3 = S::from_f64(1.0) / pivot_q3;
-        let w_162 = cos_q4
-            * (sin_q5 * (self.k_18 * w_75 + w_110 * self.k_42) - w_141 - w_142
+        let w_161 = cos_q4
+            * (sin_q5 * (self.k_18 * w_75 + w_110 * self.k_42) - w_140 - w_141
                 + self.k_19 * w_105);
-        let w_163 = sin_q4 * (w_137 - w_138 + w_139 + self.k_19 * w_104);
+        let w_162 = sin_q4 * (w_136 - w_137 + w_138 + self.k_19 * w_104);
         let tau3 = self.tau3.or(-S::from_f64(20.0));
-        let w_164 = self.c * q3_dot;
-        let w_165 = w_162 + w_163 - w_143 + self.m6 * (w_157 * w_88 + w_158 * w_89)
-            + self.k_10 * (w_159 * w_106 - w_160 * w_107) + tau3 - w_146 - w_164
-            + self.k_21 * w_150 - w_151 * self.k_41;
-        let rhs_q3 = w_165 - rhs_q5 * l_q3_q5 - l_q3_q1 * rhs_q1 - l_q3_q2 * rhs_q2;
-        let w_166 = cos_q5 * self.k_27;
-        let w_167 = w_166 + self.k_30;
+        let w_163 = self.c * q3_dot;
+        let w_164 = w_161 + w_162 - w_142 + self.m6 * (w_156 * w_88 + w_157 * w_89)
+            + self.k_10 * (w_158 * w_106 - w_159 * w_107) + tau3 - w_145 - w_163
+            + self.k_21 * w_149 - w_150 * self.k_41;
+        let rhs_q3 = w_164 - rhs_q5 * l_q3_q5 - l_q3_q1 * rhs_q1 - l_q3_q2 * rhs_q2;
+        let w_165 = cos_q5 * self.k_27;
+        let w_166 = w_165 + self.k_30;
         let mass_q4_q1 = sin_q5 * cos_q4
-            * (sin_q2 * (self.k_29 - sin_q3 * w_167) + cos_q2 * cos_q3 * w_167
+            * (sin_q2 * (self.k_29 - sin_q3 * w_166) + cos_q2 * cos_q3 * w_166
                 + self.k_28) - w_9 * S::from_f64(0.027)
             - self.k_27 * sin_q5_squared * w_9;
         let l_q4_q1 = mass_q4_q1 * inverse_q1;
-        let k_q4_q2 = sin_q4 * sin_q5 * (w_130 - w_166 - self.k_30) - k_q2_q1 * l_q4_q1;
+        let k_q4_q2 = sin_q4 * sin_q5 * (w_129 - w_165 - self.k_30) - k_q2_q1 * l_q4_q1;
         let l_q4_q2 = inverse_q2 * k_q4_q2;
-        let minus_k_q4_q3 = sin_q4 * sin_q5 * w_167 + k_q3_q1 * l_q4_q1
+        let minus_k_q4_q3 = sin_q4 * sin_q5 * w_166 + k_q3_q1 * l_q4_q1
             + k_q3_q2 * l_q4_q2;
         let minus_l_q4_q3 = inverse_q3 * minus_k_q4_q3;
         let mass_q4_q4 = sin_q5_squared * self.k_27 + S::from_f64(0.027);
         let pivot_q4 = mass_q4_q4 - mass_q4_q1 * l_q4_q1 - k_q4_q2 * l_q4_q2
             - minus_k_q4_q3 * minus_l_q4_q3;
         let inverse_q4 = S::from_f64(1.0) / pivot_q4;
-        let w_168 = sin_q5
+        let w_167 = sin_q5
             * (S::from_f64(0.0005) * (cos_q6 * w_99 - sin_q6 * w_101)
                 - self.k_25 * (cos_q6 * w_88 + sin_q6 * w_89) - S::from_f64(0.001) * w_96
                 - self.k_26 * w_106);
-        let w_169 = S::from_f64(0.002) * w_93;
+        let w_168 = S::from_f64(0.002) * w_93;
         let tau4 = self.tau4.or(S::from_f64(0.0));
-        let w_170 = self.c * q4_dot;
-        let rhs_q4 = w_168 + w_91 + cos_q5 * (S::from_f64(0.001) * w_94 + w_169) + tau4
-            - w_170 - l_q4_q1 * rhs_q1 - l_q4_q2 * rhs_q2 + minus_l_q4_q3 * rhs_q3;
+        let rhs_q4 = w_167 + w_91 + cos_q5 * (S::from_f64(0.001) * w_94 + w_168) + tau4
+            - q4_dot * self.k_43 - l_q4_q1 * rhs_q1 - l_q4_q2 * rhs_q2
+            + minus_l_q4_q3 * rhs_q3;
         let minus_mass_q6_q1 = w_21 * S::from_f64(0.002);
         let minus_l_q6_q1 = minus_mass_q6_q1 * inverse_q1;
         let mass_q6_q2 = sin_q4 * sin_q5 * S::from_f64(0.002);
@@ -2073,49 +2064,50 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let pivot_q6 = S::from_f64(0.002) - minus_mass_q6_q1 * minus_l_q6_q1
             - k_q6_q2 * l_q6_q2 - k_q6_q3 * l_q6_q3 - k_q6_q4 * l_q6_q4;
         let tau6 = self.tau6.or(S::from_f64(0.0));
-        let w_171 = self.c * q6_dot;
         let q6_ddot = S::from_f64(1.0) / pivot_q6
-            * (w_169 + tau6 - w_171 + minus_l_q6_q1 * rhs_q1 - l_q6_q2 * rhs_q2
-                - l_q6_q3 * rhs_q3 - l_q6_q4 * rhs_q4);
+            * (w_168 + tau6 - q6_dot * self.k_43 + minus_l_q6_q1 * rhs_q1
+                - l_q6_q2 * rhs_q2 - l_q6_q3 * rhs_q3 - l_q6_q4 * rhs_q4);
         let q4_ddot = inverse_q4 * rhs_q4 - l_q6_q4 * q6_ddot;
         let q3_ddot = inverse_q3 * rhs_q3 + minus_l_q4_q3 * q4_ddot - l_q6_q3 * q6_ddot;
         let q2_ddot = inverse_q2 * rhs_q2 - l_q3_q2 * q3_ddot - l_q4_q2 * q4_ddot
             - l_q6_q2 * q6_ddot;
         let q1_ddot = inverse_q1 * rhs_q1 - l_q2_q1 * q2_ddot - l_q3_q1 * q3_ddot
             - l_q4_q1 * q4_ddot + minus_l_q6_q1 * q6_ddot;
-        let w_172 = self.g * (w_3 - w_2);
-        let w_173 = q1_dot * w_64 + self.d4 * w_33;
-        let w_174 = self.d4 * w_31;
-        let w_175 = w_174 - self.a2 * sin_q3 * q2_dot;
-        let w_176 = sin_q4 * w_173 + cos_q4 * w_175;
-        let w_177 = sin_q4 * w_175;
-        let w_178 = cos_q4 * w_173;
-        let w_179 = self.k_47
-            * (cos_q4 * (self.k_6 * w_35 - S::from_f64(10.0) * w_176)
-                - sin_q4 * (S::from_f64(10.0) * (w_177 - w_178) + self.k_6 * w_43));
-        let w_180 = self.d6 * w_49;
-        let w_181 = w_172
-            * (w_179 - (w_174 - sin_q3 * self.k_13 * q2_dot) * self.k_46
-                + sin_q4 * self.k_35 * (S::from_f64(5.0) * (w_178 - w_177) + w_180));
-        let w_182 = w_9 * self.g;
-        let w_183 = q2_dot
-            * (cos_q3 * w_182 * self.k_43 + (tau2 - w_147) + sin_q2 * self.k_44);
-        let w_184 = w_178 - w_177 + w_180;
-        let w_185 = self.d6 * w_57;
-        let w_186 = w_185 - sin_q5 * self.a2 * cos_q3 * q2_dot + cos_q5 * w_176;
-        let w_187 = sin_q5 * w_182 + cos_q4 * cos_q5 * w_172;
-        let w_188 = (cos_q6 * w_187 - sin_q4 * sin_q6 * w_172)
-            * (sin_q6 * w_184 + cos_q6 * w_186);
-        let w_189 = self.m6
-            * ((cos_q6 * w_184 - sin_q6 * w_186)
-                * (sin_q4 * cos_q6 * w_172 + sin_q6 * w_187) - w_188);
-        let w_190 = self.k_11 * (self.a2 * cos_q3 * cos_q5 * q2_dot + sin_q5 * w_176)
-            * (cos_q5 * w_182 - sin_q5 * cos_q4 * w_172);
-        let w_191 = w_182 * (S::from_f64(3.0) * w_31 + cos_q3 * self.k_4 * q2_dot)
-            * self.k_45;
-        let w_192 = self.k_35 * w_187
-            * (w_185 - sin_q5 * cos_q3 * self.k_13 * q2_dot
-                + cos_q5 * S::from_f64(5.0) * w_176);
+        let w_169 = self.g * (w_3 - w_2);
+        let w_170 = q1_dot * w_64 + self.d4 * w_33;
+        let w_171 = self.d4 * w_31;
+        let w_172 = w_171 - self.a2 * sin_q3 * q2_dot;
+        let w_173 = sin_q4 * w_170 + cos_q4 * w_172;
+        let w_174 = sin_q4 * w_172;
+        let w_175 = cos_q4 * w_170;
+        let w_176 = self.k_48
+            * (cos_q4 * (self.k_6 * w_35 - S::from_f64(10.0) * w_173)
+                - sin_q4 * (S::from_f64(10.0) * (w_174 - w_175) + self.k_6 * w_43));
+        let w_177 = self.d6 * w_49;
+        let w_178 = w_169
+            * (w_176 - (w_171 - sin_q3 * self.k_13 * q2_dot) * self.k_47
+                + sin_q4 * self.k_35 * (S::from_f64(5.0) * (w_175 - w_174) + w_177));
+        let w_179 = w_9 * self.g;
+        let w_180 = q2_dot
+            * (cos_q3 * w_179 * self.k_44 + (tau2 - w_146) + sin_q2 * self.k_45);
+        let w_181 = S::from_f64(0.025)
+            * (q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
+                + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot)
+                + q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot));
+        let w_182 = w_175 - w_174 + w_177;
+        let w_183 = self.d6 * w_57;
+        let w_184 = w_183 - sin_q5 * self.a2 * cos_q3 * q2_dot + cos_q5 * w_173;
+        let w_185 = sin_q5 * w_179 + cos_q4 * cos_q5 * w_169;
+        let w_186 = (cos_q6 * w_185 - sin_q4 * sin_q6 * w_169)
+            * (sin_q6 * w_182 + cos_q6 * w_184);
+        let w_187 = self.m6
+            * ((cos_q6 * w_182 - sin_q6 * w_184)
+                * (sin_q4 * cos_q6 * w_169 + sin_q6 * w_185) - w_186);
+        let w_188 = self.k_11 * (self.a2 * cos_q3 * cos_q5 * q2_dot + sin_q5 * w_173)
+            * (cos_q5 * w_179 - sin_q5 * cos_q4 * w_169);
+        let w_189 = self.k_35 * w_185
+            * (w_183 - sin_q5 * cos_q3 * self.k_13 * q2_dot
+                + cos_q5 * S::from_f64(5.0) * w_173);
         sim_kernel::Dynamics {
             accelerations: [
                 q1_ddot,
@@ -2127,9 +2119,10 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
                 q6_ddot,
             ],
             multipliers: [],
-            power: w_181 + w_183 + w_189 + w_190 + q1_dot * (tau1 - q1_dot * self.c)
-                + q3_dot * (tau3 - w_164) + q4_dot * (tau4 - w_170)
-                + q5_dot * (tau5 - w_113) + q6_dot * (tau6 - w_171) + w_191 - w_192,
+            power: w_178 + w_180 + w_181 + w_187 + w_188
+                + q1_dot * (tau1 - q1_dot * self.c) + q3_dot * (tau3 - w_163)
+                + w_179 * (S::from_f64(3.0) * w_31 + cos_q3 * self.k_4 * q2_dot)
+                    * self.k_46 - w_189,
             refused: sim_kernel::pivot_is_refused(self.mass_q5_q5, self.mass_q5_q5)
                 | sim_kernel::pivot_is_refused(pivot_q1, mass_q1_q1)
                 | sim_kernel::pivot_is_refused(pivot_q2, mass_q2_q2)
@@ -2233,15 +2226,15 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_62 = q4_dot - w_13;
         let w_63 = S::from_f64(10.0) * w_61 + self.k_6 * (w_27 * w_62 + w_29 + w_31);
         let w_64 = S::from_f64(5.0) * w_61 + w_34;
-        let w_65 = self.k_50 * w_60 + self.m4 * w_63 + w_64 * self.k_49;
+        let w_65 = self.k_51 * w_60 + self.m4 * w_63 + w_64 * self.k_50;
         let w_66 = cos_q5 * w_53;
         let w_67 = sin_q5 * w_55;
         let w_68 = self.d6 * (w_21 * w_21 + w_46 * w_46);
         let w_69 = self.m5 * (S::from_f64(5.0) * (w_66 - w_67) + w_68)
-            + self.k_48 * (w_68 - w_67 + w_66);
+            + self.k_49 * (w_68 - w_67 + w_66);
         let w_70 = cos_q6 * w_58 - sin_q6 * w_59;
         let w_71 = self.m5 * (S::from_f64(5.0) * (w_54 + w_56) + w_49);
-        let w_72 = self.k_48 * w_70 + w_71;
+        let w_72 = self.k_49 * w_70 + w_71;
         let w_73 = self.k_6 * (w_16 * w_62 + w_47 - w_48) - S::from_f64(10.0) * w_55;
         let w_74 = S::from_f64(2.0) * (sin_q5 * w_69 - cos_q5 * w_72) + self.m4 * w_73;
         let w_75 = cos_q4 * w_65 - sin_q4 * w_74;
@@ -2259,7 +2252,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_85 = S::from_f64(3.0) * (q6_dot * w_84 + cos_q6 * w_81 + sin_q6 * w_79)
             + w_84 * w_82;
         let w_86 = S::from_f64(14.0) * w_79 + S::from_f64(2.0) * w_21 * w_18
-            + (w_60 * self.k_54 + self.m5 * w_64) * self.k_55 - cos_q6 * w_83
+            + (w_60 * self.k_55 + self.m5 * w_64) * self.k_56 - cos_q6 * w_83
             + sin_q6 * w_85;
         let w_87 = q5_dot * w_46;
         let w_88 = cos_q5 * w_25;
@@ -2267,27 +2260,27 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_90 = S::from_f64(7.0) * (w_87 + w_88 - w_89) - w_46 * w_21
             - S::from_f64(2.0) * q6_ddot;
         let w_91 = w_32 * S::from_f64(120.0) - w_13 * w_27 * S::from_f64(80.0)
-            + w_63 * self.k_56 - cos_q5 * w_86 - sin_q5 * S::from_f64(2.0) * w_90;
-        let w_92 = w_70 * self.k_54 + w_71;
+            + w_63 * self.k_57 - cos_q5 * w_86 - sin_q5 * S::from_f64(2.0) * w_90;
+        let w_92 = w_70 * self.k_55 + w_71;
         let w_93 = sin_q6 * w_83;
         let w_94 = cos_q6 * w_85;
         let w_95 = S::from_f64(132.0) * (w_45 + w_47 - w_48)
             - w_16 * w_13 * S::from_f64(80.0) - w_46 * w_18 * S::from_f64(4.0)
-            + q5_ddot * S::from_f64(12.0) + self.k_55 * w_92 + w_93 + w_94
-            + w_73 * self.k_56;
+            + q5_ddot * S::from_f64(12.0) + self.k_56 * w_92 + w_93 + w_94
+            + w_73 * self.k_57;
         let w_96 = w_30 * S::from_f64(480.0) + w_4 * w_3 * S::from_f64(340.0)
-            - (w_75 * S::from_f64(50.0) + w_78) * self.k_57 + cos_q4 * w_91
+            - (w_75 * S::from_f64(50.0) + w_78) * self.k_58 + cos_q4 * w_91
             - sin_q4 * w_95;
         let w_97 = S::from_f64(1000.0) * (w_22 - w_23 + w_24)
             + S::from_f64(100.0) * w_15 * w_4 - S::from_f64(200.0) * q4_ddot
-            + w_77 * self.k_58 - sin_q5 * S::from_f64(5.0) * w_86
+            + w_77 * self.k_59 - sin_q5 * S::from_f64(5.0) * w_86
             + cos_q5 * S::from_f64(10.0) * w_90;
         let w_98 = S::from_f64(0.05)
             * (cos_q2 * q1_dot * q2_dot * S::from_f64(29.0)
                 + sin_q2 * q1_ddot * S::from_f64(15.0));
         let w_99 = sin_q2
-            * ((S::from_f64(40.0) * w_75 + w_76 * self.k_51 + w_77 * self.k_52)
-                * self.k_59 + sin_q3 * S::from_f64(0.0005) * w_96
+            * ((S::from_f64(40.0) * w_75 + w_76 * self.k_52 + w_77 * self.k_53)
+                * self.k_60 + sin_q3 * S::from_f64(0.0005) * w_96
                 + cos_q3 * S::from_f64(0.0001) * w_97 + w_98);
         let w_100 = cos_q2
             * (sin_q3 * S::from_f64(0.0001) * w_97 - cos_q3 * S::from_f64(0.0005) * w_96
@@ -2300,37 +2293,37 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             + S::from_f64(100.0) * w_102 + self.k_5 * w_50;
         let w_104 = (self.m3 * w_103
             + (S::from_f64(10.0) * w_102 + w_50 * self.k_37
-                - self.k_6 * (w_27 * w_27 + w_16 * w_16)) * self.k_62) * self.k_65;
-        let w_105 = cos_q3 * (self.k_64 * (sin_q5 * w_72 + cos_q5 * w_69) + w_104);
+                - self.k_6 * (w_27 * w_27 + w_16 * w_16)) * self.k_63) * self.k_66;
+        let w_105 = cos_q3 * (self.k_65 * (sin_q5 * w_72 + cos_q5 * w_69) + w_104);
         let w_106 = S::from_f64(0.16) * w_15 * w_3;
         let w_107 = self.k_21 * w_103;
         let w_108 = self.m3
             * (S::from_f64(3.0) * (w_4_squared + w_3 * w_3)
                 + S::from_f64(100.0) * (w_36 + w_41) + self.k_5 * w_38);
         let w_109 = cos_q4 * w_74 + sin_q4 * w_65;
-        let w_110 = (w_108 - S::from_f64(50.0) * w_109) * self.k_63;
+        let w_110 = (w_108 - S::from_f64(50.0) * w_109) * self.k_64;
         let w_111 = self.k_38
             * (cos_q2 * self.k * q1_dot_squared + sin_q2 * self.k_36 + self.k_2 * w_39);
         [
             w_99 + w_100 - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
-                + q1_ddot * self.k_61
-                + (S::from_f64(10.0) * w_75 + w_76 * self.k_53 + w_78) * self.k_60,
+                + q1_ddot * self.k_62
+                + (S::from_f64(10.0) * w_75 + w_76 * self.k_54 + w_78) * self.k_61,
             w_101 - w_105 - self.tau2.or(-S::from_f64(60.0))
                 - sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared + w_106
                 + self.c * q2_dot + q2_ddot * S::from_f64(1.05)
                 + q3_ddot * S::from_f64(0.25) - w_107 + w_110
-                - sin_q3 * (w_108 - S::from_f64(10.0) * w_109) * self.k_65 - w_111,
+                - sin_q3 * (w_108 - S::from_f64(10.0) * w_109) * self.k_66 - w_111,
             w_28 * S::from_f64(0.25) + w_101 - self.tau3.or(-S::from_f64(20.0)) + w_106
                 + self.c * q3_dot - w_107 + w_110,
             S::from_f64(0.02) * (q4_ddot - w_22 + w_23 - w_24)
-                - self.tau4.or(S::from_f64(0.0)) + self.c * q4_dot
+                - self.tau4.or(S::from_f64(0.0)) + q4_dot * self.k_43
                 + sin_q5 * S::from_f64(0.0005) * w_86
                 - cos_q5 * S::from_f64(0.001) * w_90,
             S::from_f64(0.006) * w_81 + S::from_f64(0.0005) * (w_93 + w_94)
                 - self.tau5.or(S::from_f64(0.0)) - S::from_f64(0.002) * w_46 * w_18
-                + self.c * q5_dot + w_92 * self.k_66,
+                + q5_dot * self.k_43 + w_92 * self.k_67,
             S::from_f64(0.002) * (q6_ddot - w_87 - w_88 + w_89)
-                - self.tau6.or(S::from_f64(0.0)) + self.c * q6_dot,
+                - self.tau6.or(S::from_f64(0.0)) + q6_dot * self.k_43,
         ]
     }
 }
@@ -2349,7 +2342,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
     type Events = [S; 0];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 36];
+    type Drawing = [S; 27];
     type QP = [[S; 13]; 6];
     type LP = [[S; 13]; 0];
     type Inputs = [sim_kernel::Input<S>; 6];
@@ -2359,7 +2352,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         name: "robot-arm",
         type_name: "RobotArm",
         docs: "A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.",
-        declaration: "/// A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.\npub RobotArm;\n\ncoordinates {\n    /// Waist, about the vertical.\n    q1 [rad];\n    /// Shoulder.\n    q2 [rad];\n    /// Elbow.\n    q3 [rad];\n    /// Roll of the forearm.\n    q4 [rad];\n    /// Bend of the wrist.\n    q5 [rad];\n    /// Turn of the flange.\n    q6 [rad];\n}\n\nparameters {\n    /// Height of the shoulder over the base.\n    h [m] = 0.4;\n    /// Shoulder ahead of the waist's axis.\n    a1 [m] = 0.15;\n    /// Length of the upper arm.\n    a2 [m] = 0.6;\n    /// Elbow to wrist.\n    d4 [m] = 0.55;\n    /// Wrist to flange.\n    d6 [m] = 0.1;\n    m1 [kg] = 30;\n    m2 [kg] = 18;\n    m3 [kg] = 12;\n    m4 [kg] = 5;\n    m5 [kg] = 2.5;\n    m6 [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Viscous friction of each drive.\n    c [N*m*s] = 0.8;\n}\n\ninputs { tau1 [N*m] = 0; tau2 [N*m] = -60; tau3 [N*m] = -20; tau4 [N*m] = 0; tau5 [N*m] = 0; tau6 [N*m] = 0; }\n\nlet R1 = rotation(z, q1);\nlet R2 = R1*rotation(y, q2);\nlet R3 = R2*rotation(y, q3);\nlet R4 = R3*rotation(x, q4);\nlet R5 = R4*rotation(y, q5);\nlet R6 = R5*rotation(x, q6);\nlet shoulder = R1*[a1, 0, h];\nlet elbow = shoulder + R2*[0, 0, a2];\nlet wrist = elbow + R3*[d4, 0, 0];\nlet flange = wrist + R5*[d6, 0, 0];\n\nbodies {\n    waist: mass m1 at R1*[0.4*a1, 0, 0.6*h], inertia [0.9 [kg*m^2], 0.8 [kg*m^2], 0.7 [kg*m^2]], attitude R1;\n    upper_arm: mass m2 at shoulder + R2*[0, 0, 0.45*a2], inertia [0.75 [kg*m^2], 0.8 [kg*m^2], 0.1 [kg*m^2]], attitude R2;\n    forearm: mass m3 at elbow + R3*[0.2*d4, 0, 0.03 [m]], inertia [0.08 [kg*m^2], 0.25 [kg*m^2], 0.24 [kg*m^2]], attitude R3;\n    roll: mass m4 at wrist + R4*[-0.3*d4, 0, 0], inertia [0.02 [kg*m^2], 0.06 [kg*m^2], 0.06 [kg*m^2]], attitude R4;\n    bend: mass m5 at wrist + R5*[0.2*d6, 0, 0], inertia [0.005 [kg*m^2], 0.006 [kg*m^2], 0.007 [kg*m^2]], attitude R5;\n    tool: mass m6 at flange, inertia [0.002 [kg*m^2], 0.0015 [kg*m^2], 0.0015 [kg*m^2]], attitude R6;\n}\n\nloads {\n    gravity [0, 0, -g];\n    torque tau1 - c*dot(q1) on q1;\n    torque tau2 - c*dot(q2) on q2;\n    torque tau3 - c*dot(q3) on q3;\n    torque tau4 - c*dot(q4) on q4;\n    torque tau5 - c*dot(q5) on q5;\n    torque tau6 - c*dot(q6) on q6;\n}\n\ninitial { q1 = 0; q2 = 20 [deg]; q3 = -30 [deg]; q4 = 10 [deg]; q5 = 40 [deg]; q6 = 0; dot(q1) = 0.5; }\n\noutputs {\n    flange_position \"Position of the flange\" {\n        x [m] = flange.x;\n        y [m] = flange.y;\n        height [m] = flange.z;\n    }\n    /// speed of the flange\n    flange_speed [m/s] = norm(dot(flange));\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], R1*[0, 0, h], shoulder;\n    line shoulder, elbow;\n    line elbow, wrist;\n    line wrist, flange;\n    curve flange, flange + R6*[0, 0.05 [m], 0];\n}\n\nkernels { inverse_dynamics; }\n",
+        declaration: "/// A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.\npub RobotArm;\n\ncoordinates {\n    /// Waist, about the vertical.\n    q1 [rad];\n    /// Shoulder.\n    q2 [rad];\n    /// Elbow.\n    q3 [rad];\n    /// Roll of the forearm.\n    q4 [rad];\n    /// Bend of the wrist.\n    q5 [rad];\n    /// Turn of the flange.\n    q6 [rad];\n}\n\nparameters {\n    /// Height of the shoulder over the base.\n    h [m] = 0.4;\n    /// Shoulder ahead of the waist's axis.\n    a1 [m] = 0.15;\n    /// Length of the upper arm.\n    a2 [m] = 0.6;\n    /// Elbow to wrist.\n    d4 [m] = 0.55;\n    /// Wrist to flange.\n    d6 [m] = 0.1;\n    m1 [kg] = 30;\n    m2 [kg] = 18;\n    m3 [kg] = 12;\n    m4 [kg] = 5;\n    m5 [kg] = 2.5;\n    m6 [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Viscous friction of the first three drives; those of the wrist have a fortieth of it.\n    c [N*m*s] = 0.8;\n}\n\ninputs { tau1 [N*m] = 0; tau2 [N*m] = -60; tau3 [N*m] = -20; tau4 [N*m] = 0; tau5 [N*m] = 0; tau6 [N*m] = 0; }\n\nlet R1 = rotation(z, q1);\nlet R2 = R1*rotation(y, q2);\nlet R3 = R2*rotation(y, q3);\nlet R4 = R3*rotation(x, q4);\nlet R5 = R4*rotation(y, q5);\nlet R6 = R5*rotation(x, q6);\nlet shoulder = R1*[a1, 0, h];\nlet elbow = shoulder + R2*[0, 0, a2];\nlet wrist = elbow + R3*[d4, 0, 0];\nlet flange = wrist + R5*[d6, 0, 0];\n\nbodies {\n    waist: mass m1 at R1*[0.4*a1, 0, 0.6*h], inertia [0.9 [kg*m^2], 0.8 [kg*m^2], 0.7 [kg*m^2]], attitude R1;\n    upper_arm: mass m2 at shoulder + R2*[0, 0, 0.45*a2], inertia [0.75 [kg*m^2], 0.8 [kg*m^2], 0.1 [kg*m^2]], attitude R2;\n    forearm: mass m3 at elbow + R3*[0.2*d4, 0, 0.03 [m]], inertia [0.08 [kg*m^2], 0.25 [kg*m^2], 0.24 [kg*m^2]], attitude R3;\n    roll: mass m4 at wrist + R4*[-0.3*d4, 0, 0], inertia [0.02 [kg*m^2], 0.06 [kg*m^2], 0.06 [kg*m^2]], attitude R4;\n    bend: mass m5 at wrist + R5*[0.2*d6, 0, 0], inertia [0.005 [kg*m^2], 0.006 [kg*m^2], 0.007 [kg*m^2]], attitude R5;\n    tool: mass m6 at flange, inertia [0.002 [kg*m^2], 0.0015 [kg*m^2], 0.0015 [kg*m^2]], attitude R6;\n}\n\nloads {\n    gravity [0, 0, -g];\n    torque tau1 - c*dot(q1) on q1;\n    torque tau2 - c*dot(q2) on q2;\n    torque tau3 - c*dot(q3) on q3;\n    torque tau4 - c/40*dot(q4) on q4;\n    torque tau5 - c/40*dot(q5) on q5;\n    torque tau6 - c/40*dot(q6) on q6;\n}\n\ninitial { q1 = 0; q2 = 20 [deg]; q3 = -30 [deg]; q4 = 10 [deg]; q5 = 40 [deg]; q6 = 0; dot(q1) = 0.5; }\n\noutputs {\n    flange_position \"Position of the flange\" {\n        x [m] = flange.x;\n        y [m] = flange.y;\n        height [m] = flange.z;\n    }\n    /// speed of the flange\n    flange_speed [m/s] = norm(dot(flange));\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], R1*[0, 0, h], shoulder, elbow, wrist, flange;\n    curve flange, flange + R6*[0, 0.05 [m], 0];\n}\n\nkernels { inverse_dynamics; }\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -2571,7 +2564,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
                 name: "c",
                 unit: "N*m*s",
                 factor: 1f64,
-                docs: "Viscous friction of each drive.",
+                docs: "Viscous friction of the first three drives; those of the wrist have a fortieth of it.",
             },
         ],
         inputs: &[
@@ -2658,10 +2651,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(3),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(6),
             sim_kernel::Shape::Curve(2),
         ],
     };
@@ -2863,7 +2853,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 6]) -> [S; 36] {
+    fn drawing(&self, t: S, q: &[S; 6]) -> [S; 27] {
         self.drawing(t, q)
     }
     #[inline(always)]
