@@ -29,7 +29,7 @@ fn main() {
     let states: Vec<[[f64; 6]; 3]> =
         (0..STATES).map(|_| [1.5, 3.0, 9.0].map(|size| std::array::from_fn(|_| random.between(-size, size)))).collect();
     let prepared = arm.prepare();
-    let mut time = |f: &mut dyn FnMut(&[[f64; 6]; 3])| {
+    let time = |f: &mut dyn FnMut(&[[f64; 6]; 3])| {
         shortest(200, || states.iter().for_each(&mut *f)).as_secs_f64() / STATES as f64 * 1e9
     };
     let times = [
