@@ -66,7 +66,9 @@ mechanism! {
 
     drawing {
         ground [0, 0, 0], [-b, 0, 0];
-        line [0, 0, 0], P2, P3, on(bar3, [a/2, 0, 0]);
+        line [0, 0, 0], P2;
+        line P2, P3;
+        line P3, on(bar3, [a/2, 0, 0]);
         curve P2 - 0.05 [m]*(R2*[0, 0, 1]), P2 + 0.05 [m]*(R2*[0, 0, 1]);
         curve P3 - 0.05 [m]*(R3*[0, 0, 1]), P3 + 0.05 [m]*(R3*[0, 0, 1]);
     }

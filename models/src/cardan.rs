@@ -58,7 +58,8 @@ mechanism! {
 
     drawing {
         ground [-l, 0, 0], rotation(z, beta)*[l, 0, 0];
-        line [-l, 0, 0], [0, 0, 0], rotation(z, beta)*[l, 0, 0];
+        line [-l, 0, 0], [0, 0, 0];
+        line [0, 0, 0], rotation(z, beta)*[l, 0, 0];
         curve R1*[0, -a, 0], R1*[0, a, 0];
         curve R2*[0, 0, -a], R2*[0, 0, a];
         circle R1*[-a, 0, 0] radius a normal [1, 0, 0];

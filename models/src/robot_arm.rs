@@ -93,7 +93,10 @@ mechanism! {
 
     drawing {
         ground [0, 0, 0];
-        line [0, 0, 0], R1*[0, 0, h], shoulder, elbow, wrist, flange;
+        line [0, 0, 0], R1*[0, 0, h], shoulder;
+        line shoulder, elbow;
+        line elbow, wrist;
+        line wrist, flange;
         curve flange, flange + R6*[0, 0.05 [m], 0];
     }
 

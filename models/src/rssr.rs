@@ -56,7 +56,9 @@ mechanism! {
 
     drawing {
         ground [0, 0, 0], O;
-        line [0, 0, 0], A, B, O;
+        line [0, 0, 0], A;
+        line A, B;
+        line B, O;
         circle [0, 0, 0] radius a normal [0, 0, 1];
     }
 }

@@ -217,7 +217,8 @@ class Drawing {
   along(row, shape, lines) {
     const [from, to] = this.places(row, shape);
     const angle = Math.atan2(from[1] - to[1], to[0] - from[0]);
-    const [length, width] = [Math.hypot(to[0] - from[0], to[1] - from[1]), SIZE.spring * this.unit];
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const width = Math.min(SIZE.spring * this.unit, 0.2 * length);
     for (const line of lines) this.line(line.map(([u, v]) => this.turnedBy(from, angle, u * length, v * width)), 1.8, palette.ink);
   }
 

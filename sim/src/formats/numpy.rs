@@ -4,6 +4,7 @@
 
 use crate::table::{Column, Table};
 use crate::write::WriteError;
+#[cfg(feature = "cli")]
 use nalgebra::DMatrix;
 use std::fs::File;
 use std::io::{BufWriter, Error, Result, Seek, SeekFrom, Write};

@@ -22,6 +22,8 @@ const SLIDER: (f64, f64) = (21.0, 11.5);
 const GUIDE: f64 = 58.0;
 /// Half the width of springs and dampers.
 const SPRING: f64 = 9.0;
+/// That of short ones, beside their length.
+const STOUTEST: f64 = 0.2;
 /// The length of the axes of space.
 const AXES: f64 = 34.0;
 /// Half the width and the height of a support.
@@ -108,9 +110,10 @@ pub(super) fn spring(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
     let (length, angle) = between(ends);
     // Straight ends, and half a turn from each peak to the next.
     let halves = 12;
+    let width = SPRING.min(STOUTEST * length);
     let peak = |half: u32| {
         let along = 0.15 + 0.7 * (f64::from(half) + 0.5) / f64::from(halves);
-        let across = if half.is_multiple_of(2) { SPRING } else { -SPRING };
+        let across = if half.is_multiple_of(2) { width } else { -width };
         turned(ends[0], angle, (along * length, across))
     };
     let straight = |along: f64| turned(ends[0], angle, (along * length, 0.0));
@@ -123,7 +126,8 @@ pub(super) fn spring(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
 /// A damper: a cylinder on the first end, a piston on the second.
 pub(super) fn damper(scene: &mut Scene, ends: [Point; 2], colour: Colour) {
     let (length, angle) = between(ends);
-    let at = |along: f64, across: f64| turned(ends[0], angle, (along * length, across * SPRING));
+    let width = SPRING.min(STOUTEST * length);
+    let at = |along: f64, across: f64| turned(ends[0], angle, (along * length, across * width));
     let (bottom, piston, top) = (0.32, 0.52, 0.68);
     scene.line(vec![ends[0], at(bottom, 0.0)], OUTLINE, colour);
     scene.line(vec![at(top, 1.0), at(bottom, 1.0), at(bottom, -1.0), at(top, -1.0)], OUTLINE, colour);

@@ -1576,7 +1576,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     ///
     /// Operations: 39 additions, 52 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 30] {
+    pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 36] {
         let [theta1, theta2, theta3] = *q;
         let (
             [sin_theta1,
@@ -1594,8 +1594,10 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let P2_y = self.a * sin_theta1;
         let w = cos_theta1 * cos_theta2 - sin_theta1 * cos_alpha * sin_theta2;
         let w_2 = self.b * w;
+        let P3_x = P2_x + w_2;
         let w_3 = sin_theta1 * cos_theta2 + cos_theta1 * cos_alpha * sin_theta2;
         let w_4 = self.b * w_3;
+        let P3_y = P2_y + w_4;
         let w_5 = self.b * sin_alpha;
         let P3_z = sin_theta2 * w_5;
         let beta = (w_5 / self.a).asin();
@@ -1628,8 +1630,14 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             P2_x,
             P2_y,
             S::from_f64(0.0),
-            P2_x + w_2,
-            P2_y + w_4,
+            P2_x,
+            P2_y,
+            S::from_f64(0.0),
+            P3_x,
+            P3_y,
+            P3_z,
+            P3_x,
+            P3_y,
             P3_z,
             self.a
                 * (cos_theta1
@@ -2233,7 +2241,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
     type Events = [S; 0];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 30];
+    type Drawing = [S; 36];
     type QP = [[S; 7]; 3];
     type LP = [[S; 7]; 5];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -2243,7 +2251,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
         name: "bennett",
         type_name: "Bennett",
         docs: "Bennett's overconstrained linkage, hanging along y from two hinges, its loop cut at the fourth.",
-        declaration: "/// Bennett's overconstrained linkage, hanging along y from two hinges, its loop cut at the fourth.\npub Bennett;\n\ncoordinates {\n    /// Turn at the first hinge.\n    theta1 [rad];\n    /// At the second.\n    theta2 [rad];\n    /// At the third.\n    theta3 [rad];\n}\n\nparameters {\n    /// Length of the first and the third bar.\n    a [m] = 0.5;\n    /// Of the second bar and the ground.\n    b [m] = 0.4;\n    /// Twist of the first and the third bar.\n    alpha [deg] = 40;\n    m [kg] = 0.5;\n    /// Moment of inertia of a bar across its axis.\n    J [kg*m^2] = 0.004;\n    g [m/s^2] = 9.81;\n    /// Speed at the first hinge at the start.\n    speed [rad/s] = 0.5;\n}\n\nlet beta = asin(b*sin(alpha)/a);\nlet R1 = rotation(z, theta1);\nlet R2 = R1*rotation(x, alpha)*rotation(z, theta2);\nlet R3 = R2*rotation(x, beta)*rotation(z, theta3);\nlet P2 = R1*[a, 0, 0];\nlet P3 = P2 + R2*[b, 0, 0];\n\nbodies {\n    bar1: mass m at P2/2, inertia [J/50, J, J], attitude R1;\n    bar2: mass m at (P2 + P3)/2, inertia [J/50, J, J], attitude R2;\n    bar3: mass m at P3 + R3*[a/2, 0, 0], inertia [J/50, J, J], attitude R3;\n}\nloads { gravity [0, g, 0]; }\n\njoints {\n    closure: revolute bar3 at [a/2, 0, 0] axis [0, -sin(alpha), cos(alpha)] to ground at [-b, 0, 0] axis [0, sin(beta), cos(beta)];\n}\n\nkernels { }\n\ninitial { theta1 = 60 [deg]; guess theta2 = -160 [deg]; guess theta3 = -60 [deg]; dot(theta1) = speed; }\n\noutputs {\n    /// tan(theta1/2) tan(theta2/2)\n    product = tan(theta1/2)*tan(theta2/2);\n    /// force of the third bar on the ground\n    force [N] = norm(reaction(closure));\n}\n\ndrawing {\n    ground [0, 0, 0], [-b, 0, 0];\n    line [0, 0, 0], P2, P3, on(bar3, [a/2, 0, 0]);\n    curve P2 - 0.05 [m]*(R2*[0, 0, 1]), P2 + 0.05 [m]*(R2*[0, 0, 1]);\n    curve P3 - 0.05 [m]*(R3*[0, 0, 1]), P3 + 0.05 [m]*(R3*[0, 0, 1]);\n}\n",
+        declaration: "/// Bennett's overconstrained linkage, hanging along y from two hinges, its loop cut at the fourth.\npub Bennett;\n\ncoordinates {\n    /// Turn at the first hinge.\n    theta1 [rad];\n    /// At the second.\n    theta2 [rad];\n    /// At the third.\n    theta3 [rad];\n}\n\nparameters {\n    /// Length of the first and the third bar.\n    a [m] = 0.5;\n    /// Of the second bar and the ground.\n    b [m] = 0.4;\n    /// Twist of the first and the third bar.\n    alpha [deg] = 40;\n    m [kg] = 0.5;\n    /// Moment of inertia of a bar across its axis.\n    J [kg*m^2] = 0.004;\n    g [m/s^2] = 9.81;\n    /// Speed at the first hinge at the start.\n    speed [rad/s] = 0.5;\n}\n\nlet beta = asin(b*sin(alpha)/a);\nlet R1 = rotation(z, theta1);\nlet R2 = R1*rotation(x, alpha)*rotation(z, theta2);\nlet R3 = R2*rotation(x, beta)*rotation(z, theta3);\nlet P2 = R1*[a, 0, 0];\nlet P3 = P2 + R2*[b, 0, 0];\n\nbodies {\n    bar1: mass m at P2/2, inertia [J/50, J, J], attitude R1;\n    bar2: mass m at (P2 + P3)/2, inertia [J/50, J, J], attitude R2;\n    bar3: mass m at P3 + R3*[a/2, 0, 0], inertia [J/50, J, J], attitude R3;\n}\nloads { gravity [0, g, 0]; }\n\njoints {\n    closure: revolute bar3 at [a/2, 0, 0] axis [0, -sin(alpha), cos(alpha)] to ground at [-b, 0, 0] axis [0, sin(beta), cos(beta)];\n}\n\nkernels { }\n\ninitial { theta1 = 60 [deg]; guess theta2 = -160 [deg]; guess theta3 = -60 [deg]; dot(theta1) = speed; }\n\noutputs {\n    /// tan(theta1/2) tan(theta2/2)\n    product = tan(theta1/2)*tan(theta2/2);\n    /// force of the third bar on the ground\n    force [N] = norm(reaction(closure));\n}\n\ndrawing {\n    ground [0, 0, 0], [-b, 0, 0];\n    line [0, 0, 0], P2;\n    line P2, P3;\n    line P3, on(bar3, [a/2, 0, 0]);\n    curve P2 - 0.05 [m]*(R2*[0, 0, 1]), P2 + 0.05 [m]*(R2*[0, 0, 1]);\n    curve P3 - 0.05 [m]*(R3*[0, 0, 1]), P3 + 0.05 [m]*(R3*[0, 0, 1]);\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -2422,7 +2430,9 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(2),
-            sim_kernel::Shape::Line(4),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Curve(2),
             sim_kernel::Shape::Curve(2),
         ],
@@ -2562,7 +2572,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 30] {
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 36] {
         self.drawing(t, q)
     }
     #[inline(always)]

@@ -381,7 +381,7 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
     ///
     /// Operations: 8 additions, 9 multiplications, 3 sine-cosine pairs.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 41] {
+    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 44] {
         let [alpha, gamma] = *q;
         let ([sin_beta, sin_alpha, sin_gamma], [cos_beta, cos_alpha, cos_gamma]) = S::sin_cos_each([
             self.beta,
@@ -405,6 +405,9 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             w_2,
             S::from_f64(0.0),
             -self.l,
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -638,7 +641,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 41];
+    type Drawing = [S; 44];
     type QP = [[S; 6]; 2];
     type LP = [[S; 6]; 1];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -648,7 +651,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
         name: "cardan",
         type_name: "Cardan",
         docs: "A driven shaft turns another one by a universal joint.",
-        declaration: "/// A driven shaft turns another one by a universal joint.\npub Cardan;\n\ncoordinates {\n    /// Turn of the first shaft.\n    alpha [rad];\n    /// Turn of the second.\n    gamma [rad];\n}\n\nparameters {\n    /// Angle between the shafts.\n    beta [deg] = 35;\n    /// Moment of inertia of a shaft about its axis.\n    J [kg*m^2] = 0.02;\n    /// Length that is drawn of each shaft.\n    l [m] = 0.3;\n    /// Arm of the cross.\n    a [m] = 0.06;\n    /// Speed of the first shaft at the start.\n    speed [rpm] = 300;\n    /// Braking torque on the second shaft, per speed.\n    c [N*m*s] = 0.002;\n}\n\nlet R1 = rotation(x, alpha);\nlet R2 = rotation(z, beta)*rotation(x, gamma);\n\nbodies {\n    driving: inertia [J, J, J], attitude R1;\n    driven: inertia [J, J, J], attitude R2;\n}\nloads { torque -c*omega(driven) on driven; }\n\nconstraints {\n    /// The arms of the cross stand at right angles.\n    cross: inner(R1*[0, 1, 0], R2*[0, 0, 1]) = 0;\n}\n\ninitial { alpha = 0; dot(alpha) = speed; guess gamma = 0; }\nevents { period: sin(alpha/2) = 0; }\n\noutputs {\n    /// ratio of the speeds of the shafts\n    ratio = dot(gamma)/dot(alpha);\n    /// torque between the arms of the cross\n    torque [N*m] = reaction(cross);\n}\n\ndrawing {\n    ground [-l, 0, 0], rotation(z, beta)*[l, 0, 0];\n    line [-l, 0, 0], [0, 0, 0], rotation(z, beta)*[l, 0, 0];\n    curve R1*[0, -a, 0], R1*[0, a, 0];\n    curve R2*[0, 0, -a], R2*[0, 0, a];\n    circle R1*[-a, 0, 0] radius a normal [1, 0, 0];\n    circle R2*[a, 0, 0] radius a normal R2*[1, 0, 0];\n}\n",
+        declaration: "/// A driven shaft turns another one by a universal joint.\npub Cardan;\n\ncoordinates {\n    /// Turn of the first shaft.\n    alpha [rad];\n    /// Turn of the second.\n    gamma [rad];\n}\n\nparameters {\n    /// Angle between the shafts.\n    beta [deg] = 35;\n    /// Moment of inertia of a shaft about its axis.\n    J [kg*m^2] = 0.02;\n    /// Length that is drawn of each shaft.\n    l [m] = 0.3;\n    /// Arm of the cross.\n    a [m] = 0.06;\n    /// Speed of the first shaft at the start.\n    speed [rpm] = 300;\n    /// Braking torque on the second shaft, per speed.\n    c [N*m*s] = 0.002;\n}\n\nlet R1 = rotation(x, alpha);\nlet R2 = rotation(z, beta)*rotation(x, gamma);\n\nbodies {\n    driving: inertia [J, J, J], attitude R1;\n    driven: inertia [J, J, J], attitude R2;\n}\nloads { torque -c*omega(driven) on driven; }\n\nconstraints {\n    /// The arms of the cross stand at right angles.\n    cross: inner(R1*[0, 1, 0], R2*[0, 0, 1]) = 0;\n}\n\ninitial { alpha = 0; dot(alpha) = speed; guess gamma = 0; }\nevents { period: sin(alpha/2) = 0; }\n\noutputs {\n    /// ratio of the speeds of the shafts\n    ratio = dot(gamma)/dot(alpha);\n    /// torque between the arms of the cross\n    torque [N*m] = reaction(cross);\n}\n\ndrawing {\n    ground [-l, 0, 0], rotation(z, beta)*[l, 0, 0];\n    line [-l, 0, 0], [0, 0, 0];\n    line [0, 0, 0], rotation(z, beta)*[l, 0, 0];\n    curve R1*[0, -a, 0], R1*[0, a, 0];\n    curve R2*[0, 0, -a], R2*[0, 0, a];\n    circle R1*[-a, 0, 0] radius a normal [1, 0, 0];\n    circle R2*[a, 0, 0] radius a normal R2*[1, 0, 0];\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -782,7 +785,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(2),
-            sim_kernel::Shape::Line(3),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Curve(2),
             sim_kernel::Shape::Curve(2),
             sim_kernel::Shape::Circle,
@@ -930,7 +934,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 41] {
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 44] {
         self.drawing(t, q)
     }
     #[inline(always)]

@@ -1591,7 +1591,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     ///
     /// Operations: 39 additions, 52 multiplications, 6 sine-cosine pairs.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 27] {
+    pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 36] {
         let [q1, q2, q3, q4, q5, q6] = *q;
         let (
             [sin_q1,
@@ -1609,19 +1609,25 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q1, q2, q3, q5, q4, q6]);
+        let shoulder_x = self.a1 * cos_q1;
+        let shoulder_y = self.a1 * sin_q1;
         let w = self.a1 + self.a2 * sin_q2;
         let elbow_x = cos_q1 * w;
         let elbow_y = sin_q1 * w;
         let w_2 = self.a2 * cos_q2;
+        let elbow_z = self.h + w_2;
         let w_3 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
         let w_4 = cos_q1 * w_3;
         let w_5 = self.d4 * w_4;
+        let wrist_x = elbow_x + w_5;
         let w_6 = sin_q1 * w_3;
         let w_7 = self.d4 * w_6;
+        let wrist_y = elbow_y + w_7;
         let w_8 = sin_q2 * cos_q3;
         let w_9 = cos_q2 * sin_q3;
         let w_10 = w_8 + w_9;
         let w_11 = self.d4 * w_10;
+        let wrist_z = self.h + w_2 - w_11;
         let w_12 = w_9 + w_8;
         let w_13 = cos_q1 * w_12;
         let w_14 = sin_q1 * sin_q4 + w_13 * cos_q4;
@@ -1643,15 +1649,24 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             S::from_f64(0.0),
             S::from_f64(0.0),
             self.h,
-            self.a1 * cos_q1,
-            self.a1 * sin_q1,
+            shoulder_x,
+            shoulder_y,
+            self.h,
+            shoulder_x,
+            shoulder_y,
             self.h,
             elbow_x,
             elbow_y,
-            self.h + w_2,
-            elbow_x + w_5,
-            elbow_y + w_7,
-            self.h + w_2 - w_11,
+            elbow_z,
+            elbow_x,
+            elbow_y,
+            elbow_z,
+            wrist_x,
+            wrist_y,
+            wrist_z,
+            wrist_x,
+            wrist_y,
+            wrist_z,
             flange_x,
             flange_y,
             flange_z,
@@ -2342,7 +2357,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
     type Events = [S; 0];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 27];
+    type Drawing = [S; 36];
     type QP = [[S; 13]; 6];
     type LP = [[S; 13]; 0];
     type Inputs = [sim_kernel::Input<S>; 6];
@@ -2352,7 +2367,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         name: "robot-arm",
         type_name: "RobotArm",
         docs: "A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.",
-        declaration: "/// A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.\npub RobotArm;\n\ncoordinates {\n    /// Waist, about the vertical.\n    q1 [rad];\n    /// Shoulder.\n    q2 [rad];\n    /// Elbow.\n    q3 [rad];\n    /// Roll of the forearm.\n    q4 [rad];\n    /// Bend of the wrist.\n    q5 [rad];\n    /// Turn of the flange.\n    q6 [rad];\n}\n\nparameters {\n    /// Height of the shoulder over the base.\n    h [m] = 0.4;\n    /// Shoulder ahead of the waist's axis.\n    a1 [m] = 0.15;\n    /// Length of the upper arm.\n    a2 [m] = 0.6;\n    /// Elbow to wrist.\n    d4 [m] = 0.55;\n    /// Wrist to flange.\n    d6 [m] = 0.1;\n    m1 [kg] = 30;\n    m2 [kg] = 18;\n    m3 [kg] = 12;\n    m4 [kg] = 5;\n    m5 [kg] = 2.5;\n    m6 [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Viscous friction of the first three drives; those of the wrist have a fortieth of it.\n    c [N*m*s] = 0.8;\n}\n\ninputs { tau1 [N*m] = 0; tau2 [N*m] = -60; tau3 [N*m] = -20; tau4 [N*m] = 0; tau5 [N*m] = 0; tau6 [N*m] = 0; }\n\nlet R1 = rotation(z, q1);\nlet R2 = R1*rotation(y, q2);\nlet R3 = R2*rotation(y, q3);\nlet R4 = R3*rotation(x, q4);\nlet R5 = R4*rotation(y, q5);\nlet R6 = R5*rotation(x, q6);\nlet shoulder = R1*[a1, 0, h];\nlet elbow = shoulder + R2*[0, 0, a2];\nlet wrist = elbow + R3*[d4, 0, 0];\nlet flange = wrist + R5*[d6, 0, 0];\n\nbodies {\n    waist: mass m1 at R1*[0.4*a1, 0, 0.6*h], inertia [0.9 [kg*m^2], 0.8 [kg*m^2], 0.7 [kg*m^2]], attitude R1;\n    upper_arm: mass m2 at shoulder + R2*[0, 0, 0.45*a2], inertia [0.75 [kg*m^2], 0.8 [kg*m^2], 0.1 [kg*m^2]], attitude R2;\n    forearm: mass m3 at elbow + R3*[0.2*d4, 0, 0.03 [m]], inertia [0.08 [kg*m^2], 0.25 [kg*m^2], 0.24 [kg*m^2]], attitude R3;\n    roll: mass m4 at wrist + R4*[-0.3*d4, 0, 0], inertia [0.02 [kg*m^2], 0.06 [kg*m^2], 0.06 [kg*m^2]], attitude R4;\n    bend: mass m5 at wrist + R5*[0.2*d6, 0, 0], inertia [0.005 [kg*m^2], 0.006 [kg*m^2], 0.007 [kg*m^2]], attitude R5;\n    tool: mass m6 at flange, inertia [0.002 [kg*m^2], 0.0015 [kg*m^2], 0.0015 [kg*m^2]], attitude R6;\n}\n\nloads {\n    gravity [0, 0, -g];\n    torque tau1 - c*dot(q1) on q1;\n    torque tau2 - c*dot(q2) on q2;\n    torque tau3 - c*dot(q3) on q3;\n    torque tau4 - c/40*dot(q4) on q4;\n    torque tau5 - c/40*dot(q5) on q5;\n    torque tau6 - c/40*dot(q6) on q6;\n}\n\ninitial { q1 = 0; q2 = 20 [deg]; q3 = -30 [deg]; q4 = 10 [deg]; q5 = 40 [deg]; q6 = 0; dot(q1) = 0.5; }\n\noutputs {\n    flange_position \"Position of the flange\" {\n        x [m] = flange.x;\n        y [m] = flange.y;\n        height [m] = flange.z;\n    }\n    /// speed of the flange\n    flange_speed [m/s] = norm(dot(flange));\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], R1*[0, 0, h], shoulder, elbow, wrist, flange;\n    curve flange, flange + R6*[0, 0.05 [m], 0];\n}\n\nkernels { inverse_dynamics; }\n",
+        declaration: "/// A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.\npub RobotArm;\n\ncoordinates {\n    /// Waist, about the vertical.\n    q1 [rad];\n    /// Shoulder.\n    q2 [rad];\n    /// Elbow.\n    q3 [rad];\n    /// Roll of the forearm.\n    q4 [rad];\n    /// Bend of the wrist.\n    q5 [rad];\n    /// Turn of the flange.\n    q6 [rad];\n}\n\nparameters {\n    /// Height of the shoulder over the base.\n    h [m] = 0.4;\n    /// Shoulder ahead of the waist's axis.\n    a1 [m] = 0.15;\n    /// Length of the upper arm.\n    a2 [m] = 0.6;\n    /// Elbow to wrist.\n    d4 [m] = 0.55;\n    /// Wrist to flange.\n    d6 [m] = 0.1;\n    m1 [kg] = 30;\n    m2 [kg] = 18;\n    m3 [kg] = 12;\n    m4 [kg] = 5;\n    m5 [kg] = 2.5;\n    m6 [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Viscous friction of the first three drives; those of the wrist have a fortieth of it.\n    c [N*m*s] = 0.8;\n}\n\ninputs { tau1 [N*m] = 0; tau2 [N*m] = -60; tau3 [N*m] = -20; tau4 [N*m] = 0; tau5 [N*m] = 0; tau6 [N*m] = 0; }\n\nlet R1 = rotation(z, q1);\nlet R2 = R1*rotation(y, q2);\nlet R3 = R2*rotation(y, q3);\nlet R4 = R3*rotation(x, q4);\nlet R5 = R4*rotation(y, q5);\nlet R6 = R5*rotation(x, q6);\nlet shoulder = R1*[a1, 0, h];\nlet elbow = shoulder + R2*[0, 0, a2];\nlet wrist = elbow + R3*[d4, 0, 0];\nlet flange = wrist + R5*[d6, 0, 0];\n\nbodies {\n    waist: mass m1 at R1*[0.4*a1, 0, 0.6*h], inertia [0.9 [kg*m^2], 0.8 [kg*m^2], 0.7 [kg*m^2]], attitude R1;\n    upper_arm: mass m2 at shoulder + R2*[0, 0, 0.45*a2], inertia [0.75 [kg*m^2], 0.8 [kg*m^2], 0.1 [kg*m^2]], attitude R2;\n    forearm: mass m3 at elbow + R3*[0.2*d4, 0, 0.03 [m]], inertia [0.08 [kg*m^2], 0.25 [kg*m^2], 0.24 [kg*m^2]], attitude R3;\n    roll: mass m4 at wrist + R4*[-0.3*d4, 0, 0], inertia [0.02 [kg*m^2], 0.06 [kg*m^2], 0.06 [kg*m^2]], attitude R4;\n    bend: mass m5 at wrist + R5*[0.2*d6, 0, 0], inertia [0.005 [kg*m^2], 0.006 [kg*m^2], 0.007 [kg*m^2]], attitude R5;\n    tool: mass m6 at flange, inertia [0.002 [kg*m^2], 0.0015 [kg*m^2], 0.0015 [kg*m^2]], attitude R6;\n}\n\nloads {\n    gravity [0, 0, -g];\n    torque tau1 - c*dot(q1) on q1;\n    torque tau2 - c*dot(q2) on q2;\n    torque tau3 - c*dot(q3) on q3;\n    torque tau4 - c/40*dot(q4) on q4;\n    torque tau5 - c/40*dot(q5) on q5;\n    torque tau6 - c/40*dot(q6) on q6;\n}\n\ninitial { q1 = 0; q2 = 20 [deg]; q3 = -30 [deg]; q4 = 10 [deg]; q5 = 40 [deg]; q6 = 0; dot(q1) = 0.5; }\n\noutputs {\n    flange_position \"Position of the flange\" {\n        x [m] = flange.x;\n        y [m] = flange.y;\n        height [m] = flange.z;\n    }\n    /// speed of the flange\n    flange_speed [m/s] = norm(dot(flange));\n}\n\ndrawing {\n    ground [0, 0, 0];\n    line [0, 0, 0], R1*[0, 0, h], shoulder;\n    line shoulder, elbow;\n    line elbow, wrist;\n    line wrist, flange;\n    curve flange, flange + R6*[0, 0.05 [m], 0];\n}\n\nkernels { inverse_dynamics; }\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -2651,7 +2666,10 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(6),
+            sim_kernel::Shape::Line(3),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Curve(2),
         ],
     };
@@ -2853,7 +2871,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 6]) -> [S; 27] {
+    fn drawing(&self, t: S, q: &[S; 6]) -> [S; 36] {
         self.drawing(t, q)
     }
     #[inline(always)]

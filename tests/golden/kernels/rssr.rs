@@ -467,9 +467,13 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
     ///
     /// Operations: 2 additions, 4 multiplications, 2 sine-cosine pairs.
     #[inline]
-    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 25] {
+    pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 31] {
         let [phi, psi] = *q;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
+        let A_x = self.a * cos_phi;
+        let A_y = self.a * sin_phi;
+        let B_x = self.dx - self.b * sin_psi;
+        let B_z = self.dz - self.b * cos_psi;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -480,12 +484,18 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            self.a * cos_phi,
-            self.a * sin_phi,
+            A_x,
+            A_y,
             S::from_f64(0.0),
-            self.dx - self.b * sin_psi,
+            A_x,
+            A_y,
             S::from_f64(0.0),
-            self.dz - self.b * cos_psi,
+            B_x,
+            S::from_f64(0.0),
+            B_z,
+            B_x,
+            S::from_f64(0.0),
+            B_z,
             self.dx,
             S::from_f64(0.0),
             self.dz,
@@ -781,7 +791,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type Activities = [S; 0];
-    type Drawing = [S; 25];
+    type Drawing = [S; 31];
     type QP = [[S; 8]; 2];
     type LP = [[S; 8]; 1];
     type Inputs = [sim_kernel::Input<S>; 0];
@@ -791,7 +801,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
         name: "rssr",
         type_name: "Rssr",
         docs: "A crank drives a rocker on another axis by a coupler with two ball joints.",
-        declaration: "/// A crank drives a rocker on another axis by a coupler with two ball joints.\npub Rssr;\n\ncoordinates {\n    /// Turn of the crank, about the vertical.\n    phi [rad];\n    /// Swing of the rocker, about an axis along y.\n    psi [rad];\n}\n\nparameters {\n    /// Crank.\n    a [m] = 0.15;\n    /// Coupler.\n    c [m] = 0.7;\n    /// Rocker.\n    b [m] = 0.4;\n    /// Place of the rocker's axis.\n    dx [m] = 0.5;\n    dz [m] = 0.3;\n    m [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Speed of the crank at the start.\n    speed [rpm] = 120;\n}\n\nlet A = a*[cos(phi), sin(phi), 0];\nlet O = [dx, 0, dz];\nlet rocker_frame = rotation(y, psi);\nlet B = O + rocker_frame*[0, 0, -b];\n\nbodies {\n    crank: inertia [0.01 [kg*m^2], 0.01 [kg*m^2], 0.02 [kg*m^2]], attitude rotation(z, phi);\n    coupler: mass m at (A + B)/2;\n    rocker: mass m at O + rocker_frame*[0, 0, -b/2], inertia [m*b^2/12, m*b^2/12, 0], attitude rocker_frame;\n}\nloads { gravity [0, 0, -g]; }\njoints { coupling: link A to B, length c; }\ninitial { phi = 0; dot(phi) = speed; guess psi = 0.3; }\nevents { period: sin(phi/2) = 0; }\n\noutputs {\n    /// swing of the rocker\n    swing [deg] = psi;\n    /// force in the coupler, positive in tension\n    coupler_force [N] = reaction(coupling);\n}\n\ndrawing {\n    ground [0, 0, 0], O;\n    line [0, 0, 0], A, B, O;\n    circle [0, 0, 0] radius a normal [0, 0, 1];\n}\n",
+        declaration: "/// A crank drives a rocker on another axis by a coupler with two ball joints.\npub Rssr;\n\ncoordinates {\n    /// Turn of the crank, about the vertical.\n    phi [rad];\n    /// Swing of the rocker, about an axis along y.\n    psi [rad];\n}\n\nparameters {\n    /// Crank.\n    a [m] = 0.15;\n    /// Coupler.\n    c [m] = 0.7;\n    /// Rocker.\n    b [m] = 0.4;\n    /// Place of the rocker's axis.\n    dx [m] = 0.5;\n    dz [m] = 0.3;\n    m [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Speed of the crank at the start.\n    speed [rpm] = 120;\n}\n\nlet A = a*[cos(phi), sin(phi), 0];\nlet O = [dx, 0, dz];\nlet rocker_frame = rotation(y, psi);\nlet B = O + rocker_frame*[0, 0, -b];\n\nbodies {\n    crank: inertia [0.01 [kg*m^2], 0.01 [kg*m^2], 0.02 [kg*m^2]], attitude rotation(z, phi);\n    coupler: mass m at (A + B)/2;\n    rocker: mass m at O + rocker_frame*[0, 0, -b/2], inertia [m*b^2/12, m*b^2/12, 0], attitude rocker_frame;\n}\nloads { gravity [0, 0, -g]; }\njoints { coupling: link A to B, length c; }\ninitial { phi = 0; dot(phi) = speed; guess psi = 0.3; }\nevents { period: sin(phi/2) = 0; }\n\noutputs {\n    /// swing of the rocker\n    swing [deg] = psi;\n    /// force in the coupler, positive in tension\n    coupler_force [N] = reaction(coupling);\n}\n\ndrawing {\n    ground [0, 0, 0], O;\n    line [0, 0, 0], A;\n    line A, B;\n    line B, O;\n    circle [0, 0, 0] radius a normal [0, 0, 1];\n}\n",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {
@@ -937,7 +947,9 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(2),
-            sim_kernel::Shape::Line(4),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Circle,
         ],
     };
@@ -1088,7 +1100,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
         self.events(t, q, qd, qdd, lambda)
     }
     #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 25] {
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 31] {
         self.drawing(t, q)
     }
     #[inline(always)]
