@@ -84,7 +84,7 @@ fn statistics_count_what_sharing_saves() {
     let row = text.lines().find(|line| line.starts_with("mass_matrix")).unwrap();
     let counts: Vec<&str> = row.split_whitespace().skip(1).collect();
     // l*l, once: no other operation, and no name.
-    assert_eq!(counts, ["0", "1", "0", "0", "0", "0", "1", "1", "0"], "{text}");
+    assert_eq!(counts, ["0", "1", "0", "0", "0", "0", "0", "1", "1", "0"], "{text}");
     for stage in ["parse", "resolve", "derive", "plan", "emit", "format", "all"] {
         assert!(text.lines().any(|line| line.starts_with(stage) && line.ends_with(" ms")), "{text}");
     }
