@@ -11,7 +11,7 @@ use tests::Random;
 const STATES: usize = 1000;
 
 /// Its redundant constraints leave every elimination without a pivot, and off them its equations without a solution.
-const OVERCONSTRAINED: &str = "bennett";
+pub(crate) const OVERCONSTRAINED: &str = "bennett";
 /// Its legs do not reach most random places.
 const FAR: &str = "stewart";
 
