@@ -1,8 +1,10 @@
 //! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
+mod arithmetic;
 mod auxiliary;
 mod bodies;
+mod calls;
 mod choice;
 mod dependence;
 mod dimension;

@@ -1,0 +1,176 @@
+//! Calls of functions.
+
+use super::homogeneity::Measured;
+use super::interpret::Interpreter;
+use super::scope::{self, plain};
+use super::space::{Spatial, triple};
+use super::value::{Shape, Value};
+use super::{Dependence, Dimension};
+use crate::dsl::{Expression, Kind, Region};
+use crate::nearest;
+use crate::symbolic::{Function, Graph, Number};
+use syn::Ident;
+
+impl Interpreter {
+    /// Of a function or a table.
+    pub(super) fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
+        let text = plain(name);
+        if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text) {
+            let [argument] = self.arguments(region, &text, arguments, ["x"])?;
+            let (x, dimension) = self.scalar_value(argument)?;
+            let dimension = match function {
+                Function::Abs => dimension,
+                Function::Sign => Some(Dimension::none()),
+                _ => {
+                    self.expect_pure(&text, Measured { expression: argument, dimension: &dimension })?;
+                    Some(Dimension::none())
+                }
+            };
+            return Some(Value::scalar(self.graph.call(function, x), dimension));
+        }
+        if self.tables.get_region(&text).is_some() {
+            return self.look_up(region, name, arguments);
+        }
+        match text.as_str() {
+            "sqrt" => {
+                let [argument] = self.arguments(region, &text, arguments, ["x"])?;
+                let (x, dimension) = self.scalar_value(argument)?;
+                let root = self.graph.sqrt(x);
+                Some(Value::scalar(root, dimension.zip(Number::fraction(1, 2)).map(|(d, half)| d.to_the(&half))))
+            }
+            "atan2" => {
+                let [y, x] = self.arguments(region, &text, arguments, ["y", "x"])?;
+                let (of_y, of_x) = (self.scalar_value(y), self.scalar_value(x));
+                let ((of_y, dy), (of_x, dx)) = (of_y?, of_x?);
+                let (y, x) = (Measured { expression: y, dimension: &dy }, Measured { expression: x, dimension: &dx });
+                self.common_dimension(y, x, "`atan2(y, x)` takes two of one dimension")?;
+                Some(Value::scalar(self.graph.atan2(of_y, of_x), Some(Dimension::none())))
+            }
+            "min" => self.extreme(region, &text, arguments, Graph::min),
+            "max" => self.extreme(region, &text, arguments, Graph::max),
+            "norm" => {
+                let [a] = self.arguments(region, &text, arguments, ["a"])?;
+                let a = self.vector_value(a)?;
+                let square = self.inner(&a, &a);
+                Some(Value::scalar(self.graph.sqrt(square), a.dimension))
+            }
+            "inner" => {
+                let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
+                let (a, b) = (self.vector_value(a), self.vector_value(b));
+                let (a, b) = (a?, b?);
+                let inner = self.inner(&a, &b);
+                let dimension = a.dimension.zip(b.dimension).map(|(a, b)| a.times(&b));
+                Some(Value::scalar(inner, dimension))
+            }
+            "cross" => {
+                let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
+                let (a, b) = (self.spatial_value(a), self.spatial_value(b));
+                let ((a, da), (b, db)) = (a?, b?);
+                let (turn, a, b) = self.in_common(&a, &b);
+                let product = Spatial::within(turn, triple::cross(&mut self.graph, &a, &b));
+                Some(Value { shape: Shape::Spatial(product), dimension: da.zip(db).map(|(a, b)| a.times(&b)) })
+            }
+            "rotation" => {
+                let [axis, angle] = self.arguments(region, &text, arguments, ["axis", "angle"])?;
+                self.rotation(axis, angle)
+            }
+            "euler" => self.euler(region, arguments),
+            "quaternion" => {
+                let components = self.arguments(region, &text, arguments, ["q0", "q1", "q2", "q3"])?;
+                self.quaternion(region, components)
+            }
+            "transpose" => {
+                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
+                self.transpose(rotation)
+            }
+            "angular_velocity" => {
+                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
+                self.angular_velocity(rotation)
+            }
+            "omega" | "attitude" => self.refuse(region, format!("`{text}(..)` takes the name of a body that turns")),
+            "dot" => {
+                let [x] = self.arguments(region, &text, arguments, ["x"])?;
+                self.rate(x)
+            }
+            "ddot" => {
+                let [x] = self.arguments(region, &text, arguments, ["x"])?;
+                let rate = self.rate(x)?;
+                self.rate_of(x.region, rate)
+            }
+            "reaction" => self.reaction(region, arguments),
+            _ => {
+                if self.values.get_region(&text).is_some() {
+                    return self.refuse(
+                        name.into(),
+                        format!("`{text}` is not a function; a product is written `{text}*(..)`"),
+                    );
+                }
+                let functions = scope::functions().map(str::to_owned);
+                let known: Vec<String> = self.tables.names().map(str::to_owned).chain(functions).collect();
+                let near = nearest::suggestion(&text, known.iter().map(String::as_str));
+                let all = if near.is_empty() { format!("; there are {}", known.join(", ")) } else { String::new() };
+                self.refuse(name.into(), format!("no function is called `{text}`{near}{all}"))
+            }
+        }
+    }
+
+    fn arguments<'a, const N: usize>(
+        &mut self,
+        region: Region,
+        function: &str,
+        arguments: &'a [Expression],
+        names: [&str; N],
+    ) -> Option<&'a [Expression; N]> {
+        match arguments.try_into() {
+            Ok(arguments) => Some(arguments),
+            Err(_) => {
+                let (form, given) = (names.join(", "), arguments.len());
+                self.refuse(region, format!("`{function}` is written `{function}({form})`: {N} wanted, {given} given"))
+            }
+        }
+    }
+
+    /// The total time derivative of an expression.
+    fn rate(&mut self, expression: &Expression) -> Option<Value> {
+        let value = self.value(expression)?;
+        self.rate_of(expression.region, value)
+    }
+
+    pub(super) fn rate_of(&mut self, region: Region, value: Value) -> Option<Value> {
+        if let Shape::Rotation(_) = value.shape {
+            return self.refuse(region, "the rate of a rotation is an angular velocity: `angular_velocity(R)`");
+        }
+        let components = self.components(&value);
+        self.restrict(
+            region,
+            &components,
+            Dependence::MULTIPLIER,
+            "a reaction has no derivative here: its rate is not computed",
+        )?;
+        self.restrict(region, &components, Dependence::INPUT, "the rate of an input is not known: it may jump")?;
+        self.restrict(
+            region,
+            &components,
+            Dependence::ACCELERATION,
+            "a third derivative is not computed; `ddot` of positions is the highest",
+        )?;
+        let dimension = value.dimension.as_ref().map(|d| d.over(&Dimension::time()));
+        let Interpreter { graph, motion, frames, .. } = self;
+        let shape = match value.shape {
+            Shape::Spatial(vector) => Shape::Spatial(frames.rate(graph, motion, &vector)),
+            _ => value.map(|x| motion.of(graph, x)).shape,
+        };
+        Some(Value { shape, dimension })
+    }
+
+    fn reaction(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {
+        let [argument] = self.arguments(region, "reaction", arguments, ["constraint"])?;
+        let Kind::Name(name) = &argument.kind else {
+            return self.refuse(argument.region, "`reaction(..)` takes the name of a constraint");
+        };
+        match &self.reactions {
+            Some(reactions) => reactions.find(name, &mut self.mistakes),
+            None => self.refuse(region, "`reaction(..)` can stand only in outputs"),
+        }
+    }
+}
