@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod analysis;
+mod failing;
 mod run_files;
 
 use serde_json::Value;
@@ -179,38 +180,6 @@ fn unknown_words_name_the_nearest_known() {
     }
 }
 
-/// Steps of a fifth of the period are too large: the run ends with a message, and what was computed until then is
-/// written.
-#[test]
-fn a_run_that_fails_keeps_what_it_computed() {
-    let directory = fresh("failing");
-    let output =
-        sim(&["run", "quick-return", "--method", "rk4", "--steps", "12", "--out", directory.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
-    let message = stderr(&output);
-    assert!(message.contains("at t = ") && message.contains("alpha = ") && message.contains("constraint"), "{message}");
-    let summary = summary(&directory);
-    assert!(message.contains(summary["failure"].as_str().unwrap()), "{summary}");
-    let times = column(&directory, "t [s]");
-    assert!(times.len() > 1 && *times.last().unwrap() == summary["end"]["reached"].as_f64().unwrap());
-    assert!(summary["residuals"]["position"].as_f64().unwrap() <= 1e-6);
-    assert!(directory.join("mechanism.png").exists());
-}
-
-#[test]
-fn a_place_that_cannot_be_written_is_named() {
-    let file = scratch("blocked").join("file");
-    fs::write(&file, "in the way").unwrap();
-    let below = file.join("out");
-    let output = sim(&["run", "quick-return", "--steps", "10", "--out", below.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(
-        stderr(&output).contains("cannot write") && stderr(&output).contains("blocked/file"),
-        "{}",
-        stderr(&output)
-    );
-}
-
 /// The period does not depend on the method, and `--until` ends the run there.
 #[test]
 fn methods_and_projections_find_the_same_period() {
@@ -231,62 +200,6 @@ fn methods_and_projections_find_the_same_period() {
         assert!((period - 0.877_997_139_511_224_4).abs() < 1e-10, "{options:?}: {period}");
         assert_eq!(column(&directory, "t [s]").last(), Some(&period), "{options:?}");
     }
-}
-
-/// A run repeated from its own run file gives the same bytes in every file but that of the wall times.
-#[test]
-fn a_run_file_makes_its_run_again_to_the_byte() {
-    let (first, second) = (fresh("asked"), fresh("from-file"));
-    let settings = ["--set", "O2A=180mm", "--initial", "alpha=30deg", "--initial", "alpha_dot=70rpm"];
-    let options = ["--t-end", "1.1", "--method", "dopri5", "--rtol", "1e-7", "--rows", "300", "--size", "640x400"];
-    let formats = ["--format", "csv,jsonl,npy,npz", "--out", first.to_str().unwrap()];
-    let output = sim(&[&["run", "quick-return"], &settings[..], &options[..], &formats[..]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    let run_file = first.join("run.json");
-    let output = sim(&["run", run_file.to_str().unwrap(), "--out", second.to_str().unwrap()]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let mut compared = 0;
-    for entry in fs::read_dir(&first).unwrap() {
-        let name = entry.unwrap().file_name();
-        if name != "timing.json" {
-            assert!(fs::read(first.join(&name)).unwrap() == fs::read(second.join(&name)).unwrap(), "{name:?}");
-            compared += 1;
-        }
-    }
-    // Seven figures twice, four tables, run file, summary, report.
-    assert_eq!(compared, 14 + 4 + 3);
-
-    // Words of the command line override the file's.
-    let third = fresh("overridden");
-    let words = ["--steps", "200", "--method", "rk4", "--no-figures", "--out", third.to_str().unwrap()];
-    let output = sim(&[&["run", run_file.to_str().unwrap()], &words[..]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    let file: Value = serde_json::from_str(&fs::read_to_string(third.join("run.json")).unwrap()).unwrap();
-    assert_eq!(file["options"]["method"], "rk4");
-    assert_eq!(file["options"]["steps"], 200);
-    assert_eq!(file["parameters"]["O2A"], "0.18 m");
-    assert!(file["options"].get("rtol").is_none());
-}
-
-#[test]
-fn a_run_file_that_is_wrong_says_where() {
-    let place = scratch("wrong");
-    let rows = [
-        ("{", "not JSON"),
-        ("{\"model\": \"quick-retrun\"}", "did you mean `quick-return`?"),
-        ("{\"model\": \"quick-return\", \"parameters\": {\"O2AA\": 1}}", "did you mean `O2A`?"),
-        ("{\"model\": \"quick-return\", \"options\": {\"tend\": 1}}", "did you mean `t-end`?"),
-    ];
-    for (text, expected) in rows {
-        let file = place.join("wrong.json");
-        fs::write(&file, text).unwrap();
-        let output = sim(&["run", file.to_str().unwrap()]);
-        assert_eq!(output.status.code(), Some(2), "{text}");
-        assert!(stderr(&output).contains(expected), "{text}: {}", stderr(&output));
-    }
-    let output = sim(&["run", "nowhere.json"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stderr(&output).contains("cannot read the run file nowhere.json"));
 }
 
 #[test]
@@ -360,28 +273,6 @@ fn plots_and_comparisons_are_drawn_from_runs() {
 /// Ctrl-C ends a run with what there is: exit status 130.
 #[cfg(unix)]
 #[test]
-fn an_interrupted_run_keeps_what_it_has() {
-    let directory = fresh("interrupted");
-    let words = ["run", "double-pendulum", "--t-end", "1e7", "--rows", "10000000", "--no-figures", "--no-report"];
-    let mut child = Command::new(env!("CARGO_BIN_EXE_sim"))
-        .args(words)
-        .args(["--out", directory.to_str().unwrap(), "--format", "jsonl"])
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(700));
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
-    let mut said = String::new();
-    std::io::Read::read_to_string(child.stderr.as_mut().unwrap(), &mut said).unwrap();
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{said}");
-    assert!(said.contains("interrupted"), "{said}");
-    let summary = summary(&directory);
-    assert!(summary["end"]["reached"].as_f64().unwrap() > 0.0 && summary["end"]["samples"].as_u64().unwrap() > 1);
-    assert!(fs::metadata(directory.join("trajectory.jsonl")).unwrap().len() > 1000);
-}
-
-#[test]
 fn what_installs_with_the_program_is_generated() {
     for (words, expected) in [
         (&["generate", "completions", "bash"][..], "quick-return|complete"),
@@ -438,20 +329,6 @@ print(len(rows[0]), 'columns of', len(rows) - 1)
 
 /// A full disk is an error that names the file, not a short file.
 #[cfg(target_os = "linux")]
-#[test]
-fn a_full_disk_is_an_error() {
-    let directory = fresh("full");
-    fs::create_dir_all(&directory).unwrap();
-    std::os::unix::fs::symlink("/dev/full", directory.join("trajectory.csv")).unwrap();
-    let output = sim(&["run", "quick-return", "--no-figures", "--out", directory.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(
-        stderr(&output).contains("trajectory.csv") && stderr(&output).contains("No space left"),
-        "{}",
-        stderr(&output)
-    );
-}
-
 #[test]
 fn verify_prints_a_row_for_each_check() {
     let output = sim(&["verify", "quick-return", "--t-end", "0.2"]);

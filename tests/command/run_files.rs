@@ -1,6 +1,7 @@
 //! Run files are checked field by field: each mistake names the file and the path of the field.
 
-use crate::{scratch, sim, stderr};
+use super::{fresh, scratch, sim, stderr};
+use serde_json::Value;
 use std::fs;
 
 /// A whole run file with this in the place of one of its entries.
@@ -83,4 +84,60 @@ fn every_mistake_names_its_field() {
     fs::write(&file, fine).unwrap();
     let output = sim(&["run", path, "--out", place.join("fine").to_str().unwrap()]);
     assert!(output.status.success(), "{}", stderr(&output));
+}
+
+/// A run repeated from its own run file gives the same bytes in every file but that of the wall times.
+#[test]
+fn a_run_file_makes_its_run_again_to_the_byte() {
+    let (first, second) = (fresh("asked"), fresh("from-file"));
+    let settings = ["--set", "O2A=180mm", "--initial", "alpha=30deg", "--initial", "alpha_dot=70rpm"];
+    let options = ["--t-end", "1.1", "--method", "dopri5", "--rtol", "1e-7", "--rows", "300", "--size", "640x400"];
+    let formats = ["--format", "csv,jsonl,npy,npz", "--out", first.to_str().unwrap()];
+    let output = sim(&[&["run", "quick-return"], &settings[..], &options[..], &formats[..]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let run_file = first.join("run.json");
+    let output = sim(&["run", run_file.to_str().unwrap(), "--out", second.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let mut compared = 0;
+    for entry in fs::read_dir(&first).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name != "timing.json" {
+            assert!(fs::read(first.join(&name)).unwrap() == fs::read(second.join(&name)).unwrap(), "{name:?}");
+            compared += 1;
+        }
+    }
+    // Seven figures twice, four tables, run file, summary, report.
+    assert_eq!(compared, 14 + 4 + 3);
+
+    // Words of the command line override the file's.
+    let third = fresh("overridden");
+    let words = ["--steps", "200", "--method", "rk4", "--no-figures", "--out", third.to_str().unwrap()];
+    let output = sim(&[&["run", run_file.to_str().unwrap()], &words[..]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let file: Value = serde_json::from_str(&fs::read_to_string(third.join("run.json")).unwrap()).unwrap();
+    assert_eq!(file["options"]["method"], "rk4");
+    assert_eq!(file["options"]["steps"], 200);
+    assert_eq!(file["parameters"]["O2A"], "0.18 m");
+    assert!(file["options"].get("rtol").is_none());
+}
+
+#[test]
+fn a_run_file_that_is_wrong_says_where() {
+    let place = scratch("wrong");
+    let rows = [
+        ("{", "not JSON"),
+        ("{\"model\": \"quick-retrun\"}", "did you mean `quick-return`?"),
+        ("{\"model\": \"quick-return\", \"parameters\": {\"O2AA\": 1}}", "did you mean `O2A`?"),
+        ("{\"model\": \"quick-return\", \"options\": {\"tend\": 1}}", "did you mean `t-end`?"),
+    ];
+    for (text, expected) in rows {
+        let file = place.join("wrong.json");
+        fs::write(&file, text).unwrap();
+        let output = sim(&["run", file.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(stderr(&output).contains(expected), "{text}: {}", stderr(&output));
+    }
+    let output = sim(&["run", "nowhere.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("cannot read the run file nowhere.json"));
 }

@@ -1,6 +1,6 @@
 //! The parsed declaration: what the user wrote, and where.
 
-use super::Region;
+use super::{Event, Expression, Region, Unit};
 use syn::Ident;
 
 /// A whole `mechanism! { .. }`.
@@ -239,63 +239,6 @@ pub enum Activity {
     Released,
 }
 
-/// `landing: y = r falling { impact floor; }`
-pub struct Event {
-    /// The condition.
-    pub condition: Equation,
-    /// The crossings of left - right that count; `None` for all.
-    pub direction: Option<Direction>,
-    /// What happens then.
-    pub actions: Vec<Action>,
-}
-
-/// How a quantity crosses zero.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Direction {
-    /// `rising`
-    Rising,
-    /// `falling`
-    Falling,
-}
-
-/// One line of what an event does.
-pub enum Action {
-    /// `record;`
-    Record,
-    /// `stop;` or `stop after 3;`
-    Stop {
-        /// At which of its occurrences.
-        after: usize,
-        /// Where it stands.
-        place: Region,
-    },
-    /// `set x = 0;` or `set dot(x) = -dot(x);`
-    Set {
-        /// A coordinate or a parameter.
-        name: Ident,
-        /// Whether the speed of the coordinate is meant.
-        is_speed: bool,
-        /// What it becomes.
-        value: Expression,
-    },
-    /// `swap q1, q2;`
-    Swap(Ident, Ident),
-    /// `activate contact;` or `release contact;`
-    Switch {
-        /// The constraint.
-        constraint: Ident,
-        /// What becomes of it.
-        to: Activity,
-    },
-    /// `impact floor restitution e;`
-    Impact {
-        /// The constraint that is hit.
-        constraint: Ident,
-        /// The ratio of speeds after and before, 0 if it is not given.
-        restitution: Option<Expression>,
-    },
-}
-
 /// One line of `initial`.
 pub struct Initial {
     /// The coordinate it speaks of.
@@ -381,104 +324,4 @@ pub enum Mark {
     Ground,
     /// `point`: a mark at each point.
     Point,
-}
-
-/// A scalar, vector or rotation.
-#[derive(Clone)]
-pub struct Expression {
-    /// Where it stands.
-    pub region: Region,
-    /// What it is.
-    pub kind: Kind,
-}
-
-impl Expression {
-    /// The expressions that this one is made of, in order.
-    pub fn parts(&self) -> Vec<&Expression> {
-        match &self.kind {
-            Kind::Number { .. } | Kind::Name(_) => vec![],
-            Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().collect(),
-            Kind::Negate(part) | Kind::Component(part, _) => vec![part],
-            Kind::Binary(_, left, right) => vec![left, right],
-            Kind::If(choice) => vec![&choice.left, &choice.right, &choice.yes, &choice.no],
-        }
-    }
-
-    /// Whether a name occurs.
-    pub fn mentions(&self, word: &str) -> bool {
-        matches!(&self.kind, Kind::Name(name) if name == word) || self.parts().iter().any(|part| part.mentions(word))
-    }
-}
-
-/// What an expression is.
-#[derive(Clone)]
-pub enum Kind {
-    /// `0.2` or `75 [rpm]`
-    Number {
-        /// The decimal literal, as written.
-        literal: String,
-        /// Its unit.
-        unit: Option<Unit>,
-    },
-    /// `alpha`
-    Name(Ident),
-    /// `[x, y]`
-    Vector(Vec<Expression>),
-    /// `-x`
-    Negate(Box<Expression>),
-    /// `a + b` and its like
-    Binary(Operator, Box<Expression>, Box<Expression>),
-    /// `sin(x)`
-    Call(Ident, Vec<Expression>),
-    /// `C.y`
-    Component(Box<Expression>, Ident),
-    /// `if a > b then x else y`
-    If(Box<Choice>),
-}
-
-/// `if left > right then yes else no`
-#[derive(Clone)]
-pub struct Choice {
-    /// What is compared.
-    pub left: Expression,
-    /// How.
-    pub comparison: Comparison,
-    /// What it is compared with.
-    pub right: Expression,
-    /// The value where it is so.
-    pub yes: Expression,
-    /// The value where it is not.
-    pub no: Expression,
-}
-
-/// A comparison of two scalars.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[allow(missing_docs)]
-pub enum Comparison {
-    Less,
-    AtMost,
-    Greater,
-    AtLeast,
-}
-
-/// An operation on two operands.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[allow(missing_docs)]
-pub enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-}
-
-/// `[kg*m^2]`
-#[derive(Clone)]
-pub struct Unit {
-    /// Where it stands.
-    pub region: Region,
-    /// Names with their exponents, in order.
-    pub factors: Vec<(Ident, i32)>,
-    /// As written, without spaces.
-    pub text: String,
 }

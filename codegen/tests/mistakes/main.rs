@@ -24,6 +24,7 @@ mod space;
 mod start;
 mod tables;
 mod units;
+mod units_of_blocks;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -9,6 +9,7 @@
 mod frames;
 mod inertia;
 mod motion;
+mod parts;
 mod quaternion;
 mod rotation;
 pub(super) mod triple;
@@ -17,5 +18,6 @@ mod vector;
 pub(super) use frames::{Frames, Turn};
 pub use inertia::impossible_inertia;
 pub(super) use inertia::resolve_inertia;
+pub use parts::{Attitude, Fall, Norm, Push, Rates, Tensor};
 pub(super) use quaternion::{Quaternion, check_norms, norm_square};
 pub(super) use vector::Spatial;

@@ -1,14 +1,17 @@
 //! Expressions to values: names, operators and functions of the language.
 
+mod rotations;
+mod rows;
+
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
 use super::parameters::is_plain;
-use super::rotation::{Rotation, letter};
+use super::rotation::Rotation;
 use super::state::State;
 use super::table::Function;
 use super::value::{Value, cross, inner};
-use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Table, Unit};
+use crate::dsl::{Choice, Comparison, Declaration, Expression, Kind, Unit};
 use syn::Ident;
 
 /// What the names of a declaration stand for.
@@ -311,66 +314,6 @@ impl<'d> Interpreter<'d> {
             (_, [x]) => known(self.scalar(x)?.call(&name), &name),
             _ => refuse(format!("`{name}` is no function of {} arguments", arguments.len())),
         }
-    }
-
-    /// A table at an argument.
-    fn look_up(&mut self, index: usize, arguments: &[Expression]) -> Result<Value> {
-        let table = &self.declaration.tables[index];
-        let [argument] = arguments else { return refuse(format!("table `{}` takes one argument", table.name)) };
-        let argument = self.scalar(argument)?;
-        if self.tables[index].is_none() {
-            self.tables[index] = Some(Function::new(table, &self.rows(table)?)?);
-        }
-        let found = self.tables[index].as_ref().map(|function| Value::Scalar(function.at(&argument)));
-        found.ok_or_else(|| OracleError::new(format!("table `{}` is not known", table.name)))
-    }
-
-    /// The rows of a table in SI units; plain numbers are in the unit of their column.
-    fn rows(&self, table: &Table) -> Result<Vec<[f64; 2]>> {
-        let mut fixed = Interpreter::new(self.declaration, self.si_factor, Setting::fixed(&[]));
-        let mut entry = |expression: &Expression, unit: &Option<Unit>| -> Result<f64> {
-            let unit = unit.as_ref().filter(|_| is_plain(expression)).map_or(1.0, self.si_factor);
-            Ok(fixed.scalar(expression)?.value().value * unit)
-        };
-        table.rows.iter().map(|[x, y]| Ok([entry(x, &table.over)?, entry(y, &table.unit)?])).collect()
-    }
-
-    fn about(&mut self, axis: &Expression, angle: &Expression) -> Result<Value> {
-        let components = match (letter(axis), self.value(axis)) {
-            (_, Ok(axis)) => axis.vector()?,
-            (Some(letter), Err(_)) => self.unit(letter)?,
-            (None, Err(error)) => return Err(error),
-        };
-        let rotation = Rotation::about(&components, &self.scalar(angle)?);
-        rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
-    }
-
-    fn unit(&self, letter: usize) -> Result<Vec<Jet>> {
-        (0..3).map(|k| self.constant(if k == letter { 1.0 } else { 0.0 }).scalar()).collect()
-    }
-
-    fn euler(&mut self, sequence: &Expression, angles: &[Expression]) -> Result<Value> {
-        let Kind::Name(letters) = &sequence.kind else { return refuse("a sequence of axes is a name") };
-        let mut whole: Option<Rotation> = None;
-        for (letter, angle) in letters.to_string().chars().zip(angles) {
-            let axis = "xyz".find(letter).ok_or_else(|| OracleError::new("an axis is x, y or z"))?;
-            let turn = Rotation::about(&self.unit(axis)?, &self.scalar(angle)?);
-            let turn = turn.ok_or_else(|| OracleError::new("no rotation"))?;
-            whole = Some(whole.map_or(turn.clone(), |before| before.then(&turn)));
-        }
-        whole.map(Value::Rotation).ok_or_else(|| OracleError::new("a sequence of no axes"))
-    }
-
-    fn quaternion(&mut self, components: [&Expression; 4]) -> Result<Value> {
-        let is_coordinate = |x: &&Expression| match &x.kind {
-            Kind::Name(name) => self.declaration.coordinates.iter().any(|c| c.name == *name),
-            _ => false,
-        };
-        let of_coordinates = components.iter().all(is_coordinate);
-        let q = components.into_iter().map(|x| self.scalar(x)).collect::<Result<Vec<Jet>>>()?;
-        let q = <[Jet; 4]>::try_from(q).map_err(|_| OracleError::new("a quaternion has four components"))?;
-        let rotation = Rotation::of_quaternion(q, of_coordinates);
-        rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
     }
 
     /// Only what is chosen is evaluated.

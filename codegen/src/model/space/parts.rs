@@ -1,0 +1,75 @@
+//! What turns and is pushed in space, in symbols.
+
+use crate::symbolic::Expr;
+
+/// Three speeds that are linear in q', as components of a velocity or an angular velocity in some frame, with the
+/// accelerations that belong to them: their rates, and in a frame that turns what turning adds.
+#[derive(Clone, Copy)]
+pub struct Rates {
+    /// A q' + b.
+    pub velocity: [Expr; 3],
+    /// A q'' and the rest.
+    pub acceleration: [Expr; 3],
+}
+
+/// A symmetric 3 x 3 tensor.
+#[derive(Clone, Copy)]
+pub struct Tensor {
+    /// xx, yy, zz.
+    pub moments: [Expr; 3],
+    /// yz, zx, xy.
+    pub products: [Expr; 3],
+}
+
+impl Tensor {
+    /// Entry (i, j).
+    pub fn entry(&self, i: usize, j: usize) -> Expr {
+        if i == j { self.moments[i] } else { self.products[3 - i - j] }
+    }
+
+    /// xx, yy, zz, yz, zx, xy.
+    pub fn entries(&self) -> [Expr; 6] {
+        let ([xx, yy, zz], [yz, zx, xy]) = (self.moments, self.products);
+        [xx, yy, zz, yz, zx, xy]
+    }
+}
+
+/// How a body turns in space.
+pub struct Attitude {
+    /// About its centre of mass, in its own frame.
+    pub inertia: Tensor,
+    /// R: what is written in the body's frame, in the world's.
+    pub matrix: [[Expr; 3]; 3],
+    /// Angular velocity and acceleration, in the body's frame.
+    pub spin: Rates,
+    /// Velocity and acceleration of its centre of mass, in the frame where they are shorter: the body's or the world's.
+    pub centre: Option<Rates>,
+    /// How gravity acts on its mass.
+    pub fall: Option<Fall>,
+}
+
+/// Free fall, in the frame of a body's centre of mass.
+#[derive(Clone, Copy)]
+pub struct Fall {
+    /// Its acceleration.
+    pub gravity: [Expr; 3],
+    /// The acceleration of the centre of mass less that of free fall.
+    pub proper: [Expr; 3],
+}
+
+/// A force at a point of space, or a torque on what turns there: its power is `effort` times the velocity.
+pub struct Push {
+    /// The force or torque.
+    pub effort: [Expr; 3],
+    /// What it works along, in the same frame.
+    pub along: Rates,
+}
+
+/// A quaternion of coordinates. It has an inertia along its norm, which no constrained motion notices, for there the
+/// norm does not change; without it the mass matrix would be singular, as the quaternion's length turns nothing.
+pub struct Norm {
+    /// q.q
+    pub square: Expr,
+    /// The inertia along it.
+    pub inertia: Expr,
+}
