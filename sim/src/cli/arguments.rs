@@ -230,6 +230,17 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
 
+    #[command(flatten)]
+    pub(super) written: WrittenArguments,
+
+    /// Writes no report.
+    #[arg(long)]
+    pub(super) no_report: bool,
+}
+
+/// Which files are written, and how large figures are.
+#[derive(Args)]
+pub(super) struct WrittenArguments {
     /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
     #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
     pub(super) format: Vec<Format>,
@@ -241,10 +252,6 @@ pub(super) struct RunArguments {
     /// Writes no figures.
     #[arg(long)]
     pub(super) no_figures: bool,
-
-    /// Writes no report.
-    #[arg(long)]
-    pub(super) no_report: bool,
 }
 
 pub(super) fn format(name: &str) -> Result<Format, String> {

@@ -1,6 +1,6 @@
 //! `sim kinematics`.
 
-use super::arguments::{Size, Voice, format};
+use super::arguments::{Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
@@ -8,8 +8,8 @@ use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
-    Driven, Extreme, Extremes, Failure, Format, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table,
-    kinematics, write_json,
+    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table, kinematics,
+    write_json,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -68,17 +68,8 @@ pub(super) struct KinematicsArguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
-    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
-    format: Vec<Format>,
-
-    /// Width and height of figures in pixels of SVG; PNG has twice as many.
-    #[arg(long, value_name = "WxH", default_value = "960x540")]
-    size: Size,
-
-    /// Writes no figures.
-    #[arg(long)]
-    no_figures: bool,
+    #[command(flatten)]
+    written: WrittenArguments,
 }
 
 impl KinematicsArguments {
@@ -178,7 +169,8 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
     let found = kinematics(mechanism, &start, &sweep)?;
-    let draw = |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.size.show());
+    let draw =
+        |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
     tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
 }
 
@@ -230,9 +222,9 @@ fn tell(
     draw: &dyn Fn(&Table, &Path) -> show::Figures,
     voice: Voice,
 ) -> Result<(), Stop> {
-    files.add_table(table, &arguments.format);
+    files.add_table(table, &arguments.written.format);
     files.add("summary.json", |path| write_json(&summary(found), path));
-    if !arguments.no_figures && !table.times().is_empty() {
+    if !arguments.written.no_figures && !table.times().is_empty() {
         files.add_figures(&draw(table, files.directory()));
     }
     files.say(voice, summary(found), &format!("{}{}", report(found), files.line()))?;

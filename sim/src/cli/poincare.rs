@@ -1,12 +1,12 @@
 //! `sim poincare`.
 
-use super::arguments::{Size, StartArguments, Voice, format};
+use super::arguments::{StartArguments, Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::settings::positive;
 use super::{Stop, progress, unknown};
 use crate::show;
-use crate::{Crossing, Failure, Format, Method, Period, Sectioning, Settings, Table, What, poincare, write_json};
+use crate::{Crossing, Failure, Method, Period, Sectioning, Settings, Table, What, poincare, write_json};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use sim_kernel::{Description, Mechanism};
@@ -46,17 +46,8 @@ pub(super) struct PoincareArguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
-    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
-    format: Vec<Format>,
-
-    /// Width and height of figures in pixels of SVG; PNG has twice as many.
-    #[arg(long, value_name = "WxH", default_value = "960x540")]
-    size: Size,
-
-    /// Writes no figures.
-    #[arg(long)]
-    no_figures: bool,
+    #[command(flatten)]
+    written: WrittenArguments,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -94,7 +85,7 @@ pub(super) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voic
     let files = Files::new(description, &directory, &["mechanism"])?;
     let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let draw = |directory: &Path| show::section_figures(&found, directory, arguments.size.show());
+    let draw = |directory: &Path| show::section_figures(&found, directory, arguments.written.size.show());
     let (period, failure) = (found.period, found.trajectory.failure.as_ref());
     tell(description, &table, (period, failure), arguments, &draw, (files, voice))
 }
@@ -118,9 +109,9 @@ fn tell(
         "times": times,
         "failure": failure.map(ToString::to_string),
     });
-    files.add_table(table, &arguments.format);
+    files.add_table(table, &arguments.written.format);
     files.add("summary.json", |path| write_json(&said, path));
-    if !arguments.no_figures && !times.is_empty() {
+    if !arguments.written.no_figures && !times.is_empty() {
         files.add_figures(&draw(files.directory()));
     }
     files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;

@@ -67,7 +67,7 @@ fn write(
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
     files.add("run.json", |path| write_json(&reproduction.file, path));
-    files.add_table(table, &arguments.format);
+    files.add_table(table, &arguments.written.format);
     files.add("summary.json", |path| write_json(summary, path));
     let without_figures = seconds();
     let is_empty = table.times().is_empty();
@@ -75,8 +75,8 @@ fn write(
         let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
         files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
     }
-    if !arguments.no_figures && !is_empty {
-        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.size.show()));
+    if !arguments.written.no_figures && !is_empty {
+        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.written.size.show()));
     }
     let times = Times { without_figures, total: seconds() };
     let timing = json!({

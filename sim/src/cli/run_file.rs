@@ -165,9 +165,9 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::
     if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?.name))) {
         put("until", format!("{name}:{}", stop.occurrence).into());
     }
-    put("format", arguments.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());
-    put("size", arguments.size.to_string().into());
-    put("no-figures", arguments.no_figures.into());
+    put("format", arguments.written.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());
+    put("size", arguments.written.size.to_string().into());
+    put("no-figures", arguments.written.no_figures.into());
     put("no-report", arguments.no_report.into());
     options
 }
