@@ -5,7 +5,7 @@
 
 use super::interpret::Interpreter;
 use super::origin::Origin;
-use super::quantities::{define, resolve_unit};
+use super::quantities::{define, refuse_rate, resolve_unit};
 use super::scope::plain;
 use super::value::Value;
 use super::{Auxiliary, Dependence, Dimension, Model};
@@ -29,6 +29,7 @@ pub(super) fn resolve_auxiliaries(
     let mut auxiliaries = Vec::new();
     for a in &declaration.auxiliary {
         let name = plain(&a.name);
+        refuse_rate(&a.name, declaration, i);
         let unit = resolve_unit(&a.unit, i);
         let auxiliary = Auxiliary {
             displacement: i.graph.symbol(&name),

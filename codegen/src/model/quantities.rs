@@ -55,7 +55,7 @@ pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter
 }
 
 /// Refuses a name that the speed or acceleration of a coordinate has already.
-fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Interpreter) {
+pub(super) fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Interpreter) {
     let text = plain(name);
     let base = text.strip_suffix("_dot").or_else(|| text.strip_suffix("_ddot"));
     let coordinate = declaration.coordinates.iter().map(|c| plain(&c.name)).find(|c| Some(c.as_str()) == base);
@@ -68,54 +68,64 @@ fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Interpreter) {
 }
 
 pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter) -> Vec<Parameter> {
+    let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
+    let rule = "the default of a parameter is a number; what follows from other parameters is a `let`";
     let mut parameters = Vec::new();
     for p in &declaration.parameters {
-        let name = plain(&p.name);
-        refuse_rate(&p.name, declaration, i);
-        let unit = resolve_unit(&p.unit, i);
-        let symbol = i.graph.symbol(&name);
-        i.dependences.declare(symbol, Dependence::PARAMETER);
-        let default = match &unit {
-            Some(unit) => parameter_default(&p.value, &name, unit, i),
-            None => i.scalar(&p.value),
-        };
-        define_symbol(&p.name, symbol, &p.unit, unit.as_ref(), i);
-        if let Some(default) = default {
-            let unit = unit.unwrap_or_else(Unit::none);
+        let line = (&p.name, &p.unit, &p.value);
+        if let Some(Valued { name, unit, symbol, value: default }) =
+            resolve_valued(line, Dependence::PARAMETER, (any, rule), declaration, i)
+        {
             parameters.push(Parameter { name, docs: p.docs.clone(), unit, symbol, default });
         }
     }
     parameters
 }
 
-fn parameter_default(expression: &Expression, name: &str, unit: &Unit, i: &mut Interpreter) -> Option<Expr> {
-    let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
-    let rule = "the default of a parameter is a number; what follows from other parameters is a `let`";
-    in_unit(expression, name, unit, (any, rule), i)
-}
-
 /// Inputs, each with a course of numbers, parameters and time.
 pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> Vec<Input> {
+    let any = MOVING.or(Dependence::INPUT);
+    let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
+                at run time, or is a load";
     let mut inputs = Vec::new();
     for input in &declaration.inputs {
-        let name = plain(&input.name);
-        refuse_rate(&input.name, declaration, i);
-        let unit = resolve_unit(&input.unit, i);
-        let symbol = i.graph.symbol(&name);
-        i.dependences.declare(symbol, Dependence::INPUT);
-        let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
-                    at run time, or is a load";
-        let course = match &unit {
-            Some(unit) => in_unit(&input.value, &name, unit, (MOVING.or(Dependence::INPUT), rule), i),
-            None => i.scalar(&input.value),
-        };
-        define_symbol(&input.name, symbol, &input.unit, unit.as_ref(), i);
-        if let Some(course) = course {
-            let unit = unit.unwrap_or_else(Unit::none);
+        let line = (&input.name, &input.unit, &input.value);
+        if let Some(Valued { name, unit, symbol, value: course }) =
+            resolve_valued(line, Dependence::INPUT, (any, rule), declaration, i)
+        {
             inputs.push(Input { name, docs: input.docs.clone(), unit, symbol, course });
         }
     }
     inputs
+}
+
+/// A quantity that is declared with a value, as a symbol.
+struct Valued {
+    name: String,
+    unit: Unit,
+    symbol: Symbol,
+    value: Expr,
+}
+
+/// Its value, on which some things must have no influence, does not see its name.
+fn resolve_valued(
+    (name, written, value): (&Ident, &Option<dsl::Unit>, &Expression),
+    dependence: Dependence,
+    forbidden: (Dependence, &str),
+    declaration: &Declaration,
+    i: &mut Interpreter,
+) -> Option<Valued> {
+    let text = plain(name);
+    refuse_rate(name, declaration, i);
+    let unit = resolve_unit(written, i);
+    let symbol = i.graph.symbol(&text);
+    i.dependences.declare(symbol, dependence);
+    let value = match &unit {
+        Some(unit) => in_unit(value, &text, unit, forbidden, i),
+        None => i.scalar(value),
+    };
+    define_symbol(name, symbol, written, unit.as_ref(), i);
+    Some(Valued { name: text, unit: unit.unwrap_or_else(Unit::none), symbol, value: value? })
 }
 
 pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Vec<(String, Expr)> {

@@ -30,6 +30,12 @@ fn auxiliary_displacements() {
         &["4:19 an auxiliary displacement is always zero; write `s [m];`"],
     );
     check(
+        "phi_dot [m];",
+        "[phi_dot, 0] + l*[sin(phi), -cos(phi)]",
+        "pin [N] = reaction(phi_dot);",
+        &["4:13 `phi_dot` is the name of a rate of `phi` in files and on the command line; choose another name"],
+    );
+    check(
         "l [m];",
         "[0, 0] + l*[sin(phi), -cos(phi)]",
         "pin [N] = reaction(l);",
