@@ -1,7 +1,7 @@
 //! Dead points, crossing branches, and what cannot be driven.
 
 use crate::sweeps::{driven, sweep};
-use models::{BouncingBall, DoublePendulum, FourBar, SliderCrank};
+use models::{BouncingBall, DoublePendulum, FourBar, SliderCrank, TumblingQuaternion};
 use sim::{Driven, Mechanism, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism};
 use std::f64::consts::PI;
 
@@ -64,6 +64,42 @@ fn a_run_says_which_dead_points_it_passed() {
         dead_points(&sim::run(FourBar::default(), &declared_start(&FourBar::default()), &Settings::new(2.0)).unwrap())
             .is_empty()
     );
+}
+
+mechanism! {
+    /// A crank about the vertical and a rocker about an axis across it, joined by a link; of the start the rocker is given.
+    Rocked;
+    coordinates { psi [rad]; phi [rad]; }
+    parameters { a [m] = 0.15; b [m] = 0.4; m [kg] = 1; }
+    let A = a*[cos(phi), sin(phi), 0];
+    let B = [0.5 [m], 0, 0.3 [m]] + rotation(y, psi)*[0, 0, -b];
+    bodies { crank: mass m at A; rocker: mass m at B; }
+    joints { coupling: link A to B, length 0.7 [m]; }
+    initial { psi = -0.6; dot(phi) = 12; guess phi = 0.5; }
+}
+
+/// In space, the rocker turns back where it is farthest: there its speed is 0, and it does not say where the crank goes.
+#[test]
+fn a_run_in_space_says_which_dead_points_it_passed() {
+    let linkage = Rocked::default();
+    let run = sim::run(linkage, &declared_start(&linkage), &Settings::new(2.0)).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let passed = dead_points(&run);
+    for point in &passed {
+        assert!(point.of == ["psi"] && point.state.speeds[0].abs() < 1e-5 * 12.0, "{point:?}");
+    }
+    let speeds = run.trajectory.samples.windows(2).map(|pair| pair[0].state.speeds[0] * pair[1].state.speeds[0]);
+    let turns = speeds.filter(|product| *product < 0.0).count();
+    assert!(turns > 3 && passed.len() == turns, "{turns} {passed:?}");
+}
+
+/// Components of a quaternion change their signs, and nothing is dead there.
+#[test]
+fn a_tumbling_body_has_no_dead_points() {
+    let body = TumblingQuaternion::default();
+    let run = sim::run(body, &declared_start(&body), &Settings::new(2.0)).unwrap();
+    let last = |j: usize| run.trajectory.samples.iter().map(|sample| sample.state.positions[j]).fold(0.0, f64::min);
+    assert!((3..7).any(|j| last(j) < -0.1) && dead_points(&run).is_empty());
 }
 
 /// Both ways round, the piston cannot be pushed beyond where crank and rod are in line.

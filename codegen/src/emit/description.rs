@@ -34,6 +34,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
+    let norm_constraints = model.norm_constraints.iter().copied().map(size);
     let speed_constraints = between_speeds.map(|(i, _)| size(i));
     let conditionals = model.conditionals.iter().map(|c| {
         let (name, first, len, active) = (&c.name, size(c.rows.start), size(c.rows.len()), c.initially_active);
@@ -71,6 +72,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             inputs: &[#(#inputs),*],
             constraints: &[#(#constraints),*],
             speed_constraints: &[#(#speed_constraints),*],
+            norm_constraints: &[#(#norm_constraints),*],
             conditionals: &[#(#conditionals),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],

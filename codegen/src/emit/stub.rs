@@ -67,7 +67,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
-                speed_constraints: &[],
+                speed_constraints: &[], norm_constraints: &[],
                 conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], dimension: 2, drawing: &[],
             };
 

@@ -70,6 +70,8 @@ pub struct Model {
     pub pushes: Vec<Push>,
     /// Quaternions of coordinates.
     pub norms: Vec<Norm>,
+    /// The constraint rows that keep their norms.
+    pub norm_constraints: Vec<usize>,
     /// 2 in the plane, 3 in space.
     pub dimension: usize,
     /// Constraints, one row each, in the order of declaration.

@@ -93,7 +93,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
-    check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
+    let norm_constraints = check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
     let dimension = if i.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     mistakes.or(Model {
@@ -112,6 +112,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         efforts: loads.efforts,
         pushes: loads.pushes,
         norms,
+        norm_constraints,
         dimension,
         constraints,
         conditionals,

@@ -23,6 +23,8 @@ pub struct Description {
     pub constraints: &'static [Quantity],
     /// Those constraint rows, by index, that hold between speeds alone: positions are not corrected by them.
     pub speed_constraints: &'static [usize],
+    /// Those, by index, that keep the norm of a quaternion.
+    pub norm_constraints: &'static [usize],
     /// Constraints that events switch.
     pub conditionals: &'static [Conditional],
     /// Events.

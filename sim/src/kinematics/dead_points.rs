@@ -24,10 +24,10 @@ pub struct DeadPoint<M: Mechanism> {
 /// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
 /// degrees of freedom: where det C_qd changes its sign between two rows, with C_qd the columns of the constraint
 /// Jacobian of all other coordinates. None where the declaration gives fewer, or where constraints
-/// hold between speeds, or in space, where a quaternion's own norm makes such changes.
+/// hold between speeds or keep the norm of a quaternion, one component of which may change its sign at any time.
 pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     // Where events switch constraints, which coordinates are independent changes on the way.
-    if !M::DESCRIPTION.conditionals.is_empty() || M::DESCRIPTION.dimension == 3 {
+    if !M::DESCRIPTION.conditionals.is_empty() || !M::DESCRIPTION.norm_constraints.is_empty() {
         return Vec::new();
     }
     let Some((independent, system)) = independent(run) else { return Vec::new() };

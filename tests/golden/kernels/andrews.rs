@@ -3490,6 +3490,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

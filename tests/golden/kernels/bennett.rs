@@ -2398,6 +2398,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -579,6 +579,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[
             sim_kernel::event::Conditional {
                 name: "floor",

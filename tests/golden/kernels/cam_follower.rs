@@ -1876,6 +1876,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

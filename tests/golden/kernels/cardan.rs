@@ -746,6 +746,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

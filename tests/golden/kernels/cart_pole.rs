@@ -562,6 +562,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
         ],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -958,6 +958,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

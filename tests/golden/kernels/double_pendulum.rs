@@ -707,6 +707,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -1187,6 +1187,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -3147,6 +3147,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -1054,6 +1054,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

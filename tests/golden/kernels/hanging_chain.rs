@@ -1074,6 +1074,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -482,6 +482,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

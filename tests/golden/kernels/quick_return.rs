@@ -1279,6 +1279,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

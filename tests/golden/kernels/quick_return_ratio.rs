@@ -1350,6 +1350,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturnRatio<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -2622,6 +2622,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         ],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -1817,6 +1817,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
             },
         ],
         speed_constraints: &[1, 2],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -1264,6 +1264,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rover<S> {
             },
         ],
         speed_constraints: &[0, 1, 2],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -908,6 +908,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

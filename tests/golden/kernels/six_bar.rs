@@ -2549,6 +2549,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

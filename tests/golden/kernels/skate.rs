@@ -739,6 +739,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
             },
         ],
         speed_constraints: &[0],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

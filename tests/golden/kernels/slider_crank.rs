@@ -869,6 +869,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

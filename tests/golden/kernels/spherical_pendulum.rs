@@ -668,6 +668,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SphericalPendulum<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

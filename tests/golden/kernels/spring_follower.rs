@@ -610,6 +610,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

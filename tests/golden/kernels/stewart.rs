@@ -6002,6 +6002,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Stewart<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[0],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -954,6 +954,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Tumbling<S> {
         inputs: &[],
         constraints: &[],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

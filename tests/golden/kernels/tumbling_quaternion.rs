@@ -2200,6 +2200,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for TumblingQuaternion<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[0],
         conditionals: &[],
         events: &[],
         outputs: &[

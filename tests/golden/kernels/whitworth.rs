@@ -1148,6 +1148,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
             },
         ],
         speed_constraints: &[],
+        norm_constraints: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

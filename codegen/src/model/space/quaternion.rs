@@ -109,15 +109,18 @@ fn spin(graph: &mut Graph, q: &[Expr; 4], rates: &[Expr; 4], inverse: Expr) -> T
     })
 }
 
-/// Refuses quaternions of coordinates whose norm no constraint keeps.
+/// The rows that keep the norms of quaternions of coordinates; refuses those that none keeps.
 pub(in crate::model) fn check_norms(
     quaternions: &[Quaternion],
     constraints: &[Constraint],
     graph: &Graph,
     mistakes: &mut Mistakes,
-) {
+) -> Vec<usize> {
+    let mut rows = Vec::new();
     for quaternion in quaternions {
-        if !constraints.iter().any(|constraint| quaternion.is_kept_by(constraint, graph)) {
+        if let Some(row) = constraints.iter().position(|constraint| quaternion.is_kept_by(constraint, graph)) {
+            rows.push(row);
+        } else {
             let [a, b, c, d] = &quaternion.names;
             mistakes.add(quaternion.place.error(format!(
                 "nothing keeps the norm of this quaternion, so its four coordinates would move freely; add \
@@ -125,6 +128,9 @@ pub(in crate::model) fn check_norms(
             )));
         }
     }
+    rows.sort_unstable();
+    rows.dedup();
+    rows
 }
 
 impl Quaternion {
