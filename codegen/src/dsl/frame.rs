@@ -63,12 +63,7 @@ impl Frames {
     }
 
     fn find(&self, name: &Ident) -> Result<&Frame> {
-        let unknown = || {
-            let text = name.to_string();
-            let names: Vec<String> = self.bodies.iter().map(|body| body.name.to_string()).collect();
-            let near = nearest::suggestion(&text, names.iter().map(String::as_str));
-            Region::from(name).error(format!("no body above is called `{text}`{near}"))
-        };
+        let unknown = || unknown_body(name, &self.bodies.iter().map(|body| &body.name).collect::<Vec<_>>());
         self.bodies.iter().find(|body| body.name == *name).ok_or_else(unknown)
     }
 
@@ -96,7 +91,7 @@ impl Frames {
 
     /// The equations of a joint.
     fn equations(&self, joint: Joint) -> Result<Vec<Equation>> {
-        let Joint { name, kind, initially } = joint;
+        let Joint { name, kind, initially, .. } = joint;
         let at = Region::from(&name);
         let equation = |left, right| Equation { name: name.clone(), left, right, initially };
         Ok(match kind {
@@ -245,8 +240,15 @@ impl Frames {
     }
 }
 
+pub(super) fn unknown_body(name: &Ident, bodies: &[&Ident]) -> syn::Error {
+    let text = name.to_string();
+    let names: Vec<String> = bodies.iter().map(|body| body.to_string()).collect();
+    let near = nearest::suggestion(&text, names.iter().map(String::as_str));
+    Region::from(name).error(format!("no body above is called `{text}`{near}"))
+}
+
 /// Every expression in which a point on a body may stand.
-fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
+pub(super) fn expressions(declaration: &mut Declaration) -> Vec<&mut Expression> {
     let d = declaration;
     let mut all: Vec<&mut Expression> = d.lets.iter_mut().map(|l| &mut l.value).collect();
     for body in &mut d.bodies {

@@ -11,7 +11,9 @@ use syn::parse::{ParseStream, Result};
 
 /// `pin_A: pin P to Q;`
 pub struct Joint {
-    /// Its name, which its constraints take.
+    /// Documentation.
+    pub docs: String,
+    /// Its name, which its constraints take, or its coordinates.
     pub name: Ident,
     /// What it is.
     pub kind: JointKind,
@@ -58,14 +60,14 @@ const FORM: &str =
 
 /// Reads a joint.
 pub(super) fn joint(input: ParseStream) -> Result<Joint> {
-    docs(input)?;
+    let docs = docs(input)?;
     let name = name(input, FORM)?;
     colon(input, FORM)?;
     let known = ["pin", "link", "slot", "slide", "gear", "rack", "cam", "roll"];
     let word = keyword(input, &[&known, SpatialKind::WORDS.as_slice()].concat())?;
     if let Some(kind) = SpatialKind::of(&word.to_string()) {
         let joint = spatial_joint(input, kind)?;
-        return Ok(Joint { name, kind: JointKind::Spatial(Box::new(joint)), initially: initially(input)? });
+        return Ok(Joint { docs, name, kind: JointKind::Spatial(Box::new(joint)), initially: initially(input)? });
     }
     let kind = match word.to_string().as_str() {
         "pin" => pin(input)?,
@@ -77,7 +79,7 @@ pub(super) fn joint(input: ParseStream) -> Result<Joint> {
         "cam" => cam(input)?,
         _ => roll(input)?,
     };
-    Ok(Joint { name, kind, initially: initially(input)? })
+    Ok(Joint { docs, name, kind, initially: initially(input)? })
 }
 
 fn body(input: ParseStream) -> Result<Ident> {

@@ -48,6 +48,24 @@ pub(super) fn number(region: Region, literal: &str) -> Expression {
     }
 }
 
+/// The circle's ratio.
+pub(super) fn pi(region: Region) -> Expression {
+    named(&Ident::new("pi", region.start()), region)
+}
+
+/// A name as an expression.
+pub(super) fn named(name: &Ident, region: Region) -> Expression {
+    Expression { region, kind: Kind::Name(name.clone()) }
+}
+
+pub(super) fn negated(operand: Expression) -> Expression {
+    Expression { region: operand.region, kind: Kind::Negate(Box::new(operand)) }
+}
+
+pub(super) fn sum(a: Expression, b: Expression) -> Expression {
+    binary(Operator::Add, a, b)
+}
+
 pub(super) fn vector(region: Region, components: Vec<Expression>) -> Expression {
     Expression { region, kind: Kind::Vector(components) }
 }

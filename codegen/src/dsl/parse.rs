@@ -61,6 +61,7 @@ pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     super::limits::check(ordinary.clone())?;
     let mut declaration = declaration.parse2(ordinary)?;
     super::free::give_coordinates(&mut declaration)?;
+    super::spanning_tree::place_bodies(&mut declaration)?;
     super::frame::write_out(declaration)
 }
 

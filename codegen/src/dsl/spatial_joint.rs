@@ -1,12 +1,13 @@
 //! Joints of bodies in space by name, and their equations.
 //!
-//! A joint holds a point and an axis of one body to those of another, or of the `ground`. From an axis n follow two marks
-//! t1 and t2 across it, t1 x t2 = n: of the axes of a frame the next two, in turn. Its equations are between products of
-//! such vectors, each fixed on its body (Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, section 7.1).
+//! A joint holds a point and an axis of one body to those of another, or of the `ground`. Its equations are between products
+//! of axes and their marks, each fixed on its body (Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988,
+//! section 7.1).
 
 use super::block::{accept_word, expect_word, name};
 use super::expression::expression;
-use super::made::{binary, call, difference, inner, number, product, quotient, vector, zero};
+use super::made::{binary, call, difference, inner, number, pi, product, quotient, zero};
+use super::marks::Marks;
 use super::{Equation, Expression, Kind, Operator, Region};
 use syn::Ident;
 use syn::parse::{ParseStream, Result};
@@ -117,92 +118,19 @@ pub(super) fn rolling(input: ParseStream, disc: Ident, radius: Expression) -> Re
 /// A point and an axis with its marks, in the world.
 pub(super) struct Placed {
     pub(super) point: Expression,
-    axis: Expression,
-    marks: [Expression; 2],
+    marks: Marks,
 }
 
 impl Placed {
     /// From the body's point in the world, and what turns vectors of its frame into the world.
     pub(super) fn new(side: &Side, point: Expression, turned: impl Fn(Expression) -> Expression) -> Result<Placed> {
-        let at = side.at.region;
-        let axis = side.axis.clone().unwrap_or_else(|| coordinate_axis(at, 2, false));
-        let (axis, marks) = marked(&axis)?;
-        Ok(Placed { point, axis: turned(axis), marks: marks.map(turned) })
+        let Marks { axis, across } = Marks::of(side)?;
+        Ok(Placed { point, marks: Marks { axis: turned(axis), across: across.map(turned) } })
     }
 }
 
-/// An axis of length 1 and the marks across it.
-fn marked(axis: &Expression) -> Result<(Expression, [Expression; 2])> {
-    let at = axis.region;
-    let form = || {
-        at.error(
-            "the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
-             components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
-        )
-    };
-    let Kind::Vector(components) = &axis.kind else { return Err(form()) };
-    if components.len() != 3 {
-        return Err(form());
-    }
-    let Some(values) = components.iter().map(value).collect::<Option<Vec<f64>>>() else {
-        // Of what parameters make only an axis across a known one has marks.
-        let across = components.iter().position(|x| value(x) == Some(0.0)).ok_or_else(form)?;
-        let axis = unit(axis.clone());
-        let first = coordinate_axis(at, across, false);
-        let second = call(at, "cross", vec![axis.clone(), first.clone()]);
-        return Ok((axis, [first, second]));
-    };
-    let length = values.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if !(length > 0.0) {
-        return Err(at.error("an axis without length has no direction; write `[0, 0, 1]`"));
-    }
-    let aligned = (0..3).find(|k| values[*k].abs() == length);
-    if let Some(k) = aligned {
-        let marks = [coordinate_axis(at, (k + 1) % 3, false), coordinate_axis(at, (k + 2) % 3, values[k] < 0.0)];
-        return Ok((coordinate_axis(at, k, values[k] < 0.0), marks));
-    }
-    let axis = if (length - 1.0).abs() < 1e-15 { axis.clone() } else { unit(axis.clone()) };
-    let least = (0..3).min_by(|i, k| values[*i].abs().total_cmp(&values[*k].abs())).unwrap_or(0);
-    let first = unit(call(at, "cross", vec![axis.clone(), coordinate_axis(at, least, false)]));
-    let second = call(at, "cross", vec![axis.clone(), first.clone()]);
-    Ok((axis, [first, second]))
-}
-
-/// v/|v|
-fn unit(v: Expression) -> Expression {
-    quotient(v.clone(), call(v.region, "norm", vec![v]))
-}
-
-/// x, y or z, or the opposite.
-fn coordinate_axis(at: Region, k: usize, is_opposite: bool) -> Expression {
-    let one = if is_opposite { "-1" } else { "1" };
-    vector(at, (0..3).map(|i| if i == k { number(at, one) } else { zero(at) }).collect())
-}
-
-/// The value of an expression of numbers.
-fn value(expression: &Expression) -> Option<f64> {
-    match &expression.kind {
-        Kind::Number { literal, unit: None } => literal.parse().ok(),
-        Kind::Negate(operand) => Some(-value(operand)?),
-        Kind::Binary(operator, left, right) => {
-            let (a, b) = (value(left)?, value(right)?);
-            Some(match operator {
-                Operator::Add => a + b,
-                Operator::Subtract => a - b,
-                Operator::Multiply => a * b,
-                Operator::Divide => a / b,
-                Operator::Power => a.powf(b),
-            })
-        }
-        Kind::Call(function, arguments) => match arguments.as_slice() {
-            [x] if function == "sqrt" => Some(value(x)?.sqrt()),
-            [x] if function == "sin" => Some(value(x)?.sin()),
-            [x] if function == "cos" => Some(value(x)?.cos()),
-            _ => None,
-        },
-        _ => None,
-    }
-}
+/// What is added to the name of a joint in those of its equations.
+pub(super) const ADDED_TO_NAMES: [&str; 8] = ["_f", "_f1", "_f2", "_m", "_m1", "_m2", "_m3", "_screw"];
 
 /// The equations of a joint, each with what is added to its name.
 pub(super) fn equations(
@@ -213,7 +141,7 @@ pub(super) fn equations(
 ) -> Vec<(&'static str, Expression, Expression)> {
     use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
     let null = |suffix, left| (suffix, left, zero(at));
-    let [t1, t2] = &first.marks;
+    let [t1, t2] = &first.marks.across;
     let of_both = |a: &Expression, b: &Expression| inner(at, a.clone(), b.clone());
     let apart = || difference(first.point.clone(), second.point.clone());
     let mut rows = Vec::new();
@@ -222,19 +150,19 @@ pub(super) fn equations(
         Cylindrical | Prismatic | Screw => {
             rows.extend([null("_f1", of_both(t1, &apart())), null("_f2", of_both(t2, &apart()))]);
         }
-        Planar => rows.push(null("_f", of_both(&first.axis, &apart()))),
+        Planar => rows.push(null("_f", of_both(&first.marks.axis, &apart()))),
     }
     match kind {
         Ball => {}
-        Universal => rows.push(null("_m", of_both(&first.axis, &second.axis))),
+        Universal => rows.push(null("_m", of_both(&first.marks.axis, &second.marks.axis))),
         _ => {
-            let tilted = of_both(t1, &second.axis);
-            rows.push(null("_m1", of_both(t2, &second.axis)));
+            let tilted = of_both(t1, &second.marks.axis);
+            rows.push(null("_m1", of_both(t2, &second.marks.axis)));
             rows.push(null("_m2", Expression { region: at, kind: Kind::Negate(Box::new(tilted)) }));
         }
     }
     if matches!(kind, Prismatic | Weld) {
-        rows.push(null("_m3", of_both(t1, &second.marks[1])));
+        rows.push(null("_m3", of_both(t1, &second.marks.across[1])));
     }
     rows
 }
@@ -249,13 +177,9 @@ pub(super) fn screw(
 ) -> (Expression, Expression) {
     let [first_spin, second_spin] = spins;
     let advance = call(at, "dot", vec![difference(second.point.clone(), first.point.clone())]);
-    let turn = inner(at, first.axis.clone(), difference(second_spin, first_spin));
-    let whole = product(number(at, "2"), call_name(at, "pi"));
-    (inner(at, first.axis.clone(), advance), product(quotient(pitch, whole), turn))
-}
-
-fn call_name(at: Region, name: &str) -> Expression {
-    Expression { region: at, kind: Kind::Name(Ident::new(name, at.start())) }
+    let turn = inner(at, first.marks.axis.clone(), difference(second_spin, first_spin));
+    let whole = product(number(at, "2"), pi(at));
+    (inner(at, first.marks.axis.clone(), advance), product(quotient(pitch, whole), turn))
 }
 
 /// A disc that touches a plane and does not slip on it. With a the axis of the disc and k the normal, the contact is r u
@@ -267,7 +191,7 @@ pub(super) fn rolls(
     axis: Expression,
     spin: Expression,
 ) -> Result<[(&'static str, Expression, Expression); 3]> {
-    let (normal, [t1, t2]) = marked(&rolling.normal)?;
+    let Marks { axis: normal, across: [t1, t2] } = Marks::about(&rolling.normal)?;
     let both = |a: &Expression, b: &Expression| inner(at, a.clone(), b.clone());
     let tilt = call(at, "norm", vec![call(at, "cross", vec![normal.clone(), axis.clone()])]);
     let height = both(&normal, &difference(centre.clone(), rolling.on.clone()));

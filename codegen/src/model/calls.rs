@@ -79,6 +79,10 @@ impl Interpreter {
                 let components = self.arguments(region, &text, arguments, ["q0", "q1", "q2", "q3"])?;
                 self.quaternion(region, components)
             }
+            "axes" => {
+                let axes = self.arguments(region, &text, arguments, ["u", "v", "w"])?;
+                self.axes(region, axes)
+            }
             "transpose" => {
                 let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
                 self.transpose(rotation)

@@ -14,8 +14,8 @@ pub(super) const OTHER_FUNCTIONS: [&str; 10] =
     ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
 /// Functions that names of the user's own may hide, as they have come later: rotations and vectors of space.
-pub(super) const SPATIAL_FUNCTIONS: [&str; 6] =
-    ["cross", "rotation", "euler", "quaternion", "transpose", "angular_velocity"];
+pub(super) const SPATIAL_FUNCTIONS: [&str; 7] =
+    ["cross", "rotation", "euler", "quaternion", "axes", "transpose", "angular_velocity"];
 
 /// The name as the user thinks of it, without Rust's `r#`.
 pub(super) fn plain(ident: &Ident) -> String {

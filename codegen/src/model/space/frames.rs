@@ -85,6 +85,9 @@ impl Frames {
     /// The rotation of one step.
     pub(super) fn single(&mut self, graph: &mut Graph, step: Step) -> Turn {
         self.begin(graph);
+        if step.matrix == identity(graph) {
+            return Turn::NONE;
+        }
         let same = self.steps.iter().position(|other| other.matrix == step.matrix);
         let index = same.unwrap_or(self.steps.len());
         if same.is_none() {

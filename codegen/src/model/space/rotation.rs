@@ -71,6 +71,32 @@ impl Interpreter {
         Some(Value::rotation(turn))
     }
 
+    /// `axes(u, v, w)`: of x, y and z to three axes at right angles.
+    pub(in crate::model) fn axes(&mut self, region: Region, arguments: &[Expression; 3]) -> Option<Value> {
+        let [u, v, w] = arguments.each_ref().map(|argument| self.axis(argument));
+        let columns = [u?, v?, w?];
+        let third = cross(&mut self.graph, &columns[0], &columns[1]);
+        for (a, b, cosine) in [(&columns[0], &columns[1], 0.0), (&third, &columns[2], 1.0)] {
+            let found = triple::inner(&mut self.graph, a, b);
+            if (1..=3).any(|k| !((self.sampled(found, k) - cosine).abs() < 1e-9)) {
+                let message = "`axes(u, v, w)` takes three axes at right angles, the third of them u x v: write \
+                               `axes(u, v, cross(u, v))`";
+                return self.refuse(region, message);
+            }
+        }
+        let step = self.towards(columns);
+        Some(Value::rotation(self.frames.single(&mut self.graph, step)))
+    }
+
+    /// The axes as columns, with w = [v'.w, w'.u, u'.v] in the turned frame.
+    fn towards(&mut self, columns: [Triple; 3]) -> Step {
+        let Interpreter { graph, motion, .. } = self;
+        let rates = columns.map(|axis| axis.map(|x| motion.of(graph, x)));
+        let spin: Triple = std::array::from_fn(|k| triple::inner(graph, &rates[(k + 1) % 3], &columns[(k + 2) % 3]));
+        let spin_rate = spin.map(|x| motion.of(graph, x));
+        Step { matrix: triple::transposed(&columns), spin, spin_rate, quaternion: None }
+    }
+
     /// The unit vector of an axis by its letter.
     fn unit(&mut self, letter: char) -> Option<Triple> {
         let index = AXES.iter().position(|axis| *axis == letter)?;

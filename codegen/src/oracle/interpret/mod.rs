@@ -302,6 +302,7 @@ impl<'d> Interpreter<'d> {
             ("rotation", [axis, angle]) => self.about(axis, angle),
             ("euler", [sequence, angles @ ..]) => self.euler(sequence, angles),
             ("quaternion", [a, b, c, d]) => self.quaternion([a, b, c, d]),
+            ("axes", [u, v, w]) => self.axes([u, v, w]),
             ("transpose", [rotation]) => Ok(Value::Rotation(self.rotation(rotation)?.transposed())),
             ("angular_velocity", [rotation]) => {
                 let rotation = self.rotation(rotation)?;

@@ -9,13 +9,24 @@ use crate::oracle::value::Value;
 
 impl Interpreter<'_> {
     pub(super) fn about(&mut self, axis: &Expression, angle: &Expression) -> Result<Value> {
-        let components = match (letter(axis), self.value(axis)) {
-            (_, Ok(axis)) => axis.vector()?,
-            (Some(letter), Err(_)) => self.unit(letter)?,
-            (None, Err(error)) => return Err(error),
-        };
-        let rotation = Rotation::about(&components, &self.scalar(angle)?);
+        let rotation = Rotation::about(&self.axis(axis)?, &self.scalar(angle)?);
         rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
+    }
+
+    /// A vector, or the letter of an axis where that is no name.
+    fn axis(&mut self, axis: &Expression) -> Result<Vec<Jet>> {
+        match (letter(axis), self.value(axis)) {
+            (_, Ok(axis)) => axis.vector(),
+            (Some(letter), Err(_)) => self.unit(letter),
+            (None, Err(error)) => Err(error),
+        }
+    }
+
+    /// Axes as columns.
+    pub(super) fn axes(&mut self, columns: [&Expression; 3]) -> Result<Value> {
+        let [u, v, w] = columns.map(|column| self.axis(column));
+        let rows = Rotation { entries: [u?, v?, w?].concat(), quaternions: vec![] };
+        Ok(Value::Rotation(rows.transposed()))
     }
 
     fn unit(&self, letter: usize) -> Result<Vec<Jet>> {

@@ -1,0 +1,71 @@
+//! Coordinates that the language itself gives, to free bodies and in joints.
+
+use super::made::{binary, call, named, number, sum};
+use super::{Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Operator, Region, Unit};
+use syn::Ident;
+use syn::ext::IdentExt;
+
+/// Coordinates to be added to those of a declaration, with what keeps quaternions of them at length 1.
+pub(super) struct Given {
+    /// A declaration without units stays one.
+    has_units: bool,
+    coordinates: Vec<Coordinate>,
+    norms: Vec<Equation>,
+    /// The scalar parts of quaternions.
+    scalar_parts: Vec<(Ident, Region)>,
+}
+
+impl Given {
+    /// None yet.
+    pub(super) fn to(declaration: &Declaration) -> Given {
+        let has_units = declaration.parameters.iter().any(|p| p.unit.is_some())
+            || declaration.coordinates.iter().any(|c| c.unit.is_some());
+        Given { has_units, coordinates: vec![], norms: vec![], scalar_parts: vec![] }
+    }
+
+    /// A coordinate, in a unit of the SI; gives its name as an expression.
+    pub(super) fn coordinate(&mut self, name: Ident, unit: &str, docs: String, at: Region) -> Expression {
+        let unit = (self.has_units && unit != "1").then(|| Unit {
+            region: at,
+            factors: vec![(Ident::new(unit, at.start()), 1)],
+            text: unit.to_owned(),
+        });
+        let expression = named(&name, at);
+        self.coordinates.push(Coordinate { docs, name, unit });
+        expression
+    }
+
+    /// A quaternion of the coordinates `name_q0` to `name_q3`, which the constraint `name_norm` keeps at length 1.
+    pub(super) fn quaternion(&mut self, name: &Ident, docs: &str, at: Region) -> Expression {
+        let components =
+            ["q0", "q1", "q2", "q3"].map(|what| self.coordinate(with_suffix(name, what), "1", docs.to_owned(), at));
+        let squares = components.clone().map(|x| binary(Operator::Power, x, number(at, "2")));
+        let [a, b, c, d] = squares;
+        let left = sum(sum(sum(a, b), c), d);
+        self.norms.push(Equation { name: with_suffix(name, "norm"), left, right: number(at, "1"), initially: None });
+        self.scalar_parts.push((with_suffix(name, "q0"), at));
+        call(at, "quaternion", components.into())
+    }
+
+    /// Adds them after those that are declared.
+    pub(super) fn add(self, declaration: &mut Declaration) {
+        declaration.coordinates.extend(self.coordinates);
+        declaration.constraints.extend(self.norms);
+        for (scalar_part, at) in self.scalar_parts {
+            start_upright(&mut declaration.initial, scalar_part, at);
+        }
+    }
+}
+
+/// A quaternion whose start is not given starts near where it turns nothing.
+fn start_upright(initial: &mut Vec<Initial>, coordinate: Ident, at: Region) {
+    let is_given = initial.iter().any(|line| line.coordinate == coordinate && line.kind != InitialKind::Speed);
+    if !is_given {
+        initial.push(Initial { coordinate, kind: InitialKind::Guess, value: number(at, "1") });
+    }
+}
+
+/// `rod_x` of `rod`.
+pub(super) fn with_suffix(name: &Ident, what: &str) -> Ident {
+    Ident::new(&format!("{}_{what}", name.unraw()), name.span())
+}

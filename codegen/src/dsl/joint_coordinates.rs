@@ -1,0 +1,157 @@
+//! Joints as coordinates: where the one body of a joint is and how it is turned, by the frame of the other.
+//!
+//! With A1, A2 the attitudes of the bodies, B1 = [t1, t2, n] the marks in the frame of the first and B2 those in the frame of
+//! the second, A2 = A1 J B1 B2', where J is what the joint turns, in the frame of the first. So the marks of both sides are
+//! aligned where all coordinates are 0. The second point is shifted against the first along the marks of the first
+//! (Wittenburg, Dynamics of Multibody Systems, 2008, section 5.3).
+
+use super::given::{Given, with_suffix};
+use super::made::{call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
+use super::marks::Marks;
+use super::{Expression, Kind, Region, Side, SpatialJoint, SpatialKind};
+use syn::ext::IdentExt;
+use syn::{Ident, Result};
+
+/// A joint that becomes coordinates.
+pub(super) struct JointCoordinates<'a> {
+    pub(super) name: &'a Ident,
+    pub(super) docs: &'a str,
+    pub(super) joint: &'a SpatialJoint,
+    /// Whether the body that is placed is the first.
+    pub(super) is_backward: bool,
+    /// Whether the other side is the world.
+    pub(super) is_grounded: bool,
+}
+
+/// Where a body is and how it is turned.
+pub(super) struct Pose {
+    /// Its centre of mass.
+    pub(super) position: Expression,
+    /// From its frame to the world's.
+    pub(super) attitude: Expression,
+}
+
+/// What a joint lets the second body do, in the frame of the first.
+struct Freedom {
+    turns: Vec<Expression>,
+    shift: Option<Expression>,
+}
+
+impl JointCoordinates<'_> {
+    /// Gives the joint its coordinates. The pose is that of the body that it places.
+    ///
+    /// # Errors
+    /// Axes that are none.
+    pub(super) fn pose(&self, given: &mut Given) -> Result<Pose> {
+        let SpatialJoint { kind, first, second, .. } = self.joint;
+        let (own, mut other) = (Marks::of(first)?, Marks::of(second)?);
+        if *kind == SpatialKind::Universal {
+            other = other.in_turn();
+        }
+        let frames = [&own, &other].map(|marks| marks.frame(self.at()));
+        let Freedom { mut turns, shift } = self.freedom(own, given);
+        if frames[0].to_string() != frames[1].to_string() {
+            let [own, other] = frames;
+            turns.extend([own, inverse(other)]);
+        }
+        let first_point = shift.into_iter().fold(first.at.clone(), sum);
+        let second_point = second.at.clone();
+        Ok(match self.is_backward {
+            false => self.from((first, first_point), turns, second_point),
+            true => self.from((second, second_point), turns.into_iter().rev().map(inverse).collect(), first_point),
+        })
+    }
+
+    fn at(&self) -> Region {
+        Region::from(self.name)
+    }
+
+    /// The pose of a body that is turned against the holder so, and whose own point is at that of the holder.
+    fn from(&self, (holder, point): (&Side, Expression), turns: Vec<Expression>, own_point: Expression) -> Pose {
+        let body = named(&holder.body, Region::from(&holder.body));
+        let (before, point) = match self.is_grounded {
+            true => (None, point),
+            false => {
+                let attitude = call(self.at(), "attitude", vec![body.clone()]);
+                (Some(attitude), call(point.region, "on", vec![body, point]))
+            }
+        };
+        let attitude = before.into_iter().chain(turns).reduce(product).unwrap_or_else(|| self.unturned());
+        Pose { position: difference(point, product(attitude.clone(), own_point)), attitude }
+    }
+
+    fn unturned(&self) -> Expression {
+        let axis = vector(self.at(), vec![zero(self.at()), zero(self.at()), number(self.at(), "1")]);
+        call(self.at(), "rotation", vec![axis, zero(self.at())])
+    }
+
+    fn freedom(&self, marks: Marks, given: &mut Given) -> Freedom {
+        use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
+        let at = self.at();
+        let Marks { axis, across: [t1, t2] } = marks;
+        let about = |axis: &Expression, angle: &Expression| call(at, "rotation", vec![axis.clone(), angle.clone()]);
+        let mut coordinate = |suffix, unit, what| self.coordinate(suffix, unit, what, given);
+        match self.joint.kind {
+            Weld => Freedom { turns: vec![], shift: None },
+            Revolute => {
+                let turn = coordinate("", "rad", "Turn");
+                Freedom { turns: vec![about(&axis, &turn)], shift: None }
+            }
+            Universal => {
+                let turns = [coordinate("1", "rad", "First turn"), coordinate("2", "rad", "Second turn")];
+                Freedom { turns: vec![about(&axis, &turns[0]), about(&t1, &turns[1])], shift: None }
+            }
+            Ball => {
+                let quaternion = given.quaternion(self.name, &self.docs("Quaternion"), at);
+                Freedom { turns: vec![quaternion], shift: None }
+            }
+            Prismatic => {
+                let shift = coordinate("", "m", "Shift");
+                Freedom { turns: vec![], shift: Some(product(shift, axis)) }
+            }
+            Cylindrical => {
+                let (turn, shift) = (coordinate("turn", "rad", "Turn"), coordinate("shift", "m", "Shift"));
+                Freedom { turns: vec![about(&axis, &turn)], shift: Some(product(shift, axis)) }
+            }
+            Screw => {
+                let turn = coordinate("", "rad", "Turn");
+                let whole = product(number(at, "2"), pi(at));
+                let advance = self.joint.pitch.clone().map(|pitch| product(quotient(pitch, whole), turn.clone()));
+                Freedom { turns: vec![about(&axis, &turn)], shift: advance.map(|advance| product(advance, axis)) }
+            }
+            Planar => {
+                let shifts = [coordinate("x", "m", "First shift"), coordinate("y", "m", "Second shift")];
+                let turn = coordinate("turn", "rad", "Turn");
+                let [x, y] = shifts;
+                Freedom { turns: vec![about(&axis, &turn)], shift: Some(sum(product(x, t1), product(y, t2))) }
+            }
+        }
+    }
+
+    /// A coordinate with the joint's own name, or with what tells it from the others.
+    fn coordinate(&self, suffix: &str, unit: &str, what: &str, given: &mut Given) -> Expression {
+        let name = if suffix.is_empty() { self.name.clone() } else { with_suffix(self.name, suffix) };
+        given.coordinate(name, unit, self.docs(what), self.at())
+    }
+
+    /// What is said of the joint, and what the coordinate is.
+    fn docs(&self, what: &str) -> String {
+        let [first, second] = [&self.joint.first, &self.joint.second].map(|side| side.body.unraw());
+        let own = format!("{what} of `{second}` against `{first}`.");
+        if self.docs.is_empty() { own } else { format!("{}\n{own}", self.docs) }
+    }
+}
+
+/// R'.
+fn inverse(rotation: Expression) -> Expression {
+    match &rotation.kind {
+        Kind::Call(function, arguments) => match arguments.as_slice() {
+            [axis, angle] if function == "rotation" => {
+                call(rotation.region, "rotation", vec![axis.clone(), negated(angle.clone())])
+            }
+            [inverted] if function == "transpose" => inverted.clone(),
+            _ => call(rotation.region, "transpose", vec![rotation]),
+        },
+        _ => call(rotation.region, "transpose", vec![rotation]),
+    }
+}
