@@ -160,20 +160,22 @@ fn stewarts_platform_goes_straight_up() {
     assert!(off < 1e-11 && lean < 1e-11 && force < 1e-9, "{off:e} {lean:e} {force:e}");
 }
 
-/// |A - B|^2 = c^2 as a cos(psi) + b sin(psi) = k, of which the rocker keeps one root.
+/// Both angles of the rocker at an angle of the crank: |A - B|^2 = c^2 as a cos(psi) + b sin(psi) = k.
+pub(crate) fn rssr_rocker([a, b, c, dx, dz]: [f64; 5], phi: f64) -> [f64; 2] {
+    // From A to the rocker's axis; B = O - b [sin(psi), 0, cos(psi)].
+    let [x, y, z] = [dx - a * phi.cos(), -a * phi.sin(), dz];
+    let k = (x * x + y * y + z * z + b * b - c * c) / (2.0 * b);
+    let middle = x.atan2(z);
+    let half = (k / x.hypot(z)).acos();
+    [middle - half, middle + half]
+}
+
 #[test]
 fn a_spatial_four_bar_closes() {
     let linkage: Rssr = Rssr::default();
     let Rssr { a, b, c, dx, dz, .. } = linkage;
     let run = run_with(linkage, &Settings::adaptive(Method::Dop853, 2.0, 1e-11)).unwrap();
-    let rocker = |phi: f64| {
-        // From A to the rocker's axis; B = O - b [sin(psi), 0, cos(psi)].
-        let [x, y, z] = [dx - a * phi.cos(), -a * phi.sin(), dz];
-        let k = (x * x + y * y + z * z + b * b - c * c) / (2.0 * b);
-        let middle = x.atan2(z);
-        let half = (k / x.hypot(z)).acos();
-        [middle - half, middle + half]
-    };
+    let rocker = |phi| rssr_rocker([a, b, c, dx, dz], phi);
     let start = column(&run, "psi")[0];
     let root = usize::from((rocker(0.0)[1] - start).abs() < (rocker(0.0)[0] - start).abs());
     let off = apart(&run, "psi", "phi", |phi| rocker(phi)[root]);

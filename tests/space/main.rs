@@ -18,3 +18,4 @@ mod linkages;
 mod rolling;
 mod top;
 mod torque_free;
+mod tree;

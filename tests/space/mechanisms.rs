@@ -85,7 +85,7 @@ mechanism! {
     outputs { height [m] = on(second, [0, l, 0]).z; spin [rad/s] = norm(omega(second) - omega(first)); norm_force [J] = reaction(first_norm); }
 }
 
-/// Calls a macro with the types of all mechanisms but the overconstrained one, of which no elimination is planned, and
+/// Calls a macro with the types of all mechanisms but the overconstrained ones, of which no elimination is planned, and
 /// Stewart's platform, whose six legs do not reach most random places.
 macro_rules! all_mechanisms {
     ($callback:ident) => {
@@ -101,7 +101,9 @@ macro_rules! all_mechanisms {
             models::Rover,
             crate::mechanisms::Thrown,
             crate::mechanisms::Gimbal,
-            crate::mechanisms::Leashed
+            crate::mechanisms::Leashed,
+            crate::tree::turning_back::Placed,
+            crate::tree::RssrOfJoints
         )
     };
 }

@@ -79,13 +79,18 @@ impl Frames {
     }
 
     fn position(&self, body: &Ident) -> Result<Expression> {
-        let missing =
-            || Region::from(body).error(format!("body `{body}` has no place; write `mass m at P` in its line"));
+        let missing = || {
+            Region::from(body)
+                .error(format!("body `{body}` has no place; write `mass m at P` in its line, or let it be `free`"))
+        };
         self.find(body)?.position.clone().ok_or_else(missing)
     }
 
     fn angle(&self, body: &Ident) -> Result<Expression> {
-        let missing = || Region::from(body).error(format!("body `{body}` has no angle; write `angle phi` in its line"));
+        let missing = || {
+            Region::from(body)
+                .error(format!("body `{body}` has no angle; write `angle phi` in its line, or let it be `free`"))
+        };
         self.find(body)?.angle.clone().ok_or_else(missing)
     }
 

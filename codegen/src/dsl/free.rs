@@ -34,7 +34,7 @@ pub(super) fn give_coordinates(declaration: &mut Declaration) -> Result<()> {
             *position = Some(vector(free, place));
         }
     }
-    given.add(declaration);
+    given.add(declaration, &mut mistakes);
     mistakes.or(())
 }
 

@@ -2,6 +2,7 @@
 
 use super::made::{binary, call, named, number, sum};
 use super::{Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Operator, Region, Unit};
+use crate::mistakes::Mistakes;
 use syn::Ident;
 use syn::ext::IdentExt;
 
@@ -47,14 +48,33 @@ impl Given {
         call(at, "quaternion", components.into())
     }
 
-    /// Adds them after those that are declared.
-    pub(super) fn add(self, declaration: &mut Declaration) {
+    /// Adds them after those that are declared. A name that something else has is a mistake.
+    pub(super) fn add(self, declaration: &mut Declaration, mistakes: &mut Mistakes) {
+        for Coordinate { name, .. } in &self.coordinates {
+            if let Some(other) = names(declaration).find(|other| *other == name) {
+                let mut mistake = Region::from(name).error(format!(
+                    "`{name}` is a coordinate that comes with this; choose another name for this, or for the other `{name}`"
+                ));
+                mistake.combine(Region::from(other).error(format!("the other `{name}` is here")));
+                mistakes.add(mistake);
+            }
+        }
         declaration.coordinates.extend(self.coordinates);
         declaration.constraints.extend(self.norms);
         for (scalar_part, at) in self.scalar_parts {
             start_upright(&mut declaration.initial, scalar_part, at);
         }
     }
+}
+
+/// The names of what expressions can speak of.
+fn names(declaration: &Declaration) -> impl Iterator<Item = &Ident> {
+    let valued = declaration.parameters.iter().chain(&declaration.inputs).map(|p| &p.name);
+    let moving = declaration.coordinates.iter().map(|c| &c.name).chain(declaration.auxiliary.iter().map(|a| &a.name));
+    valued
+        .chain(moving)
+        .chain(declaration.lets.iter().map(|l| &l.name))
+        .chain(declaration.tables.iter().map(|t| &t.name))
 }
 
 /// A quaternion whose start is not given starts near where it turns nothing.

@@ -15,6 +15,7 @@ mod limits;
 mod load;
 mod made;
 mod marks;
+mod no_constraint;
 mod parse;
 mod print;
 mod rates;

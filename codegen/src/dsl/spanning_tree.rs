@@ -4,11 +4,11 @@
 //! A body of space, `link: mass m, inertia [A, B, C];`, that is not `free` and has no pose of its own is placed by the first joint,
 //! in the order of declaration, that leads to it from the ground or from a body that is placed; and so on from there.
 
-use super::frame::{expressions, unknown_body};
+use super::frame::unknown_body;
 use super::given::Given;
 use super::joint_coordinates::{JointCoordinates, Pose};
-use super::spatial_joint::ADDED_TO_NAMES;
-use super::{Body, Declaration, Expression, Joint, JointKind, Kind, Region, SpatialJoint};
+use super::no_constraint;
+use super::{Body, Declaration, Joint, JointKind, Kind, Region, SpatialJoint};
 use crate::mistakes::Mistakes;
 use syn::ext::IdentExt;
 use syn::{Ident, Result};
@@ -17,7 +17,8 @@ use syn::{Ident, Result};
 /// poses. Bodies then stand in the order in which they are placed.
 ///
 /// # Errors
-/// Bodies that no joint leads to, and joints that are spoken of as constraints though they have become coordinates.
+/// Bodies that no joint leads to, names that coordinates would take from others, and joints that are spoken of as constraints
+/// though they have become coordinates.
 pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
     if !declaration.bodies.iter().any(is_unplaced) {
         return Ok(());
@@ -33,9 +34,8 @@ pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
         if let JointKind::Spatial(spatial) = &joint.kind {
             let (name, docs) = (&joint.name, joint.docs.as_str());
             let coordinates = JointCoordinates { name, docs, joint: spatial, is_backward, is_grounded };
-            if let Some(Pose { position, attitude }) = mistakes.note(coordinates.pose(&mut given)) {
-                body.mass = body.mass.map(|(mass, _)| (mass, Some(position)));
-                body.attitude = Some(attitude);
+            if let Some(pose) = mistakes.note(coordinates.pose(&mut given)) {
+                mistakes.note(place(&mut body, pose));
             }
         }
         tree.placed.push(body);
@@ -44,16 +44,28 @@ pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
     }
     tree.mistakes(&declaration.joints).for_each(|mistake| mistakes.add(mistake));
     declaration.bodies = tree.placed.into_iter().chain(tree.waiting).collect();
-    given.add(declaration);
-    check_use(declaration, &spanning, &mut mistakes);
+    given.add(declaration, &mut mistakes);
+    no_constraint::refuse(&spanning, declaration, &mut mistakes);
     mistakes.or(())
 }
 
 /// Whether a body of space has no pose of its own.
 fn is_unplaced(body: &Body) -> bool {
     let is_spatial = body.inertia.as_ref().is_some_and(|inertia| matches!(inertia.kind, Kind::Vector(_)));
-    let has_place = body.mass.as_ref().is_none_or(|(_, place)| place.is_some());
+    let has_place = body.mass.as_ref().is_some_and(|(_, place)| place.is_some());
     is_spatial && !has_place && body.angle.is_none() && body.attitude.is_none()
+}
+
+fn place(body: &mut Body, pose: Pose) -> Result<()> {
+    let Some((_, position)) = &mut body.mass else {
+        let name = body.name.unraw();
+        let message =
+            format!("the mass of `{name}` is missing: a joint places it, `{name}: mass m, inertia [A, B, C];`");
+        return Err(Region::from(&body.name).error(message));
+    };
+    *position = Some(pose.position);
+    body.attitude = Some(pose.attitude);
+    Ok(())
 }
 
 /// Bodies that have their poses, in the order in which they were given them, and those that have not.
@@ -141,43 +153,4 @@ fn check_names(declaration: &Declaration) -> Result<()> {
         }
     }
     mistakes.or(())
-}
-
-/// Refuses what only a constraint has, of joints that are none.
-fn check_use(declaration: &mut Declaration, spanning: &[Joint], mistakes: &mut Mistakes) {
-    for Joint { name, initially, .. } in spanning {
-        if initially.is_some() {
-            mistakes.add(Region::from(name).error(format!(
-                "`{name}` places a body and cannot be released; let the body be `free`, and the joint is a constraint"
-            )));
-        }
-    }
-    for expression in expressions(declaration) {
-        for mistake in reactions(expression, spanning) {
-            mistakes.add(mistake);
-        }
-    }
-}
-
-/// Those `reaction(..)` that are of coordinates.
-fn reactions(expression: &Expression, spanning: &[Joint]) -> Vec<syn::Error> {
-    match &expression.kind {
-        Kind::Call(function, arguments) if function == "reaction" => {
-            let Some(Expression { kind: Kind::Name(name), region }) = arguments.first() else { return vec![] };
-            let text = name.to_string();
-            let of = |joint: &&Joint| {
-                let rest = text.strip_prefix(&joint.name.to_string());
-                rest.is_some_and(|rest| rest.is_empty() || ADDED_TO_NAMES.contains(&rest))
-            };
-            let message = |joint: &Joint| {
-                region.error(format!(
-                    "joint `{}` places a body and has no reaction of its own; let the body be `free`, and the joint is a \
-                     constraint, or put an `auxiliary` displacement into its point and take the reaction of that",
-                    joint.name
-                ))
-            };
-            spanning.iter().find(of).map(message).into_iter().collect()
-        }
-        _ => expression.parts().into_iter().flat_map(|part| reactions(part, spanning)).collect(),
-    }
 }

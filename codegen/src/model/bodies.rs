@@ -158,7 +158,7 @@ fn resolve_mass(
     let Some(position) = position else {
         return i.refuse(
             mass.region,
-            format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass"),
+            format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass, or let the body be `free`"),
         );
     };
     const WHAT: &str = "the position of a mass";

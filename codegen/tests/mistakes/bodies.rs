@@ -13,7 +13,9 @@ fn bodies() {
     check(
         "mass m at P",
         "mass m",
-        &["5:20 where is the mass of `bob`? Write `mass m at P`, P being its centre of mass"],
+        &[
+            "5:20 where is the mass of `bob`? Write `mass m at P`, P being its centre of mass, or let the body be `free`",
+        ],
     );
     check(
         "mass m at P, angle phi",

@@ -58,10 +58,10 @@ fn frames() {
     body("rod: mass 1 at on(bob, [1, 0]);", &["5:28 no body above is called `bob`"]);
     body(
         "rod: mass 1 at P; tip: mass 1 at on(rod, [1, 0]);",
-        &["5:46 body `rod` has no angle; write `angle phi` in its line"],
+        &["5:46 body `rod` has no angle; write `angle phi` in its line, or let it be `free`"],
     );
     body(
         "rod: inertia 1, angle phi; tip: mass 1 at on(rod, [1, 0]);",
-        &["5:55 body `rod` has no place; write `mass m at P` in its line"],
+        &["5:55 body `rod` has no place; write `mass m at P` in its line, or let it be `free`"],
     );
 }
