@@ -15,9 +15,12 @@ pub fn located(file: &str, mistakes: syn::Error) -> String {
 pub struct Mistakes(Option<syn::Error>);
 
 impl Mistakes {
-    /// Takes note of one more.
+    /// Takes note of one more. What is written out at several places is one mistake.
     pub fn add(&mut self, mistake: syn::Error) {
+        let words = |e: &syn::Error| (format!("{:?}", e.span()), e.to_string());
+        let is_known = |all: &syn::Error| all.clone().into_iter().any(|known| words(&known) == words(&mistake));
         match &mut self.0 {
+            Some(all) if is_known(all) => {}
             Some(all) => all.combine(mistake),
             None => self.0 = Some(mistake),
         }

@@ -4,7 +4,9 @@
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
 use super::joint::{Joint, JointKind};
-use super::made::{across, binary, call, called, component, difference, direction, inner, product, vector, zero};
+use super::made::{
+    across, attitude, binary, call, called, component, difference, direction, inner, product, vector, zero,
+};
 use super::spatial_joint::{Placed, equations, named, rolls, screw};
 use super::{
     Action, Activity, Body, Declaration, Element, Equation, Expression, Extent, Initial, Kind, Law, Load, Operator,
@@ -150,7 +152,8 @@ impl Frames {
             let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or let it be `free`");
             Region::from(body).error(message)
         };
-        self.find(body)?.attitude.clone().ok_or_else(missing)
+        let rotation = self.find(body)?.attitude.clone().ok_or_else(missing)?;
+        Ok(attitude(rotation.region, body, rotation))
     }
 
     /// The equations of a joint of bodies in space.
@@ -203,9 +206,9 @@ impl Frames {
             }
             Kind::Call(function, parts) if function == "attitude" || function == "omega" => {
                 if let [Expression { kind: Kind::Name(body), .. }] = parts.as_slice()
-                    && let Ok(Frame { attitude: Some(attitude), .. }) = self.find(body)
+                    && let Ok(turned) = self.attitude(body)
                 {
-                    let mut turned = Expression { region: expression.region, ..attitude.clone() };
+                    let mut turned = Expression { region: expression.region, ..turned };
                     if function == "omega" {
                         turned = call(expression.region, "angular_velocity", vec![turned]);
                     }
@@ -214,6 +217,7 @@ impl Frames {
                 }
                 parts.iter_mut().try_for_each(|part| self.write_out(part))
             }
+            Kind::Attitude(_, rotation) => self.write_out(rotation),
             Kind::Call(_, parts) => parts.iter_mut().try_for_each(|part| self.write_out(part)),
             Kind::If(choice) => {
                 let parts = [&mut choice.left, &mut choice.right, &mut choice.yes, &mut choice.no];
@@ -228,8 +232,9 @@ impl Frames {
         let [body, mut place] = <[Expression; 2]>::try_from(parts).map_err(|_| form())?;
         self.write_out(&mut place)?;
         let Kind::Name(body) = body.kind else { return Err(form()) };
-        if let Some(attitude) = self.find(&body)?.attitude.clone() {
-            let mut point = binary(Operator::Add, self.position(&body)?, product(attitude, place));
+        if self.find(&body)?.attitude.is_some() {
+            let turned = product(self.attitude(&body)?, place);
+            let mut point = binary(Operator::Add, self.position(&body)?, turned);
             point.region = region;
             return Ok(point);
         }

@@ -6,9 +6,9 @@
 //! (Wittenburg, Dynamics of Multibody Systems, 2008, section 5.3).
 
 use super::given::{Given, with_suffix};
-use super::made::{call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
+use super::made::{attitude, call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
 use super::marks::Marks;
-use super::{Expression, Kind, Region, Side, SpatialJoint, SpatialKind};
+use super::{Expression, Kind, Region, SpatialJoint, SpatialKind};
 use syn::ext::IdentExt;
 use syn::{Ident, Result};
 
@@ -54,11 +54,11 @@ impl JointCoordinates<'_> {
             let [own, other] = frames;
             turns.extend([own, inverse(other)]);
         }
-        let first_point = shift.into_iter().fold(first.at.clone(), sum);
-        let second_point = second.at.clone();
+        let first = (&first.body, shift.into_iter().fold(first.at.clone(), sum));
+        let second = (&second.body, second.at.clone());
         Ok(match self.is_backward {
-            false => self.from((first, first_point), turns, second_point),
-            true => self.from((second, second_point), turns.into_iter().rev().map(inverse).collect(), first_point),
+            false => self.from(first, turns, second),
+            true => self.from(second, turns.into_iter().rev().map(inverse).collect(), first),
         })
     }
 
@@ -66,18 +66,19 @@ impl JointCoordinates<'_> {
         Region::from(self.name)
     }
 
-    /// The pose of a body that is turned against the holder so, and whose own point is at that of the holder.
-    fn from(&self, (holder, point): (&Side, Expression), turns: Vec<Expression>, own_point: Expression) -> Pose {
-        let body = named(&holder.body, Region::from(&holder.body));
+    /// The pose of a body that is turned against the holder so, and whose point is at that of the holder.
+    fn from(&self, holder: (&Ident, Expression), turns: Vec<Expression>, own: (&Ident, Expression)) -> Pose {
+        let (holder, point) = (named(holder.0, holder.0.into()), holder.1);
         let (before, point) = match self.is_grounded {
             true => (None, point),
             false => {
-                let attitude = call(self.at(), "attitude", vec![body.clone()]);
-                (Some(attitude), call(point.region, "on", vec![body, point]))
+                let before = call(self.at(), "attitude", vec![holder.clone()]);
+                (Some(before), call(point.region, "on", vec![holder, point]))
             }
         };
-        let attitude = before.into_iter().chain(turns).reduce(product).unwrap_or_else(|| self.unturned());
-        Pose { position: difference(point, product(attitude.clone(), own_point)), attitude }
+        let rotation = before.into_iter().chain(turns).reduce(product).unwrap_or_else(|| self.unturned());
+        let turned = attitude(own.1.region, own.0, rotation.clone());
+        Pose { position: difference(point, product(turned, own.1)), attitude: rotation }
     }
 
     fn unturned(&self) -> Expression {

@@ -26,6 +26,11 @@ pub(super) fn call(region: Region, function: &str, arguments: Vec<Expression>) -
     Expression { region, kind: Kind::Call(Ident::new(function, Span::call_site()), arguments) }
 }
 
+/// `attitude(body)`, written out.
+pub(super) fn attitude(region: Region, body: &Ident, rotation: Expression) -> Expression {
+    Expression { region, kind: Kind::Attitude(body.clone(), Box::new(rotation)) }
+}
+
 /// A table at an argument.
 pub(super) fn called(table: &Ident, argument: Expression) -> Expression {
     Expression { region: table.into(), kind: Kind::Call(table.clone(), vec![argument]) }

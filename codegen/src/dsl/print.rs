@@ -23,6 +23,7 @@ impl Display for Expression {
             Kind::Vector(components) => write!(f, "[{}]", list(components)),
             Kind::Call(function, arguments) => write!(f, "{function}({})", list(arguments)),
             Kind::Component(vector, name) => write!(f, "{}.{name}", within(vector, Binding::Atom)),
+            Kind::Attitude(body, _) => write!(f, "attitude({body})"),
             Kind::If(choice) => {
                 let sign = match choice.comparison {
                     Comparison::Greater => ">",

@@ -20,6 +20,7 @@ impl Expression {
             Kind::Vector(parts) | Kind::Call(_, parts) => parts.iter().collect(),
             Kind::Negate(part) | Kind::Component(part, _) => vec![part],
             Kind::Binary(_, left, right) => vec![left, right],
+            Kind::Attitude(_, rotation) => vec![rotation],
             Kind::If(choice) => vec![&choice.left, &choice.right, &choice.yes, &choice.no],
         }
     }
@@ -54,6 +55,8 @@ pub enum Kind {
     Component(Box<Expression>, Ident),
     /// `if a > b then x else y`
     If(Box<Choice>),
+    /// `attitude(body)`, with the rotation that it is.
+    Attitude(Ident, Box<Expression>),
 }
 
 /// `if left > right then yes else no`

@@ -14,7 +14,7 @@ impl Interpreter {
         match operator {
             Operator::Add | Operator::Subtract => self.sum(operator, left, right, a, b),
             Operator::Multiply => match a.shape {
-                Shape::Rotation(turn) => self.turned(right.region, turn, b),
+                Shape::Rotation(turn) => self.turned(right.region, (turn, a.bases), b),
                 _ => self.multiply(left, right, a, b),
             },
             Operator::Divide => self.divide(right, a, b),
@@ -41,8 +41,9 @@ impl Interpreter {
                 return self.refuse(left.region.to(right.region), message);
             }
         };
+        let bases = self.common_basis([(left.region, &a), (right.region, &b)])?;
         let (left, right) = (a.measured(left), b.measured(right));
-        Some(Value { shape, dimension: self.common_dimension(left, right, rule)? })
+        Some(Value { shape, dimension: self.common_dimension(left, right, rule)?, bases })
     }
 
     fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {

@@ -29,7 +29,7 @@ pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> 
     let (mut bodies, mut turns, mut norms) = (Vec::new(), Vec::new(), Vec::new());
     for (at, b) in declaration.bodies.iter().enumerate() {
         names.define(&b.name, Some(at), &mut i.mistakes);
-        let turn = b.attitude.as_ref().map(|attitude| i.turn(attitude));
+        let turn = b.attitude.as_ref().map(|attitude| i.attitude_of(attitude));
         let body = match turn {
             Some(None) => None,
             _ => resolve_body(b, turn.flatten(), i),

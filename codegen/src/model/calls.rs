@@ -56,19 +56,16 @@ impl Interpreter {
             }
             "inner" => {
                 let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
-                let (a, b) = (self.vector_value(a), self.vector_value(b));
-                let (a, b) = (a?, b?);
-                let inner = self.inner(&a, &b);
-                let dimension = a.dimension.zip(b.dimension).map(|(a, b)| a.times(&b));
+                let (left, right) = (self.vector_value(a), self.vector_value(b));
+                let (left, right) = (left?, right?);
+                self.common_basis([(a.region, &left), (b.region, &right)])?;
+                let inner = self.inner(&left, &right);
+                let dimension = left.dimension.zip(right.dimension).map(|(a, b)| a.times(&b));
                 Some(Value::scalar(inner, dimension))
             }
             "cross" => {
                 let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
-                let (a, b) = (self.spatial_value(a), self.spatial_value(b));
-                let ((a, da), (b, db)) = (a?, b?);
-                let (turn, a, b) = self.in_common(&a, &b);
-                let product = Spatial::within(turn, triple::cross(&mut self.graph, &a, &b));
-                Some(Value { shape: Shape::Spatial(product), dimension: da.zip(db).map(|(a, b)| a.times(&b)) })
+                self.cross(a, b)
             }
             "rotation" => {
                 let [axis, angle] = self.arguments(region, &text, arguments, ["axis", "angle"])?;
@@ -159,12 +156,24 @@ impl Interpreter {
             "a third derivative is not computed; `ddot` of positions is the highest",
         )?;
         let dimension = value.dimension.as_ref().map(|d| d.over(&Dimension::time()));
+        let bases = value.bases.clone();
         let Interpreter { graph, motion, frames, .. } = self;
         let shape = match value.shape {
             Shape::Spatial(vector) => Shape::Spatial(frames.rate(graph, motion, &vector)),
             _ => value.map(|x| motion.of(graph, x)).shape,
         };
-        Some(Value { shape, dimension })
+        Some(Value { shape, dimension, bases })
+    }
+
+    /// The vector product.
+    fn cross(&mut self, left: &Expression, right: &Expression) -> Option<Value> {
+        let (a, b) = (self.spatial_value(left), self.spatial_value(right));
+        let ((a, of_a), (b, of_b)) = (a?, b?);
+        let bases = self.common_basis([(left.region, &of_a), (right.region, &of_b)])?;
+        let (turn, a, b) = self.in_common(&a, &b);
+        let product = Spatial::within(turn, triple::cross(&mut self.graph, &a, &b));
+        let dimension = of_a.dimension.zip(of_b.dimension).map(|(a, b)| a.times(&b));
+        Some(Value { shape: Shape::Spatial(product), dimension, bases })
     }
 
     fn reaction(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {

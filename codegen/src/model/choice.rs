@@ -42,7 +42,8 @@ impl Interpreter {
                 return self.refuse(choice.yes.region.to(choice.no.region), message);
             }
         };
-        Some(Value { shape, dimension })
+        let bases = self.common_basis([(choice.yes.region, &yes), (choice.no.region, &no)])?;
+        Some(Value { shape, dimension, bases })
     }
 
     /// The smallest or the largest of two or more scalars.

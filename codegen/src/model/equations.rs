@@ -35,8 +35,8 @@ pub(super) fn resolve_constraints(
         let dimension = rows.get(first).map(|row| row.unit.dimension().clone()).filter(|_| is_known);
         let reaction = match multipliers.as_slice() {
             [one] => Some(Value::scalar(*one, dimension)),
-            [x, y] => Some(Value { shape: Shape::Vector([*x, *y]), dimension }),
-            [x, y, z] => Some(Value { shape: Shape::Spatial(Spatial::world([*x, *y, *z])), dimension }),
+            [x, y] => Some(Value::new(Shape::Vector([*x, *y]), dimension)),
+            [x, y, z] => Some(Value::new(Shape::Spatial(Spatial::world([*x, *y, *z])), dimension)),
             _ => None,
         };
         reactions.define(&equation.name, reaction, &mut i.mistakes);
@@ -98,7 +98,8 @@ pub(super) fn equation_sides(equation: &dsl::Equation, i: &mut Interpreter) -> O
     };
     let rule = "both sides of an equation are of one dimension";
     let dimension = i.common_dimension(left.measured(&equation.left), right.measured(&equation.right), rule)?;
-    Some(Value { shape, dimension })
+    i.common_basis([(equation.left.region, &left), (equation.right.region, &right)])?;
+    Some(Value::new(shape, dimension))
 }
 
 fn constraint_rows(

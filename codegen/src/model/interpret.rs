@@ -65,6 +65,7 @@ impl Interpreter {
     /// A vector by its components in the world.
     pub(super) fn point_value(&mut self, expression: &Expression) -> Option<(Point, Option<Dimension>)> {
         let value = self.vector_value(expression)?;
+        self.expect_world(expression.region, &value.bases)?;
         Some((self.components(&value), value.dimension))
     }
 
@@ -86,11 +87,11 @@ impl Interpreter {
         }
     }
 
-    /// A vector of space.
-    pub(super) fn spatial_value(&mut self, expression: &Expression) -> Option<(Spatial, Option<Dimension>)> {
+    /// A vector of space, and what else is known of it.
+    pub(super) fn spatial_value(&mut self, expression: &Expression) -> Option<(Spatial, Value)> {
         let value = self.vector_value(expression)?;
-        match value.shape {
-            Shape::Spatial(vector) => Some((vector, value.dimension)),
+        match &value.shape {
+            Shape::Spatial(vector) => Some((vector.clone(), value)),
             _ => self.refuse(expression.region, "a vector of the plane stands where one of space belongs, `[x, y, z]`"),
         }
     }
@@ -135,6 +136,7 @@ impl Interpreter {
             Kind::Call(function, arguments) => self.call(region, function, arguments),
             Kind::Component(vector, name) => self.component(vector, name),
             Kind::If(choice) => self.choice(choice),
+            Kind::Attitude(body, rotation) => self.attitude(body, rotation),
         }?;
         let components = self.components(&value);
         self.check_constants(region, &components)?;
@@ -246,7 +248,7 @@ impl Interpreter {
             [x, y, z] => Shape::Spatial(Spatial::world([*x, *y, *z])),
             _ => return None,
         };
-        Some(Value { shape, dimension })
+        Some(Value::new(shape, dimension))
     }
 
     /// Refuses a vector with more or fewer components than those before it.

@@ -2,7 +2,6 @@
 
 use super::bodies::TurnedBody;
 use super::elements::{dissipation, element, potential, turned};
-use super::homogeneity::Measured;
 use super::interpret::Interpreter;
 use super::level::{self, BEYOND_SPEED};
 use super::scope::{Names, plain};
@@ -86,9 +85,9 @@ pub(super) fn resolve_loads(
 
 /// A force at a point: it works along the point's velocity, in the frame that the force is written in.
 fn spatial_force(force: &Expression, point: &Expression, i: &mut Interpreter) -> Option<Push> {
-    let (value, at) = (spatial_load(force, &Dimension::force(), "a force", i), i.spatial_value(point));
-    let place = level::position(point, "the point of a force", i);
-    let (value, (at, _), _) = (value?, at?, place?);
+    let value = spatial_load(force, &Dimension::force(), "a force", i);
+    level::position(point, "the point of a force", i)?;
+    let (value, (at, _)) = (value?, i.spatial_value(point)?);
     let turn = value.frame().unwrap_or(Turn::NONE);
     let Interpreter { graph, motion, frames, .. } = i;
     let along = frames.point_rates(graph, motion, &at, turn);
@@ -103,11 +102,12 @@ fn spatial_torque(moment: &Expression, turn: Turn, i: &mut Interpreter) -> Optio
 }
 
 fn spatial_load(expression: &Expression, needed: &Dimension, what: &str, i: &mut Interpreter) -> Option<Spatial> {
-    let (value, dimension) = i.spatial_value(expression)?;
-    i.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
-    let components = i.resolved(&value).to_vec();
+    let (vector, value) = i.spatial_value(expression)?;
+    i.expect_world(expression.region, &value.bases)?;
+    i.expect_in_place(value.measured(expression), needed, what);
+    let components = i.resolved(&vector).to_vec();
     load_level(expression, components, i)?;
-    Some(value)
+    Some(vector)
 }
 
 /// The attitude of a body by its name.

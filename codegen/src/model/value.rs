@@ -3,7 +3,7 @@
 
 use super::Dimension;
 use super::homogeneity::Measured;
-use super::space::{Spatial, Turn};
+use super::space::{Bases, Spatial, Turn};
 use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
@@ -21,11 +21,18 @@ pub(super) enum Shape {
 pub(super) struct Value {
     pub(super) shape: Shape,
     pub(super) dimension: Option<Dimension>,
+    /// The frames of a vector or a rotation of space.
+    pub(super) bases: Bases,
 }
 
 impl Value {
+    /// Of no frame in particular.
+    pub(super) fn new(shape: Shape, dimension: Option<Dimension>) -> Value {
+        Value { shape, dimension, bases: Bases::default() }
+    }
+
     pub(super) fn scalar(value: Expr, dimension: Option<Dimension>) -> Value {
-        Value { shape: Shape::Scalar(value), dimension }
+        Value::new(Shape::Scalar(value), dimension)
     }
 
     /// The expression that it is the value of, with its dimension.

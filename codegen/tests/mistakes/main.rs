@@ -5,6 +5,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod auxiliary;
+mod bases;
 mod blocks;
 mod bodies;
 mod conditional;

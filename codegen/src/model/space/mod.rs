@@ -6,6 +6,7 @@
 //! Newton and Euler's equations (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5), and a rotation that
 //! meets its own inverse is gone.
 
+mod basis;
 mod frames;
 mod inertia;
 mod motion;
@@ -15,6 +16,7 @@ mod rotation;
 pub(super) mod triple;
 mod vector;
 
+pub(super) use basis::Bases;
 pub(super) use frames::{Frames, Turn};
 pub use inertia::impossible_inertia;
 pub(super) use inertia::resolve_inertia;

@@ -1,8 +1,9 @@
 //! Rotations: about an axis, by a sequence of Euler's angles, and their products.
 
+use super::basis::Basis;
 use super::frames::Step;
 use super::triple::{self, Matrix, Triple, add, cross, identity, scaled, sub};
-use super::{Spatial, Turn};
+use super::{Bases, Spatial, Turn};
 use crate::dsl::{Expression, Kind, Region};
 use crate::model::interpret::Interpreter;
 use crate::model::level;
@@ -10,21 +11,22 @@ use crate::model::scope::plain;
 use crate::model::value::{Shape, Value};
 use crate::model::{Dependence, Dimension};
 use crate::symbolic::{Expr, Function, Symbol, evaluate};
+use syn::Ident;
 
 const AXES: [char; 3] = ['x', 'y', 'z'];
 
 impl Value {
     pub(in crate::model) fn rotation(turn: Turn) -> Value {
-        Value { shape: Shape::Rotation(turn), dimension: Some(Dimension::none()) }
+        Value::new(Shape::Rotation(turn), Some(Dimension::none()))
     }
 }
 
 impl Interpreter {
     /// A rotation.
-    pub(in crate::model) fn turn(&mut self, expression: &Expression) -> Option<Turn> {
+    pub(in crate::model) fn turn(&mut self, expression: &Expression) -> Option<(Turn, Bases)> {
         let value = self.value(expression)?;
         match value.shape {
-            Shape::Rotation(turn) => Some(turn),
+            Shape::Rotation(turn) => Some((turn, value.bases)),
             _ => {
                 let message = format!(
                     "{} stands where a rotation belongs; a rotation is written `rotation(axis, angle)`, `euler(zxz, a, b, c)` \
@@ -119,11 +121,10 @@ impl Interpreter {
                 }
             }
         }
-        let (direction, dimension) = self.spatial_value(expression)?;
+        let (direction, value) = self.spatial_value(expression)?;
         let components = self.resolved(&direction);
         level::position_level(expression, &components, "an axis", self)?;
-        let found = crate::model::homogeneity::Measured { expression, dimension: &dimension };
-        self.expect_in_place(found, &Dimension::none(), "an axis");
+        self.expect_in_place(value.measured(expression), &Dimension::none(), "an axis");
         self.check_unit(expression.region, &components)?;
         Some(components)
     }
@@ -186,17 +187,45 @@ impl Interpreter {
 
     /// `transpose(R)`
     pub(in crate::model) fn transpose(&mut self, rotation: &Expression) -> Option<Value> {
-        let turn = self.turn(rotation)?;
-        Some(Value::rotation(self.frames.inverse(&mut self.graph, turn)))
+        let (turn, bases) = self.turn(rotation)?;
+        let inverse = Value::rotation(self.frames.inverse(&mut self.graph, turn));
+        Some(Value { bases: bases.inverse(), ..inverse })
+    }
+
+    /// The attitude that a body is declared with, to the world's frame.
+    pub(in crate::model) fn attitude_of(&mut self, rotation: &Expression) -> Option<Turn> {
+        let (turn, bases) = self.turn(rotation)?;
+        if let Some(basis @ Basis::Body(body)) = &bases.to {
+            let message = format!(
+                "this rotation R turns vectors into {basis}, and an attitude turns them into the world's: `attitude({body})*R`"
+            );
+            return self.refuse(rotation.region, message);
+        }
+        Some(turn)
+    }
+
+    /// `attitude(body)`
+    pub(in crate::model) fn attitude(&mut self, body: &Ident, rotation: &Expression) -> Option<Value> {
+        let (turn, _) = self.turn(rotation)?;
+        Some(Value { bases: Bases::attitude(plain(body)), ..Value::rotation(turn) })
     }
 
     /// `R*S` or `R*v`.
-    pub(in crate::model) fn turned(&mut self, region: Region, turn: Turn, other: Value) -> Option<Value> {
+    pub(in crate::model) fn turned(
+        &mut self,
+        region: Region,
+        (turn, bases): (Turn, Bases),
+        other: Value,
+    ) -> Option<Value> {
         match other.shape {
-            Shape::Rotation(second) => Some(Value::rotation(self.frames.product(&mut self.graph, turn, second))),
+            Shape::Rotation(second) => {
+                let product = Value::rotation(self.frames.product(&mut self.graph, turn, second));
+                Some(Value { bases: bases.then(other.bases), ..product })
+            }
             Shape::Spatial(v) => {
-                let v = self.frames.turned(&mut self.graph, turn, &v);
-                Some(Value { shape: Shape::Spatial(v), dimension: other.dimension })
+                self.expect_basis(region, &other.bases.to, &bases.from)?;
+                let shape = Shape::Spatial(self.frames.turned(&mut self.graph, turn, &v));
+                Some(Value { shape, dimension: other.dimension, bases: Bases::of(bases.to) })
             }
             _ => self.refuse(
                 region,
@@ -207,9 +236,10 @@ impl Interpreter {
 
     /// `angular_velocity(R)`, of what is turned so; components are the world's.
     pub(in crate::model) fn angular_velocity(&mut self, rotation: &Expression) -> Option<Value> {
-        let turn = self.turn(rotation)?;
+        let (turn, bases) = self.turn(rotation)?;
         let spin = self.frames.spin(turn);
         let dimension = Some(Dimension::none().over(&Dimension::time()));
-        Some(Value { shape: Shape::Spatial(Spatial::within(turn, spin)), dimension })
+        let shape = Shape::Spatial(Spatial::within(turn, spin));
+        Some(Value { shape, dimension, bases: Bases::of(bases.to) })
     }
 }

@@ -164,6 +164,7 @@ impl<'d> Interpreter<'d> {
             Kind::Binary(operator, left, right) => self.value(left)?.combine(*operator, self.value(right)?),
             Kind::Call(function, arguments) => self.call(function, arguments),
             Kind::If(choice) => self.choice(choice),
+            Kind::Attitude(_, rotation) => self.value(rotation),
             Kind::Component(vector, name) => self.value(vector)?.component(&name.to_string()),
         }
     }
