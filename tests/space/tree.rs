@@ -336,3 +336,36 @@ fn a_spatial_four_bar_of_joints_closes() {
     assert_eq!(run.mobility.degrees_of_freedom, 2);
     assert!(off < 1e-11 && turns > 1.0 && run.energy_balance < 1e-9, "{off:e}");
 }
+
+mechanism! {
+    /// Two links, and the force of the joint that holds both, by auxiliary displacements of its point.
+    pub(crate) Held;
+    parameters { m [kg] = 1; J [kg*m^2] = 0.02; l [m] = 0.2; g [m/s^2] = 9.81; }
+    auxiliary { ax [m]; ay [m]; az [m]; }
+    bodies {
+        upper: mass m, inertia [J, J, J/4];
+        lower: mass m/2, inertia [J, J/4, J];
+    }
+    joints {
+        hip: universal ground at [ax, ay, l + az] axis [1, 0, 0] to upper at [0, 0, l] axis [0, 1, 0];
+        knee: revolute lower at [0, l, 0] axis [1, 0, 0] to upper at [0, 0, -l] axis [1, 0, 0];
+    }
+    loads { gravity [0, 0, -g]; }
+    initial { hip_1 = 0.5; hip_2 = 0.3; dot(hip_2) = 2; dot(knee) = 3; }
+    let momentum = m*dot(on(upper, [0, 0, 0])) + m/2*dot(on(lower, [0, 0, 0]));
+    outputs {
+        x [N] = reaction(ax) - dot(momentum).x;
+        y [N] = reaction(ay) - dot(momentum).y;
+        z [N] = reaction(az) - dot(momentum).z - 1.5*m*g;
+        size [N] = norm([reaction(ax), reaction(ay), reaction(az)]);
+    }
+}
+
+#[test]
+fn auxiliary_displacements_of_a_joints_point_give_its_force() {
+    let run = run_with(Held::default(), &Settings::adaptive(Method::Dop853, 1.0, 1e-10)).unwrap();
+    let largest = |name: &str| column(&run, name).iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+    let off = ["x", "y", "z"].map(largest).into_iter().fold(0.0, f64::max) / largest("size");
+    println!("force of a joint against Newton's law for both links: {off:.1e}, relative");
+    assert!(off < 1e-13 && largest("size") > 10.0, "{off:e}");
+}

@@ -27,7 +27,7 @@ pub(super) fn is_vector(expression: &Expression, vectors: &[String]) -> bool {
             is_rate && operands.iter().all(|x| is_vector(x, vectors)) || function == "angular_velocity"
         }
         Kind::If(choice) => is_vector(&choice.yes, vectors),
-        Kind::Number { .. } | Kind::Component(..) => false,
+        Kind::Number { .. } | Kind::Component(..) | Kind::Attitude(..) => false,
     }
 }
 
@@ -72,6 +72,7 @@ fn rebuilt(expression: &Expression, replaced: &dyn Fn(&Expression) -> Option<Exp
         Kind::Binary(operator, left, right) => Kind::Binary(*operator, boxed(left), boxed(right)),
         Kind::Call(function, items) => Kind::Call(function.clone(), items.iter().map(again).collect()),
         Kind::Component(vector, axis) => Kind::Component(boxed(vector), axis.clone()),
+        Kind::Attitude(body, rotation) => Kind::Attitude(body.clone(), boxed(rotation)),
         Kind::If(choice) => Kind::If(Box::new(Choice {
             left: again(&choice.left),
             comparison: choice.comparison,
