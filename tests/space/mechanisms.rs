@@ -102,7 +102,7 @@ macro_rules! all_mechanisms {
             crate::mechanisms::Thrown,
             crate::mechanisms::Gimbal,
             crate::mechanisms::Leashed,
-            crate::tree::turning_back::Placed,
+            crate::tree::Held,
             crate::tree::RssrOfJoints
         )
     };

@@ -3,6 +3,7 @@
 //!
 //! A body with a position P and an angle phi is a frame: the point `on(body, [u, v])` is P + R(phi) [u, v].
 
+use super::given::with_suffix;
 use super::joint::{Joint, JointKind};
 use super::made::{
     across, attitude, binary, call, called, component, difference, direction, inner, product, vector, zero,
@@ -109,7 +110,7 @@ impl Frames {
             JointKind::Slot(point, guide) => vec![equation(across(at, point, &guide), zero(at))],
             JointKind::Slide(body, guide) => {
                 let turned = Equation {
-                    name: Ident::new(&format!("{name}_turn"), name.span()),
+                    name: with_suffix(&name, "turn"),
                     left: self.angle(&body)?,
                     right: guide.along.clone(),
                     initially,

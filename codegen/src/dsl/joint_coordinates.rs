@@ -57,8 +57,8 @@ impl JointCoordinates<'_> {
         let first = (&first.body, shift.into_iter().fold(first.at.clone(), sum));
         let second = (&second.body, second.at.clone());
         Ok(match self.is_backward {
-            false => self.from(first, turns, second),
-            true => self.from(second, turns.into_iter().rev().map(inverse).collect(), first),
+            false => self.placed(first, turns, second),
+            true => self.placed(second, turns.into_iter().rev().map(inverse).collect(), first),
         })
     }
 
@@ -67,7 +67,7 @@ impl JointCoordinates<'_> {
     }
 
     /// The pose of a body that is turned against the holder so, and whose point is at that of the holder.
-    fn from(&self, holder: (&Ident, Expression), turns: Vec<Expression>, own: (&Ident, Expression)) -> Pose {
+    fn placed(&self, holder: (&Ident, Expression), turns: Vec<Expression>, own: (&Ident, Expression)) -> Pose {
         let (holder, point) = (named(holder.0, holder.0.into()), holder.1);
         let (before, point) = match self.is_grounded {
             true => (None, point),

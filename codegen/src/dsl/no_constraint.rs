@@ -5,6 +5,7 @@ use super::spatial_joint::ADDED_TO_NAMES;
 use super::{Action, Declaration, Expression, Joint, Kind, Region};
 use crate::mistakes::Mistakes;
 use syn::Ident;
+use syn::ext::IdentExt;
 
 /// Refuses reactions of these joints, and that they be released or hit.
 pub(super) fn refuse(joints: &[Joint], declaration: &mut Declaration, mistakes: &mut Mistakes) {
@@ -32,8 +33,8 @@ pub(super) fn refuse(joints: &[Joint], declaration: &mut Declaration, mistakes: 
 
 /// Whether a name is that of a joint, or of an equation that it would have.
 fn is_of(name: &Ident, joint: &Joint) -> bool {
-    let name = name.to_string();
-    let added = name.strip_prefix(&joint.name.to_string());
+    let name = name.unraw().to_string();
+    let added = name.strip_prefix(&joint.name.unraw().to_string());
     added.is_some_and(|added| added.is_empty() || ADDED_TO_NAMES.contains(&added))
 }
 

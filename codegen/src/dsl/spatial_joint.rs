@@ -10,6 +10,7 @@ use super::made::{binary, call, difference, inner, number, pi, product, quotient
 use super::marks::Marks;
 use super::{Equation, Expression, Kind, Operator, Region};
 use syn::Ident;
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
 /// `hinge: revolute arm at [l, 0, 0] axis [0, 0, 1] to ground at [0, 0, 0] axis [0, 0, 1];`
@@ -208,6 +209,9 @@ pub(super) fn rolls(
 
 /// An equation with what is added to the name of its joint.
 pub(super) fn named(joint: &Ident, suffix: &str, left: Expression, right: Expression) -> Equation {
-    let name = Ident::new(&format!("{joint}{suffix}"), joint.span());
+    let name = match suffix.is_empty() {
+        true => joint.clone(),
+        false => Ident::new(&format!("{}{suffix}", joint.unraw()), joint.span()),
+    };
     Equation { name, left, right, initially: None }
 }

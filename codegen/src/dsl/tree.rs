@@ -35,7 +35,7 @@ pub struct Declaration {
     pub kernels: Option<Vec<OptionalKernel>>,
     /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
     pub auxiliary: Vec<Auxiliary>,
-    /// `joints { .. }`; none once they are written out as constraints.
+    /// `joints { .. }`; none once they are written out as coordinates or constraints.
     pub joints: Vec<super::Joint>,
 }
 

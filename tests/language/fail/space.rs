@@ -6,7 +6,10 @@ sim_kernel::mechanism! {
     bodies { top: mass m at R*[0, 0, l], inertia [A, A, 3*A], attitude R; }
     loads { gravity [0, -9.81 [m/s^2]]; }
     initial { theta = 0.5; dot(phi) = 100; }
-    outputs { height [m] = (R*[0, l]).z; }
+    outputs {
+        height [m] = (R*[0, l]).z;
+        spin [rad/s] = (attitude(top)*omega(top)).z;
+    }
 }
 
 fn main() {}
