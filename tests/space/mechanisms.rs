@@ -13,7 +13,7 @@ mechanism! {
     let S = rotation([0, 0, 1], a)*rotation(axis, b + 0.1*sin(w*t));
     let P = [x, 0, 0.1 [m]*cos(w*t)];
     let Q = P + S*[l, 0, 0.1 [m]];
-    let R = S*rotation(y, c);
+    let R = S*axes([cos(c), 0, -sin(c)], y, [sin(c), 0, cos(c)]);
     bodies {
         frame: mass m at P + S*[l/2, 0, 0], inertia [J, 2*J, 2.5*J, D, -D, D/2], attitude S;
         rotor: mass m/2 at Q, inertia [J, 3/2*J, J], attitude R;
