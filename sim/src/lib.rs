@@ -4,6 +4,7 @@
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
 mod act;
+mod any;
 mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
