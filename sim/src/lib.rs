@@ -20,6 +20,7 @@ mod formats;
 mod gimbal;
 mod happening;
 mod inertia;
+mod insertion;
 mod integrate;
 mod interpolate;
 mod kinematics;

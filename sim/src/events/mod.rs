@@ -10,6 +10,7 @@ pub(crate) use conditions::{conditions, moved, tolerance};
 
 use crate::act::Change;
 use crate::failure::{Failure, What};
+use crate::insertion::sort_few;
 use crate::integrate::{Advance, Step};
 use crate::interpolate::cubic;
 use crate::onset::Onset;
@@ -108,7 +109,7 @@ impl<M: Mechanism> EventSearch<M> {
                 return Err(Failure::at::<M>(what, begins.time, &begins.positions));
             }
         }
-        self.found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));
+        sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
         self.last = Some(to);
         Ok(())
     }

@@ -134,6 +134,9 @@ pub struct Course {
     pub interrupt: Option<&'static AtomicBool>,
 }
 
+/// Whoever watches the steps.
+type Watch<'w, M, A> = dyn FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure> + 'w;
+
 /// Integrates from a sample on the constraints. Every step goes to `watch`, which may end the integration.
 ///
 /// # Errors
@@ -144,8 +147,10 @@ pub fn integrate<M: Mechanism, A: Advance<M>>(
     course: &Course,
     start: Sample<M>,
     steps: &mut Steps,
-    watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
+    // Compiled once, whoever watches.
+    let watch: &mut Watch<M, A> = &mut watch;
     match (course.stepping, method.control_order()) {
         (Stepping::Equal(count), _) => equal_steps(motion, method, course, count, start, steps, watch),
         (Stepping::Adaptive(tolerance), Some(order)) => {
@@ -164,7 +169,7 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     count: usize,
     start: Sample<M>,
     steps: &mut Steps,
-    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    watch: &mut Watch<M, A>,
 ) -> Result<(), Failure> {
     let begin = course.begin;
     // Both ends of a step stay where they are, and the next one starts where the last ended.
@@ -210,7 +215,7 @@ fn adaptive_steps<M: Mechanism, A: Advance<M>>(
     (tolerance, order): (&Tolerance, f64),
     start: Sample<M>,
     steps: &mut Steps,
-    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    watch: &mut Watch<M, A>,
 ) -> Result<(), Failure> {
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);

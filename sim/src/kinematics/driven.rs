@@ -126,7 +126,7 @@ pub(super) fn is_of_positions(mechanism: &dyn AnyMechanism, output: usize, time:
 fn slope(mechanism: &dyn AnyMechanism, output: usize, [time, dt]: [f64; 2], q: &[f64], dq: &[f64]) -> f64 {
     let moving = |value: f64, derivative: f64| Dual { value, derivative };
     let q: Vec<_> = q.iter().zip(dq).map(|(q, dq)| moving(*q, *dq)).collect();
-    mechanism.outputs_along(At::moving(moving(time, dt), &q, &[]))[output].derivative
+    mechanism.outputs_along(At::moving(moving(time, dt), &q, &[]), None)[output].derivative
 }
 
 /// The derivative of an output by a speed.
@@ -135,5 +135,5 @@ fn speed_slope(mechanism: &dyn AnyMechanism, output: usize, time: f64, q: &[f64]
     // At speeds without symmetry, so that no square of a speed has its minimum there.
     let moving = |j: usize| Dual { value: 0.37 + 0.11 * j as f64, derivative: f64::from(u8::from(j == by)) };
     let qd: Vec<Dual> = (0..q.len()).map(moving).collect();
-    mechanism.outputs_along(At::moving(Dual::constant(time), &q, &qd))[output].derivative
+    mechanism.outputs_along(At::moving(Dual::constant(time), &q, &qd), None)[output].derivative
 }
