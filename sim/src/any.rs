@@ -301,7 +301,7 @@ fn stacked(above: &[f64], below: &[f64]) -> DVector<f64> {
 }
 
 /// One matrix below the other.
-fn below(above: DMatrix<f64>, below: DMatrix<f64>) -> DMatrix<f64> {
+pub(crate) fn below(above: DMatrix<f64>, below: DMatrix<f64>) -> DMatrix<f64> {
     let (n, m) = (above.nrows(), below.nrows());
     let mut both = above.resize_vertically(n + m, 0.0);
     both.rows_mut(n, m).copy_from(&below);

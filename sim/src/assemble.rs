@@ -5,7 +5,7 @@ use crate::dyads::{Branches, Closed, close_loops, nearest};
 use crate::failure::{Failure, What, largest};
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::Mechanism;
+use sim_kernel::{Description, Mechanism};
 
 /// What is known of the start of a motion; all in SI units.
 #[derive(Clone, Debug)]
@@ -23,13 +23,15 @@ pub struct Start<M: Mechanism> {
 /// The declared start of a mechanism.
 pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
     let initial = mechanism.initial();
-    let coordinates = M::DESCRIPTION.coordinates;
-    Start {
-        positions: initial.positions,
-        speeds: initial.speeds,
-        position_given: coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect(),
-        speed_given: coordinates.iter().map(|c| c.speed_given).collect(),
-    }
+    let [position_given, speed_given] = declared_given(const { &M::DESCRIPTION });
+    Start { positions: initial.positions, speeds: initial.speeds, position_given, speed_given }
+}
+
+/// Which coordinates and which speeds a declaration gives at the start.
+fn declared_given(description: &Description) -> [Vec<bool>; 2] {
+    let coordinates = description.coordinates;
+    let positions = coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect();
+    [positions, coordinates.iter().map(|c| c.speed_given).collect()]
 }
 
 /// Steps of Gauss-Newton, after which assembly is given up.

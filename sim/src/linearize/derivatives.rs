@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use sim_kernel::Dual;
 
 /// The derivatives of z = (q'', lambda) at a state.
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     /// z there.
     solution: DVector<f64>,
     /// By q, by q' and by the inputs: n + m rows.
@@ -19,7 +19,7 @@ pub(super) struct Derivatives {
 
 impl Derivatives {
     /// From the generated kernels, or where these refuse a pivot, as with redundant constraints, by differences.
-    pub(super) fn at(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Derivatives, Failure> {
+    pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Derivatives, Failure> {
         let n = at.positions.len();
         let solution = mechanism.accelerate(at)?;
         let by_state = mechanism.by_state(at.time, at.positions, at.speeds);
@@ -31,6 +31,11 @@ impl Derivatives {
             }
             _ => differences(mechanism, at, inputs, solution),
         }
+    }
+
+    /// By q, n + m x n.
+    pub(crate) fn by_positions(&self) -> &DMatrix<f64> {
+        &self.by_positions
     }
 
     /// A change of positions and speeds with what follows from it.
