@@ -1,12 +1,11 @@
 //! A start on the constraints, from given values and guesses.
 
-use crate::dyads::{Branches, close_loops, nearest};
-use crate::failure::{Failure, What, constraint_name, largest};
-use crate::level::between_positions;
-use crate::project::{is_met, project_positions, rates};
+use crate::any::{Any, AnyMechanism, Linear, array};
+use crate::dyads::{Branches, Closed, close_loops, nearest};
+use crate::failure::{Failure, What, largest};
 use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Mechanism};
 
 /// What is known of the start of a motion; all in SI units.
 #[derive(Clone, Debug)]
@@ -24,13 +23,15 @@ pub struct Start<M: Mechanism> {
 /// The declared start of a mechanism.
 pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
     let initial = mechanism.initial();
-    let coordinates = M::DESCRIPTION.coordinates;
-    Start {
-        positions: initial.positions,
-        speeds: initial.speeds,
-        position_given: coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect(),
-        speed_given: coordinates.iter().map(|c| c.speed_given).collect(),
-    }
+    let [position_given, speed_given] = declared_given(const { &M::DESCRIPTION });
+    Start { positions: initial.positions, speeds: initial.speeds, position_given, speed_given }
+}
+
+/// Which coordinates and which speeds a declaration gives at the start.
+fn declared_given(description: &Description) -> [Vec<bool>; 2] {
+    let coordinates = description.coordinates;
+    let positions = coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect();
+    [positions, coordinates.iter().map(|c| c.speed_given).collect()]
 }
 
 /// Steps of Gauss-Newton, after which assembly is given up.
@@ -45,46 +46,72 @@ const MOST_STEPS: usize = 200;
 /// # Errors
 /// [`What::NotAssembled`] with the closest configuration, [`What::SpeedsContradict`].
 pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M>, Failure> {
-    let positions = assemble_positions(mechanism, start)?;
-    let speeds = assemble_speeds(mechanism, start, &positions)?;
-    Ok(State { time: 0.0, positions, speeds, work: 0.0 })
-}
-
-fn assemble_positions<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<M::Q, Failure> {
-    correct_positions(mechanism, start, nearest(mechanism, start).unwrap_or(start.positions))
+    let (mechanism, given): (&dyn AnyMechanism, Given) = (&Any(mechanism), start.given());
+    let positions = assemble_positions(mechanism, &given)?;
+    let speeds = assemble_speeds(mechanism, &given, &positions)?;
+    Ok(State { time: 0.0, positions: array(&positions), speeds: array(&speeds), work: 0.0 })
 }
 
 /// All configurations that have the coordinates that the start gives, as far as loops close in closed form: elbow up and
 /// elbow down. Coordinates of other loops are found by Gauss-Newton from their guesses; where that fails there is no
 /// configuration. Angles are within half a turn of their guesses.
 pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
-    let mut found = close_loops(mechanism, start);
+    let Closed { loops, open, positions } = branches_of(&Any(mechanism), &start.given());
+    Branches { loops, open, positions: positions.iter().map(|q| array(q)).collect() }
+}
+
+/// A start of a mechanism of any type.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    positions: &'a [f64],
+    speeds: &'a [f64],
+    position_given: &'a [bool],
+    speed_given: &'a [bool],
+}
+
+impl<M: Mechanism> Start<M> {
+    fn given(&self) -> Given<'_> {
+        Given {
+            positions: self.positions.as_ref(),
+            speeds: self.speeds.as_ref(),
+            position_given: &self.position_given,
+            speed_given: &self.speed_given,
+        }
+    }
+}
+
+fn branches_of(mechanism: &dyn AnyMechanism, start: &Given) -> Closed {
+    let mut found = close_loops(mechanism, start.positions, start.position_given);
     if !found.open.is_empty() {
-        let is_open = |j: usize| found.open.contains(&M::DESCRIPTION.coordinates[j].position.name);
-        let held = Start { position_given: (0..M::Q::LEN).map(|j| !is_open(j)).collect(), ..start.clone() };
-        let corrected = found.positions.iter().filter_map(|q| correct_positions(mechanism, &held, *q).ok());
+        let names = mechanism.description().coordinates.iter().map(|c| c.position.name);
+        let held: Vec<bool> = names.map(|name| !found.open.contains(&name)).collect();
+        let held = Given { position_given: &held, ..*start };
+        let corrected = found.positions.iter().filter_map(|q| correct_positions(mechanism, &held, q.clone()).ok());
         found.positions = corrected.collect();
-        found.sort(start);
+        found.sort(start.positions);
     }
     found
 }
 
-fn correct_positions<M: Mechanism>(mechanism: &M, start: &Start<M>, mut q: M::Q) -> Result<M::Q, Failure> {
+fn assemble_positions(mechanism: &dyn AnyMechanism, start: &Given) -> Result<Vec<f64>, Failure> {
+    let closed = nearest(mechanism, start.positions, start.position_given);
+    correct_positions(mechanism, start, closed.unwrap_or_else(|| start.positions.to_vec()))
+}
+
+fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
     let mut linear = mechanism.constraint_linearization(0.0, &q);
-    let norm = |values: &M::L| values.iter().map(|value| value * value).sum::<f64>().sqrt();
     for _ in 0..MOST_STEPS {
-        if is_met(mechanism, 0.0, &q, &linear) {
-            return polish(mechanism, start, q);
+        if mechanism.is_met(0.0, &q) {
+            return Ok(polish(mechanism, start, q));
         }
-        let residual = DVector::from_iterator(M::L::LEN, linear.values.iter().copied());
-        let by_positions = between_positions::<M>(&linear.jacobian);
-        let Some(step) = least_norm_solution::<M>(&by_positions, &start.position_given, residual) else { break };
-        let current = norm(&linear.values);
+        let by_positions = mechanism.between_positions(linear.jacobian);
+        let Some(step) = least_norm_solution(by_positions, start.position_given, &linear.values) else { break };
+        let current = linear.values.norm();
         let mut scale = 1.0;
         let accepted = loop {
-            let trial = M::Q::from_fn(|j| q[j] - scale * step[j]);
+            let trial: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q - scale * step).collect();
             let trial_linear = mechanism.constraint_linearization(0.0, &trial);
-            if norm(&trial_linear.values) < current {
+            if trial_linear.values.norm() < current {
                 break Some((trial, trial_linear));
             }
             scale /= 2.0;
@@ -99,69 +126,63 @@ fn correct_positions<M: Mechanism>(mechanism: &M, start: &Start<M>, mut q: M::Q)
 }
 
 /// One projection as in every step, if nothing is given that it could move.
-fn polish<M: Mechanism>(mechanism: &M, start: &Start<M>, q: M::Q) -> Result<M::Q, Failure> {
-    let mut polished = q;
+fn polish(mechanism: &dyn AnyMechanism, start: &Given, q: Vec<f64>) -> Vec<f64> {
+    let mut polished = q.clone();
     let nothing_given = start.position_given.iter().all(|given| !given);
-    match nothing_given && project_positions(mechanism, 0.0, &mut polished).is_ok() {
-        true => Ok(polished),
-        false => Ok(q),
-    }
+    if nothing_given && mechanism.project_positions(0.0, &mut polished).is_ok() { polished } else { q }
 }
 
-fn not_assembled<M: Mechanism>(mechanism: &M, q: &M::Q) -> Failure {
+fn not_assembled(mechanism: &dyn AnyMechanism, q: &[f64]) -> Failure {
     let values = mechanism.constraints(0.0, q);
     let Some((row, residual)) = largest(values.iter()) else {
-        return Failure::at::<M>(What::NotFinite { quantity: "the start".into() }, 0.0, q);
+        return mechanism.failure(What::NotFinite { quantity: "the start".into() }, 0.0, q);
     };
+    let name = |row: usize| mechanism.constraint_name(row);
     if !residual.is_finite() {
-        let quantity = format!("constraint `{}` at the guesses", constraint_name::<M>(row));
-        return Failure::at::<M>(What::NotFinite { quantity }, 0.0, q);
+        let quantity = format!("constraint `{}` at the guesses", name(row));
+        return mechanism.failure(What::NotFinite { quantity }, 0.0, q);
     }
-    let others: Vec<String> = values
-        .iter()
-        .enumerate()
-        .filter(|(i, value)| *i != row && value.abs() > 1e-12)
-        .map(|(i, value)| format!("`{}` by {value:.3e}", constraint_name::<M>(i)))
-        .collect();
+    let others = values.iter().enumerate().filter(|(i, value)| *i != row && value.abs() > 1e-12);
+    let others: Vec<String> = others.map(|(i, value)| format!("`{}` by {value:.3e}", name(i))).collect();
     let others = if others.is_empty() { String::new() } else { format!(", {}", others.join(", ")) };
-    Failure::at::<M>(What::NotAssembled { constraint: constraint_name::<M>(row), residual, others }, 0.0, q)
+    mechanism.failure(What::NotAssembled { constraint: name(row), residual, others }, 0.0, q)
 }
 
-fn assemble_speeds<M: Mechanism>(mechanism: &M, start: &Start<M>, q: &M::Q) -> Result<M::Q, Failure> {
-    let linear = mechanism.constraint_linearization(0.0, q);
-    let mut speeds = M::Q::from_fn(|j| if start.speed_given[j] { start.speeds[j] } else { 0.0 });
-    let residual = DVector::from_iterator(M::L::LEN, rates::<M>(&linear, &speeds).iter().copied());
-    let Some(step) = least_norm_solution::<M>(&linear.jacobian, &start.speed_given, residual) else {
+fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Result<Vec<f64>, Failure> {
+    let Linear { jacobian, time_derivative, .. } = mechanism.constraint_linearization(0.0, q);
+    let given = start.speeds.iter().zip(start.speed_given);
+    let given = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
+    let open = &jacobian * &given + &time_derivative;
+    let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
         let quantity = "a derivative of the constraints".into();
-        return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, q));
+        return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
     };
-    speeds = M::Q::from_fn(|j| speeds[j] - step[j]);
-    let open_rates = rates::<M>(&linear, &speeds);
-    let scale = |i: usize| linear.jacobian[i].iter().zip(speeds.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
+    let speeds = given - step;
+    let open = &jacobian * &speeds + time_derivative;
+    let scale = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
     // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-    let open = (0..M::L::LEN).find(|i| !(open_rates[*i].abs() <= 1e-9 * scale(*i) + 1e-12));
-    match open {
-        None => Ok(speeds),
+    match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * scale(*i) + 1e-12)) {
+        None => Ok(speeds.as_slice().to_vec()),
         Some(row) => {
-            let what = What::SpeedsContradict { constraint: constraint_name::<M>(row), residual: open_rates[row] };
-            Err(Failure::at::<M>(what, 0.0, q))
+            let constraint = mechanism.constraint_name(row);
+            Err(mechanism.failure(What::SpeedsContradict { constraint, residual: open[row] }, 0.0, q))
         }
     }
 }
 
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
-fn least_norm_solution<M: Mechanism>(jacobian: &M::LQ, given: &[bool], residual: DVector<f64>) -> Option<M::Q> {
-    let (m, n) = (M::L::LEN, M::Q::LEN);
-    if m == 0 {
-        return Some(M::Q::filled(0.0));
+fn least_norm_solution(mut jacobian: DMatrix<f64>, given: &[bool], residual: &DVector<f64>) -> Option<DVector<f64>> {
+    if jacobian.nrows() == 0 {
+        return Some(DVector::zeros(given.len()));
     }
-    let free = DMatrix::from_fn(m, n, |i, j| if given[j] { 0.0 } else { jacobian[i][j] });
-    if free.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
+    (0..given.len()).filter(|j| given[*j]).for_each(|j| jacobian.column_mut(j).fill(0.0));
+    if jacobian.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
         return None;
     }
-    let svd = free.svd(true, true);
+    let svd = jacobian.svd(true, true);
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
-    let solution = svd.solve(&residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
+    let mut solution = svd.solve(residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
     // Rounding must not move what is given.
-    Some(M::Q::from_fn(|j| if given[j] { 0.0 } else { solution[j] }))
+    (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
+    Some(solution)
 }

@@ -1,12 +1,15 @@
 //! Constraints that events switch.
 
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Description, Mechanism};
 
 /// Whether a row of the constraints holds: all do but those of released ones.
 pub fn is_active<M: Mechanism>(mechanism: &M, row: usize) -> bool {
-    let activities = mechanism.activities();
-    let conditionals = const { &M::DESCRIPTION }.conditionals.iter().zip(activities.iter());
-    let mut released = conditionals.filter(|(_, activity)| **activity == 0.0);
+    is_row_active(const { &M::DESCRIPTION }, mechanism.activities().as_ref(), row)
+}
+
+/// The same of a mechanism of any type.
+pub(crate) fn is_row_active(description: &Description, activities: &[f64], row: usize) -> bool {
+    let mut released = description.conditionals.iter().zip(activities).filter(|(_, activity)| **activity == 0.0);
     !released.any(|(conditional, _)| (conditional.first_row..conditional.first_row + conditional.rows).contains(&row))
 }
 

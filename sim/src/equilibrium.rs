@@ -1,9 +1,9 @@
 //! Static equilibrium, and small motions about it.
 
+use crate::any::{Any, AnyMechanism, At, array, below};
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
-use crate::level::between_positions;
-use crate::linearize::linearize;
+use crate::linearize::{Derivatives, linearize};
 use crate::mobility::mobility;
 use crate::motion::Motion;
 use crate::settings::Stabilisation;
@@ -35,40 +35,16 @@ const ROUNDINGS: f64 = 64.0;
 /// # Errors
 /// If the start cannot be assembled, or [`What::NoEquilibrium`].
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
-    let mut state = State { speeds: M::Q::filled(0.0), ..assemble(mechanism, &at_rest(start))? };
-    let redundant = mobility(mechanism, state.time, &state.positions).dependent.len();
-    let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
-    let mut residual = residual_at(&motion, &state)?;
-    for _ in 0..MOST_STEPS {
-        let size = residual.norm();
-        let jacobian = jacobian_at(&motion, &state)?;
-        let Ok(step) = jacobian.svd(true, true).solve(&residual, 1e-12) else { break };
-        let mut scale = 1.0;
-        let better = loop {
-            let positions = M::Q::from_fn(|i| state.positions[i] - scale * step[i]);
-            let trial = State { positions, ..state };
-            match residual_at(&motion, &trial) {
-                Ok(residual) if residual.norm() < size => break Some((trial, residual)),
-                _ if scale < 1e-6 => break None,
-                _ => scale /= 2.0,
-            }
-        };
-        // At rounding no step is better.
-        let Some(found) = better else { break };
-        (state, residual) = found;
-    }
-    motion.keep(&mut state)?;
+    let any: &dyn AnyMechanism = &Any(mechanism);
+    let assembled = assemble(mechanism, &at_rest(start))?;
+    let near = still_position(any, assembled.positions.as_ref().to_vec())?;
+    let redundant = mobility(mechanism, assembled.time, &assembled.positions).dependent.len();
+    let mut state = State { positions: array(&near), speeds: M::Q::filled(0.0), ..assembled };
+    Motion::with_redundant(mechanism, Stabilisation::Projection, redundant).keep(&mut state)?;
     state.speeds = M::Q::filled(0.0);
-    let sample = motion.sample(state)?;
-    let (by_positions, _) = motion.jacobian(&sample)?;
-    let rounding = |i: usize| (0..M::Q::LEN).map(|j| (by_positions[i][j] * state.positions[j]).abs()).sum::<f64>();
-    let moves = |i: &usize| !(sample.accelerations[*i].abs() <= AT_REST + ROUNDINGS * f64::EPSILON * rounding(*i));
-    if (0..M::Q::LEN).any(|i| moves(&i)) {
-        let acceleration = sample.accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
-        return Err(Failure::at::<M>(What::NoEquilibrium { acceleration }, state.time, &state.positions));
-    }
+    let multipliers = check_rest(any, state.positions.as_ref())?;
     let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
-    Ok(Equilibrium { state, multipliers: sample.multipliers, eigenvalues })
+    Ok(Equilibrium { state, multipliers: array(&multipliers), eigenvalues })
 }
 
 /// The same start with all coordinates free and no speeds.
@@ -77,17 +53,54 @@ fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
     Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
 }
 
-/// q'' and C.
-fn residual_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DVector<f64>, Failure> {
-    let sample = motion.sample(*state)?;
-    let constraints = motion.mechanism().constraints(state.time, &state.positions);
-    let values: Vec<f64> = sample.accelerations.iter().chain(constraints.iter()).copied().collect();
-    Ok(DVector::from_vec(values))
+/// Where q'' and C are least, near a position.
+fn still_position(mechanism: &dyn AnyMechanism, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
+    let mut residual = residual_at(mechanism, &q)?;
+    for _ in 0..MOST_STEPS {
+        let jacobian = jacobian_at(mechanism, &q)?;
+        let Ok(step) = jacobian.svd(true, true).solve(&residual, 1e-12) else { break };
+        let mut scale = 1.0;
+        let better = loop {
+            let trial: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q - scale * step).collect();
+            match residual_at(mechanism, &trial) {
+                Ok(found) if found.norm() < residual.norm() => break Some((trial, found)),
+                _ if scale < 1e-6 => break None,
+                _ => scale /= 2.0,
+            }
+        };
+        // At rounding no step is better.
+        let Some(found) = better else { break };
+        (q, residual) = found;
+    }
+    Ok(q)
 }
 
-fn jacobian_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<DMatrix<f64>, Failure> {
-    let (by_positions, _) = motion.jacobian(&motion.sample(*state)?)?;
-    let constraints = between_positions::<M>(&motion.mechanism().constraint_jacobian(state.time, &state.positions));
-    let n = M::Q::LEN;
-    Ok(DMatrix::from_fn(n + M::L::LEN, n, |i, j| if i < n { by_positions[i][j] } else { constraints[i - n][j] }))
+/// That nothing accelerates at a position; gives the reactions there.
+fn check_rest(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<Vec<f64>, Failure> {
+    let (n, by_positions) = (q.len(), accelerations_by_positions(mechanism, q)?);
+    let solution = mechanism.accelerate(At::moving(0.0, q, &[]))?;
+    let (accelerations, multipliers) = solution.as_slice().split_at(n);
+    let rounding = |i: usize| (0..n).map(|j| (by_positions[(i, j)] * q[j]).abs()).sum::<f64>();
+    let moves = |i: usize| !(accelerations[i].abs() <= AT_REST + ROUNDINGS * f64::EPSILON * rounding(i));
+    if (0..n).any(moves) {
+        let acceleration = accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
+        return Err(mechanism.failure(What::NoEquilibrium { acceleration }, 0.0, q));
+    }
+    Ok(multipliers.to_vec())
+}
+
+/// q'' and C.
+fn residual_at(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DVector<f64>, Failure> {
+    let solution = mechanism.accelerate(At::moving(0.0, q, &[]))?;
+    Ok(DVector::from_vec([&solution.as_slice()[..q.len()], mechanism.constraints(0.0, q).as_slice()].concat()))
+}
+
+fn jacobian_at(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DMatrix<f64>, Failure> {
+    let constraints = mechanism.between_positions(mechanism.constraint_jacobian(0.0, q));
+    Ok(below(accelerations_by_positions(mechanism, q)?, constraints))
+}
+
+fn accelerations_by_positions(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DMatrix<f64>, Failure> {
+    let still = vec![0.0; q.len()];
+    Ok(Derivatives::at(mechanism, At::moving(0.0, q, &still), &[])?.by_positions().rows(0, q.len()).into())
 }

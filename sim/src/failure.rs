@@ -1,6 +1,6 @@
 //! What can go wrong in a motion, with where and when.
 
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Mechanism};
 use std::fmt;
 
 /// A failure with the time and state at which it happened.
@@ -289,7 +289,12 @@ pub enum What {
 impl Failure {
     /// A failure at a state of a mechanism.
     pub fn at<M: Mechanism>(what: What, time: f64, q: &M::Q) -> Failure {
-        let names = M::DESCRIPTION.coordinates.iter().map(|c| c.position.name);
+        Failure::of(const { &M::DESCRIPTION }, what, time, q.as_ref())
+    }
+
+    /// A failure at a state of the mechanism of this description.
+    pub(crate) fn of(description: &'static Description, what: What, time: f64, q: &[f64]) -> Failure {
+        let names = description.coordinates.iter().map(|c| c.position.name);
         Failure { what, time, state: names.zip(q.iter().copied()).collect() }
     }
 }

@@ -1,8 +1,9 @@
 //! Gimbal lock: positions in which the angles of an attitude no longer say how it turns.
 
+use crate::any::{Any, AnyMechanism};
 use crate::failure::{Failure, What};
 use nalgebra::DMatrix;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// A motion of the coordinates with kinetic energy this small beside others of their size is none of the body.
 const STILL: f64 = 1e-9;
@@ -12,7 +13,7 @@ const NO_PART: f64 = 0.1;
 /// The failure that a motion has here, said as gimbal lock if it is that: in space, where some coordinates can change
 /// together without anything moving, and each of them alone moves something.
 pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64, q: &M::Q) -> Failure {
-    let locked = locked(mechanism, time, q);
+    let locked = locked(&Any(mechanism), time, q.as_ref());
     if locked.len() < 2 {
         return failure;
     }
@@ -21,19 +22,19 @@ pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64
 }
 
 /// The coordinates that have part in a motion without kinetic energy.
-fn locked<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<&'static str> {
-    let description = const { &M::DESCRIPTION };
+fn locked(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<&'static str> {
+    let description = mechanism.description();
     if description.dimension < 3 {
         return vec![];
     }
     let mass = mechanism.mass_matrix(time, q);
-    let n = M::Q::LEN;
+    let n = q.len();
     // Each coordinate in the unit in which it alone has energy 1.
-    let size = |i: usize| mass[i][i].abs().sqrt();
+    let size = |i: usize| mass[(i, i)].abs().sqrt();
     if n == 0 || (0..n).any(|i| !(size(i) > 0.0) || !size(i).is_finite()) {
         return vec![];
     }
-    let eigen = DMatrix::from_fn(n, n, |i, j| mass[i][j] / (size(i) * size(j))).symmetric_eigen();
+    let eigen = DMatrix::from_fn(n, n, |i, j| mass[(i, j)] / (size(i) * size(j))).symmetric_eigen();
     let (at, least) = eigen.eigenvalues.argmin();
     if !(least < STILL) {
         return vec![];

@@ -22,11 +22,12 @@ pub use declared::check_inertias;
 #[cfg(feature = "analysis")]
 mod declared {
     use super::{Failure, Mechanism};
+    use crate::any::{Any, AnyMechanism};
     use crate::failure::What;
     use codegen::dsl::{self, Declaration, Kind, Output, OutputGroup};
     use codegen::model::{Unit, impossible_inertia};
     use codegen::oracle::{Oracle, Solution, State};
-    use sim_kernel::Array;
+    use sim_kernel::Input;
 
     /// That every body in space has an inertia that a body can have: positive, and no principal moment above the sum of the
     /// others.
@@ -34,7 +35,11 @@ mod declared {
     /// # Errors
     /// [`What::ImpossibleInertia`], with the body.
     pub fn check_inertias<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
-        let description = const { &M::DESCRIPTION };
+        check(&Any(mechanism), time, q.as_ref())
+    }
+
+    fn check(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
+        let description = mechanism.description();
         if description.dimension < 3 {
             return Ok(());
         }
@@ -42,18 +47,18 @@ mod declared {
         let Some(declaration) = tokens.and_then(|tokens| dsl::parse(tokens).ok()) else { return Ok(()) };
         for (body, tensor) in tensors(declaration, mechanism, time, q) {
             if let Some(why) = impossible_inertia(tensor) {
-                return Err(Failure::at::<M>(What::ImpossibleInertia { body, why }, time, q));
+                return Err(mechanism.failure(What::ImpossibleInertia { body, why }, time, q));
             }
         }
         Ok(())
     }
 
     /// The bodies of space with xx, yy, zz, yz, zx, xy.
-    fn tensors<M: Mechanism>(
+    fn tensors(
         mut declaration: Declaration,
-        mechanism: &M,
+        mechanism: &dyn AnyMechanism,
         time: f64,
-        q: &M::Q,
+        q: &[f64],
     ) -> Vec<(String, [f64; 6])> {
         let (mut bodies, mut outputs) = (Vec::new(), Vec::new());
         for body in &declaration.bodies {
@@ -68,12 +73,14 @@ mod declared {
         }
         declaration.outputs = vec![OutputGroup { name: None, title: None, outputs }];
         let si = |unit: &dsl::Unit| Unit::resolve(unit).map_or(f64::NAN, |unit| unit.factor());
-        let parameters: Vec<f64> = mechanism.parameters().iter().copied().collect();
-        let inputs: Vec<Option<f64>> = mechanism.inputs().iter().map(|input| input.held()).collect();
-        let coordinates: Vec<f64> = q.iter().copied().collect();
-        let speeds = vec![0.0; coordinates.len()];
-        let at = State { time, parameters: &parameters, inputs: &inputs, coordinates: &coordinates, speeds: &speeds };
-        let still = Solution { accelerations: vec![], multipliers: vec![Default::default(); M::L::LEN] };
+        let parameters = mechanism.parameters();
+        let inputs: Vec<Option<f64>> = mechanism.inputs().into_iter().map(Input::held).collect();
+        let speeds = vec![0.0; q.len()];
+        let at = State { time, parameters: &parameters, inputs: &inputs, coordinates: q, speeds: &speeds };
+        let still = Solution {
+            accelerations: vec![],
+            multipliers: vec![Default::default(); mechanism.description().constraints.len()],
+        };
         let Ok(found) = Oracle::new(&declaration, &si).outputs(&at, &still) else { return Vec::new() };
         let mut found = found.into_iter().map(|entry| entry.value);
         let tensor = |(body, entries): (String, usize)| {

@@ -4,6 +4,7 @@
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
 mod act;
+mod any;
 mod assemble;
 mod batch;
 #[cfg(feature = "cli")]
@@ -19,6 +20,7 @@ mod formats;
 mod gimbal;
 mod happening;
 mod inertia;
+mod insertion;
 mod integrate;
 mod interpolate;
 mod kinematics;

@@ -1,11 +1,10 @@
 //! Degrees of freedom, constraints that say what others say already, and those that do so in one position alone.
 
-use crate::conditional::is_active;
-use crate::failure::{Failure, What, constraint_name};
-use crate::level::between_positions;
+use crate::any::{Any, AnyMechanism};
+use crate::failure::{Failure, What};
 use crate::nearby::nearby_positions;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// What the constraints leave free at a position and near it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,35 +68,43 @@ const DEPENDENT: f64 = 1e-7;
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows that
 /// depend on others there are looked at in positions near it too.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
+    mobility_of(&Any(mechanism), time, q.as_ref())
+}
+
+/// The same of a mechanism of any type.
+pub(crate) fn mobility_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Mobility {
     let jacobians = jacobians(mechanism, time, q);
-    let length = |row: usize| jacobians.iter().map(|jacobian| norm(&jacobian[row])).fold(0.0, f64::max);
-    let lengths: Vec<f64> = (0..M::L::LEN).map(length).collect();
-    let dependent = |jacobian: &M::LQ| dependent_rows(mechanism, jacobian, &lengths);
+    let (n, m) = (q.len(), jacobians[0].nrows());
+    let length = |row: usize| jacobians.iter().map(|jacobian| jacobian.row(row).norm()).fold(0.0, f64::max);
+    let lengths: Vec<f64> = (0..m).map(length).collect();
+    let dependent = |jacobian: &DMatrix<f64>| dependent_rows(mechanism, jacobian, &lengths);
     let here = dependent(&jacobians[0]);
     let (jacobian, rows) =
         jacobians[1..].iter().fold((&jacobians[0], here.clone()), |fewest, jacobian| match dependent(jacobian) {
             rows if rows.len() < fewest.1.len() => (jacobian, rows),
             _ => fewest,
         });
-    let of_positions = dependent(&between_positions::<M>(jacobian)).len();
+    let of_positions = dependent(&mechanism.between_positions(jacobian.clone())).len();
     let is_singular = |row: &&usize| !rows.contains(row);
     let singular = here.iter().filter(is_singular).take(here.len() - rows.len());
-    let held = (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).count();
+    let held = (0..m).filter(|row| mechanism.is_active(*row)).count();
+    let name = |row: usize| mechanism.constraint_name(row);
+    let implying = |row: &usize| implying(jacobian, *row, &rows).into_iter().map(name).collect();
     Mobility {
-        degrees_of_freedom: M::Q::LEN + rows.len() - held,
-        configuration_freedom: M::Q::LEN + of_positions - held,
-        singular: singular.map(|row| constraint_name::<M>(*row)).collect(),
-        implied_by: rows.iter().map(|row| implying::<M>(jacobian, *row, &rows)).collect(),
-        dependent: rows.into_iter().map(constraint_name::<M>).collect(),
+        degrees_of_freedom: n + rows.len() - held,
+        configuration_freedom: n + of_positions - held,
+        singular: singular.map(|row| name(*row)).collect(),
+        implied_by: rows.iter().map(implying).collect(),
+        dependent: rows.iter().map(|row| name(*row)).collect(),
     }
 }
 
 /// C_q at a position, and where rows depend on others or vanish there, in positions near it too.
-fn jacobians<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<M::LQ> {
+fn jacobians(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DMatrix<f64>> {
     let here = mechanism.constraint_jacobian(time, q);
-    let lengths: Vec<f64> = (0..M::L::LEN).map(|row| norm(&here[row])).collect();
+    let lengths: Vec<f64> = here.row_iter().map(|row| row.norm()).collect();
     let longest = lengths.iter().copied().fold(0.0, f64::max);
-    let vanishes = (0..M::L::LEN).any(|row| lengths[row] <= DEPENDENT * longest);
+    let vanishes = lengths.iter().any(|length| *length <= DEPENDENT * longest);
     let nearby = match vanishes || !dependent_rows(mechanism, &here, &lengths).is_empty() {
         true => nearby_positions(mechanism, time, q),
         false => Vec::new(),
@@ -106,52 +113,43 @@ fn jacobians<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<M::LQ> {
 }
 
 /// The rows that depend on those before them, of those that hold, beside these lengths.
-fn dependent_rows<M: Mechanism>(mechanism: &M, jacobian: &M::LQ, lengths: &[f64]) -> Vec<usize> {
-    let sines = independence::<M>(jacobian, lengths);
-    (0..M::L::LEN).filter(|row| is_active(mechanism, *row) && !(sines[*row] > DEPENDENT)).collect()
-}
-
-fn norm<A: Array<f64>>(row: &A) -> f64 {
-    row.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
+fn dependent_rows(mechanism: &dyn AnyMechanism, jacobian: &DMatrix<f64>, lengths: &[f64]) -> Vec<usize> {
+    let sines = independence(jacobian, lengths);
+    (0..sines.len()).filter(|row| mechanism.is_active(*row) && !(sines[*row] > DEPENDENT)).collect()
 }
 
 /// The independent constraints before a row that it is a combination of.
-fn implying<M: Mechanism>(jacobian: &M::LQ, row: usize, dependent: &[usize]) -> Vec<&'static str> {
+fn implying(jacobian: &DMatrix<f64>, row: usize, dependent: &[usize]) -> Vec<usize> {
     let before: Vec<usize> = (0..row).filter(|i| !dependent.contains(i)).collect();
     let direction = |i: usize| {
-        let entries = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+        let entries: DVector<f64> = jacobian.row(i).transpose();
         let length = entries.norm();
         if length > 0.0 { entries / length } else { entries }
     };
-    let directions = DMatrix::from_fn(M::Q::LEN, before.len(), |j, k| direction(before[k])[j]);
+    let directions = DMatrix::from_fn(jacobian.ncols(), before.len(), |j, k| direction(before[k])[j]);
     if before.is_empty() || directions.iter().any(|entry| !entry.is_finite()) {
         return vec![];
     }
     let Ok(parts) = directions.svd(true, true).solve(&direction(row), DEPENDENT) else { return vec![] };
-    before
-        .into_iter()
-        .zip(parts.iter())
-        .filter(|(_, part)| part.abs() > NO_PART)
-        .map(|(i, _)| constraint_name::<M>(i))
-        .collect()
+    before.into_iter().zip(parts.iter()).filter(|(_, part)| part.abs() > NO_PART).map(|(i, _)| i).collect()
 }
 
 /// For each row of C_q the sine of its angle to the space of those before it, times how long it is beside its length elsewhere.
-fn independence<M: Mechanism>(jacobian: &M::LQ, lengths: &[f64]) -> Vec<f64> {
+fn independence(jacobian: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let of_row = |i: usize| {
-        let mut rest = DVector::from_iterator(M::Q::LEN, jacobian[i].iter().copied());
+    let of_row = |(i, length): (usize, &f64)| {
+        let mut rest: DVector<f64> = jacobian.row(i).transpose();
         // Twice, so that rounding leaves nothing of what was taken.
         for direction in basis.iter().chain(&basis) {
             rest -= direction * direction.dot(&rest);
         }
-        let sine = rest.norm() / lengths[i];
+        let sine = rest.norm() / length;
         if sine > DEPENDENT {
             basis.push(rest.normalize());
         }
         sine
     };
-    (0..M::L::LEN).map(of_row).collect()
+    lengths.iter().enumerate().map(of_row).collect()
 }
 
 /// A negative kinetic energy this small beside the others is rounding.
@@ -169,10 +167,12 @@ fn has_mass(unit: &str) -> bool {
 /// # Errors
 /// [`What::NegativeMass`], with the parameters that are negative.
 pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
-    let mass = mechanism.mass_matrix(time, q);
-    let n = M::Q::LEN;
-    let matrix = DMatrix::from_fn(n, n, |i, j| mass[i][j]);
-    if n == 0 || matrix.iter().any(|entry| !entry.is_finite()) {
+    check_masses_of(&Any(mechanism), time, q.as_ref())
+}
+
+fn check_masses_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
+    let matrix = mechanism.mass_matrix(time, q);
+    if matrix.is_empty() || matrix.iter().any(|entry| !entry.is_finite()) {
         return Ok(());
     }
     let eigen = matrix.symmetric_eigen();
@@ -180,12 +180,12 @@ pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<
     if least >= -NEGATIVE * eigen.eigenvalues.amax() {
         return Ok(());
     }
-    let coordinate = M::DESCRIPTION.coordinates[eigen.eigenvectors.column(at).iamax()].position.name;
-    let parameters = mechanism.parameters();
-    let negative =
-        M::DESCRIPTION.parameters.iter().zip(parameters.iter()).filter(|(p, value)| **value < 0.0 && has_mass(p.unit));
+    let description = mechanism.description();
+    let coordinate = description.coordinates[eigen.eigenvectors.column(at).iamax()].position.name;
+    let parameters = description.parameters.iter().zip(mechanism.parameters());
+    let negative = parameters.filter(|(p, value)| *value < 0.0 && has_mass(p.unit));
     let names: Vec<String> =
         negative.map(|(p, value)| format!("`{}` is {} {}", p.name, value / p.factor, p.unit)).collect();
     let suspects = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };
-    Err(Failure::at::<M>(What::NegativeMass { coordinate, suspects }, time, q))
+    Err(mechanism.failure(What::NegativeMass { coordinate, suspects }, time, q))
 }

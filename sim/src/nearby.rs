@@ -1,9 +1,7 @@
 //! Positions near one that satisfy the constraints too. What is so at all of them is no accident of a single position.
 
-use crate::conditional::is_active;
-use crate::project::project_positions;
-use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Mechanism};
+use crate::any::AnyMechanism;
+use nalgebra::DVector;
 
 /// How far away they are: this part of the size of the coordinate that moves most beside its own.
 const AWAY: f64 = 0.01;
@@ -14,35 +12,35 @@ const SHARE: f64 = 0.37;
 
 /// Those found by going in directions that C_q allows here, to both sides, and back onto the constraints. Where nothing
 /// moves there are none.
-pub(crate) fn nearby_positions<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<M::Q> {
-    let basis = null_space::<M>(mechanism, time, q);
+pub(crate) fn nearby_positions(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<Vec<f64>> {
+    let basis = null_space(mechanism, time, q);
     let mixed = (0..basis.len()).map(|k| &basis[k] + SHARE * &basis[(k + 1) % basis.len()]);
     let directions = basis.iter().cloned().chain(mixed);
-    let moved = |direction: DVector<f64>| {
-        [AWAY, -AWAY].into_iter().filter_map(move |away| {
-            let share = |j: usize| direction[j] / size::<M>(q, j);
-            let largest = (0..M::Q::LEN).map(|j| share(j).abs()).fold(0.0, f64::max);
-            let mut there = M::Q::from_fn(|j| q[j] + away / largest * direction[j]);
-            project_positions(mechanism, time, &mut there).ok()?;
+    // What a coordinate is measured by: its value, or its unit.
+    let coordinates = mechanism.description().coordinates;
+    let sizes: Vec<f64> = q.iter().zip(coordinates).map(|(q, c)| q.abs().max(c.position.factor)).collect();
+    let mut found = Vec::new();
+    for direction in directions {
+        let share = direction.iter().zip(&sizes).map(|(part, size)| (part / size).abs());
+        let largest = share.fold(0.0, f64::max);
+        for away in [AWAY, -AWAY] {
+            let mut there: Vec<f64> = q.iter().zip(&direction).map(|(q, part)| q + away / largest * part).collect();
+            let is_position = mechanism.project_positions(time, &mut there).is_ok();
             // Not where it came from.
-            let has_moved = (0..M::Q::LEN).any(|j| (there[j] - q[j]).abs() > 0.1 * AWAY * size::<M>(q, j));
-            has_moved.then_some(there)
-        })
-    };
-    directions.flat_map(moved).collect()
-}
-
-/// What a coordinate is measured by: its value, or its unit.
-fn size<M: Mechanism>(q: &M::Q, j: usize) -> f64 {
-    q[j].abs().max(M::DESCRIPTION.coordinates[j].position.factor)
+            if is_position && (0..q.len()).any(|j| (there[j] - q[j]).abs() > 0.1 * AWAY * sizes[j]) {
+                found.push(there);
+            }
+        }
+    }
+    found
 }
 
 /// An orthonormal basis of the speeds that the constraints that hold allow.
-fn null_space<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Vec<DVector<f64>> {
-    let (n, jacobian) = (M::Q::LEN, mechanism.constraint_jacobian(time, q));
+fn null_space(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DVector<f64>> {
+    let (n, jacobian) = (q.len(), mechanism.constraint_jacobian(time, q));
     // Square at least, so that the decomposition gives all directions.
-    let entry = |i: usize, j: usize| if i < M::L::LEN && is_active(mechanism, i) { jacobian[i][j] } else { 0.0 };
-    let matrix = DMatrix::from_fn(n.max(M::L::LEN), n, entry);
+    let mut matrix = jacobian.clone().resize_vertically(n.max(jacobian.nrows()), 0.0);
+    (0..jacobian.nrows()).filter(|row| !mechanism.is_active(*row)).for_each(|row| matrix.row_mut(row).fill(0.0));
     if matrix.iter().any(|entry| !entry.is_finite()) {
         return Vec::new();
     }

@@ -1,5 +1,6 @@
 //! Poincaré sections: the states of a motion each time an event happens, and its period.
 
+use crate::any::At;
 use crate::assemble::Start;
 use crate::events::{Crossing, Occurrence};
 use crate::failure::Failure;
@@ -8,7 +9,7 @@ use crate::motion::Motion;
 use crate::run::run;
 use crate::settings::{Rows, Settings, StopAt};
 use crate::trajectory::{Phase, State, Trajectory};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Mechanism};
 use std::f64::consts::TAU;
 
 /// A part of a motion's extent, within which two states are the same.
@@ -73,10 +74,10 @@ pub fn poincare<M: Mechanism>(
         phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
         samples.push(Motion::new(&mechanism, settings.stabilisation).sample(event.state)?);
     }
-    let states: Vec<State<M>> = samples.iter().map(|sample| sample.state).collect();
+    let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
     Ok(Section {
         mechanism,
-        period: period(&states),
+        period: period(const { &M::DESCRIPTION }, &states),
         trajectory: Trajectory { samples, phases, failure: found.trajectory.failure },
     })
 }
@@ -89,16 +90,16 @@ fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M
 }
 
 /// The least number of crossings after which all states are the same again.
-fn period<M: Mechanism>(states: &[State<M>]) -> Option<Period> {
-    let extent =
-        |value: &dyn Fn(&State<M>) -> f64| states.iter().fold(0.0f64, |most, state| most.max(value(state).abs()));
-    let is_angle = |j: &usize| Driven::Coordinate(*j).turn(const { &M::DESCRIPTION }).is_some();
-    let (angles, others): (Vec<usize>, Vec<usize>) = (0..M::Q::LEN).partition(is_angle);
+fn period(description: &'static Description, states: &[At<f64>]) -> Option<Period> {
+    let extent = |value: &dyn Fn(&At<f64>) -> f64| states.iter().fold(0.0f64, |most, at| most.max(value(at).abs()));
+    let n = description.coordinates.len();
+    let is_angle = |j: &usize| Driven::Coordinate(*j).turn(description).is_some();
+    let (angles, others): (Vec<usize>, Vec<usize>) = (0..n).partition(is_angle);
     let largest_speed = |of: &[usize]| of.iter().map(|j| extent(&|state| state.speeds[*j])).fold(0.0, f64::max);
     let largest_position = others.iter().map(|j| extent(&|state| state.positions[*j])).fold(0.0, f64::max);
     let (turning, moving) = (largest_speed(&angles), largest_speed(&others));
-    let is_same = |a: &State<M>, b: &State<M>| {
-        (0..M::Q::LEN).all(|j| {
+    let is_same = |a: &At<f64>, b: &At<f64>| {
+        (0..n).all(|j| {
             let (apart, faster) = (b.positions[j] - a.positions[j], (b.speeds[j] - a.speeds[j]).abs());
             match is_angle(&j) {
                 true => (apart - TAU * (apart / TAU).round()).abs() <= SAME && faster <= SAME * turning,

@@ -170,18 +170,18 @@ fn integrate_by<M: Mechanism>(
 ) -> Result<(), Failure> {
     let explicit = |tableau| ExplicitRungeKutta::new(tableau);
     match method {
-        Method::Euler => integrate_with(explicit(&EULER), motion, settings, start, steps, recorder),
-        Method::Heun => integrate_with(explicit(&HEUN), motion, settings, start, steps, recorder),
-        Method::Rk3 => integrate_with(explicit(&RK3), motion, settings, start, steps, recorder),
-        Method::Rk4 => integrate_with(explicit(&RK4), motion, settings, start, steps, recorder),
-        Method::Dopri5 => integrate_with(explicit(&DOPRI5), motion, settings, start, steps, recorder),
-        Method::Dop853 => integrate_with(Dop853::new(), motion, settings, start, steps, recorder),
-        Method::Radau5 => integrate_with(Radau5::new(), motion, settings, start, steps, recorder),
+        Method::Euler => integrate_with(&mut explicit(&EULER), motion, settings, start, steps, recorder),
+        Method::Heun => integrate_with(&mut explicit(&HEUN), motion, settings, start, steps, recorder),
+        Method::Rk3 => integrate_with(&mut explicit(&RK3), motion, settings, start, steps, recorder),
+        Method::Rk4 => integrate_with(&mut explicit(&RK4), motion, settings, start, steps, recorder),
+        Method::Dopri5 => integrate_with(&mut explicit(&DOPRI5), motion, settings, start, steps, recorder),
+        Method::Dop853 => integrate_with(&mut Dop853::new(), motion, settings, start, steps, recorder),
+        Method::Radau5 => integrate_with(&mut Radau5::new(), motion, settings, start, steps, recorder),
     }
 }
 
 fn integrate_with<M: Mechanism>(
-    mut method: impl Advance<M>,
+    method: &mut dyn Advance<M>,
     motion: &Motion<M>,
     settings: &Settings,
     start: Sample<M>,
@@ -190,7 +190,7 @@ fn integrate_with<M: Mechanism>(
 ) -> Result<(), Failure> {
     let Settings { end, stepping, interrupt, .. } = *settings;
     let course = Course { begin: recorder.begin(), end, stepping, interrupt };
-    integrate(motion, &mut method, &course, start, steps, |step| {
+    integrate(motion, method, &course, start, steps, |step| {
         if let Some(progress) = settings.progress {
             progress.store(step.to.state.time.to_bits(), Ordering::Relaxed);
         }

@@ -89,7 +89,8 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
         let needed = lie.least_sine / (APPROACH * lie.gap * slope);
         let h = if needed > lie.longest { needed } else { lie.longest };
         let reach = 1.5 * h;
-        let root = root_between(along(&here), along(&rows(reach)), 1e-4, |s| Ok(along(&rows(s * reach)))).ok()??;
+        let root =
+            root_between(along(&here), along(&rows(reach)), 1e-4, &mut |s| Ok(along(&rows(s * reach)))).ok()??;
         (sine(motion, row, &rows(root * reach)) < FORETOLD).then_some((root * reach, h))
     };
     (0..M::L::LEN).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
@@ -101,11 +102,12 @@ pub(crate) fn passed<M: Mechanism>(
     motion: &Motion<M>,
     [from, to]: [&State<M>; 2],
     [before, after]: [&M::LQ; 2],
-    mut inside: impl FnMut(f64) -> Result<State<M>, Failure>,
+    inside: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
 ) -> Result<Option<Singularity>, Failure> {
     for row in 0..M::L::LEN {
         let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
-        let found = root_between(along(before), along(after), 1e-12, |s| Ok(along(&parts_at(motion, &inside(s)?))))?;
+        let found =
+            root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts_at(motion, &inside(s)?))))?;
         let Some(fraction) = found else { continue };
         let sine = sine(motion, row, &parts_at(motion, &inside(fraction)?));
         if sine < FOUND {
@@ -127,9 +129,9 @@ fn root_between(
     first: f64,
     last: f64,
     tolerance: f64,
-    mut f: impl FnMut(f64) -> Result<f64, Failure>,
+    f: &mut dyn FnMut(f64) -> Result<f64, Failure>,
 ) -> Result<Option<f64>, Failure> {
-    if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, &mut f).map(Some) } else { Ok(None) }
+    if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, f).map(Some) } else { Ok(None) }
 }
 
 /// The constraint that is nearest to depending on those before it, of those that do not everywhere, with its sine.

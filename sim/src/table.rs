@@ -1,7 +1,8 @@
 //! Trajectories as columns with names and units.
 
-use crate::trajectory::{Sample, Trajectory};
-use sim_kernel::Mechanism;
+use crate::any::{Any, AnyMechanism, At};
+use crate::trajectory::Trajectory;
+use sim_kernel::{Description, Mechanism};
 use std::borrow::Cow;
 
 /// A column of a table.
@@ -34,37 +35,38 @@ pub struct Table {
 impl Table {
     /// The table of a trajectory that starts with this mechanism.
     pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
-        let description = const { &M::DESCRIPTION };
-        let samples = &trajectory.samples;
-        let column = |name: String, unit: &'static str, factor: f64, value: &dyn Fn(&Sample<M>) -> f64| Column {
+        let rows = trajectory.with_mechanisms(mechanism).map(|(mechanism, sample)| {
+            let at = At::sample(sample);
+            (at, Any(&mechanism).outputs(at))
+        });
+        Table::from_rows(const { &M::DESCRIPTION }, &rows.collect::<Vec<_>>())
+    }
+
+    /// The table of samples with their outputs.
+    fn from_rows(description: &'static Description, rows: &[(At<f64>, Vec<f64>)]) -> Table {
+        let column = |name: String, unit: &'static str, factor: f64, value: &dyn Fn(&At<f64>) -> f64| Column {
             name,
             unit: unit.into(),
-            values: samples.iter().map(|sample| value(sample) / factor).collect(),
+            values: rows.iter().map(|(at, _)| value(at) / factor).collect(),
         };
-        let mut columns = vec![column("t".into(), "s", 1.0, &|s| s.state.time)];
+        let mut columns = vec![column("t".into(), "s", 1.0, &|at| at.time)];
         for (i, c) in description.coordinates.iter().enumerate() {
             let q = &c.position;
-            columns.push(column(q.name.into(), q.unit, q.factor, &|s| s.state.positions[i]));
+            columns.push(column(q.name.into(), q.unit, q.factor, &|at| at.positions[i]));
         }
         for (i, c) in description.coordinates.iter().enumerate() {
-            columns.push(column(c.speed.name.into(), c.speed.unit, c.speed.factor, &|s| s.state.speeds[i]));
+            columns.push(column(c.speed.name.into(), c.speed.unit, c.speed.factor, &|at| at.speeds[i]));
         }
         for (i, c) in description.coordinates.iter().enumerate() {
             let a = &c.acceleration;
-            columns.push(column(a.name.into(), a.unit, a.factor, &|s| s.accelerations[i]));
+            columns.push(column(a.name.into(), a.unit, a.factor, &|at| at.accelerations[i]));
         }
         for (i, c) in description.constraints.iter().enumerate() {
-            columns.push(column(format!("lambda_{}", c.name), c.unit, c.factor, &|s| s.multipliers[i]));
+            columns.push(column(format!("lambda_{}", c.name), c.unit, c.factor, &|at| at.multipliers[i]));
         }
         let first_output = columns.len();
-        let outputs: Vec<M::Outputs> = trajectory
-            .with_mechanisms(mechanism)
-            .map(|(mechanism, s)| {
-                mechanism.outputs(s.state.time, &s.state.positions, &s.state.speeds, &s.accelerations, &s.multipliers)
-            })
-            .collect();
         for (i, o) in description.outputs.iter().enumerate() {
-            let values = outputs.iter().map(|output| output[i] / o.factor).collect();
+            let values = rows.iter().map(|(_, outputs)| outputs[i] / o.factor).collect();
             columns.push(Column { name: o.name.into(), unit: o.unit.into(), values });
         }
         Table { columns, first_output }

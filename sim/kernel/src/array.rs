@@ -1,12 +1,29 @@
 //! Arrays whose length is a mechanism's business.
 
+use crate::{Input, Scalar};
 use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
+/// What arrays are made of.
+pub trait Element: Copy + Debug {
+    /// A value to begin with.
+    const BLANK: Self;
+}
+
+impl<S: Scalar> Element for S {
+    const BLANK: S = S::ZERO;
+}
+
+impl<S: Scalar> Element for Input<S> {
+    const BLANK: Input<S> = Input::Declared;
+}
+
+impl<T: Element, const N: usize> Element for [T; N] {
+    const BLANK: [T; N] = [T::BLANK; N];
+}
+
 /// A fixed-size array, named by an associated type because `[S; Self::N]` cannot be.
-pub trait Array<T: Copy + Debug>:
-    Copy + Debug + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize>
-{
+pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
     /// How many elements it has.
     const LEN: usize;
 
@@ -14,10 +31,7 @@ pub trait Array<T: Copy + Debug>:
     fn from_fn(f: impl FnMut(usize) -> T) -> Self;
 
     /// The array of equal elements.
-    #[inline(always)]
-    fn filled(value: T) -> Self {
-        Self::from_fn(|_| value)
-    }
+    fn filled(value: T) -> Self;
 
     /// Element by element.
     fn iter(&self) -> core::slice::Iter<'_, T> {
@@ -25,11 +39,23 @@ pub trait Array<T: Copy + Debug>:
     }
 }
 
-impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {
+impl<T: Element, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
 
+    /// As `core::array::from_fn`, which takes the compiler several times as long.
     #[inline(always)]
-    fn from_fn(f: impl FnMut(usize) -> T) -> Self {
-        core::array::from_fn(f)
+    fn from_fn(mut f: impl FnMut(usize) -> T) -> Self {
+        let mut array = [T::BLANK; N];
+        let mut i = 0;
+        while i < N {
+            array[i] = f(i);
+            i += 1;
+        }
+        array
+    }
+
+    #[inline(always)]
+    fn filled(value: T) -> Self {
+        [value; N]
     }
 }

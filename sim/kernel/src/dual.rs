@@ -87,6 +87,7 @@ impl<S: Scalar> Neg for Dual<S> {
 impl<S: Scalar> Scalar for Dual<S> {
     type Mask = S::Mask;
     const HALF_DIGITS: f64 = S::HALF_DIGITS;
+    const ZERO: Dual<S> = Dual { value: S::ZERO, derivative: S::ZERO };
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

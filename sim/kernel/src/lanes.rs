@@ -122,6 +122,7 @@ macro_rules! lane_by_lane {
 impl<const N: usize> Scalar for Lanes<N> {
     type Mask = LaneMask<N>;
     const HALF_DIGITS: f64 = <f64 as Scalar>::HALF_DIGITS;
+    const ZERO: Lanes<N> = Lanes([0.0; N]);
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

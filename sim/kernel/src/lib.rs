@@ -17,7 +17,7 @@ mod scalar;
 mod table;
 mod wave;
 
-pub use array::Array;
+pub use array::{Array, Element};
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
 pub use dual::Dual;
 pub use input::Input;

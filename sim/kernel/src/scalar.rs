@@ -29,6 +29,8 @@ pub trait Scalar:
     type Mask: Mask;
     /// The square root of the unit roundoff: where half of the digits are gone.
     const HALF_DIGITS: f64;
+    /// 0.
+    const ZERO: Self;
 
     fn from_f64(value: f64) -> Self;
     /// Whether `self > other`; false for NaN.
@@ -82,6 +84,7 @@ macro_rules! real {
         impl Scalar for $type {
             type Mask = bool;
             const HALF_DIGITS: f64 = $half;
+            const ZERO: $type = 0.0;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {

@@ -8,12 +8,12 @@ use super::{Stop, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
-    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table, kinematics,
+    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, kinematics,
     write_json,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Description, Mechanism, Quantity};
+use sim_kernel::{Array, Description, Mechanism, Quantity};
 use std::path::{Path, PathBuf};
 
 /// What is driven, and how.
@@ -77,17 +77,22 @@ impl KinematicsArguments {
         &self.model
     }
 
-    fn sweep<M: Mechanism>(&self, mechanism: &M, start: &Start<M>) -> Result<Sweep, Stop> {
-        let description = const { &M::DESCRIPTION };
+    /// The sweep of a mechanism of which `now` tells the values of coordinates and outputs at the start, with these speeds there.
+    fn sweep(
+        &self,
+        description: &'static Description,
+        now: &dyn Fn(Driven) -> f64,
+        speeds: &[Option<f64>],
+    ) -> Result<Sweep, Stop> {
         let driven = match &self.drive {
             Some(name) => find(description, name)?,
             None => default_drive(description)?,
         };
-        let (quantity, now) = (driven.quantity(description), || driven.value(mechanism, 0.0, &start.positions));
+        let quantity = driven.quantity(description);
         let value = |option: &str, text: &str| parse_quantity(option, text, quantity.unit);
         let from = match (&self.from, driven) {
             (Some(text), _) => value("--from", text)?,
-            (None, Driven::Coordinate(_)) => now(),
+            (None, Driven::Coordinate(_)) => now(driven),
             (None, Driven::Output(_)) => return Err(needed("--from", quantity)),
         };
         let to = match (&self.to, driven.turn(description)) {
@@ -102,11 +107,11 @@ impl KinematicsArguments {
             )));
         }
         let declared = match driven {
-            Driven::Coordinate(i) if start.speed_given[i] => Some(start.speeds[i]),
-            _ => None,
+            Driven::Coordinate(i) => speeds[i],
+            Driven::Output(_) => None,
         };
         let speed = self.speed(description, driven, declared)?;
-        let held = self.hold.iter().map(|text| hold(mechanism, start, text)).collect::<Result<_, _>>()?;
+        let held = self.hold.iter().map(|text| hold(description, now, text)).collect::<Result<_, _>>()?;
         Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
     }
 
@@ -148,13 +153,12 @@ fn default_drive(description: &Description) -> Result<Driven, Stop> {
     given.ok_or_else(|| Stop::Usage("say what is driven, as in `--drive alpha`".into()))
 }
 
-fn hold<M: Mechanism>(mechanism: &M, start: &Start<M>, text: &str) -> Result<(Driven, f64), Stop> {
+fn hold(description: &'static Description, now: &dyn Fn(Driven) -> f64, text: &str) -> Result<(Driven, f64), Stop> {
     let (name, value) = text.split_once('=').map_or((text, None), |(name, value)| (name.trim(), Some(value.trim())));
-    let description = const { &M::DESCRIPTION };
     let driven = find(description, name)?;
     let value = match value {
         Some(value) => parse_quantity(name, value, driven.quantity(description).unit)?,
-        None => driven.value(mechanism, 0.0, &start.positions),
+        None => now(driven),
     };
     Ok((driven, value))
 }
@@ -164,7 +168,9 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
-    let sweep = arguments.sweep(&mechanism, &start)?;
+    let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
+    let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
+    let sweep = arguments.sweep(description, &now, &speeds)?;
     let directory = arguments.out.clone();
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
@@ -172,6 +178,11 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let draw =
         |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
     tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
+}
+
+/// A value, if it is given.
+fn given((is_given, value): (&bool, &f64)) -> Option<f64> {
+    is_given.then_some(*value)
 }
 
 /// What was found, without the type of the mechanism.

@@ -10,9 +10,9 @@ use crate::{
     run, write_json,
 };
 use clap::Args;
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 use std::path::PathBuf;
 
 /// What is linearised, and where.
@@ -46,17 +46,48 @@ pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, vo
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
     let state = state_at(&mechanism, &start, &arguments.at)?;
-    let found = linearize(&mechanism, &state, &inputs)?;
-    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", description.name).into());
+    let State { time, positions, speeds, .. } = &state;
+    let Linearization { independent, independent_speeds, a, b, c, d, eigenvalues, modes, .. } =
+        linearize(&mechanism, &state, &inputs)?;
+    let found = Found {
+        description,
+        time: *time,
+        positions: positions.as_ref(),
+        speeds: speeds.as_ref(),
+        states: states(description, &independent, &independent_speeds),
+        inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
+        matrices: [("A", &a), ("B", &b), ("C", &c), ("D", &d)],
+        eigenvalues: &eigenvalues,
+        modes: &modes,
+    };
+    tell(&found, arguments, voice)
+}
+
+/// What was found, of a mechanism of any type.
+struct Found<'a> {
+    description: &'static Description,
+    time: f64,
+    positions: &'a [f64],
+    speeds: &'a [f64],
+    /// The names of the entries of x.
+    states: Vec<&'static str>,
+    inputs: Vec<&'static str>,
+    matrices: [(&'static str, &'a DMatrix<f64>); 4],
+    eigenvalues: &'a [Complex<f64>],
+    modes: &'a [Mode],
+}
+
+/// Writes what was found, and prints it.
+fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", found.description.name).into());
     std::fs::create_dir_all(&directory).map_err(|why| WriteError::new(&directory, why))?;
-    let said = summary(&found, &arguments.at);
+    let said = summary(found, &arguments.at);
     write_json(&said, &directory.join("linear.json"))?;
-    let matrices = [("A", &found.a), ("B", &found.b), ("C", &found.c), ("D", &found.d)];
-    write_matrices(&matrices, &directory.join("linear.npz"))?;
+    write_matrices(&found.matrices, &directory.join("linear.npz"))?;
     match voice {
         Voice { quiet: true, .. } => Ok(()),
         Voice { json: true, .. } => print(&format!("{said:#}\n")),
-        _ => print(&format!("{}written      {}: linear.json, linear.npz\n", report(&found), directory.display())),
+        _ => print(&format!("{}written      {}: linear.json, linear.npz\n", report(found), directory.display())),
     }
 }
 
@@ -90,15 +121,10 @@ fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Resul
     }
 }
 
-fn summary<M: Mechanism>(found: &Linearization<M>, place: &str) -> Value {
-    let description = const { &M::DESCRIPTION };
-    let coordinates = description.coordinates;
+fn summary(found: &Found, place: &str) -> Value {
+    let coordinates = found.description.coordinates;
     let rows = |matrix: &DMatrix<f64>| -> Value {
         matrix.row_iter().map(|row| row.iter().copied().collect::<Vec<f64>>()).collect::<Vec<_>>().into()
-    };
-    let values = |values: &M::Q, speed: bool| -> Map<String, Value> {
-        let name = |j: usize| if speed { coordinates[j].speed.name } else { coordinates[j].position.name };
-        (0..M::Q::LEN).map(|j| (name(j).to_owned(), json!(values[j]))).collect()
     };
     let mode = |mode: &Mode| {
         let shape = coordinates
@@ -112,38 +138,40 @@ fn summary<M: Mechanism>(found: &Linearization<M>, place: &str) -> Value {
             "shape": shape.collect::<Map<_, _>>(),
         })
     };
-    json!({
-        "model": description.name,
+    let positions = coordinates.iter().zip(found.positions).map(|(c, q)| (c.position.name.to_owned(), json!(q)));
+    let speeds = coordinates.iter().zip(found.speeds).map(|(c, qd)| (c.speed.name.to_owned(), json!(qd)));
+    let mut said = json!({
+        "model": found.description.name,
         "at": place,
-        "time": found.state.time,
-        "coordinates": values(&found.state.positions, false),
-        "speeds": values(&found.state.speeds, true),
-        "states": states(found),
-        "inputs": found.inputs.iter().map(|input| input.name::<M>()).collect::<Vec<_>>(),
-        "outputs": description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
-        "A": rows(&found.a),
-        "B": rows(&found.b),
-        "C": rows(&found.c),
-        "D": rows(&found.d),
-        "eigenvalues": found.eigenvalues.iter().map(|value| json!([value.re, value.im])).collect::<Vec<_>>(),
-        "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
-    })
+        "time": found.time,
+        "coordinates": positions.collect::<Map<_, _>>(),
+        "speeds": speeds.collect::<Map<_, _>>(),
+        "states": found.states,
+        "inputs": found.inputs,
+        "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
+    });
+    for (name, matrix) in found.matrices {
+        said[name] = rows(matrix);
+    }
+    said["eigenvalues"] = found.eigenvalues.iter().map(|value| json!([value.re, value.im])).collect();
+    said["modes"] = found.modes.iter().map(mode).collect();
+    said
 }
 
 /// The names of the entries of x.
-fn states<M: Mechanism>(found: &Linearization<M>) -> Vec<&'static str> {
-    let coordinates = M::DESCRIPTION.coordinates;
-    let positions = found.independent.iter().map(|j| coordinates[*j].position.name);
-    positions.chain(found.independent_speeds.iter().map(|j| coordinates[*j].speed.name)).collect()
+fn states(description: &Description, independent: &[usize], independent_speeds: &[usize]) -> Vec<&'static str> {
+    let coordinates = description.coordinates;
+    let positions = independent.iter().map(|j| coordinates[*j].position.name);
+    positions.chain(independent_speeds.iter().map(|j| coordinates[*j].speed.name)).collect()
 }
 
-fn report<M: Mechanism>(found: &Linearization<M>) -> String {
-    let coordinates = M::DESCRIPTION.coordinates;
-    let mut text = format!("{:<12} t = {:?} s\n", "at", found.state.time);
-    for (c, q) in coordinates.iter().zip(found.state.positions.iter()) {
+fn report(found: &Found) -> String {
+    let coordinates = found.description.coordinates;
+    let mut text = format!("{:<12} t = {:?} s\n", "at", found.time);
+    for (c, q) in coordinates.iter().zip(found.positions) {
         text += &format!("{:<12} {:>20.12} {}\n", c.position.name, q / c.position.factor, c.position.unit);
     }
-    text += &format!("{:<12} {}\n", "states", states(found).join(", "));
+    text += &format!("{:<12} {}\n", "states", found.states.join(", "));
     for (k, mode) in found.modes.iter().enumerate() {
         let Mode { eigenvalue, .. } = mode;
         text += &format!("{:<12} {:.9} {:+.9} i 1/s", format!("mode {}", k + 1), eigenvalue.re, eigenvalue.im);

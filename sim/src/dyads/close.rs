@@ -44,9 +44,9 @@ enum Column {
 }
 
 /// All values of the unknowns where the residuals are zero; `None` if they are of no known form.
-pub(super) fn close(residual: &impl Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> Option<(Form, Vec<Vec<f64>>)> {
+pub(super) fn close(residual: &dyn Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> Option<(Form, Vec<Vec<f64>>)> {
     match guesses {
-        [guess] => close_one(|x| residual(&[x])[0], *guess),
+        [guess] => close_one(&|x| residual(&[x])[0], *guess),
         [first, second] => {
             CHOICES.iter().find_map(|choice| close_chosen(&|x, y| residual(&[x, y]), [*first, *second], choice))
         }
@@ -67,7 +67,7 @@ const CHOICES: [Choice; 5] = [
 ];
 
 fn close_chosen(
-    f: &impl Fn(f64, f64) -> Vec<f64>,
+    f: &dyn Fn(f64, f64) -> Vec<f64>,
     guesses: Vector,
     (choice, inverse): &Choice,
 ) -> Option<(Form, Vec<Vec<f64>>)> {
@@ -84,16 +84,16 @@ fn close_chosen(
     Some((form, found.iter().map(back).collect()))
 }
 
-fn close_one(f: impl Fn(f64) -> f64, guess: f64) -> Option<(Form, Vec<Vec<f64>>)> {
-    if let Some((harmonic, constant)) = fit_harmonic(&f) {
+fn close_one(f: &dyn Fn(f64) -> f64, guess: f64) -> Option<(Form, Vec<Vec<f64>>)> {
+    if let Some((harmonic, constant)) = fit_harmonic(f) {
         let found = angles(harmonic, -constant, guess)?;
         return Some((Form::Angle, found.into_iter().map(|angle| vec![angle]).collect()));
     }
-    let (slope, constant) = fit_linear(&f)?;
+    let (slope, constant) = fit_linear(f)?;
     (slope != 0.0).then(|| (Form::Length, vec![vec![-constant / slope]]))
 }
 
-fn close_two(f: &impl Fn(f64, f64) -> Vec<f64>, guesses: Vector) -> Option<(Form, Vec<Vec<f64>>)> {
+fn close_two(f: &dyn Fn(f64, f64) -> Vec<f64>, guesses: Vector) -> Option<(Form, Vec<Vec<f64>>)> {
     let first = column(&|x| f(x, 0.0))?;
     let second = column(&|y| f(0.0, y))?;
     if !is_sum(f) {
@@ -121,9 +121,9 @@ impl Column {
 }
 
 /// How both rows depend on one unknown.
-fn column(f: &impl Fn(f64) -> Vec<f64>) -> Option<Column> {
-    let harmonic = |row: usize| fit_harmonic(|x| f(x)[row]).map(|(Harmonic { cosine, sine }, _)| [cosine, sine]);
-    let linear = |row: usize| fit_linear(|x| f(x)[row]).map(|(slope, _)| slope);
+fn column(f: &dyn Fn(f64) -> Vec<f64>) -> Option<Column> {
+    let harmonic = |row: usize| fit_harmonic(&|x| f(x)[row]).map(|(Harmonic { cosine, sine }, _)| [cosine, sine]);
+    let linear = |row: usize| fit_linear(&|x| f(x)[row]).map(|(slope, _)| slope);
     match (harmonic(0), harmonic(1)) {
         (Some(a), Some(b)) => Some(Column::Angle([a, b])),
         _ => Some(Column::Length([linear(0)?, linear(1)?])),
@@ -131,7 +131,7 @@ fn column(f: &impl Fn(f64) -> Vec<f64>) -> Option<Column> {
 }
 
 /// Whether f(x, y) is a function of x and one of y, added.
-fn is_sum(f: &impl Fn(f64, f64) -> Vec<f64>) -> bool {
+fn is_sum(f: &dyn Fn(f64, f64) -> Vec<f64>) -> bool {
     let origin = f(0.0, 0.0);
     [(0.9, 2.3), (-1.7, 0.4)].into_iter().all(|(x, y)| {
         let (both, first, second) = (f(x, y), f(x, 0.0), f(0.0, y));

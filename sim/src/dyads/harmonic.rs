@@ -15,7 +15,7 @@ pub(super) struct Harmonic {
 }
 
 /// Such a function and its constant, if it is one.
-pub(super) fn fit_harmonic(f: impl Fn(f64) -> f64) -> Option<(Harmonic, f64)> {
+pub(super) fn fit_harmonic(f: &dyn Fn(f64) -> f64) -> Option<(Harmonic, f64)> {
     let (front, back) = (f(0.0), f(PI));
     let constant = (front + back) / 2.0;
     let fitted = Harmonic { cosine: (front - back) / 2.0, sine: f(FRAC_PI_2) - constant };
@@ -26,7 +26,7 @@ pub(super) fn fit_harmonic(f: impl Fn(f64) -> f64) -> Option<(Harmonic, f64)> {
 }
 
 /// The slope and the constant of a function of a length, if it is linear.
-pub(super) fn fit_linear(f: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+pub(super) fn fit_linear(f: &dyn Fn(f64) -> f64) -> Option<(f64, f64)> {
     let constant = f(0.0);
     let slope = f(1.0) - constant;
     let size = constant.abs() + slope.abs();

@@ -10,11 +10,8 @@ mod harmonic;
 
 pub use close::Form;
 
-use crate::assemble::Start;
-use crate::failure::constraint_name;
-use crate::level::between_positions;
-use crate::project::is_met;
-use sim_kernel::{Array, Mechanism};
+use crate::any::AnyMechanism;
+use sim_kernel::Mechanism;
 
 /// A loop that closes in closed form.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,63 +41,71 @@ const MOST_BRANCHES: usize = 256;
 /// The rows and unknowns of a loop, by index.
 type Block = (Vec<usize>, Vec<usize>);
 
+/// All configurations of a mechanism, of any type, that have what is given of its start.
+pub(crate) struct Closed {
+    pub(crate) loops: Vec<Loop>,
+    pub(crate) open: Vec<&'static str>,
+    pub(crate) positions: Vec<Vec<f64>>,
+}
+
 /// Closes what can be closed in closed form, given the coordinates that the start gives; the others keep their guesses.
-pub(crate) fn close_loops<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
-    let mut found = Branches { loops: Vec::new(), open: Vec::new(), positions: vec![start.positions] };
-    let depends = dependence(mechanism, &start.positions);
-    let mut known = start.position_given.clone();
+pub(crate) fn close_loops(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bool]) -> Closed {
+    let mut found = Closed { loops: Vec::new(), open: Vec::new(), positions: vec![guesses.to_vec()] };
+    let depends = dependence(mechanism, guesses);
+    let mut known = given.to_vec();
     let mut refused: Vec<Block> = Vec::new();
     while let Some(block) = next_block(&depends, &known, &refused) {
-        match close_all(mechanism, &found.positions, &block, start) {
+        match close_all(mechanism, &found.positions, &block, guesses) {
             None => refused.push(block),
             Some((form, positions)) => {
                 block.1.iter().for_each(|j| known[*j] = true);
-                found.loops.push(named::<M>(&block, form));
+                found.loops.push(named(mechanism, &block, form));
                 found.positions = positions;
                 if found.positions.len() > MOST_BRANCHES {
-                    found.sort(start);
+                    found.sort(guesses);
                     found.positions.truncate(MOST_BRANCHES);
                 }
             }
         }
     }
-    let names = M::DESCRIPTION.coordinates.iter().zip(&known);
+    let names = mechanism.description().coordinates.iter().zip(&known);
     found.open = names.filter(|(_, known)| !**known).map(|(c, _)| c.position.name).collect();
     if found.open.is_empty() {
         found.positions.retain(|q| is_closed(mechanism, q));
     }
-    found.sort(start);
+    found.sort(guesses);
     found
 }
 
-impl<M: Mechanism> Branches<M> {
+impl Closed {
     /// Nearest to the guesses first.
-    pub(crate) fn sort(&mut self, start: &Start<M>) {
-        let distance = |q: &M::Q| q.iter().zip(start.positions.iter()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+    pub(crate) fn sort(&mut self, guesses: &[f64]) {
+        let distance = |q: &[f64]| q.iter().zip(guesses).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
         self.positions.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     }
 }
 
 /// The nearest configuration, if all loops close in closed form.
-pub(crate) fn nearest<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Option<M::Q> {
-    let found = close_loops(mechanism, start);
-    if found.loops.is_empty() || !found.open.is_empty() { None } else { found.positions.first().copied() }
+pub(crate) fn nearest(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bool]) -> Option<Vec<f64>> {
+    let found = close_loops(mechanism, guesses, given);
+    if found.loops.is_empty() || !found.open.is_empty() { None } else { found.positions.into_iter().next() }
 }
 
 /// Whether all constraints hold, but for what a root next to a dead point loses, which a correction regains.
-fn is_closed<M: Mechanism>(mechanism: &M, q: &M::Q) -> bool {
-    let linear = mechanism.constraint_linearization(0.0, q);
-    let magnitudes = mechanism.constraint_magnitudes(0.0, q);
-    is_met(mechanism, 0.0, q, &linear) || (0..M::L::LEN).all(|i| linear.values[i].abs() <= 1e-9 * magnitudes[i])
+fn is_closed(mechanism: &dyn AnyMechanism, q: &[f64]) -> bool {
+    let (values, magnitudes) = (mechanism.constraints(0.0, q), mechanism.constraint_magnitudes(0.0, q));
+    mechanism.is_met(0.0, q) || values.iter().zip(&magnitudes).all(|(value, magnitude)| value.abs() <= 1e-9 * magnitude)
 }
 
 /// Which constraint depends on which coordinate: where C_q is exactly zero at several positions it does not.
-fn dependence<M: Mechanism>(mechanism: &M, q: &M::Q) -> Vec<Vec<bool>> {
-    let moved = |k: usize| M::Q::from_fn(|j| q[j] + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64);
-    let jacobians: Vec<M::LQ> =
-        (0..3).map(|k| between_positions::<M>(&mechanism.constraint_jacobian(0.0, &moved(k)))).collect();
-    let depends = |i: usize, j: usize| jacobians.iter().any(|jacobian| jacobian[i][j] != 0.0);
-    (0..M::L::LEN).map(|i| (0..M::Q::LEN).map(|j| depends(i, j)).collect()).collect()
+fn dependence(mechanism: &dyn AnyMechanism, q: &[f64]) -> Vec<Vec<bool>> {
+    let moved = |k: usize| -> Vec<f64> {
+        q.iter().enumerate().map(|(j, q)| q + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64).collect()
+    };
+    let jacobian = |k: usize| mechanism.between_positions(mechanism.constraint_jacobian(0.0, &moved(k)));
+    let jacobians = [0, 1, 2].map(jacobian);
+    let depends = |i: usize, j: usize| jacobians.iter().any(|jacobian| jacobian[(i, j)] != 0.0);
+    (0..jacobians[0].nrows()).map(|i| (0..q.len()).map(|j| depends(i, j)).collect()).collect()
 }
 
 /// One constraint in one unknown coordinate, else two in two, that have not been refused.
@@ -119,17 +124,17 @@ fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Optio
 }
 
 /// All ways to close a loop from each configuration so far; `None` if it is of no known form.
-fn close_all<M: Mechanism>(
-    mechanism: &M,
-    so_far: &[M::Q],
+fn close_all(
+    mechanism: &dyn AnyMechanism,
+    so_far: &[Vec<f64>],
     (rows, unknowns): &Block,
-    start: &Start<M>,
-) -> Option<(Form, Vec<M::Q>)> {
+    guesses: &[f64],
+) -> Option<(Form, Vec<Vec<f64>>)> {
     let mut form = None;
     let mut closed = Vec::new();
     for q in so_far {
         let with = |values: &[f64]| {
-            let mut q = *q;
+            let mut q = q.clone();
             unknowns.iter().zip(values).for_each(|(j, value)| q[*j] = *value);
             q
         };
@@ -137,7 +142,7 @@ fn close_all<M: Mechanism>(
             let all = mechanism.constraints(0.0, &with(values));
             rows.iter().map(|i| all[*i]).collect()
         };
-        let guesses: Vec<f64> = unknowns.iter().map(|j| start.positions[*j]).collect();
+        let guesses: Vec<f64> = unknowns.iter().map(|j| guesses[*j]).collect();
         let (found, solutions) = close::close(&residual, &guesses)?;
         form = Some(found);
         closed.extend(solutions.iter().map(|values| with(values)));
@@ -145,10 +150,10 @@ fn close_all<M: Mechanism>(
     form.map(|form| (form, closed))
 }
 
-fn named<M: Mechanism>((rows, unknowns): &Block, form: Form) -> Loop {
+fn named(mechanism: &dyn AnyMechanism, (rows, unknowns): &Block, form: Form) -> Loop {
     Loop {
-        constraints: rows.iter().map(|i| constraint_name::<M>(*i)).collect(),
-        coordinates: unknowns.iter().map(|j| M::DESCRIPTION.coordinates[*j].position.name).collect(),
+        constraints: rows.iter().map(|i| mechanism.constraint_name(*i)).collect(),
+        coordinates: unknowns.iter().map(|j| mechanism.description().coordinates[*j].position.name).collect(),
         form,
     }
 }

@@ -1,7 +1,7 @@
 //! The conditions of events at one time, and what two times tell of what lies between.
 
 use crate::failure::Failure;
-use crate::integrate::{Advance, Step};
+use crate::integrate::Step;
 use crate::motion::Motion;
 use crate::onset::Onset;
 use crate::trajectory::{Sample, State};
@@ -18,11 +18,7 @@ pub(super) struct Point<M: Mechanism> {
 }
 
 /// The value of a condition at a time inside a step.
-pub(super) fn value<M: Mechanism, A: Advance<M>>(
-    step: &mut Step<M, A>,
-    time: f64,
-    event: usize,
-) -> Result<f64, Failure> {
+pub(super) fn value<M: Mechanism>(step: &mut Step<M>, time: f64, event: usize) -> Result<f64, Failure> {
     let state = step.at(time)?;
     Ok(conditions(step.motion, &state)?[event])
 }

@@ -10,7 +10,8 @@ pub(crate) use conditions::{conditions, moved, tolerance};
 
 use crate::act::Change;
 use crate::failure::{Failure, What};
-use crate::integrate::{Advance, Step};
+use crate::insertion::sort_few;
+use crate::integrate::Step;
 use crate::interpolate::cubic;
 use crate::onset::Onset;
 use crate::root::{find_minimum, find_root};
@@ -83,7 +84,7 @@ impl<M: Mechanism> EventSearch<M> {
     ///
     /// # Errors
     /// [`What::InEvent`] with the cause, [`What::Chattering`].
-    pub fn search<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<(), Failure> {
+    pub fn search(&mut self, step: &mut Step<M>) -> Result<(), Failure> {
         if M::Events::LEN == 0 {
             return Ok(());
         }
@@ -108,19 +109,13 @@ impl<M: Mechanism> EventSearch<M> {
                 return Err(Failure::at::<M>(what, begins.time, &begins.positions));
             }
         }
-        self.found[first..].sort_by(|a, b| a.state.time.total_cmp(&b.state.time));
+        sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
         self.last = Some(to);
         Ok(())
     }
 
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
-    fn is_noise<A: Advance<M>>(
-        &self,
-        step: &mut Step<M, A>,
-        event: usize,
-        from: &Point<M>,
-        to: &Point<M>,
-    ) -> Result<bool, Failure> {
+    fn is_noise(&self, step: &mut Step<M>, event: usize, from: &Point<M>, to: &Point<M>) -> Result<bool, Failure> {
         let Some(onset) = &self.onset else { return Ok(false) };
         let is_small = |value: f64| value.abs() <= onset.noise[event];
         if !(is_small(from.values[event]) && is_small(to.values[event])) {
@@ -129,9 +124,9 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(is_small(value(step, (from.time + to.time) / 2.0, event)?))
     }
 
-    fn search_one<A: Advance<M>>(
+    fn search_one(
         &mut self,
-        step: &mut Step<M, A>,
+        step: &mut Step<M>,
         event: usize,
         from: &Point<M>,
         to: &Point<M>,
@@ -156,9 +151,9 @@ impl<M: Mechanism> EventSearch<M> {
     }
 
     /// Whether the cubic of both ends tells the value at two places between them, to a hundredth.
-    fn is_foretold<A: Advance<M>>(
+    fn is_foretold(
         &self,
-        step: &mut Step<M, A>,
+        step: &mut Step<M>,
         event: usize,
         [from, h]: [f64; 2],
         values: [f64; 2],
@@ -175,9 +170,9 @@ impl<M: Mechanism> EventSearch<M> {
     }
 
     /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.
-    fn touch<A: Advance<M>>(
+    fn touch(
         &mut self,
-        step: &mut Step<M, A>,
+        step: &mut Step<M>,
         event: usize,
         [from, to]: [f64; 2],
         values: [f64; 2],
@@ -197,9 +192,9 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(())
     }
 
-    fn locate<A: Advance<M>>(
+    fn locate(
         &mut self,
-        step: &mut Step<M, A>,
+        step: &mut Step<M>,
         event: usize,
         [from, to]: [f64; 2],
         values: [f64; 2],

@@ -19,7 +19,7 @@ impl<T: ComplexField<RealField = f64> + Copy> Lu<T> {
     }
 
     /// Factorises the matrix with these entries. False if it is singular or not finite.
-    pub(super) fn factorise(&mut self, entry: impl Fn(usize, usize) -> T) -> bool {
+    pub(super) fn factorise(&mut self, entry: &dyn Fn(usize, usize) -> T) -> bool {
         let n = self.n;
         for i in 0..n {
             for j in 0..n {
@@ -52,7 +52,7 @@ impl<T: ComplexField<RealField = f64> + Copy> Lu<T> {
     }
 
     /// The solution for a right-hand side.
-    pub(super) fn solve(&mut self, rhs: impl Fn(usize) -> T) -> &[T] {
+    pub(super) fn solve(&mut self, rhs: &dyn Fn(usize) -> T) -> &[T] {
         let (n, entries, x) = (self.n, &self.entries, &mut self.scratch);
         (0..n).for_each(|i| x[i] = rhs(i));
         // All exchanges first: later ones have moved the multipliers of earlier rows too.
@@ -84,13 +84,13 @@ mod tests {
     fn systems_are_solved() {
         let matrix = [[1.0, 1.0, 8.0], [2.0, 2.0, 1.0], [4.0, 1.0, 0.0]];
         let mut real = Lu::new(3);
-        assert!(real.factorise(|i, j| matrix[i][j]));
+        assert!(real.factorise(&|i, j| matrix[i][j]));
         let rhs = [27.0, 9.0, 6.0];
         let expected = [1.0f64, 2.0, 3.0];
-        assert!(real.solve(|i| rhs[i]).iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-14));
+        assert!(real.solve(&|i| rhs[i]).iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-14));
         let mut complex = Lu::new(1);
-        assert!(complex.factorise(|_, _| Complex::new(0.0, 2.0)));
-        assert_eq!(complex.solve(|_| Complex::new(2.0, 0.0)), [Complex::new(0.0, -1.0)]);
-        assert!(!real.factorise(|_, _| 1.0));
+        assert!(complex.factorise(&|_, _| Complex::new(0.0, 2.0)));
+        assert_eq!(complex.solve(&|_| Complex::new(2.0, 0.0)), [Complex::new(0.0, -1.0)]);
+        assert!(!real.factorise(&|_, _| 1.0));
     }
 }

@@ -31,17 +31,17 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A step that was made.
-pub struct Step<'s, M: Mechanism, A> {
+pub struct Step<'s, M: Mechanism> {
     /// The motion.
     pub motion: &'s Motion<'s, M>,
     /// Its start.
     pub from: &'s Sample<M>,
     /// Its end, on the constraints.
     pub to: &'s Sample<M>,
-    method: &'s mut A,
+    method: &'s mut dyn Advance<M>,
 }
 
-impl<M: Mechanism, A: Advance<M>> Step<'_, M, A> {
+impl<M: Mechanism> Step<'_, M> {
     /// Its length in seconds.
     pub fn length(&self) -> f64 {
         self.to.state.time - self.from.state.time
@@ -108,15 +108,15 @@ pub struct Steps {
 
 impl Steps {
     /// Notes the singular position that a step has passed, if any, by the parts of C_q at its ends.
-    fn note<M: Mechanism, A: Advance<M>>(
+    fn note<M: Mechanism>(
         &mut self,
         motion: &Motion<M>,
-        method: &mut A,
+        method: &mut dyn Advance<M>,
         [from, to]: [&Sample<M>; 2],
         parts: [&M::LQ; 2],
     ) -> Result<(), Failure> {
-        let inside = |fraction| method.inside(motion, from, to, fraction);
-        self.singularities.extend(passed(motion, [&from.state, &to.state], parts, inside)?);
+        let mut inside = |fraction| method.inside(motion, from, to, fraction);
+        self.singularities.extend(passed(motion, [&from.state, &to.state], parts, &mut inside)?);
         Ok(())
     }
 }
@@ -134,18 +134,23 @@ pub struct Course {
     pub interrupt: Option<&'static AtomicBool>,
 }
 
+/// Whoever watches the steps.
+type Watch<'w, M> = dyn FnMut(&mut Step<M>) -> Result<ControlFlow<()>, Failure> + 'w;
+
 /// Integrates from a sample on the constraints. Every step goes to `watch`, which may end the integration.
 ///
 /// # Errors
 /// The first failure that smaller steps do not avoid, or that `watch` reports.
-pub fn integrate<M: Mechanism, A: Advance<M>>(
+pub fn integrate<M: Mechanism>(
     motion: &Motion<M>,
-    method: &mut A,
+    method: &mut dyn Advance<M>,
     course: &Course,
     start: Sample<M>,
     steps: &mut Steps,
-    watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    mut watch: impl FnMut(&mut Step<M>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
+    // Compiled once, whoever watches.
+    let watch: &mut Watch<M> = &mut watch;
     match (course.stepping, method.control_order()) {
         (Stepping::Equal(count), _) => equal_steps(motion, method, course, count, start, steps, watch),
         (Stepping::Adaptive(tolerance), Some(order)) => {
@@ -157,14 +162,14 @@ pub fn integrate<M: Mechanism, A: Advance<M>>(
     }
 }
 
-fn equal_steps<M: Mechanism, A: Advance<M>>(
+fn equal_steps<M: Mechanism>(
     motion: &Motion<M>,
-    method: &mut A,
+    method: &mut dyn Advance<M>,
     course: &Course,
     count: usize,
     start: Sample<M>,
     steps: &mut Steps,
-    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    watch: &mut Watch<M>,
 ) -> Result<(), Failure> {
     let begin = course.begin;
     // Both ends of a step stay where they are, and the next one starts where the last ended.
@@ -203,14 +208,14 @@ fn equal_steps<M: Mechanism, A: Advance<M>>(
     Ok(())
 }
 
-fn adaptive_steps<M: Mechanism, A: Advance<M>>(
+fn adaptive_steps<M: Mechanism>(
     motion: &Motion<M>,
-    method: &mut A,
+    method: &mut dyn Advance<M>,
     course: &Course,
     (tolerance, order): (&Tolerance, f64),
     start: Sample<M>,
     steps: &mut Steps,
-    mut watch: impl FnMut(&mut Step<M, A>) -> Result<ControlFlow<()>, Failure>,
+    watch: &mut Watch<M>,
 ) -> Result<(), Failure> {
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);
@@ -322,9 +327,9 @@ fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
 
 /// One step, with its end on the constraints; gives the estimate of its error.
 #[inline]
-fn attempt<M: Mechanism, A: Advance<M>>(
+fn attempt<M: Mechanism>(
     motion: &Motion<M>,
-    method: &mut A,
+    method: &mut dyn Advance<M>,
     from: &Sample<M>,
     time: f64,
     tolerance: Option<&Tolerance>,

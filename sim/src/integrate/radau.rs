@@ -84,14 +84,14 @@ impl<M: Mechanism> Radau5<M> {
         let Blocks { by_positions: a, by_speeds: b } = &self.jacobian;
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let (real, pair) = (REAL / h, PAIR / h);
-        let is_regular = self.real.factorise(|i, j| real * real * unit(i, j) - real * b[i][j] - a[i][j]);
-        is_regular && self.complex.factorise(|i, j| pair * pair * unit(i, j) - pair * b[i][j] - a[i][j])
+        let is_regular = self.real.factorise(&|i, j| real * real * unit(i, j) - real * b[i][j] - a[i][j]);
+        is_regular && self.complex.factorise(&|i, j| pair * pair * unit(i, j) - pair * b[i][j] - a[i][j])
     }
 
     /// x with (c I - J) x = r, for the real eigenvalue c.
     fn solve_real(&mut self, c: f64, r: &Rates<M>) -> Rates<M> {
         let b = &self.jacobian.by_speeds;
-        let solution = self.real.solve(|i| {
+        let solution = self.real.solve(&|i| {
             r.speeds[i] + c * r.positions[i] - b[i].iter().zip(r.positions.iter()).map(|(b, r)| b * r).sum::<f64>()
         });
         let positions = M::Q::from_fn(|i| solution[i]);
@@ -103,7 +103,7 @@ impl<M: Mechanism> Radau5<M> {
         let b = &self.jacobian.by_speeds;
         let position = |i: usize| Complex::new(r[0].positions[i], r[1].positions[i]);
         let speed = |i: usize| Complex::new(r[0].speeds[i], r[1].speeds[i]);
-        let solution = self.complex.solve(|i| {
+        let solution = self.complex.solve(&|i| {
             let damped: Complex<f64> = (0..M::Q::LEN).map(|j| position(j) * b[i][j]).sum();
             speed(i) + c * position(i) - damped
         });

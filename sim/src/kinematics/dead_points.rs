@@ -3,12 +3,12 @@
 use super::driven::Driven;
 use super::inverse::SINGULAR;
 use super::system::{Law, System};
+use crate::any::{Any, AnyMechanism};
 use crate::interpolate::hermite;
-use crate::level::has_speed_rows;
 use crate::root::find_root;
 use crate::run::Run;
 use crate::trajectory::State;
-use sim_kernel::{Array, Mechanism, Start};
+use sim_kernel::{Mechanism, Start};
 use std::convert::Infallible;
 
 /// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on upon
@@ -30,12 +30,11 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     if !M::DESCRIPTION.conditionals.is_empty() || !M::DESCRIPTION.norm_constraints.is_empty() {
         return Vec::new();
     }
-    let Some((independent, system)) = independent(run) else { return Vec::new() };
-    let determinant = |state: &State<M>| {
-        let jacobian = system.linear(&state.positions, state.time).jacobian;
-        let size: f64 = jacobian.column_iter().map(|column| column.norm()).product();
-        jacobian.determinant() / size
-    };
+    let any = Any(&run.mechanism);
+    let start = run.trajectory.samples.first().map(|sample| sample.state.positions);
+    let independent = start.and_then(|start| independent(&any, start.as_ref(), run.mobility.degrees_of_freedom));
+    let Some((independent, system)) = independent else { return Vec::new() };
+    let determinant = |state: &State<M>| relative_determinant(&system, state.positions.as_ref(), state.time);
     let mut found = Vec::new();
     let mut last: Option<(usize, f64)> = None;
     let samples = &run.trajectory.samples;
@@ -55,18 +54,28 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     found
 }
 
+/// det C_qd, beside the lengths of the columns.
+fn relative_determinant(system: &System, q: &[f64], time: f64) -> f64 {
+    let jacobian = system.linear(q, time).jacobian;
+    let size: f64 = jacobian.column_iter().map(|column| column.norm()).product();
+    jacobian.determinant() / size
+}
+
 /// The names of the independent coordinates, and the system in which they are held.
-fn independent<M: Mechanism>(run: &Run<M>) -> Option<(Vec<&'static str>, System<'_, M>)> {
-    let coordinates = M::DESCRIPTION.coordinates;
-    let given = (0..M::Q::LEN).filter(|i| coordinates[*i].start == Start::Given);
-    let chosen: Vec<usize> = given.take(run.mobility.degrees_of_freedom).collect();
-    if M::L::LEN == 0 || has_speed_rows::<M>() {
+fn independent<'m>(
+    mechanism: &'m dyn AnyMechanism,
+    start: &[f64],
+    freedoms: usize,
+) -> Option<(Vec<&'static str>, System<'m>)> {
+    let description = mechanism.description();
+    let given = (0..start.len()).filter(|i| description.coordinates[*i].start == Start::Given);
+    let chosen: Vec<usize> = given.take(freedoms).collect();
+    if description.constraints.is_empty() || !description.speed_constraints.is_empty() {
         return None;
     }
     let law = |i: &usize| Law { driven: Driven::Coordinate(*i), start: 0.0, rate: 0.0 };
     let laws: Vec<Law> = chosen.iter().map(law).collect();
-    let start = &run.trajectory.samples.first()?.state;
-    let (system, _) = System::new(&run.mechanism, laws.clone(), &start.positions).ok()?;
-    let names = chosen.iter().map(|i| coordinates[*i].position.name).collect();
+    let (system, _) = System::new(mechanism, laws.clone(), start).ok()?;
+    let names = chosen.iter().map(|i| description.coordinates[*i].position.name).collect();
     Some((names, system.running(laws)))
 }

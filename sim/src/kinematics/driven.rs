@@ -1,7 +1,8 @@
 //! What a drive moves: a coordinate, or an output that is a function of positions.
 
+use crate::any::{Any, AnyMechanism, At};
 use crate::failure::{Failure, What};
-use sim_kernel::{Array, Description, Dual, Mechanism, Quantity};
+use sim_kernel::{Description, Dual, Mechanism, Quantity};
 
 /// A quantity y(q, t) that a drive moves or holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,13 +14,11 @@ pub enum Driven {
 }
 
 /// y, y_q and y_t.
-pub(super) struct Gradient<Q> {
+pub(super) struct Gradient {
     pub(super) value: f64,
-    pub(super) by_positions: Q,
+    pub(super) by_positions: Vec<f64>,
     pub(super) by_time: f64,
 }
-
-type Twice = Dual<Dual<f64>>;
 
 impl Driven {
     /// The coordinate or output of this name.
@@ -53,42 +52,41 @@ impl Driven {
 
     /// y at a position.
     pub fn value<M: Mechanism>(self, mechanism: &M, time: f64, q: &M::Q) -> f64 {
+        self.value_of(&Any(mechanism), time, q.as_ref())
+    }
+
+    /// The same of a mechanism of any type.
+    pub(super) fn value_of(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
         match self {
             Driven::Coordinate(i) => q[i],
-            Driven::Output(i) => {
-                let zero = M::Q::filled(0.0);
-                mechanism.outputs(time, q, &zero, &zero, &M::L::filled(0.0))[i]
-            }
+            Driven::Output(i) => mechanism.outputs(At::moving(time, q, &[]))[i],
         }
     }
 
     /// y with its derivatives: by dual numbers where it is an output.
-    pub(super) fn gradient<M: Mechanism>(self, mechanism: &M, time: f64, q: &M::Q) -> Gradient<M::Q> {
+    pub(super) fn gradient(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Gradient {
+        let unit = |at: usize| (0..q.len()).map(|j| f64::from(u8::from(j == at))).collect::<Vec<f64>>();
         match self {
-            Driven::Coordinate(i) => Gradient { value: q[i], by_positions: unit::<M::Q>(i), by_time: 0.0 },
-            Driven::Output(i) => {
-                let along = |dq: &M::Q, dt: f64| slope(mechanism, i, [time, dt], q, dq);
-                let still = M::Q::filled(0.0);
-                Gradient {
-                    value: self.value(mechanism, time, q),
-                    by_positions: M::Q::from_fn(|j| along(&unit::<M::Q>(j), 0.0)),
-                    by_time: along(&still, 1.0),
-                }
-            }
+            Driven::Coordinate(i) => Gradient { value: q[i], by_positions: unit(i), by_time: 0.0 },
+            Driven::Output(i) => Gradient {
+                value: self.value_of(mechanism, time, q),
+                by_positions: (0..q.len()).map(|j| slope(mechanism, i, [time, 0.0], q, &unit(j))).collect(),
+                by_time: slope(mechanism, i, [time, 1.0], q, &vec![0.0; q.len()]),
+            },
         }
     }
 
     /// (y_q q' + y_t)_q q' + (..)_t: y'' without accelerations.
-    pub(super) fn convective<M: Mechanism>(self, mechanism: &M, time: f64, q: &M::Q, qd: &M::Q) -> f64 {
+    pub(super) fn convective(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64], qd: &[f64]) -> f64 {
         match self {
             Driven::Coordinate(_) => 0.0,
             Driven::Output(i) => {
-                let lifted = mechanism.on(constant);
                 let moving = |value: f64, rate: f64| Dual {
                     value: Dual { value, derivative: rate },
                     derivative: Dual { value: rate, derivative: 0.0 },
                 };
-                second_slope(&lifted, i, moving(time, 1.0), |j| moving(q[j], qd[j]))
+                let q: Vec<_> = q.iter().zip(qd).map(|(q, qd)| moving(*q, *qd)).collect();
+                mechanism.outputs_along_twice(At::moving(moving(time, 1.0), &q, &[]))[i].derivative.derivative
             }
         }
     }
@@ -97,15 +95,14 @@ impl Driven {
     ///
     /// # Errors
     /// [`What::NotOfPositions`].
-    pub(super) fn check<M: Mechanism>(self, mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
+    pub(super) fn check(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
         let Driven::Output(i) = self else { return Ok(()) };
         match is_of_positions(mechanism, i, time, q) {
             true => Ok(()),
-            false => Err(Failure::at::<M>(
-                What::NotOfPositions { output: self.quantity(const { &M::DESCRIPTION }).name },
-                time,
-                q,
-            )),
+            false => {
+                let output = self.quantity(mechanism.description()).name;
+                Err(mechanism.failure(What::NotOfPositions { output }, time, q))
+            }
         }
     }
 }
@@ -120,47 +117,23 @@ fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
 }
 
 /// Whether an output has a rate and does not change with speeds.
-pub(super) fn is_of_positions<M: Mechanism>(mechanism: &M, output: usize, time: f64, q: &M::Q) -> bool {
-    // At speeds without symmetry, so that no square of a speed has its minimum there.
-    let speeds = M::Q::from_fn(|j| 0.37 + 0.11 * j as f64);
-    M::DESCRIPTION.rated_outputs.contains(&output)
-        && (0..M::Q::LEN).all(|j| speed_slope(mechanism, output, time, q, &speeds, j) == 0.0)
-}
-
-fn unit<Q: Array<f64>>(at: usize) -> Q {
-    Q::from_fn(|j| f64::from(u8::from(j == at)))
-}
-
-fn constant(value: f64) -> Twice {
-    Dual::constant(Dual::constant(value))
+pub(super) fn is_of_positions(mechanism: &dyn AnyMechanism, output: usize, time: f64, q: &[f64]) -> bool {
+    mechanism.description().rated_outputs.contains(&output)
+        && (0..q.len()).all(|j| speed_slope(mechanism, output, time, q, j) == 0.0)
 }
 
 /// The derivative of an output along a change of position and time.
-fn slope<M: Mechanism>(mechanism: &M, output: usize, [time, dt]: [f64; 2], q: &M::Q, dq: &M::Q) -> f64 {
-    let lifted = mechanism.on(Dual::constant);
+fn slope(mechanism: &dyn AnyMechanism, output: usize, [time, dt]: [f64; 2], q: &[f64], dq: &[f64]) -> f64 {
     let moving = |value: f64, derivative: f64| Dual { value, derivative };
-    let still = |_| Dual::constant(0.0);
-    outputs(&lifted, moving(time, dt), |j| moving(q[j], dq[j]), still)[output].derivative
+    let q: Vec<_> = q.iter().zip(dq).map(|(q, dq)| moving(*q, *dq)).collect();
+    mechanism.outputs_along(At::moving(moving(time, dt), &q, &[]), None)[output].derivative
 }
 
 /// The derivative of an output by a speed.
-fn speed_slope<M: Mechanism>(mechanism: &M, output: usize, time: f64, q: &M::Q, qd: &M::Q, by: usize) -> f64 {
-    let lifted = mechanism.on(Dual::constant);
-    let moving = |j: usize| Dual { value: qd[j], derivative: f64::from(u8::from(j == by)) };
-    outputs(&lifted, Dual::constant(time), |j| Dual::constant(q[j]), moving)[output].derivative
-}
-
-fn second_slope<M: Mechanism<Twice>>(mechanism: &M, output: usize, time: Twice, q: impl Fn(usize) -> Twice) -> f64 {
-    outputs(mechanism, time, q, |_| constant(0.0))[output].derivative.derivative
-}
-
-/// Outputs without accelerations and reactions.
-fn outputs<S: sim_kernel::Scalar, M: Mechanism<S>>(
-    mechanism: &M,
-    time: S,
-    q: impl Fn(usize) -> S,
-    qd: impl Fn(usize) -> S,
-) -> M::Outputs {
-    let zero = S::from_f64(0.0);
-    mechanism.outputs(time, &M::Q::from_fn(q), &M::Q::from_fn(qd), &M::Q::filled(zero), &M::L::filled(zero))
+fn speed_slope(mechanism: &dyn AnyMechanism, output: usize, time: f64, q: &[f64], by: usize) -> f64 {
+    let q: Vec<Dual> = q.iter().map(|q| Dual::constant(*q)).collect();
+    // At speeds without symmetry, so that no square of a speed has its minimum there.
+    let moving = |j: usize| Dual { value: 0.37 + 0.11 * j as f64, derivative: f64::from(u8::from(j == by)) };
+    let qd: Vec<Dual> = (0..q.len()).map(moving).collect();
+    mechanism.outputs_along(At::moving(Dual::constant(time), &q, &qd), None)[output].derivative
 }

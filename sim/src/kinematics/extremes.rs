@@ -1,11 +1,10 @@
 //! Least and greatest values along a sweep, located between its samples.
 
 use super::driven::is_of_positions;
-use super::inverse::Prescribed;
+use super::inverse::AnyPrescribed;
 use super::sweep::{Sweep, Swept};
 use crate::failure::Failure;
 use crate::root::{find_minimum, find_root};
-use sim_kernel::{Array, Mechanism};
 
 /// A value, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,37 +78,38 @@ enum Watched {
 }
 
 /// Finds them.
-pub(super) fn find<M: Mechanism>(swept: &Swept<M>, sweep: &Sweep, transmission: &[f64]) -> Extremes {
+pub(super) fn find(swept: &Swept, sweep: &Sweep, transmission: &[f64]) -> Extremes {
+    let description = swept.system.mechanism.description();
+    let (outputs, constraints) = (0..description.outputs.len(), 0..description.constraints.len());
     let of = |watched: Watched| range(swept, watched);
-    let outputs: Vec<_> = (0..M::Outputs::LEN).map(|i| of(Watched::Output(i))).collect();
+    let ranges: Vec<_> = outputs.clone().map(|i| of(Watched::Output(i))).collect();
     let positions = positions(swept);
-    let rated = |i: usize| M::DESCRIPTION.rated_outputs.iter().position(|rated| *rated == i);
+    let rated = |i: usize| description.rated_outputs.iter().position(|rated| *rated == i);
     let ratio = |i: usize| rated(i).filter(|_| positions[i]).and_then(|rate| of(Watched::Ratio(rate)));
-    let turn = sweep.is_turn(const { &M::DESCRIPTION }) && swept.failure.is_none();
-    let time_ratio = |i: usize| outputs[i].filter(|_| positions[i] && turn).and_then(|range| divide(&range));
+    let turn = sweep.is_turn(description) && swept.failure.is_none();
+    let time_ratio = |i: usize| ranges[i].filter(|_| positions[i] && turn).and_then(|range| divide(&range));
     // The index is the determinant in another scale, which any sample tells.
     let scale = swept.motion.iter().zip(transmission).find(|(motion, _)| motion.determinant != 0.0);
     let scale = scale.map_or(0.0, |(motion, index)| index / motion.determinant.abs());
     let scaled = |extreme: Extreme| Extreme { value: scale * extreme.value, ..extreme };
     Extremes {
-        multipliers: (0..M::L::LEN).map(|i| of(Watched::Multiplier(i))).collect(),
+        multipliers: constraints.map(|i| of(Watched::Multiplier(i))).collect(),
         forces: (0..swept.system.laws.len()).map(|k| of(Watched::Force(k))).collect(),
         transmission: of(Watched::Determinant)
             .map(|range| Range { least: scaled(range.least), greatest: scaled(range.greatest) }),
-        ratios: (0..M::Outputs::LEN).map(ratio).collect(),
-        time_ratios: (0..M::Outputs::LEN).map(time_ratio).collect(),
-        outputs,
+        ratios: outputs.clone().map(ratio).collect(),
+        time_ratios: outputs.map(time_ratio).collect(),
+        outputs: ranges,
     }
 }
 
 /// Which outputs are functions of positions.
-fn positions<M: Mechanism>(swept: &Swept<M>) -> Vec<bool> {
+fn positions(swept: &Swept) -> Vec<bool> {
+    let mechanism = swept.system.mechanism;
     // A few places, in case one is special.
-    let places = swept.motion.iter().step_by(swept.motion.len().div_ceil(8).max(1)).map(|motion| &motion.sample.state);
-    let places: Vec<_> = places.collect();
-    let is =
-        |i: usize| places.iter().all(|state| is_of_positions(swept.system.mechanism, i, state.time, &state.positions));
-    (0..M::Outputs::LEN).map(is).collect()
+    let places: Vec<_> = swept.motion.iter().step_by(swept.motion.len().div_ceil(8).max(1)).collect();
+    let is = |i: usize| places.iter().all(|motion| is_of_positions(mechanism, i, motion.time, &motion.positions));
+    (0..mechanism.description().outputs.len()).map(is).collect()
 }
 
 /// The parts of a turn from the least value to the greatest and back.
@@ -120,7 +120,7 @@ fn divide(range: &Range) -> Option<TimeRatio> {
     (range.stroke() > 0.0 && returning > 0.0).then(|| TimeRatio { ratio: working / returning, working, returning })
 }
 
-fn range<M: Mechanism>(swept: &Swept<M>, watched: Watched) -> Option<Range> {
+fn range(swept: &Swept, watched: Watched) -> Option<Range> {
     let values: Vec<f64> = swept.motion.iter().map(|motion| value(swept, watched, motion)).collect();
     if values.is_empty() || values.iter().any(|value| !value.is_finite()) {
         return None;
@@ -132,9 +132,9 @@ fn range<M: Mechanism>(swept: &Swept<M>, watched: Watched) -> Option<Range> {
 
 /// The least value of `sign` times a quantity: around the sample that has it, by the root of its rate where a kernel
 /// gives that, else by golden section.
-fn locate<M: Mechanism>(swept: &Swept<M>, watched: Watched, values: &[f64], sign: f64) -> Extreme {
+fn locate(swept: &Swept, watched: Watched, values: &[f64], sign: f64) -> Extreme {
     let best = (0..values.len()).min_by(|a, b| (sign * values[*a]).total_cmp(&(sign * values[*b]))).unwrap_or(0);
-    let place = |i: usize| swept.motion[i].sample.state.time;
+    let place = |i: usize| swept.motion[i].time;
     let found = |value: f64, p: f64| Extreme { value, at: swept.system.laws[0].at(p) };
     let sampled = found(values[best], place(best));
     let (first, last) = (best.saturating_sub(1), (best + 1).min(values.len() - 1));
@@ -158,15 +158,15 @@ fn locate<M: Mechanism>(swept: &Swept<M>, watched: Watched, values: &[f64], sign
 }
 
 /// Where the rate of an output changes its sign between two samples.
-fn turning_place<M: Mechanism>(
-    swept: &Swept<M>,
+fn turning_place(
+    swept: &Swept,
     watched: Watched,
     first: usize,
     last: usize,
-    at: &impl Fn(f64) -> Result<Prescribed<M>, Failure>,
+    at: &dyn Fn(f64) -> Result<AnyPrescribed, Failure>,
 ) -> Option<f64> {
     let Watched::Output(output) = watched else { return None };
-    let rated = M::DESCRIPTION.rated_outputs.iter().position(|rated| *rated == output)?;
+    let rated = swept.system.mechanism.description().rated_outputs.iter().position(|rated| *rated == output)?;
     let [before, after] = [first, last].map(|i| rate(swept, rated, &swept.motion[i]));
     let changes = before * after < 0.0;
     changes
@@ -176,21 +176,14 @@ fn turning_place<M: Mechanism>(
         .ok()
 }
 
-fn rate<M: Mechanism>(swept: &Swept<M>, rated: usize, motion: &Prescribed<M>) -> f64 {
-    let (state, accelerations) = (&motion.sample.state, &motion.sample.accelerations);
-    swept.system.mechanism.output_rates(state.time, &state.positions, &state.speeds, accelerations)[rated]
+fn rate(swept: &Swept, rated: usize, motion: &AnyPrescribed) -> f64 {
+    swept.system.mechanism.output_rates(motion.at())[rated]
 }
 
-fn value<M: Mechanism>(swept: &Swept<M>, watched: Watched, motion: &Prescribed<M>) -> f64 {
-    let sample = &motion.sample;
-    let state = &sample.state;
+fn value(swept: &Swept, watched: Watched, motion: &AnyPrescribed) -> f64 {
     match watched {
-        Watched::Output(i) => {
-            let (accelerations, multipliers) = (&sample.accelerations, &sample.multipliers);
-            let mechanism = swept.system.mechanism;
-            mechanism.outputs(state.time, &state.positions, &state.speeds, accelerations, multipliers)[i]
-        }
-        Watched::Multiplier(i) => sample.multipliers[i],
+        Watched::Output(i) => swept.system.mechanism.outputs(motion.at())[i],
+        Watched::Multiplier(i) => motion.multipliers[i],
         Watched::Force(k) => motion.forces[k],
         Watched::Ratio(rated) => rate(swept, rated, motion) / swept.system.laws[0].rate,
         Watched::Determinant => motion.determinant.abs(),

@@ -9,11 +9,14 @@ mod sweep;
 mod system;
 mod tabulate;
 
-use crate::assemble::Start;
-use crate::failure::{Failure, What};
+use crate::any::Any;
+use crate::assemble::{Start, assemble};
+use crate::failure::{Failure, What, constraint_name};
 use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
+use inverse::AnyPrescribed;
 use sim_kernel::{Array, Description, Mechanism};
+use sweep::Swept;
 
 pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
@@ -69,15 +72,20 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
         let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
         return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, &start.positions));
     }
-    let mut swept = sweep::sweep(&mechanism, start, sweep)?;
-    balance_energy(&mechanism, &mut swept.motion);
+    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
+        let what = What::NotHolonomic { constraint: constraint_name::<M>(*row) };
+        return Err(Failure::at::<M>(what, 0.0, &start.positions));
+    }
+    let none = vec![false; M::Q::LEN];
+    let still = Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() };
+    let assembled = assemble(&mechanism, &still)?.positions;
+    let any = Any(&mechanism);
+    let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep)?;
     let transmission = transmission(&swept);
     let extremes = extremes::find(&swept, sweep, &transmission);
-    let law = swept.system.laws[0];
-    let values = swept.motion.iter().map(|motion| law.at(motion.sample.state.time)).collect();
-    let forces = (0..swept.system.laws.len()).map(|k| swept.motion.iter().map(|motion| motion.forces[k]).collect());
-    let forces = forces.collect();
-    let samples = swept.motion.iter().map(|motion| motion.sample).collect();
+    let work = work(&swept);
+    let samples = swept.motion.iter().zip(work).map(|(motion, work)| motion.sample(&mechanism, work)).collect();
+    let (values, forces) = drives(&swept);
     Ok(Kinematics {
         mechanism,
         sweep: sweep.clone(),
@@ -92,17 +100,24 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
     })
 }
 
+/// The values of what is driven, and the forces of each drive.
+fn drives(swept: &Swept) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let law = swept.system.laws[0];
+    let values = swept.motion.iter().map(|motion| law.at(motion.time)).collect();
+    let forces = |k: usize| swept.motion.iter().map(|motion| motion.forces[k]).collect();
+    (values, (0..swept.system.laws.len()).map(forces).collect())
+}
+
 /// The work of loads and drives, which is the change of kinetic energy.
-fn balance_energy<M: Mechanism>(mechanism: &M, motion: &mut [Prescribed<M>]) {
-    let mut first = None;
-    for state in motion.iter_mut().map(|motion| &mut motion.sample.state) {
-        let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
-        state.work = kinetic - *first.get_or_insert(kinetic);
-    }
+fn work(swept: &Swept) -> Vec<f64> {
+    let kinetic =
+        |motion: &AnyPrescribed| swept.system.mechanism.kinetic_energy(motion.time, &motion.positions, &motion.speeds);
+    let first = swept.motion.first().map_or(0.0, kinetic);
+    swept.motion.iter().map(|motion| kinetic(motion) - first).collect()
 }
 
 /// See [`Kinematics::transmission`]. Products are of logarithms, which neither overflow nor underflow.
-fn transmission<M: Mechanism>(swept: &sweep::Swept<M>) -> Vec<f64> {
+fn transmission(swept: &Swept) -> Vec<f64> {
     let longest = |j: usize| swept.motion.iter().fold(0.0f64, |most, motion| most.max(motion.columns[j]));
     let largest: f64 = swept.system.dependent_columns().map(|j| longest(j).ln()).sum();
     swept.motion.iter().map(|motion| (motion.determinant.abs().ln() - largest).exp()).collect()

@@ -8,7 +8,6 @@ use super::system::System;
 use crate::failure::{Failure, What};
 use crate::root::find_root;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Mechanism};
 
 /// Newton steps of a correction.
 const MOST_CORRECTIONS: usize = 12;
@@ -48,34 +47,35 @@ pub(super) enum Special {
 }
 
 /// A curve, and how p is scaled on it.
-pub(super) struct Path<'s, 'm, M: Mechanism> {
-    system: &'s System<'m, M>,
+pub(super) struct Path<'s> {
+    system: &'s System<'s>,
     /// w: the largest rate of a drive, so that p weighs what it moves.
     weight: f64,
     longest: f64,
 }
 
-impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
+impl<'s> Path<'s> {
     /// The curve of a system, for p from 0 to `end`.
-    pub(super) fn new(system: &'s System<'m, M>, end: f64) -> Path<'s, 'm, M> {
+    pub(super) fn new(system: &'s System<'s>, end: f64) -> Path<'s> {
         let weight = system.laws.iter().fold(0.0f64, |most, law| most.max(law.rate.abs())).max(f64::MIN_POSITIVE);
         Path { system, weight, longest: LONGEST_STEP * weight * end }
     }
 
-    pub(super) fn place(&self, point: &Point) -> (M::Q, f64) {
+    pub(super) fn place(&self, point: &Point) -> (Vec<f64>, f64) {
         self.split(&point.z)
     }
 
-    fn split(&self, z: &DVector<f64>) -> (M::Q, f64) {
-        (M::Q::from_fn(|j| z[j]), z[M::Q::LEN] / self.weight)
+    fn split(&self, z: &DVector<f64>) -> (Vec<f64>, f64) {
+        let n = z.len() - 1;
+        (z.as_slice()[..n].to_vec(), z[n] / self.weight)
     }
 
     /// Where the curve starts, with p growing.
     ///
     /// # Errors
     /// [`What::DriveSingular`] where the drive does not determine the motion.
-    pub(super) fn start(&self, q: &M::Q) -> Result<Point, Failure> {
-        let n = M::Q::LEN;
+    pub(super) fn start(&self, q: &[f64]) -> Result<Point, Failure> {
+        let n = q.len();
         let z = DVector::from_fn(n + 1, |j, _| if j < n { q[j] } else { 0.0 });
         let along = DVector::from_fn(n + 1, |j, _| f64::from(u8::from(j == n)));
         let point = self.tangent(z, &along).filter(|point| point.tangent[n] > 1e-9);
@@ -97,8 +97,9 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
             *length /= 2.0;
             if !(*length > SMALLEST_STEP * self.longest) {
                 let (q, p) = self.place(from);
-                let driven = self.system.laws[0].driven.quantity(const { &M::DESCRIPTION }).name;
-                return Err(Failure::at::<M>(What::NotFollowed { driven }, self.system.time(p), &q));
+                let mechanism = self.system.mechanism;
+                let driven = self.system.laws[0].driven.quantity(mechanism.description()).name;
+                return Err(mechanism.failure(What::NotFollowed { driven }, self.system.time(p), &q));
             }
         }
     }
@@ -118,7 +119,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
 
     /// The point of the curve at this distance along the tangent of another, and the size of the first correction.
     fn correct(&self, from: &Point, mut z: DVector<f64>, length: f64) -> Option<(DVector<f64>, f64)> {
-        let n = M::Q::LEN;
+        let n = z.len() - 1;
         let (mut first, mut last) = (None, f64::INFINITY);
         for _ in 0..MOST_CORRECTIONS {
             let (q, p) = self.split(&z);
@@ -144,7 +145,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
 
     /// [F_q, F_p / w; along'].
     fn bordered(&self, z: &DVector<f64>, along: &DVector<f64>) -> DMatrix<f64> {
-        let n = M::Q::LEN;
+        let n = z.len() - 1;
         let (q, p) = self.split(z);
         let linear = self.system.linear(&q, p);
         DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
@@ -156,7 +157,7 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
 
     /// A point with its tangent, in the direction of another.
     fn tangent(&self, z: DVector<f64>, along: &DVector<f64>) -> Option<Point> {
-        let n = M::Q::LEN;
+        let n = z.len() - 1;
         let last = DVector::from_fn(n + 1, |i, _| f64::from(u8::from(i == n)));
         let tangent = self.bordered(&z, along).lu().solve(&last)?.normalize();
         if tangent.iter().any(|entry| !entry.is_finite()) {
@@ -167,8 +168,8 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
     }
 
     /// What is special in a step, and where.
-    pub(super) fn special(&self, span: &Span) -> Option<(Special, M::Q, f64)> {
-        let n = M::Q::LEN;
+    pub(super) fn special(&self, span: &Span) -> Option<(Special, Vec<f64>, f64)> {
+        let n = span.from.z.len() - 1;
         let (kind, [before, after]) = if span.from.orientation != span.to.orientation {
             (Special::Branch, [span.from.orientation, span.to.orientation])
         } else if span.to.tangent[n] <= 0.0 {
@@ -209,8 +210,8 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
     }
 
     /// The position in a step at a given p; `None` if it is singular there.
-    pub(super) fn at(&self, span: &Span, p: f64) -> Option<M::Q> {
-        let n = M::Q::LEN;
+    pub(super) fn at(&self, span: &Span, p: f64) -> Option<Vec<f64>> {
+        let n = span.from.z.len() - 1;
         let wanted = self.weight * p;
         let mut ahead = |fraction: f64| Ok::<f64, std::convert::Infallible>(span.cubic(fraction)[n] - wanted);
         let ends = [span.from.z[n] - wanted, span.to.z[n] - wanted];
@@ -225,13 +226,13 @@ impl<'s, 'm, M: Mechanism> Path<'s, 'm, M> {
     }
 
     /// The solution at a given p, next to a guess, by Newton's method; `None` if it is further away than allowed.
-    pub(super) fn at_parameter(&self, guess: &M::Q, p: f64, furthest: f64) -> Option<M::Q> {
-        let mut q = *guess;
+    pub(super) fn at_parameter(&self, guess: &[f64], p: f64, furthest: f64) -> Option<Vec<f64>> {
+        let mut q = guess.to_vec();
         let mut last = f64::INFINITY;
         for _ in 0..MOST_CORRECTIONS {
             let linear = self.system.linear(&q, p);
             let change = linear.jacobian.lu().solve(&linear.values)?;
-            q = M::Q::from_fn(|j| q[j] - change[j]);
+            q.iter_mut().zip(&change).for_each(|(q, change)| *q -= change);
             let size = change.norm();
             let floor = 4.0 * f64::EPSILON * (1.0 + q.iter().map(|value| value * value).sum::<f64>().sqrt());
             if size <= floor || (size <= 1e3 * floor && size >= 0.25 * last) {

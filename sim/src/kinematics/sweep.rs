@@ -1,14 +1,13 @@
 //! A drive through its range: the sweep.
 
 use super::driven::Driven;
-use super::inverse::{Prescribed, prescribed};
+use super::inverse::{AnyPrescribed, prescribed};
 use super::path::{Path, Point, Span, Special};
 use super::system::{Law, System};
-use crate::assemble::{Start, assemble};
-use crate::failure::{Failure, What, constraint_name, largest};
+use crate::any::AnyMechanism;
+use crate::failure::{Failure, What, largest};
+use crate::interpolate::quintic;
 use crate::mobility::Mobility;
-use crate::outcome::list;
-use sim_kernel::{Array, Mechanism};
 
 /// How a mechanism is driven.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,44 +48,47 @@ pub struct SpecialPosition {
 }
 
 /// What the sweep met.
-pub(super) struct Swept<'m, M: Mechanism> {
-    pub(super) system: System<'m, M>,
+pub(super) struct Swept<'m> {
+    pub(super) system: System<'m>,
     pub(super) mobility: Mobility,
-    pub(super) motion: Vec<Prescribed<M>>,
+    pub(super) motion: Vec<AnyPrescribed>,
     pub(super) branches: Vec<SpecialPosition>,
     pub(super) limit: Option<SpecialPosition>,
     pub(super) failure: Option<Failure>,
 }
 
-impl<'m, M: Mechanism> Swept<'m, M> {
+impl Swept<'_> {
     /// The motion between two of its positions, next to them.
-    pub(super) fn between(&self, at: usize, p: f64) -> Result<Prescribed<M>, Failure> {
+    pub(super) fn between(&self, at: usize, p: f64) -> Result<AnyPrescribed, Failure> {
         let path = Path::new(&self.system, 1.0);
-        let near = |i: usize| self.motion.get(i).map(|motion| &motion.sample);
-        let (Some(before), Some(after)) = (near(at), near(at + 1)) else {
-            let sample = &self.motion[at.min(self.motion.len() - 1)].sample;
-            return prescribed(&self.system, &sample.state.positions, sample.state.time, &[]);
+        let (Some(a), Some(b)) = (self.motion.get(at), self.motion.get(at + 1)) else {
+            let there = &self.motion[at.min(self.motion.len() - 1)];
+            return prescribed(&self.system, &there.positions, there.time, &[]);
         };
-        let length = after.state.time - before.state.time;
-        let guess = crate::interpolate::hermite(before, after, (p - before.state.time) / length).positions;
+        let h = b.time - a.time;
+        let ends = |j: usize| {
+            [[a, b].map(|m| m.positions[j]), [a, b].map(|m| m.speeds[j]), [a, b].map(|m| m.accelerations[j])]
+        };
+        let position = |j: usize| {
+            let [values, rates, seconds] = ends(j);
+            quintic(values, rates, seconds, h, (p - a.time) / h)
+        };
+        let guess: Vec<f64> = (0..a.positions.len()).map(position).collect();
         let q = path.at_parameter(&guess, p, f64::INFINITY).unwrap_or(guess);
         prescribed(&self.system, &q, p, &[])
     }
 }
 
-/// Drives a mechanism from its assembled start to where the sweep begins, and through its range, on one branch.
-pub(super) fn sweep<'m, M: Mechanism>(
-    mechanism: &'m M,
-    start: &Start<M>,
+/// Drives a mechanism from its assembled position to where the sweep begins, and through its range, on one branch.
+///
+/// # Errors
+/// [`What::NotHolonomic`], and if where the sweep begins cannot be reached.
+pub(super) fn sweep<'m>(
+    mechanism: &'m dyn AnyMechanism,
+    assembled: Vec<f64>,
     sweep: &Sweep,
-) -> Result<Swept<'m, M>, Failure> {
-    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
-        let what = What::NotHolonomic { constraint: constraint_name::<M>(*row) };
-        return Err(Failure::at::<M>(what, 0.0, &start.positions));
-    }
-    let none = vec![false; M::Q::LEN];
-    let assembled = assemble(mechanism, &Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() })?;
-    let (system, mobility, q) = approach(mechanism, assembled.positions, sweep)?;
+) -> Result<Swept<'m>, Failure> {
+    let (system, mobility, q) = approach(mechanism, assembled, sweep)?;
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
     let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.rate() }].into_iter().chain(held).collect();
     let system = system.running(laws);
@@ -101,14 +103,14 @@ pub(super) fn sweep<'m, M: Mechanism>(
 }
 
 /// Brings what is driven and held from where it was assembled to where the sweep begins, while time stands still.
-fn approach<'m, M: Mechanism>(
-    mechanism: &'m M,
-    q: M::Q,
+fn approach<'m>(
+    mechanism: &'m dyn AnyMechanism,
+    q: Vec<f64>,
     sweep: &Sweep,
-) -> Result<(System<'m, M>, Mobility, M::Q), Failure> {
+) -> Result<(System<'m>, Mobility, Vec<f64>), Failure> {
     let targets = [(sweep.driven, sweep.from)].into_iter().chain(sweep.held.iter().copied());
     let law = |(driven, target): (Driven, f64)| {
-        let start = driven.value(mechanism, 0.0, &q);
+        let start = driven.value_of(mechanism, 0.0, &q);
         Law { driven, start, rate: target - start }
     };
     let (system, mobility) = System::new(mechanism, targets.map(law).collect(), &q)?;
@@ -121,10 +123,10 @@ fn approach<'m, M: Mechanism>(
         let (to, taken) = path.next(&from, &mut length)?;
         let span = Span::new(&from, &to, taken);
         let special = path.special(&span);
-        if let Some((Special::Limit, q, p)) = special
-            && p < 1.0
+        if let Some((Special::Limit, q, p)) = &special
+            && *p < 1.0
         {
-            return Err(limit(&system, q, p).1);
+            return Err(limit(&system, q, *p).1);
         }
         if path.place(&to).1 >= 1.0 || matches!(special, Some((Special::Limit, ..))) {
             let q = path.at(&span, 1.0).ok_or_else(|| system.singular(&path.place(&to).0, 1.0))?;
@@ -135,7 +137,7 @@ fn approach<'m, M: Mechanism>(
 }
 
 /// The recorded positions after the first, one after the other, until the end or what ends the sweep.
-fn advance<M: Mechanism>(swept: &mut Swept<M>, path: &Path<M>, mut from: Point, sweep: &Sweep) -> Result<(), Failure> {
+fn advance(swept: &mut Swept, path: &Path, mut from: Point, sweep: &Sweep) -> Result<(), Failure> {
     let system = swept.system.clone();
     let (mut next, mut length) = (1, path.first_length());
     while next <= sweep.steps {
@@ -157,12 +159,12 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, path: &Path<M>, mut from: Point, 
         }
         match special {
             Some((Special::Limit, q, p)) if next <= sweep.steps => {
-                let (position, failure) = limit(&system, q, p);
+                let (position, failure) = limit(&system, &q, p);
                 swept.limit = Some(position);
                 return Err(failure);
             }
             Some((Special::Branch, positions, p)) if p <= sweep.parameter(sweep.steps) => {
-                swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions: list(&positions) });
+                swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions });
             }
             _ => {}
         }
@@ -172,12 +174,7 @@ fn advance<M: Mechanism>(swept: &mut Swept<M>, path: &Path<M>, mut from: Point, 
 }
 
 /// The motion in a span at a given p; `None` where the drive does not determine it.
-fn sample<M: Mechanism>(
-    system: &System<M>,
-    path: &Path<M>,
-    span: &Span,
-    p: f64,
-) -> Result<Option<Prescribed<M>>, Failure> {
+fn sample(system: &System, path: &Path, span: &Span, p: f64) -> Result<Option<AnyPrescribed>, Failure> {
     let Some(q) = path.at(span, p) else { return Ok(None) };
     match checked(system, &q, p) {
         Err(Failure { what: What::DriveSingular { .. }, .. }) => Ok(None),
@@ -186,20 +183,23 @@ fn sample<M: Mechanism>(
 }
 
 /// The motion at a position, where all constraints hold.
-fn checked<M: Mechanism>(system: &System<M>, q: &M::Q, p: f64) -> Result<Prescribed<M>, Failure> {
-    if !system.holds(q, p) {
-        let values = system.mechanism.constraints(system.time(p), q);
-        let (row, residual) = largest(values.iter()).unwrap_or((0, f64::NAN));
-        let constraint = constraint_name::<M>(row);
-        return Err(Failure::at::<M>(What::NotProjected { constraint, residual, iterations: 1 }, system.time(p), q));
+fn checked(system: &System, q: &[f64], p: f64) -> Result<AnyPrescribed, Failure> {
+    let (mechanism, time) = (system.mechanism, system.time(p));
+    // Those that depend on others too.
+    if !mechanism.is_met(time, q) {
+        let (row, residual) = largest(mechanism.constraints(time, q).iter()).unwrap_or((0, f64::NAN));
+        let constraint = mechanism.constraint_name(row);
+        return Err(mechanism.failure(What::NotProjected { constraint, residual, iterations: 1 }, time, q));
     }
     prescribed(system, q, p, &[])
 }
 
 /// A limit position, and the failure to pass it.
-fn limit<M: Mechanism>(system: &System<M>, positions: M::Q, p: f64) -> (SpecialPosition, Failure) {
-    let (driven, value) = (system.laws[0].driven.quantity(const { &M::DESCRIPTION }), system.laws[0].at(p));
+fn limit(system: &System, positions: &[f64], p: f64) -> (SpecialPosition, Failure) {
+    let (mechanism, value) = (system.mechanism, system.laws[0].at(p));
+    let driven = system.laws[0].driven.quantity(mechanism.description());
     let shown = format!("{:.9} {}", value / driven.factor, driven.unit);
     let what = What::LimitPosition { driven: driven.name, value: shown };
-    (SpecialPosition { value, positions: list(&positions) }, Failure::at::<M>(what, system.time(p), &positions))
+    let failure = mechanism.failure(what, system.time(p), positions);
+    (SpecialPosition { value, positions: positions.to_vec() }, failure)
 }

@@ -1,14 +1,13 @@
 //! How accelerations, multipliers and outputs change with state and inputs.
 
 use super::{Change, Control};
-use crate::equations::accelerate;
+use crate::any::{AnyMechanism, At};
 use crate::failure::Failure;
-use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Dual, Dynamics, Mechanism, Scalar};
+use sim_kernel::Dual;
 
 /// The derivatives of z = (q'', lambda) at a state.
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     /// z there.
     solution: DVector<f64>,
     /// By q, by q' and by the inputs: n + m rows.
@@ -20,34 +19,23 @@ pub(super) struct Derivatives {
 
 impl Derivatives {
     /// From the generated kernels, or where these refuse a pivot, as with redundant constraints, by differences.
-    pub(super) fn at<M: Mechanism>(
-        mechanism: &M,
-        state: &State<M>,
-        inputs: &[Control],
-    ) -> Result<Derivatives, Failure> {
-        let (n, m) = (M::Q::LEN, M::L::LEN);
-        let State { time, positions, speeds, .. } = state;
-        let solution = stacked::<M>(&accelerate(mechanism, *time, positions, speeds)?);
-        let by_state = mechanism.dynamics_jacobian(*time, positions, speeds);
-        let by_parameters = mechanism.dynamics_sensitivity(*time, positions, speeds);
-        let by_inputs: Vec<_> = inputs.iter().map(|input| by_input(mechanism, state, *input)).collect();
-        if by_state.refused || by_parameters.refused || by_inputs.iter().any(Option::is_none) {
-            return differences(mechanism, state, inputs, solution);
+    pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Derivatives, Failure> {
+        let n = at.positions.len();
+        let solution = mechanism.accelerate(at)?;
+        let by_state = mechanism.by_state(at.time, at.positions, at.speeds);
+        let by_inputs = by_inputs(mechanism, at, inputs);
+        match (by_state, by_inputs) {
+            (Some([by_positions, by_speeds]), Some(columns)) => {
+                let by_inputs = DMatrix::from_fn(solution.len(), inputs.len(), |i, k| columns[k][i]);
+                Ok(Derivatives { solution, by_positions, by_speeds, by_inputs, n })
+            }
+            _ => differences(mechanism, at, inputs, solution),
         }
-        let (qq, qv) = (&by_state.accelerations_by_positions, &by_state.accelerations_by_speeds);
-        let (lq, lv) = (&by_state.multipliers_by_positions, &by_state.multipliers_by_speeds);
-        let forced = |i: usize, k: usize| match (inputs[k], &by_inputs[k]) {
-            (Control::Parameter(p), _) if i < n => by_parameters.accelerations[i][p],
-            (Control::Parameter(p), _) => by_parameters.multipliers[i - n][p],
-            (Control::Input(_), column) => column.as_ref().map_or(f64::NAN, |column| column[i]),
-        };
-        Ok(Derivatives {
-            solution,
-            by_positions: DMatrix::from_fn(n + m, n, |i, j| if i < n { qq[i][j] } else { lq[i - n][j] }),
-            by_speeds: DMatrix::from_fn(n + m, n, |i, j| if i < n { qv[i][j] } else { lv[i - n][j] }),
-            by_inputs: DMatrix::from_fn(n + m, inputs.len(), forced),
-            n,
-        })
+    }
+
+    /// By q, n + m x n.
+    pub(crate) fn by_positions(&self) -> &DMatrix<f64> {
+        &self.by_positions
     }
 
     /// A change of positions and speeds with what follows from it.
@@ -69,15 +57,34 @@ impl Derivatives {
     }
 }
 
+/// How accelerations and multipliers change with each input; nothing where a pivot is refused.
+fn by_inputs(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Option<Vec<DVector<f64>>> {
+    let asks_for_parameters = inputs.iter().any(|input| matches!(input, Control::Parameter(_)));
+    let by_parameters = match asks_for_parameters {
+        true => mechanism.by_parameters(at.time, at.positions, at.speeds)?,
+        false => DMatrix::zeros(0, 0),
+    };
+    let [positions, speeds] = [at.positions, at.speeds].map(constants);
+    let still = At::moving(Dual::constant(at.time), &positions, &speeds);
+    let column = |control: &Control| match control {
+        Control::Parameter(p) => Some(by_parameters.column(*p).into()),
+        Control::Input(_) => {
+            let solution = mechanism.solution_along(still, Some(*control))?;
+            Some(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative)))
+        }
+    };
+    inputs.iter().map(column).collect()
+}
+
 /// The same by central differences, good to some 1e-9.
 #[cold]
-fn differences<M: Mechanism>(
-    mechanism: &M,
-    state: &State<M>,
+fn differences(
+    mechanism: &dyn AnyMechanism,
+    at: At<f64>,
     inputs: &[Control],
     solution: DVector<f64>,
 ) -> Result<Derivatives, Failure> {
-    let n = M::Q::LEN;
+    let n = at.positions.len();
     let columns =
         |count: usize, at: &dyn Fn(usize, f64) -> Result<DVector<f64>, Failure>, size: &dyn Fn(usize) -> f64| {
             let mut matrix = DMatrix::zeros(solution.len(), count);
@@ -87,110 +94,67 @@ fn differences<M: Mechanism>(
             }
             Ok(matrix)
         };
-    let solve = |mechanism: &M, q: &M::Q, qd: &M::Q| Ok(stacked::<M>(&accelerate(mechanism, state.time, q, qd)?));
-    let moved = |values: &M::Q, j: usize, step: f64| {
-        let mut values = *values;
+    let moved = |values: &[f64], j: usize, step: f64| {
+        let mut values = values.to_vec();
         values[j] += step;
         values
     };
-    let (q, qd, parameters) = (&state.positions, &state.speeds, mechanism.parameters());
-    let held = mechanism.held_inputs(state.time, q);
+    let (parameters, given) = (mechanism.parameters(), mechanism.inputs());
+    let held = mechanism.held_inputs(at.time, at.positions);
+    let solve =
+        |q: &[f64], qd: &[f64]| mechanism.accelerate_with(&parameters, &given, At { positions: q, speeds: qd, ..at });
     let changed = |k: usize, step: f64| match inputs[k] {
-        Control::Parameter(p) => {
-            let mut parameters = parameters;
-            parameters[p] += step;
-            mechanism.with_parameters(parameters)
-        }
+        Control::Parameter(p) => mechanism.accelerate_with(&moved(&parameters, p, step), &given, at),
         Control::Input(input) => {
-            let mut inputs = mechanism.inputs();
+            let mut inputs = given.clone();
             inputs[input] = held[input].map(|value| value + step);
-            mechanism.with_inputs(inputs)
+            mechanism.accelerate_with(&parameters, &inputs, at)
         }
     };
     let size = |k: usize| match inputs[k] {
         Control::Parameter(p) => parameters[p],
         Control::Input(input) => held[input].held().unwrap_or_default(),
     };
+    let (q, qd) = (at.positions, at.speeds);
     Ok(Derivatives {
-        by_positions: columns(n, &|j, step| solve(mechanism, &moved(q, j, step), qd), &|j| q[j])?,
-        by_speeds: columns(n, &|j, step| solve(mechanism, q, &moved(qd, j, step)), &|j| qd[j])?,
-        by_inputs: columns(inputs.len(), &|k, step| solve(&changed(k, step), q, qd), &size)?,
+        by_positions: columns(n, &|j, step| solve(&moved(q, j, step), qd), &|j| q[j])?,
+        by_speeds: columns(n, &|j, step| solve(q, &moved(qd, j, step)), &|j| qd[j])?,
+        by_inputs: columns(inputs.len(), &changed, &size)?,
         solution,
         n,
     })
 }
 
-fn stacked<M: Mechanism>(solved: &Dynamics<f64, M::Q, M::L>) -> DVector<f64> {
-    DVector::from_iterator(M::Q::LEN + M::L::LEN, solved.accelerations.iter().chain(solved.multipliers.iter()).copied())
-}
-
-/// The mechanism on dual numbers, with an input or a parameter that changes.
-fn lifted<M: Mechanism>(mechanism: &M, state: &State<M>, control: Option<Control>) -> M::On<Dual> {
-    let constant = mechanism.on(Dual::constant);
-    match control {
-        None => constant,
-        Some(Control::Parameter(p)) => {
-            let mut parameters = constant.parameters();
-            parameters[p] = Dual::variable(parameters[p].value);
-            constant.with_parameters(parameters)
-        }
-        Some(Control::Input(input)) => {
-            let held = mechanism.held_inputs(state.time, &state.positions);
-            let mut inputs = constant.inputs();
-            inputs[input] = held[input].map(Dual::variable);
-            constant.with_inputs(inputs)
-        }
-    }
-}
-
-/// How accelerations and multipliers change with an input, an empty column for a parameter; nothing where a pivot is refused.
-fn by_input<M: Mechanism>(mechanism: &M, state: &State<M>, control: Control) -> Option<Vec<f64>> {
-    fn solve<M: Mechanism<Dual>>(mechanism: &M, time: f64, of: [&dyn Fn(usize) -> f64; 2]) -> Option<Vec<f64>> {
-        let [q, qd] = of.map(|of| M::Q::from_fn(|j| Dual::constant(of(j))));
-        let solved = mechanism.dynamics(Dual::constant(time), &q, &qd);
-        let all = solved.accelerations.iter().chain(solved.multipliers.iter());
-        (!solved.refused).then(|| all.map(|value| value.derivative).collect())
-    }
-    match control {
-        Control::Parameter(_) => Some(vec![]),
-        Control::Input(_) => {
-            let lifted = lifted(mechanism, state, Some(control));
-            solve(&lifted, state.time, [&|j| state.positions[j], &|j| state.speeds[j]])
-        }
-    }
+/// Numbers that do not change.
+pub(super) fn constants(values: &[f64]) -> Vec<Dual> {
+    values.iter().map(|value| Dual::constant(*value)).collect()
 }
 
 /// Whether constraints change with a parameter, which then is no input.
-pub(super) fn constraints_depend_on<M: Mechanism>(mechanism: &M, state: &State<M>, control: Control) -> bool {
-    fn changes<M: Mechanism<Dual>>(mechanism: &M, time: f64, q: impl Fn(usize) -> f64) -> bool {
-        let q = M::Q::from_fn(|j| Dual::constant(q(j)));
-        let linear = mechanism.constraint_linearization(Dual::constant(time), &q);
-        let jacobian = linear.jacobian.iter().flat_map(|row| row.iter());
-        let all = linear.values.iter().chain(linear.time_derivative.iter()).chain(jacobian);
-        all.into_iter().any(|value| value.derivative != 0.0)
-    }
-    changes(&lifted(mechanism, state, Some(control)), state.time, |j| state.positions[j])
+pub(super) fn constraints_depend_on(mechanism: &dyn AnyMechanism, at: At<f64>, control: Control) -> bool {
+    let positions = constants(at.positions);
+    let still = At::moving(Dual::constant(at.time), &positions, &[]);
+    mechanism.constraints_along(still, Some(control)).iter().flatten().any(|value| value.derivative != 0.0)
 }
 
-/// How an output changes with a change of everything, and with an input.
-pub(super) fn output_slope<M: Mechanism>(
-    mechanism: &M,
-    state: &State<M>,
+/// How the outputs change with a change of everything, and with an input.
+pub(super) fn output_slopes(
+    mechanism: &dyn AnyMechanism,
+    at: At<f64>,
     derivatives: &Derivatives,
     change: &Change,
     input: Option<Control>,
-    output: usize,
-) -> f64 {
-    fn slope<M: Mechanism<Dual>>(mechanism: &M, time: f64, of: [&dyn Fn(usize) -> Dual; 4], output: usize) -> f64 {
-        let [q, qd, qdd] = [of[0], of[1], of[2]].map(M::Q::from_fn);
-        mechanism.outputs(Dual::from_f64(time), &q, &qd, &qdd, &M::L::from_fn(of[3]))[output].derivative
-    }
-    let dual = |value: f64, derivative: f64| Dual { value, derivative };
-    let of: [&dyn Fn(usize) -> Dual; 4] = [
-        &|j| dual(state.positions[j], change.positions[j]),
-        &|j| dual(state.speeds[j], change.speeds[j]),
-        &|j| dual(derivatives.solution[j], change.accelerations[j]),
-        &|i| dual(derivatives.solution[derivatives.n + i], change.multipliers[i]),
-    ];
-    slope(&lifted(mechanism, state, input), state.time, of, output)
+) -> Vec<f64> {
+    let moving = |values: &[f64], change: &DVector<f64>| -> Vec<Dual> {
+        values.iter().zip(change).map(|(value, derivative)| Dual { value: *value, derivative: *derivative }).collect()
+    };
+    let (accelerations, multipliers) = derivatives.solution.as_slice().split_at(derivatives.n);
+    let moving = At {
+        time: Dual::constant(at.time),
+        positions: &moving(at.positions, &change.positions),
+        speeds: &moving(at.speeds, &change.speeds),
+        accelerations: &moving(accelerations, &change.accelerations),
+        multipliers: &moving(multipliers, &change.multipliers),
+    };
+    mechanism.outputs_along(moving, input).iter().map(|value| value.derivative).collect()
 }

@@ -4,12 +4,14 @@ mod derivatives;
 mod modes;
 mod reduce;
 
+use crate::any::{Any, AnyMechanism, At};
 use crate::failure::{Failure, What};
 use crate::trajectory::State;
-use derivatives::{Derivatives, constraints_depend_on, output_slope};
+pub(crate) use derivatives::Derivatives;
+use derivatives::{constraints_depend_on, output_slopes};
 use nalgebra::{Complex, DMatrix, DVector};
 use reduce::Reduction;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Mechanism};
 
 pub use modes::Mode;
 
@@ -55,7 +57,11 @@ pub enum Control {
 impl Control {
     /// Its name.
     pub fn name<M: Mechanism>(self) -> &'static str {
-        let description = const { &M::DESCRIPTION };
+        self.name_in(const { &M::DESCRIPTION })
+    }
+
+    /// Its name in a mechanism of this description.
+    pub(crate) fn name_in(self, description: &'static Description) -> &'static str {
         match self {
             Control::Input(index) => description.inputs[index].name,
             Control::Parameter(index) => description.parameters[index].name,
@@ -76,12 +82,41 @@ pub fn linearize<M: Mechanism>(
     state: &State<M>,
     inputs: &[Control],
 ) -> Result<Linearization<M>, Failure> {
-    if let Some(input) = inputs.iter().find(|input| constraints_depend_on(mechanism, state, **input)) {
-        let what = What::NotAnInput { parameter: input.name::<M>() };
-        return Err(Failure::at::<M>(what, state.time, &state.positions));
+    let found = linear(&Any(mechanism), At::state(state), inputs)?;
+    let Linear { a, b, c, d, eigenvalues, modes, reduction } = found;
+    Ok(Linearization {
+        state: *state,
+        independent: reduction.independent,
+        independent_speeds: reduction.independent_speeds,
+        inputs: inputs.to_vec(),
+        a,
+        b,
+        c,
+        d,
+        eigenvalues,
+        modes,
+    })
+}
+
+/// What [`Linearization`] holds, of a mechanism of any type.
+struct Linear {
+    a: DMatrix<f64>,
+    b: DMatrix<f64>,
+    c: DMatrix<f64>,
+    d: DMatrix<f64>,
+    eigenvalues: Vec<Complex<f64>>,
+    modes: Vec<Mode>,
+    reduction: Reduction,
+}
+
+fn linear(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Linear, Failure> {
+    let description = mechanism.description();
+    if let Some(input) = inputs.iter().find(|input| constraints_depend_on(mechanism, at, **input)) {
+        let what = What::NotAnInput { parameter: input.name_in(description) };
+        return Err(mechanism.failure(what, at.time, at.positions));
     }
-    let derivatives = Derivatives::at(mechanism, state, inputs)?;
-    let reduction = Reduction::at(mechanism, state);
+    let derivatives = Derivatives::at(mechanism, at, inputs)?;
+    let reduction = Reduction::at(mechanism, at);
     let h = reduction.independent.len();
     let size = h + reduction.independent_speeds.len();
     // Each column: how the state, with accelerations and multipliers, changes with one entry of x or u.
@@ -91,23 +126,21 @@ pub fn linearize<M: Mechanism>(
         true => change.speeds[reduction.independent[i]],
         false => change.accelerations[reduction.independent_speeds[i - h]],
     };
-    let slope = |change: &Change, i: usize, input: Option<Control>| {
-        output_slope(mechanism, state, &derivatives, change, input, i)
-    };
-    let outputs = M::Outputs::LEN;
+    let slopes = |change: &Change, input: Option<Control>| output_slopes(mechanism, at, &derivatives, change, input);
+    let by_state: Vec<Vec<f64>> = columns.iter().map(|change| slopes(change, None)).collect();
+    let by_input: Vec<Vec<f64>> =
+        forced.iter().zip(inputs).map(|(change, input)| slopes(change, Some(*input))).collect();
+    let outputs = description.outputs.len();
     let a = DMatrix::from_fn(size, size, |i, k| rate(&columns[k], i));
     let eigenvalues = modes::eigenvalues(&a);
-    Ok(Linearization {
-        state: *state,
+    Ok(Linear {
         b: DMatrix::from_fn(size, inputs.len(), |i, k| rate(&forced[k], i)),
-        c: DMatrix::from_fn(outputs, size, |i, k| slope(&columns[k], i, None)),
-        d: DMatrix::from_fn(outputs, inputs.len(), |i, k| slope(&forced[k], i, Some(inputs[k]))),
+        c: DMatrix::from_fn(outputs, size, |i, k| by_state[k][i]),
+        d: DMatrix::from_fn(outputs, inputs.len(), |i, k| by_input[k][i]),
         modes: modes::modes(&a, &eigenvalues, |x| reduction.positions(x)),
         a,
         eigenvalues,
-        independent: reduction.independent,
-        independent_speeds: reduction.independent_speeds,
-        inputs: inputs.to_vec(),
+        reduction,
     })
 }
 

@@ -1,11 +1,10 @@
 //! From changes of the independent coordinates and speeds to those of all.
 
-use crate::level::between_positions;
-use crate::mobility::mobility;
-use crate::partition::Partition;
-use crate::trajectory::State;
+use super::derivatives::constants;
+use crate::any::{AnyMechanism, At};
+use crate::mobility::mobility_of;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD};
-use sim_kernel::{Array, ConstraintLinearization, Dual, Mechanism, Start};
+use sim_kernel::{Dual, Start};
 
 /// The given coordinates are taken as independent ones if the columns of the others are this far from singular.
 const REGULAR: f64 = 1e-3;
@@ -26,11 +25,11 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    pub(super) fn at<M: Mechanism>(mechanism: &M, state: &State<M>) -> Reduction {
-        let all = mechanism.constraint_jacobian(state.time, &state.positions);
-        let [of_positions, of_speeds] = [between_positions::<M>(&all), all].map(|rows| matrix::<M>(&rows));
-        let chosen = chosen(mechanism, state);
-        let freedoms = mobility(mechanism, state.time, &state.positions);
+    pub(super) fn at(mechanism: &dyn AnyMechanism, at: At<f64>) -> Reduction {
+        let of_speeds = mechanism.constraint_jacobian(at.time, at.positions);
+        let of_positions = mechanism.between_positions(of_speeds.clone());
+        let chosen = chosen(mechanism, at);
+        let freedoms = mobility_of(mechanism, at.time, at.positions);
         // In a singular position more than nearby.
         let more = freedoms.singular.len();
         let [moves, rates] = [
@@ -38,7 +37,7 @@ impl Reduction {
             Split::new(&of_speeds, freedoms.degrees_of_freedom + more, &chosen[1]),
         ];
         let by_positions = moves.spread(1.0, &moves.columns(&of_positions));
-        let bent = rates_by_positions(mechanism, state) * &by_positions;
+        let bent = rates_by_positions(mechanism, at) * &by_positions;
         Reduction {
             speeds_by_positions: rates.spread(0.0, &bent),
             by_speeds: rates.spread(1.0, &rates.columns(&of_speeds)),
@@ -118,43 +117,27 @@ struct Given {
     dependent: Vec<usize>,
 }
 
-fn chosen<M: Mechanism>(mechanism: &M, state: &State<M>) -> [Given; 2] {
-    let coordinates = M::DESCRIPTION.coordinates;
-    let given: Vec<usize> = (0..M::Q::LEN).filter(|j| coordinates[*j].start == Start::Given).collect();
-    let mut partition = Partition::default();
+fn chosen(mechanism: &dyn AnyMechanism, at: At<f64>) -> [Given; 2] {
+    let coordinates = mechanism.description().coordinates.iter().enumerate();
+    let given: Vec<usize> = coordinates.filter(|(_, c)| c.start == Start::Given).map(|(j, _)| j).collect();
     // What pivoting cannot choose, because nothing is independent, is not asked for either.
-    let chosen = partition.renew(mechanism, state).is_ok();
-    partition.dependent::<M>().map(|dependent| {
-        let dependent = if chosen { dependent.to_vec() } else { Vec::new() };
-        Given { given: given.clone(), dependent }
-    })
-}
-
-fn matrix<M: Mechanism>(rows: &M::LQ) -> DMatrix<f64> {
-    DMatrix::from_fn(M::L::LEN, M::Q::LEN, |i, j| rows[i][j])
+    let chosen = mechanism.dependent(at).unwrap_or_default();
+    chosen.map(|dependent| Given { given: given.clone(), dependent })
 }
 
 /// (C_q q' + C_t)_q, m x n, by dual numbers.
-fn rates_by_positions<M: Mechanism>(mechanism: &M, state: &State<M>) -> DMatrix<f64> {
-    let lifted = mechanism.on(Dual::constant);
-    let columns = (0..M::Q::LEN).map(|j| rates_by_position(&lifted, state.time, j, &state.positions, &state.speeds));
-    let columns: Vec<DVector<f64>> = columns.collect();
-    DMatrix::from_fn(M::L::LEN, M::Q::LEN, |i, j| columns[j][i])
-}
-
-fn rates_by_position<M: Mechanism<Dual>, Q: Array<f64>>(
-    mechanism: &M,
-    time: f64,
-    by: usize,
-    q: &Q,
-    qd: &Q,
-) -> DVector<f64> {
-    let moved = M::Q::from_fn(|j| if j == by { Dual::variable(q[j]) } else { Dual::constant(q[j]) });
-    let ConstraintLinearization { jacobian, time_derivative, .. } =
-        mechanism.constraint_linearization(Dual::constant(time), &moved);
-    let rate = |i: usize| {
-        let turning: f64 = (0..Q::LEN).map(|j| jacobian[i][j].derivative * qd[j]).sum();
-        turning + time_derivative[i].derivative
-    };
-    DVector::from_fn(M::L::LEN, |i, _| rate(i))
+fn rates_by_positions(mechanism: &dyn AnyMechanism, at: At<f64>) -> DMatrix<f64> {
+    let (n, m) = (at.positions.len(), mechanism.description().constraints.len());
+    let mut rates = DMatrix::zeros(m, n);
+    for by in 0..n {
+        let mut positions = constants(at.positions);
+        positions[by] = Dual::variable(at.positions[by]);
+        let moving = At::moving(Dual::constant(at.time), &positions, &[]);
+        let [_, jacobian, time_derivative] = mechanism.constraints_along(moving, None);
+        for i in 0..m {
+            let turning = jacobian[n * i..n * (i + 1)].iter().zip(at.speeds).map(|(c, speed)| c.derivative * speed);
+            rates[(i, by)] = turning.sum::<f64>() + time_derivative[i].derivative;
+        }
+    }
+    rates
 }

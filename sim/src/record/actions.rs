@@ -4,6 +4,7 @@ use super::Recorder;
 use crate::act::act;
 use crate::events::{Crossing, Occurrence, tolerance};
 use crate::failure::{Failure, What};
+use crate::insertion::sort_few;
 use crate::onset::Onset;
 use crate::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
@@ -61,7 +62,7 @@ impl<M: Mechanism> Recorder<M> {
         let time = found[at].state.time;
         let same = found[at..].iter().take_while(|event| event.state.time - time <= 2.0 * tolerance(time)).count();
         found.truncate(at + same);
-        found[at..].sort_by_key(|event| event.event);
+        sort_few(&mut found[at..], |a, b| a.event.cmp(&b.event));
         Some(at)
     }
 

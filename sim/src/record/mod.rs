@@ -4,7 +4,7 @@ mod actions;
 
 use crate::events::EventSearch;
 use crate::failure::{Failure, What};
-use crate::integrate::{Advance, Step};
+use crate::integrate::Step;
 use crate::motion::Motion;
 use crate::onset::Onset;
 use crate::settings::{Rows, Settings, Stepping, StopAt};
@@ -135,7 +135,7 @@ impl<M: Mechanism> Recorder<M> {
         self.reached.filter(|_| !self.has_ended)
     }
 
-    pub(crate) fn watch<A: Advance<M>>(&mut self, step: &mut Step<M, A>) -> Result<ControlFlow<()>, Failure> {
+    pub(crate) fn watch(&mut self, step: &mut Step<M>) -> Result<ControlFlow<()>, Failure> {
         self.reached = Some(step.to.state);
         let first = self.events.found.len();
         self.events.search(step)?;
@@ -165,7 +165,7 @@ impl<M: Mechanism> Recorder<M> {
         Some(state)
     }
 
-    fn record<A: Advance<M>>(&mut self, step: &mut Step<M, A>, until: f64) -> Result<(), Failure> {
+    fn record(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         match self.rows {
             Rows::Steps if until == step.to.state.time => self.samples.push(*step.to),
             Rows::Steps => {}

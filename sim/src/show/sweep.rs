@@ -3,8 +3,8 @@
 use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label};
 use super::{Curve, Plot, ShowError, Size, panels};
 use crate::outcome::Row;
-use crate::{Column, Kinematics, Table};
-use sim_kernel::Mechanism;
+use crate::{Column, Driven, Kinematics, Table};
+use sim_kernel::{Description, Mechanism};
 use std::path::Path;
 
 /// The figures that every sweep may have, besides those of its outputs.
@@ -17,25 +17,36 @@ const MOST_PANELS: usize = 5;
 /// index (`transmission`), and the ratios of outputs to what is driven (`ratios`), all against what is driven; and the
 /// mechanism at equal intervals.
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
-    let description = const { &M::DESCRIPTION };
-    let driven = found.sweep.driven.quantity(const { &M::DESCRIPTION });
+    let (description, driven) = (const { &M::DESCRIPTION }, found.sweep.driven);
+    let poses = if description.drawing.is_empty() { Vec::new() } else { spread(found) };
+    draw((description, driven, &found.values), &poses, table, directory, size)
+}
+
+fn draw(
+    (description, driven, values): (&'static Description, Driven, &[f64]),
+    poses: &[Row],
+    table: &Table,
+    directory: &Path,
+    size: Size,
+) -> Figures {
+    let driven = driven.quantity(description);
     let what = label(driven.docs, driven.name).trim_end_matches('.');
     let x_label = format!("{what} [{}]", driven.unit);
-    let x: Vec<f64> = found.values.iter().map(|value| value / driven.factor).collect();
+    let x: Vec<f64> = values.iter().map(|value| value / driven.factor).collect();
     let abscissa = (x_label.as_str(), x.as_slice());
     let mut figures = draw_outputs(description, table, abscissa, directory, size);
     let columns = |prefix: &str| table.columns.iter().filter(|column| column.name.starts_with(prefix)).collect();
-    let mut draw = |name: &str, title: &str, columns: Vec<&Column>| {
+    let mut add = |name: &str, title: &str, columns: Vec<&Column>| {
         let columns: Vec<&Column> = columns.into_iter().take(MOST_PANELS).collect();
         if !columns.is_empty() {
             figures.add(name, stacked(title, &columns, abscissa, directory, name, size));
         }
     };
-    draw("drive", "What the drive exerts", columns("drive_"));
-    draw("transmission", "Transmission index", columns("transmission_index"));
-    draw("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
-    if !description.drawing.is_empty() {
-        figures.add("mechanism", draw_mechanism(description, &spread(found), directory, size));
+    add("drive", "What the drive exerts", columns("drive_"));
+    add("transmission", "Transmission index", columns("transmission_index"));
+    add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
+    if !poses.is_empty() {
+        figures.add("mechanism", draw_mechanism(description, poses, directory, size));
     }
     figures
 }

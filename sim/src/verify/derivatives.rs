@@ -1,8 +1,10 @@
 //! Generated derivatives against dual numbers, which differentiate the kernels themselves.
 
 use super::Check;
+use super::formulations::places;
+use crate::any::{Any, AnyMechanism, At};
 use crate::trajectory::Sample;
-use sim_kernel::{Array, Dual, Mechanism};
+use sim_kernel::{Dual, Mechanism};
 use std::collections::BTreeMap;
 
 /// How much more than its own rounding a derivative may differ; it is relative to the largest entry of its row.
@@ -13,39 +15,33 @@ const SMALL: f64 = 1e-6;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
 pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
+    compare_with_duals(&Any(mechanism), &places(samples))
+}
+
+pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64>]) -> Check {
     let mut compared: Vec<Difference> = Vec::new();
     let mut compare = |what: &'static str, generated: f64, dual: f64, size: f64| {
         compared.push(Difference { what, apart: (generated - dual).abs(), size });
     };
     for sample in samples {
-        let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+        let (t, q, qd) = (sample.time, sample.positions, sample.speeds);
+        let (n, m) = (q.len(), sample.multipliers.len());
         let jacobian = mechanism.constraint_jacobian(t, q);
-        let generated = mechanism.dynamics_jacobian(t, q, qd);
-        let (n, m) = (M::Q::LEN, M::L::LEN);
-        let columns: Vec<[Column; 2]> =
-            (0..n).map(|j| [false, true].map(|by_speed| column(mechanism, sample, j, by_speed))).collect();
-        let sizes = row_sizes(&|i, j| columns[j][0].constraints[i], m, n);
+        let columns: Vec<Vec<f64>> = (0..n).map(|j| constraints_by(mechanism, sample, j)).collect();
+        let sizes = row_sizes(&|i, j| columns[j][i], m, n);
         // Rows between speeds are no derivatives of anything.
-        for i in (0..m).filter(|i| !M::DESCRIPTION.speed_constraints.contains(i)) {
-            (0..n).for_each(|j| compare("C_q", jacobian[i][j], columns[j][0].constraints[i], sizes[i]));
+        for i in (0..m).filter(|i| !mechanism.description().speed_constraints.contains(i)) {
+            (0..n).for_each(|j| compare("C_q", jacobian[(i, j)], columns[j][i], sizes[i]));
         }
-        if generated.refused {
-            continue;
-        }
-        let sizes = [0, 1].map(|by| row_sizes(&|i, j| columns[j][by].accelerations[i], n, n));
-        for i in 0..n {
-            for j in 0..n {
-                let [by_q, by_qd] = &columns[j];
-                compare("d(q'')/dq", generated.accelerations_by_positions[i][j], by_q.accelerations[i], sizes[0][i]);
-                compare("d(q'')/dq'", generated.accelerations_by_speeds[i][j], by_qd.accelerations[i], sizes[1][i]);
-            }
-        }
-        let sizes = [0, 1].map(|by| row_sizes(&|i, j| columns[j][by].multipliers[i], m, n));
-        for i in 0..m {
-            for j in 0..n {
-                let [by_q, by_qd] = &columns[j];
-                compare("d(lambda)/dq", generated.multipliers_by_positions[i][j], by_q.multipliers[i], sizes[0][i]);
-                compare("d(lambda)/dq'", generated.multipliers_by_speeds[i][j], by_qd.multipliers[i], sizes[1][i]);
+        let Some(generated) = mechanism.by_state(t, q, qd) else { continue };
+        let names = [["d(q'')/dq", "d(lambda)/dq"], ["d(q'')/dq'", "d(lambda)/dq'"]];
+        for ((generated, names), by_speed) in generated.iter().zip(names).zip([false, true]) {
+            let columns: Option<Vec<Vec<f64>>> = (0..n).map(|j| solution_by(mechanism, sample, j, by_speed)).collect();
+            let Some(columns) = columns else { continue };
+            let sizes = row_sizes(&|i, j| columns[j][i], n + m, n);
+            for i in 0..n + m {
+                let name = names[usize::from(i >= n)];
+                (0..n).for_each(|j| compare(name, generated[(i, j)], columns[j][i], sizes[i]));
             }
         }
     }
@@ -89,27 +85,30 @@ fn row_sizes(entry: &dyn Fn(usize, usize) -> f64, rows: usize, n: usize) -> Vec<
     (0..rows).map(|i| (0..n).fold(0.0f64, |size, j| entry(i, j).abs().max(size))).collect()
 }
 
-/// The derivatives of everything by one coordinate or speed.
-struct Column {
-    constraints: Vec<f64>,
-    accelerations: Vec<f64>,
-    multipliers: Vec<f64>,
+/// The same numbers, of which one is what derivatives are taken by.
+fn seeded(values: &[f64], by: Option<usize>) -> Vec<Dual> {
+    let seeded = |(j, value): (usize, &f64)| match by == Some(j) {
+        true => Dual::variable(*value),
+        false => Dual::constant(*value),
+    };
+    values.iter().enumerate().map(seeded).collect()
 }
 
-fn column<M: Mechanism>(mechanism: &M, sample: &Sample<M>, j: usize, by_speed: bool) -> Column {
-    type Numbers<M> = <M as Mechanism>::On<Dual>;
-    let constant = |x: f64| Dual::constant(x);
-    let seeded = |x: f64, is_seed: bool| if is_seed { Dual::variable(x) } else { constant(x) };
-    let dual = mechanism.on(constant);
-    let state = &sample.state;
-    let q = <Numbers<M> as Mechanism<Dual>>::Q::from_fn(|i| seeded(state.positions[i], !by_speed && i == j));
-    let qd = <Numbers<M> as Mechanism<Dual>>::Q::from_fn(|i| seeded(state.speeds[i], by_speed && i == j));
-    let time = constant(state.time);
-    let solved = dual.dynamics(time, &q, &qd);
-    let derivatives = |values: &[Dual]| values.iter().map(|value| value.derivative).collect();
-    Column {
-        constraints: derivatives(dual.constraints(time, &q).as_ref()),
-        accelerations: derivatives(solved.accelerations.as_ref()),
-        multipliers: derivatives(solved.multipliers.as_ref()),
-    }
+fn derivatives(values: &[Dual]) -> Vec<f64> {
+    values.iter().map(|value| value.derivative).collect()
+}
+
+/// The derivatives of the constraints by one coordinate.
+fn constraints_by(mechanism: &dyn AnyMechanism, sample: &At<f64>, j: usize) -> Vec<f64> {
+    let positions = seeded(sample.positions, Some(j));
+    let [values, ..] = mechanism.constraints_along(At::moving(Dual::constant(sample.time), &positions, &[]), None);
+    derivatives(&values)
+}
+
+/// The derivatives of accelerations and multipliers by one coordinate or speed.
+fn solution_by(mechanism: &dyn AnyMechanism, sample: &At<f64>, j: usize, by_speed: bool) -> Option<Vec<f64>> {
+    let positions = seeded(sample.positions, (!by_speed).then_some(j));
+    let speeds = seeded(sample.speeds, by_speed.then_some(j));
+    let at = At::moving(Dual::constant(sample.time), &positions, &speeds);
+    mechanism.solution_along(at, None).map(|solution| derivatives(&solution))
 }

@@ -2,7 +2,7 @@
 //! the bodies.
 
 use super::{Check, VerifyError};
-use crate::equations::accelerate;
+use crate::any::{Any, AnyMechanism, At};
 use crate::trajectory::Sample;
 use codegen::dsl::{self, Declaration};
 use codegen::dynamics::{Lagrange, lagrange};
@@ -10,7 +10,7 @@ use codegen::model::{self, Model, Unit};
 use codegen::oracle::{Measured, Oracle, Solution, State, Terms};
 use codegen::symbolic::{Expr, evaluate};
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Description, Input, Mechanism};
 
 /// A declaration, read again, with Lagrange's equations of it.
 pub struct Declared {
@@ -25,8 +25,12 @@ impl Declared {
     /// # Errors
     /// If it cannot be read, which would be a mistake of the mechanism's description.
     pub fn of<M: Mechanism>() -> Result<Declared, VerifyError> {
+        Declared::read(const { &M::DESCRIPTION })
+    }
+
+    fn read(description: &Description) -> Result<Declared, VerifyError> {
         let fail = |e: &dyn std::fmt::Display| VerifyError::Declaration(e.to_string());
-        let tokens = M::DESCRIPTION.declaration.parse().map_err(|_| fail(&"its text is no list of tokens"))?;
+        let tokens = description.declaration.parse().map_err(|_| fail(&"its text is no list of tokens"))?;
         let declaration = dsl::parse(tokens).map_err(|e| fail(&e))?;
         let mut model = model::resolve(&declaration).map_err(|e| fail(&e))?;
         let lagrange = lagrange(&mut model);
@@ -34,7 +38,7 @@ impl Declared {
     }
 
     /// The oracle, with the constraints that the mechanism holds.
-    fn oracle<M: Mechanism>(&self, mechanism: &M) -> Oracle<'_> {
+    fn oracle(&self, mechanism: &dyn AnyMechanism) -> Oracle<'_> {
         let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
         Oracle::new(&self.declaration, &si_factor).with_active(active)
     }
@@ -49,13 +53,22 @@ const CONDITIONED: f64 = 1000.0;
 
 /// q'' of the generated kernels, by TMT, against q'' of Lagrange's equations, in units of eps cond(K) |q''|.
 pub fn lagrange_against_kernels<M: Mechanism>(mechanism: &M, declared: &Declared, samples: &[Sample<M>]) -> Check {
+    compare_with_lagrange(&Any(mechanism), declared, &places(samples))
+}
+
+/// Samples of a mechanism of any type.
+pub(super) fn places<M: Mechanism>(samples: &[Sample<M>]) -> Vec<At<'_, f64>> {
+    samples.iter().map(At::sample).collect()
+}
+
+pub(super) fn compare_with_lagrange(mechanism: &dyn AnyMechanism, declared: &Declared, samples: &[At<f64>]) -> Check {
     let mut found = Vec::new();
     for sample in samples {
-        let Ok(solved) = accelerate(mechanism, sample.state.time, &sample.state.positions, &sample.state.speeds) else {
+        let Ok(solved) = mechanism.accelerate(*sample) else {
             continue;
         };
-        let (apart, size) = lagrange_difference(mechanism, declared, sample, &solved.accelerations);
-        found.push((apart, size, sample.state.time));
+        let (apart, size) = lagrange_difference(mechanism, declared, sample, solved.as_slice());
+        found.push((apart, size, sample.time));
     }
     // Where accelerations pass through zero their rounding is that of where they do not.
     let largest = found.iter().map(|(_, size, _)| *size).fold(f64::MIN_POSITIVE, f64::max);
@@ -71,13 +84,13 @@ pub fn lagrange_against_kernels<M: Mechanism>(mechanism: &M, declared: &Declared
 }
 
 /// How far apart both are, in units of eps cond(K), and the size of the solution.
-fn lagrange_difference<M: Mechanism>(
-    mechanism: &M,
+fn lagrange_difference(
+    mechanism: &dyn AnyMechanism,
     declared: &Declared,
-    sample: &Sample<M>,
-    accelerations: &M::Q,
+    state: &At<f64>,
+    accelerations: &[f64],
 ) -> (f64, f64) {
-    let (n, m, state) = (M::Q::LEN, M::L::LEN, &sample.state);
+    let (n, m) = (state.positions.len(), state.multipliers.len());
     let parameters = mechanism.parameters();
     let model = &declared.model;
     let inputs = mechanism.inputs();
@@ -100,12 +113,12 @@ fn lagrange_difference<M: Mechanism>(
         })
     };
     let (mass, force) = (values(&declared.lagrange.mass_matrix.concat()), values(&declared.lagrange.right_hand_side));
-    let jacobian = mechanism.constraint_jacobian(state.time, &state.positions);
-    let convective = mechanism.constraint_convective(state.time, &state.positions, &state.speeds);
+    let jacobian = mechanism.constraint_jacobian(state.time, state.positions);
+    let convective = mechanism.constraint_convective(state.time, state.positions, state.speeds);
     let mut matrix = DMatrix::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {
         (true, true) => mass[i * n + j],
-        (true, false) => jacobian[j - n][i],
-        (false, true) => jacobian[i - n][j],
+        (true, false) => jacobian[(j - n, i)],
+        (false, true) => jacobian[(i - n, j)],
         (false, false) => 0.0,
     });
     let mut rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { -convective[i - n] });
@@ -143,6 +156,14 @@ pub fn kernels_against_oracle<M: Mechanism>(
     mechanism: &M,
     declared: &Declared,
     samples: &[Sample<M>],
+) -> Result<Check, VerifyError> {
+    compare_with_oracle(&Any(mechanism), declared, &places(samples))
+}
+
+pub(super) fn compare_with_oracle(
+    mechanism: &dyn AnyMechanism,
+    declared: &Declared,
+    samples: &[At<f64>],
 ) -> Result<Check, VerifyError> {
     let mut found = Found { entries: Vec::new() };
     for sample in samples {
@@ -196,53 +217,46 @@ impl Found {
     }
 }
 
-fn compare_terms<M: Mechanism>(
-    mechanism: &M,
+fn compare_terms(
+    mechanism: &dyn AnyMechanism,
     declared: &Declared,
-    sample: &Sample<M>,
+    sample: &At<f64>,
     found: &mut Found,
 ) -> Result<(), VerifyError> {
-    let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
-    let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
-    let (oracle, parameters) = (declared.oracle(mechanism), mechanism.parameters());
-    let inputs = held(mechanism);
-    let at = State {
-        time: t,
-        parameters: parameters.as_ref(),
-        inputs: &inputs,
-        coordinates: q.as_ref(),
-        speeds: qd.as_ref(),
-    };
+    let (t, q, qd) = (sample.time, sample.positions, sample.speeds);
+    let (oracle, parameters, inputs) = (declared.oracle(mechanism), mechanism.parameters(), held(mechanism));
+    let at = State { time: t, parameters: &parameters, inputs: &inputs, coordinates: q, speeds: qd };
     let terms = oracle.terms(&at).map_err(uninterpreted)?;
-    let flat = |rows: &mut dyn Iterator<Item = &M::Q>| rows.flat_map(|row| row.iter().copied()).collect::<Vec<f64>>();
-    found.compare("mass matrix", &flat(&mut mechanism.mass_matrix(t, q).iter()), &terms.mass_matrix.concat());
-    found.compare("convective forces", mechanism.convective_forces(t, q, qd).as_ref(), &terms.convective);
-    found.compare("generalised forces", mechanism.generalized_forces(t, q, qd).as_ref(), &terms.applied_forces);
-    found.compare("constraints", mechanism.constraints(t, q).as_ref(), &terms.constraints);
+    // Entries of matrices here are by columns.
+    let by_rows = |matrix: DMatrix<f64>| matrix.transpose().as_slice().to_vec();
+    found.compare("mass matrix", &by_rows(mechanism.mass_matrix(t, q)), &terms.mass_matrix.concat());
+    found.compare("convective forces", mechanism.convective_forces(t, q, qd).as_slice(), &terms.convective);
+    found.compare("generalised forces", mechanism.generalized_forces(t, q, qd).as_slice(), &terms.applied_forces);
+    found.compare("constraints", mechanism.constraints(t, q).as_slice(), &terms.constraints);
     let jacobian = mechanism.constraint_jacobian(t, q);
-    found.compare("constraint Jacobian", &flat(&mut jacobian.iter()), &terms.constraint_jacobian.concat());
-    found.compare("C_t", mechanism.constraint_time_derivative(t, q).as_ref(), &terms.constraint_time_derivative);
+    found.compare("constraint Jacobian", &by_rows(jacobian), &terms.constraint_jacobian.concat());
+    found.compare("C_t", mechanism.constraint_time_derivative(t, q).as_slice(), &terms.constraint_time_derivative);
     found.compare(
         "convective terms of constraints",
-        mechanism.constraint_convective(t, q, qd).as_ref(),
+        mechanism.constraint_convective(t, q, qd).as_slice(),
         &terms.constraint_convective,
     );
     found.compare("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
     let solution = solution_of(sample);
     let events = oracle.events(&at, &solution).map_err(uninterpreted)?;
-    found.compare("events", mechanism.events(t, q, qd, qdd, lambda).as_ref(), &events);
+    found.compare("events", &mechanism.events(*sample), &events);
     let event_values = oracle.event_values(&at).map_err(uninterpreted)?;
-    found.compare("what events set", mechanism.event_values(t, q, qd).as_ref(), &event_values);
+    found.compare("what events set", &mechanism.event_values(*sample), &event_values);
     let outputs = oracle.outputs(&at, &solution).map_err(uninterpreted)?;
-    found.compare("outputs", mechanism.outputs(t, q, qd, qdd, lambda).as_ref(), &outputs);
+    found.compare("outputs", &mechanism.outputs(*sample), &outputs);
     let power = oracle.power(&at, &solution).map_err(uninterpreted)?;
-    found.compare("power", &[mechanism.power(t, q, qd, qdd, lambda)], &[power]);
+    found.compare("power", &[mechanism.power(*sample)], &[power]);
     Ok(())
 }
 
 /// What each input of a mechanism is set to.
-fn held<M: Mechanism>(mechanism: &M) -> Vec<Option<f64>> {
-    mechanism.inputs().iter().map(|input| input.held()).collect()
+fn held(mechanism: &dyn AnyMechanism) -> Vec<Option<f64>> {
+    mechanism.inputs().into_iter().map(Input::held).collect()
 }
 
 fn uninterpreted(error: codegen::oracle::OracleError) -> VerifyError {
@@ -250,9 +264,9 @@ fn uninterpreted(error: codegen::oracle::OracleError) -> VerifyError {
 }
 
 /// A sample's accelerations and multipliers for the oracle.
-fn solution_of<M: Mechanism>(sample: &Sample<M>) -> Solution {
+fn solution_of(sample: &At<f64>) -> Solution {
     let given = |values: &[f64]| values.iter().map(|value| Measured::given(*value)).collect();
-    Solution { accelerations: given(sample.accelerations.as_ref()), multipliers: given(sample.multipliers.as_ref()) }
+    Solution { accelerations: given(sample.accelerations), multipliers: given(sample.multipliers) }
 }
 
 /// What the balance of a body may miss, relative to the magnitudes of what acts on it: the elimination works
@@ -269,25 +283,28 @@ pub fn reactions_against_balance<M: Mechanism>(
     declared: &Declared,
     samples: &[Sample<M>],
 ) -> Result<Check, VerifyError> {
+    check_balance(&Any(mechanism), declared, &places(samples))
+}
+
+pub(super) fn check_balance(
+    mechanism: &dyn AnyMechanism,
+    declared: &Declared,
+    samples: &[At<f64>],
+) -> Result<Check, VerifyError> {
     let (parameters, inputs) = (mechanism.parameters(), held(mechanism));
     let oracle = declared.oracle(mechanism);
     let mut worst = (0.0, "");
     for sample in samples {
-        let (q, qd) = (&sample.state.positions, &sample.state.speeds);
-        let at = State {
-            time: sample.state.time,
-            parameters: parameters.as_ref(),
-            inputs: &inputs,
-            coordinates: q.as_ref(),
-            speeds: qd.as_ref(),
-        };
-        let solved = accelerate(mechanism, sample.state.time, q, qd)?;
+        let (coordinates, speeds) = (sample.positions, sample.speeds);
+        let at = State { time: sample.time, parameters: &parameters, inputs: &inputs, coordinates, speeds };
+        let solved = mechanism.accelerate(*sample)?;
+        let (accelerations, multipliers) = solved.as_slice().split_at(coordinates.len());
         let terms = oracle.terms(&at).map_err(uninterpreted)?;
-        for j in 0..M::Q::LEN {
-            let (missing, size) = balance(&terms, solved.accelerations.as_ref(), solved.multipliers.as_ref(), j);
+        for j in 0..coordinates.len() {
+            let (missing, size) = balance(&terms, accelerations, multipliers, j);
             let apart = missing.abs() / size.max(f64::MIN_POSITIVE);
             if !(apart <= worst.0) {
-                worst = (apart, M::DESCRIPTION.coordinates[j].position.name);
+                worst = (apart, mechanism.description().coordinates[j].position.name);
             }
         }
     }

@@ -50,11 +50,11 @@ pub fn observed_order<M: Mechanism, A: Advance<M>>(
     end: f64,
     method: impl Fn() -> A,
 ) -> Result<(f64, f64), Failure> {
-    let exact = state_at(mechanism, start, end, Dop853::new(), 4096)?;
+    let exact = state_at(mechanism, start, end, &mut Dop853::new(), 4096)?;
     let (mut order, mut last) = (f64::NAN, f64::NAN);
     for power in 5..16 {
         // Steps too large for the motion say nothing.
-        let Ok(found) = state_at(mechanism, start, end, method(), 1 << power) else { continue };
+        let Ok(found) = state_at(mechanism, start, end, &mut method(), 1 << power) else { continue };
         let error = distance(&found, &exact);
         if error < FLOOR {
             return Ok((order, if last.is_nan() { error } else { last }));
@@ -64,18 +64,18 @@ pub fn observed_order<M: Mechanism, A: Advance<M>>(
     Ok((order, last))
 }
 
-fn state_at<M: Mechanism, A: Advance<M>>(
+fn state_at<M: Mechanism>(
     mechanism: &M,
     start: State<M>,
     end: f64,
-    mut method: A,
+    method: &mut dyn Advance<M>,
     steps: usize,
 ) -> Result<State<M>, Failure> {
     let redundant = mobility(mechanism, start.time, &start.positions).dependent.len();
     let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
     let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps), interrupt: None };
     let mut last = start;
-    integrate(&motion, &mut method, &course, motion.sample(start)?, &mut Steps::default(), |step| {
+    integrate(&motion, method, &course, motion.sample(start)?, &mut Steps::default(), |step| {
         last = step.to.state;
         Ok(ControlFlow::Continue(()))
     })?;
