@@ -147,11 +147,11 @@ fn parts<M: Mechanism>(run: &Run<M>) -> Vec<(M, Vec<Sample<M>>)> {
 /// A mechanism of any type, and samples of it.
 type Part<'p> = (&'p dyn AnyMechanism, Vec<At<'p, f64>>);
 
+/// A check of a mechanism at some samples.
+type CheckOfPart<'c> = dyn Fn(&dyn AnyMechanism, &[At<f64>]) -> Result<Check, VerifyError> + 'c;
+
 /// What is farthest apart in any part.
-fn worst(
-    parts: &[Part],
-    check: &dyn Fn(&dyn AnyMechanism, &[At<f64>]) -> Result<Check, VerifyError>,
-) -> Result<Check, VerifyError> {
+fn worst(parts: &[Part], check: &CheckOfPart) -> Result<Check, VerifyError> {
     let checks = parts.iter().map(|(mechanism, samples)| check(*mechanism, samples));
     let checks = checks.collect::<Result<Vec<Check>, VerifyError>>()?;
     let size = |check: &Check| if check.figure.is_nan() { f64::INFINITY } else { check.figure };
