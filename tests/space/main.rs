@@ -16,5 +16,6 @@ mod common;
 mod elliptic;
 mod linkages;
 mod rolling;
+mod speeds;
 mod top;
 mod torque_free;

@@ -21,6 +21,7 @@ mod outputs;
 mod parameters;
 mod reuse;
 mod space;
+mod speeds;
 mod start;
 mod tables;
 mod units;
