@@ -129,15 +129,32 @@ mechanism! {
     events { slip: t = 1 [s] rising { release clutch; } }
 }
 
+mechanism! {
+    /// A chain so long that its equations in coordinates are written with intermediate quantities.
+    Chain;
+    const n = 6;
+    coordinates { repeat i in 1..=n { phi_[i] [rad]; } }
+    parameters { m [kg] = 0.5; l [m] = 0.4; g [m/s^2] = 9.81; }
+    let P_[0] = [0, 0];
+    repeat i in 1..=n {
+        let angle_[i] = sum(j in 1..=i, phi_[j]);
+        let P_[i] = P_[i-1] + l*[sin(angle_[i]), -cos(angle_[i])];
+        bodies { link_[i]: mass m at P_[i], inertia m*l^2/12, angle angle_[i]; }
+        speeds { w_[i] [rad/s] = dot(angle_[i]); }
+    }
+    loads { gravity [0, -g]; torque -0.1 [N*m*s]*w_[n] on link_[n]; }
+}
+
 /// Calls a macro with all of them.
 macro_rules! all {
     ($callback:ident) => {
-        $callback!(FreeBody, Turning, Towed, Wheel, Disc, Links, Clutched)
+        $callback!(FreeBody, Turning, Towed, Wheel, Disc, Links, Clutched, Chain)
     };
 }
 
 fn apart(found: &[f64], expected: &[f64]) -> f64 {
     assert_eq!(found.len(), expected.len());
+    assert!(found.iter().chain(expected).all(|x| x.is_finite()), "{found:?} {expected:?}");
     let size = expected.iter().fold(1.0f64, |size, x| size.max(x.abs()));
     found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size
 }

@@ -15,12 +15,14 @@
 //! [`lagrange`] derives the same motion from the kinetic energy alone, to check this one.
 
 mod auxiliary;
+mod block;
 mod constraints;
 mod energy;
 mod intermediates;
 mod inverse;
 mod kinematics;
 mod lagrange;
+mod linear;
 pub mod order;
 mod outputs;
 mod parts;
@@ -30,11 +32,12 @@ mod speeds;
 mod tmt;
 mod variables;
 
+pub use block::{Block, Solution};
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use intermediates::Intermediate;
 pub use inverse::Inverse;
-pub use kinematics::{Block, Kinematics};
+pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
 pub use sensitivity::Columns;

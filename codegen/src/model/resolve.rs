@@ -88,7 +88,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         fall(&mut bodies, &turns, gravity, i);
     }
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
-    resolve_initial(&declaration.initial, &mut coordinates, i);
+    resolve_initial(declaration, &mut coordinates, i);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
     let events = resolve_events(declaration, &known, i);
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);

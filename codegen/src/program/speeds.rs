@@ -6,9 +6,8 @@ use super::motion::{entries, right_hand_side};
 use super::prepared::REFUSED;
 use super::results::{Record, Results};
 use super::values::Value;
-use crate::dynamics::{Block, SpeedEquations};
+use crate::dynamics::{Block, Solution, SpeedEquations};
 use crate::model::Model;
-use crate::symbolic::Symbol;
 
 /// Pivots, each with what cancellation in it is measured by; without an elimination none.
 type Pivots = Option<Vec<(Value, Value)>>;
@@ -20,7 +19,7 @@ pub(super) fn kernels(
     lowering: &mut Lowering,
     labels: &mut Labels,
 ) -> [(&'static str, String, Results<Value>); 2] {
-    let pivots = solve_block(model, &equations.kinematics.block, lowering, labels);
+    let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, labels);
     let rates = lowering.lower_all(&equations.kinematics.rates);
     let kinematics = Results::record(
         Record::Kinematics,
@@ -30,31 +29,38 @@ pub(super) fn kernels(
     [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
 }
 
-/// Gives those rates, and their derivatives, that are solved for at run time their values.
-fn solve_block(model: &Model, block: &Block, lowering: &mut Lowering, labels: &mut Labels) -> Pivots {
-    let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
-    let none = std::iter::repeat_n(None, 0);
-    let entries = entries(lowering, &model.graph, &block.matrix, &[], none);
-    let unknowns = block.coordinates.iter().map(|_| Unknown::Coordinate).collect();
-    let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels);
-    let mut solve = |symbols: &[Symbol], rhs, lowering: &mut Lowering| {
-        let rhs = lowering.lower_all(rhs);
-        let solved = solution(factors.as_ref(), rhs, lowering, &mut |_, _| ());
-        let named = symbols.iter().map(|symbol| model.graph.symbol_name(*symbol).to_owned());
-        labels.extend(solved.iter().copied().zip(named));
-        lowering.replace(symbols.iter().copied().zip(solved).collect());
+/// Gives those rates that are solved for at run time, and their derivatives, their values.
+fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, labels: &mut Labels) -> Pivots {
+    let factors: Vec<Option<Factors>> =
+        blocks.iter().map(|block| factorise_block(model, block, lowering, labels)).collect();
+    let mut solve = |factors: &Option<Factors>, solution: &Solution| {
+        let right_hand_side = lowering.lower_all(&solution.right_hand_side);
+        let solved = solve(factors.as_ref(), right_hand_side, lowering, &mut |_, _| ());
+        let names = solution.symbols.iter().map(|symbol| model.graph.symbol_name(*symbol).to_owned());
+        labels.extend(solved.iter().copied().zip(names));
+        lowering.replace(solution.symbols.iter().copied().zip(solved).collect());
     };
-    solve(&block.rates, &block.of_rates, lowering);
-    for (symbols, rhs) in block.by_speed.iter().zip(&block.of_speeds) {
-        solve(symbols, rhs, lowering);
+    for (block, factors) in blocks.iter().zip(&factors) {
+        solve(factors, &block.rates);
+        block.by_speed.iter().for_each(|(_, by_speed)| solve(factors, by_speed));
     }
-    // Rates stand in it.
-    solve(&block.convective, &block.of_convective, lowering);
-    factors.map(distinct_pivots)
+    // The rates of all blocks stand in it.
+    for (block, factors) in blocks.iter().zip(&factors) {
+        solve(factors, &block.convective);
+    }
+    let all: Option<Vec<Factors>> = factors.into_iter().collect();
+    all.map(distinct_pivots)
 }
 
-fn distinct_pivots(factors: Factors) -> Vec<(Value, Value)> {
-    let mut pivots = factors.pivots;
+fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, labels: &mut Labels) -> Option<Factors> {
+    let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
+    let entries = entries(lowering, &model.graph, &block.matrix, &[], std::iter::empty());
+    let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
+    factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels)
+}
+
+fn distinct_pivots(factors: Vec<Factors>) -> Vec<(Value, Value)> {
+    let mut pivots: Vec<_> = factors.into_iter().flat_map(|factors| factors.pivots).collect();
     pivots.sort();
     pivots.dedup();
     pivots
@@ -78,12 +84,12 @@ fn dynamics(
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
     let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels);
-    let solved = solution(factors.as_ref(), rhs, lowering, &mut |value, k| {
+    let solved = solve(factors.as_ref(), rhs, lowering, &mut |value, k| {
         labels.push((value, format!("rhs_{}", names[k])));
     });
     labels.extend(solved.iter().copied().zip(names.iter().cloned()));
-    let own = factors.map(distinct_pivots);
-    let refused = if needs_block(model, equations) {
+    let own = factors.map(|factors| distinct_pivots(vec![factors]));
+    let refused = if needs_blocks(model, equations) {
         own.zip(kinematic).map(|(own, kinematic)| [own, kinematic].concat())
     } else {
         own
@@ -100,7 +106,7 @@ fn dynamics(
 }
 
 /// Zeros where no elimination could be planned.
-fn solution(
+fn solve(
     factors: Option<&Factors>,
     rhs: Vec<Value>,
     lowering: &mut Lowering,
@@ -114,13 +120,12 @@ fn solution(
 }
 
 /// Whether the equations of motion depend on rates that are solved for at run time.
-fn needs_block(model: &Model, equations: &SpeedEquations) -> bool {
+fn needs_blocks(model: &Model, equations: &SpeedEquations) -> bool {
     let SpeedEquations { kinematics, tmt, jacobian, convective, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(jacobian).chain([&tmt.right_hand_side, convective]);
     let used = model.graph.symbols_of(&matrices.flatten().copied().collect::<Vec<_>>());
-    let block = &kinematics.block;
-    let mut solved = block.rates.iter().chain(&block.convective).chain(block.by_speed.iter().flatten());
-    solved.any(|symbol| used.binary_search(symbol).is_ok())
+    let mut solutions = kinematics.blocks.iter().flat_map(Block::solutions);
+    solutions.any(|solution| solution.symbols.iter().any(|symbol| used.binary_search(symbol).is_ok()))
 }
 
 fn kinematics_docs(model: &Model) -> String {

@@ -84,6 +84,17 @@ fn what_is_no_generalised_speed() {
 }
 
 #[test]
+fn starts_are_of_coordinates() {
+    check(
+        "outputs {",
+        "initial { w = 3; } outputs {",
+        &[
+            "8:11 no coordinate is called `w` (a generalised speed follows from the rates of coordinates: `dot(..) = ..;`); only coordinates have start values",
+        ],
+    );
+}
+
+#[test]
 fn how_many_they_are() {
     check(
         " w [rad/s] = dot(phi);",
