@@ -98,13 +98,13 @@ mechanism! {
 mechanism! {
     /// Two links in the plane, by the rates of their own angles.
     Links;
-    coordinates { a [rad]; b [rad]; }
+    coordinates { a [rad]; u [rad]; }
     parameters { m [kg] = 2; l [m] = 0.7; g [m/s^2] = 9.81; c [N*m*s] = 0.1; }
     let P = l*[sin(a), -cos(a)];
-    let Q = P + l*[sin(a + b), -cos(a + b)];
-    bodies { first: mass m at P, inertia m*l^2/12, angle a; second: mass m at Q, inertia m*l^2/12, angle a + b; }
+    let Q = P + l*[sin(a + u), -cos(a + u)];
+    bodies { first: mass m at P, inertia m*l^2/12, angle a; second: mass m at Q, inertia m*l^2/12, angle a + u; }
     loads { gravity [0, -g]; torque -c*u2 on second; }
-    speeds { u1 [rad/s] = dot(a); u2 [rad/s] = dot(a) + dot(b); }
+    speeds { u1 [rad/s] = dot(a); u2 [rad/s] = dot(a) + dot(u); }
 }
 
 mechanism! {

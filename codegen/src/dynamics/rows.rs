@@ -26,8 +26,8 @@ pub(super) enum Along {
     Rate {
         velocity: Expr,
         acceleration: Expr,
-        /// Pairs of angular velocities of the frame and velocities in it: the acceleration is the rate of the velocity, and the
-        /// product of the first less that of the second.
+        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the product
+        /// of the first pair less that of the second, of w x v the component.
         transport: [(Expr, Expr); 2],
     },
 }

@@ -143,6 +143,6 @@ fn dynamics_docs(model: &Model, equations: &SpeedEquations) -> String {
          construction ({r}), from Kane's equations\n\n```text\n\
          [ N' M N  N' C_q' ] [ u'     ]   [ N' (Q - h - M c)                       ]\n\
          [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]\n```\n\n\
-         with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c = N' u + n'`, the accelerations where `u' = 0`. {REFUSED}."
+         with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. {REFUSED}."
     )
 }

@@ -1131,7 +1131,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     /// [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]
     /// ```
     ///
-    /// with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c = N' u + n'`, the accelerations where `u' = 0`. Where `refused` is set a pivot was too small and nothing else holds.
+    /// with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
     /// Operations: 5 additions, 31 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline]
