@@ -1,4 +1,5 @@
-//! Generalised speeds: their kernels against those in the rates of the coordinates, and motions in them against closed forms.
+//! Generalised speeds: their kernels against those in the rates of the coordinates, and motions in them against closed
+//! forms.
 
 use codegen::program::{Kernel, plan};
 use sim::sim_kernel::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
@@ -114,7 +115,11 @@ mechanism! {
     parameters { m [kg] = 2; l [m] = 0.7; r [m] = 0.3; g [m/s^2] = 9.81; }
     let P = [x, y];
     let along = [cos(a), sin(a)];
-    bodies { plate: mass m at P, inertia m*r^2, angle a; drum: inertia m*r^2/4, angle b; bob: mass m/2 at P + l*[cos(b), sin(b)]; }
+    bodies {
+        plate: mass m at P, inertia m*r^2, angle a;
+        drum: inertia m*r^2/4, angle b;
+        bob: mass m/2 at P + l*[cos(b), sin(b)];
+    }
     loads { gravity [0, -g]; force -3 [N*s/m]*dot(P) at P; }
     constraints {
         loop: norm(P + l*[cos(b), sin(b)] - [2*l, 0]) = l;
@@ -173,7 +178,8 @@ where
     speeds.iter().map(|u| u.derivative).collect()
 }
 
-/// A random place. Quaternions are longer than 1/2: of shorter ones rows of angular velocities and of norms differ in size.
+/// A random place. Quaternions are longer than 1/2: of shorter ones rows of angular velocities and of norms differ in
+/// size.
 fn place<M: Mechanism>(mechanism: &M, random: &mut Random) -> M::Q {
     loop {
         let q = M::Q::from_fn(|_| random.between(-1.2, 1.2));
@@ -184,8 +190,8 @@ fn place<M: Mechanism>(mechanism: &M, random: &mut Random) -> M::Q {
     }
 }
 
-/// At random states, with quaternions of many lengths: `kinematics` inverts `generalized_speeds` and moves on what holds by
-/// construction, and u' and lambda are those of the motion in q.
+/// At random states, with quaternions of many lengths: `kinematics` inverts `generalized_speeds` and moves on what
+/// holds by construction, and u' and lambda are those of the motion in q.
 fn check<M>()
 where
     M: GeneralizedSpeeds,
@@ -346,7 +352,8 @@ fn a_free_body_keeps_energy_and_momentum() {
     assert!(errors[1] < 1e-7 && errors[0] / errors[1] > 12.0, "{errors:?}");
 }
 
-/// Steady rolling (Neimark and Fufaev 1972, chapter II): lean, turn and spin are constant, and the centre goes round a circle.
+/// Steady rolling (Neimark and Fufaev 1972, chapter II): lean, turn and spin are constant, and the centre goes round a
+/// circle.
 #[test]
 fn a_disc_rolls_steadily_in_a_circle() {
     let wheel: Wheel = Wheel::default();

@@ -1,5 +1,5 @@
-//! What is left of the kinematic equations of generalised speeds where no coefficient is a number: B h + c = 0, in the form
-//! B'B h = -B'c, in the parts that it falls into.
+//! What is left of the kinematic equations of generalised speeds where no coefficient is a number: B h + c = 0, in the
+//! form B'B h = -B'c, in the parts that it falls into.
 
 use super::linear::{Equation, expanded};
 use super::variables::inner;

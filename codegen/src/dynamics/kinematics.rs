@@ -1,11 +1,12 @@
 //! The kinematic differential equations q' = N u + n of generalised speeds.
 //!
-//! The definitions u = W q' + w and the rows that hold whatever u is (norms of quaternions, constraints between speeds) are as many
-//! linear equations A q' + b = 0 as there are rates. Where a rate stands with a number as its coefficient it is eliminated in
-//! symbols, by pivots that never vanish. What is left, B h + c = 0, is brought into the form B'B h = -B'c. There a number on the
-//! diagonal that stands alone gives a rate at once; the rest is solved by elimination at run time, of which every pivot is positive
-//! as long as B is regular: where it is not, as at the singular positions of Euler's angles, no speeds determine the rates.
-//! B'B of Euler's angles, of quaternions and of directions in a plane is diagonal.
+//! The definitions u = W q' + w and the rows that hold whatever u is (norms of quaternions, constraints between speeds)
+//! are as many linear equations A q' + b = 0 as there are rates. Where a rate stands with a number as its coefficient
+//! it is eliminated in symbols, by pivots that never vanish. What is left, B h + c = 0, is brought into the form B'B h
+//! = -B'c. There a number on the diagonal that stands alone gives a rate at once; the rest is solved by elimination at
+//! run time, of which every pivot is positive as long as B is regular: where it is not, as at the singular positions of
+//! Euler's angles, no speeds determine the rates. B'B of Euler's angles, of quaternions and of directions in a plane is
+//! diagonal.
 
 use super::block::{Block, Part};
 use super::linear::{Equation, Solved, eliminate, expanded};
@@ -20,8 +21,8 @@ pub struct Kinematics {
     pub blocks: Vec<Block>,
 }
 
-/// Rates that are 0 whatever the generalised speeds are: of constraints between speeds, and of q.q/2 for each norm, whose coefficients
-/// are orthogonal to those of angular velocities.
+/// Rates that are 0 whatever the generalised speeds are: of constraints between speeds, and of q.q/2 for each norm,
+/// whose coefficients are orthogonal to those of angular velocities.
 pub(super) fn satisfied(model: &mut Model, motion: &mut Differential) -> Vec<Expr> {
     let rows = model.satisfied_rows();
     let rate = |row: usize| {
@@ -122,8 +123,8 @@ fn equations(model: &mut Model, satisfied: &[Expr]) -> Vec<Equation> {
     defined.into_iter().chain(satisfied.iter().copied()).map(equation).collect()
 }
 
-/// W q' + w - u, times the denominators of W: those of angular velocities by a quaternion are its norm, and would only be divided
-/// out again.
+/// W q' + w - u, times the denominators of W: those of angular velocities by a quaternion are its norm, and would only
+/// be divided out again.
 fn definition(graph: &mut Graph, speed: &GeneralizedSpeed) -> Expr {
     let (mut value, mut scaled) = (speed.value, graph.variable(speed.symbol));
     if let Node::Product { coefficient, factors } = graph.node(speed.value).clone() {

@@ -1,8 +1,8 @@
-//! The `speeds` block: generalised speeds u = W q' + w, linear in the rates of the coordinates (Kane and Levinson, Dynamics:
-//! Theory and Applications, 1985, section 2.12).
+//! The `speeds` block: generalised speeds u = W q' + w, linear in the rates of the coordinates (Kane and Levinson,
+//! Dynamics: Theory and Applications, 1985, section 2.12).
 //!
-//! With the rows that they satisfy by construction, the norms of quaternions and the constraints between speeds, they must
-//! determine q': as many rows as there are coordinates, none of which follows from the others everywhere.
+//! With the rows that they satisfy by construction, the norms of quaternions and the constraints between speeds, they
+//! must determine q': as many rows as there are coordinates, none of which follows from the others everywhere.
 
 use super::interpret::Interpreter;
 use super::level::no_input;

@@ -3,8 +3,8 @@
 use super::{Expr, Graph, Node, Number, with_operands};
 use rustc_hash::FxHashMap;
 
-/// Replaces known expressions wherever they are seen: as operands, as terms of a sum that all have the same multiple there, and as
-/// factors of a product. What is equal to a known expression only after rewriting is not seen.
+/// Replaces known expressions wherever they are seen: as operands, as terms of a sum that all have the same multiple
+/// there, and as factors of a product. What is equal to a known expression only after rewriting is not seen.
 pub struct Recognition {
     known: Vec<(Expr, Expr)>,
     done: FxHashMap<Expr, Expr>,

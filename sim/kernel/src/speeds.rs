@@ -2,8 +2,8 @@
 
 use crate::{Array, Mechanism, Quantity, Scalar};
 
-/// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), which q' = N u + n and Kane's
-/// equations for u' move. Norms of quaternions and constraints between speeds hold for every u.
+/// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), which q' = N u + n and
+/// Kane's equations for u' move. Norms of quaternions and constraints between speeds hold for every u.
 ///
 /// k is the number of generalised speeds, r that of the constraints that are left. All quantities are in SI units.
 pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
