@@ -86,7 +86,9 @@ pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
-pub use sim_kernel::{self, Array, Description, Dual, Dynamics, Input, Lanes, Mechanism, Scalar, mechanism};
+pub use sim_kernel::{
+    self, Array, Description, Dual, Dynamics, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,
+};
 pub use singular::Singularity;
 pub use table::{Column, Table};
 pub use trajectory::{Phase, Rates, Sample, State, Trajectory};

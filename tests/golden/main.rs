@@ -1,5 +1,5 @@
-//! What is generated from each shipped mechanism and from a chain stands here as files, so that a change is seen. Whether
-//! it is right is shown elsewhere. `cargo golden` accepts all changes.
+//! What is generated from each shipped mechanism, a chain, and a wheel in generalised speeds stands here as files, so that a
+//! change is seen. Whether it is right is shown elsewhere. `cargo golden` accepts all changes.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
@@ -24,7 +24,7 @@ fn codegen(arguments: &[&str], declaration: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_codegen")).args(arguments).arg(declaration).current_dir(root()).output().unwrap()
 }
 
-/// The kernels of every model and of the chain; the equations of one model in every notation.
+/// The kernels of every model, of the chain and of the wheel; the equations of one model in every notation.
 fn all() -> Vec<Golden> {
     let files = |folder: &str| {
         let entries = fs::read_dir(root().join(folder)).unwrap();

@@ -16,6 +16,7 @@ mod common;
 mod elliptic;
 mod linkages;
 mod rolling;
+mod speeds;
 mod top;
 mod torque_free;
 mod tree;

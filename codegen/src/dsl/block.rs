@@ -83,6 +83,19 @@ pub(super) fn input(input: ParseStream) -> Result<Parameter> {
     Ok(Parameter { docs, name, unit, value: expression(input)? })
 }
 
+/// A generalised speed, and the definition of its name.
+pub(super) fn speed(input: ParseStream) -> Result<(GeneralizedSpeed, Let)> {
+    let docs = docs(input)?;
+    let name = name(input, "a generalised speed: `v [m/s] = dot(x)*cos(phi) + dot(y)*sin(phi);`")?;
+    let unit = declared_unit(input, &name)?;
+    equals(
+        input,
+        &format!("generalised speed `{name}` needs a definition: `{name} [unit] = expression;`, linear in `dot(..)`"),
+    )?;
+    let value = expression(input)?;
+    Ok((GeneralizedSpeed { docs, name: name.clone(), unit }, Let { name, value }))
+}
+
 pub(super) fn definition(input: ParseStream) -> Result<Let> {
     input.parse::<Token![let]>()?;
     let name = name(input, "a name: `let A = ..;`")?;

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, Token, Visibility};
 
-const BLOCKS: [&str; 14] = [
+const BLOCKS: [&str; 15] = [
     "coordinates",
     "parameters",
     "bodies",
@@ -25,6 +25,7 @@ const BLOCKS: [&str; 14] = [
     "inputs",
     "joints",
     "tables",
+    "speeds",
 ];
 
 /// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
@@ -103,6 +104,7 @@ fn declaration(input: ParseStream) -> Result<Declaration> {
         inputs: vec![],
         joints: vec![],
         tables: vec![],
+        speeds: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -158,6 +160,12 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         "joints" => d.joints.extend(mistakes.note(lines(&content, ended(super::joint::joint))).into_iter().flatten()),
         "auxiliary" => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
+        }
+        "speeds" => {
+            for (speed, definition) in mistakes.note(lines(&content, ended(block::speed))).into_iter().flatten() {
+                d.speeds.push(speed);
+                d.lets.push(definition);
+            }
         }
         _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }

@@ -15,6 +15,8 @@ pub struct Declaration {
     pub tables: Vec<Table>,
     /// `inputs { .. }`: each with its declared course.
     pub inputs: Vec<Parameter>,
+    /// `speeds { .. }`: generalised speeds; the definition of each is among the `let`s.
+    pub speeds: Vec<GeneralizedSpeed>,
     /// `let name = expression;`, in order.
     pub lets: Vec<Let>,
     /// `bodies { .. }`
@@ -63,6 +65,16 @@ pub struct Coordinate {
 /// `bx [m];` in `auxiliary`.
 pub struct Auxiliary {
     /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `v [m/s] = dot(x)*cos(phi) + dot(y)*sin(phi);` in `speeds`.
+pub struct GeneralizedSpeed {
+    /// Documentation.
+    pub docs: String,
+    /// Its name, which a `let` defines.
     pub name: Ident,
     /// Its unit.
     pub unit: Option<Unit>,

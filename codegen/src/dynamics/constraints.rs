@@ -66,7 +66,7 @@ impl Constraints {
 }
 
 /// What stands in a row while it is active, and 0 while it is released: a multiple, unless it may have no value.
-fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
+pub(super) fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
     let zero = graph.zero();
     match graph.has_value_everywhere(expr) {
         true => graph.mul(activity, expr),

@@ -43,7 +43,7 @@ pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<Inverse> {
 /// Velocity and acceleration along a row.
 fn motion_of(graph: &mut Graph, motion: &mut Differential, row: &LoadRow) -> (Expr, Expr) {
     match row.along {
-        Along::Rate { velocity, acceleration } => (velocity, acceleration),
+        Along::Rate { velocity, acceleration, .. } => (velocity, acceleration),
         Along::Position(position) => {
             let velocity = motion.of(graph, position);
             (velocity, motion.of(graph, velocity))

@@ -15,26 +15,33 @@
 //! [`lagrange`] derives the same motion from the kinetic energy alone, to check this one.
 
 mod auxiliary;
+mod block;
 mod constraints;
 mod energy;
 mod intermediates;
 mod inverse;
+mod kinematics;
 mod lagrange;
+mod linear;
 pub mod order;
 mod outputs;
 mod parts;
 mod rows;
 mod sensitivity;
+mod speeds;
 mod tmt;
 mod variables;
 
+pub use block::{Block, Solution};
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use intermediates::Intermediate;
 pub use inverse::Inverse;
+pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
 pub use sensitivity::Columns;
+pub use speeds::SpeedEquations;
 pub use tmt::{Row, Tmt};
 pub use variables::{Differentiated, Variables};
 
@@ -67,23 +74,27 @@ pub struct EquationsOfMotion {
     pub by_parameters: Option<Columns>,
     /// The forces that a motion takes, if they are wanted, likewise.
     pub inverse: Option<Inverse>,
+    /// The equations in generalised speeds, if there are any, in the coordinates alone.
+    pub speeds: Option<SpeedEquations>,
 }
 
 /// Derives the equations of motion in the coordinates alone: what a reader wants to see.
 pub fn derive(mut model: Model) -> EquationsOfMotion {
     let rows = rows::load_rows(&mut model);
+    let speeds = speeds::derive(&mut model, &rows);
     let formulation = Formulation::without(&model, rows);
-    derive_in(model, formulation)
+    derive_in(model, formulation, speeds)
 }
 
 /// Derives the equations of motion in whichever form costs less to solve.
 pub fn derive_cheapest(mut model: Model) -> EquationsOfMotion {
     let rows = rows::load_rows(&mut model);
+    let speeds = speeds::derive(&mut model, &rows);
     let formulation = cheapest(&mut model, rows);
-    derive_in(model, formulation)
+    derive_in(model, formulation, speeds)
 }
 
-fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
+fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEquations>) -> EquationsOfMotion {
     let variables = formulation.variables(&model);
     let mut derivatives = Derivatives::of(&mut model, &variables);
     let intermediates = formulation.intermediates(&mut model, &variables, &mut derivatives);
@@ -107,6 +118,7 @@ fn derive_in(mut model: Model, formulation: Formulation) -> EquationsOfMotion {
         by_state: None,
         by_parameters: None,
         inverse,
+        speeds,
     };
     if equations.intermediates.is_empty() {
         sensitivity::derive(&mut equations, &mut derivatives);

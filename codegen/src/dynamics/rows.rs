@@ -1,9 +1,10 @@
 //! The rows of x = T(q, t) with their inertias and loads, before differentiation.
 
-use crate::model::{Attitude, Model};
+use crate::model::{Attitude, Model, Rates};
 use crate::symbolic::Expr;
 
 /// A row before differentiation.
+#[derive(Clone)]
 pub(super) struct LoadRow {
     pub(super) along: Along,
     pub(super) inertia: Expr,
@@ -22,7 +23,23 @@ pub(super) enum Along {
     /// A quantity x(q, t).
     Position(Expr),
     /// A speed A q' + b that need be no rate of anything, with its acceleration.
-    Rate { velocity: Expr, acceleration: Expr },
+    Rate {
+        velocity: Expr,
+        acceleration: Expr,
+        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the product
+        /// of the first pair less that of the second, of w x v the component.
+        transport: [(Expr, Expr); 2],
+    },
+}
+
+impl Along {
+    /// A component of what moves in a frame.
+    fn component(rates: &Rates, i: usize) -> Along {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let Rates { velocity, acceleration, turning } = rates;
+        let transport = [(turning[j], velocity[k]), (turning[k], velocity[j])];
+        Along::Rate { velocity: velocity[i], acceleration: acceleration[i], transport }
+    }
 }
 
 /// Weight along a row.
@@ -90,8 +107,7 @@ fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, atti
     for i in 0..3 {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let (ahead, back) = (graph.mul(spin.velocity[j], momentum[k]), graph.mul(spin.velocity[k], momentum[j]));
-        let along = Along::Rate { velocity: spin.velocity[i], acceleration: spin.acceleration[i] };
-        let mut row = LoadRow::new(along, attitude.inertia.moments[i], zero);
+        let mut row = LoadRow::new(Along::component(&spin, i), attitude.inertia.moments[i], zero);
         row.gyroscopic = graph.sub(ahead, back);
         let products = [j, k].map(|other| (first + other, attitude.inertia.entry(i, other)));
         row.coupling.extend(products.into_iter().filter(|(_, product)| !graph.is_zero(*product)));
@@ -99,8 +115,7 @@ fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, atti
     }
     let (Some(mass), Some(centre)) = (mass, attitude.centre) else { return };
     for i in 0..3 {
-        let along = Along::Rate { velocity: centre.velocity[i], acceleration: centre.acceleration[i] };
-        let mut row = LoadRow::new(along, mass, zero);
+        let mut row = LoadRow::new(Along::component(&centre, i), mass, zero);
         row.weight =
             attitude.fall.map(|fall| Weight { force: graph.mul(mass, fall.gravity[i]), proper: fall.proper[i] });
         rows.push(row);
@@ -113,12 +128,8 @@ fn add_loads(model: &mut Model, rows: &mut Vec<LoadRow>) {
     let efforts = model.efforts.iter().map(|effort| (Along::Position(effort.along), effort.force));
     let forces = model.forces.iter().flat_map(|force| force.at.iter().zip(&force.force));
     let forces = forces.map(|(position, force)| (Along::Position(*position), *force));
-    let pushes = model.pushes.iter().flat_map(|push| {
-        (0..3).map(|i| {
-            let (velocity, acceleration) = (push.along.velocity[i], push.along.acceleration[i]);
-            (Along::Rate { velocity, acceleration }, push.effort[i])
-        })
-    });
+    let pushes =
+        model.pushes.iter().flat_map(|push| (0..3).map(|i| (Along::component(&push.along, i), push.effort[i])));
     for (along, force) in efforts.chain(forces).chain(pushes) {
         match rows.iter_mut().find(|row| row.along == along) {
             Some(row) => row.forces.push(force),

@@ -3,7 +3,7 @@
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Differentiated, Variables};
 use crate::model::Model;
-use crate::symbolic::{Expr, substitute};
+use crate::symbolic::{Expr, Symbol, substitute};
 use std::collections::BTreeMap;
 
 /// One row of x = T(q, t): a rotation or a coordinate of a point; in space a component of a velocity.
@@ -43,8 +43,18 @@ impl Tmt {
         derivatives: &mut Derivatives,
         load_rows: Vec<LoadRow>,
     ) -> Tmt {
-        let rows = rows(model, variables, derivatives, load_rows);
-        let n = variables.len();
+        let zero = model.graph.zero();
+        let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
+        let rows = load_rows.into_iter().map(|row| {
+            let motion = derivatives.of_row(model, variables, row.along, &at_rest);
+            Row::of(model, row, motion, &at_rest)
+        });
+        let rows = rows.collect();
+        Tmt::of(model, rows, variables.len())
+    }
+
+    /// The rows reduced to n variables.
+    pub(super) fn of(model: &mut Model, rows: Vec<Row>, n: usize) -> Tmt {
         let convective: Vec<Expr> = (0..rows.len()).map(|i| convective_force(model, &rows, i)).collect();
         let convective_forces = reduce(model, &rows, n, |i, _| convective[i]);
         let generalized_forces = reduce(model, &rows, n, |_, row| row.force);
@@ -67,30 +77,21 @@ impl Tmt {
     }
 }
 
-fn rows(model: &mut Model, variables: &Variables, derivatives: &mut Derivatives, load_rows: Vec<LoadRow>) -> Vec<Row> {
-    let zero = model.graph.zero();
-    let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
-    let row = |row: LoadRow| {
+impl Row {
+    /// A row with its derivatives; `at_rest` gives the accelerations the value 0.
+    pub(super) fn of(model: &mut Model, row: LoadRow, motion: Differentiated, at_rest: &[(Symbol, Expr)]) -> Row {
         let applied = model.graph.sum(&row.forces);
         let force = match row.weight {
             Some(weight) => model.graph.add(applied, weight.force),
             None => applied,
         };
         let net = row.weight.map(|weight| {
-            let proper = substitute(&mut model.graph, &[weight.proper], &at_rest)[0];
+            let proper = substitute(&mut model.graph, &[weight.proper], at_rest)[0];
             let needed = model.graph.mul(row.inertia, proper);
             model.graph.sub(applied, needed)
         });
-        Row {
-            inertia: row.inertia,
-            coupling: row.coupling,
-            gyroscopic: row.gyroscopic,
-            force,
-            net,
-            motion: derivatives.of_row(model, variables, row.along, &at_rest),
-        }
-    };
-    load_rows.into_iter().map(row).collect()
+        Row { inertia: row.inertia, coupling: row.coupling, gyroscopic: row.gyroscopic, force, net, motion }
+    }
 }
 
 /// M_i g, with w x J w.

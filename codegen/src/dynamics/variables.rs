@@ -99,7 +99,7 @@ impl Derivatives {
     ) -> Differentiated {
         match along {
             Along::Position(position) => self.of_quantity(model, variables, position),
-            Along::Rate { velocity, acceleration } => {
+            Along::Rate { velocity, acceleration, .. } => {
                 let convective = substitute(&mut model.graph, &[acceleration], at_rest)[0];
                 Differentiated { convective, ..self.of_rate(model, variables, velocity) }
             }

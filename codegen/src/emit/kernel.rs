@@ -130,39 +130,45 @@ fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 
 /// `t, q, ..`
 pub(super) fn argument_names(arguments: Arguments) -> Vec<Ident> {
-    let count = match arguments {
-        Arguments::Parameters => 0,
-        Arguments::Positions => 2,
-        Arguments::Speeds => 3,
-        Arguments::Accelerations => 4,
-        Arguments::Multipliers => 5,
-    };
-    ["t", "q", "qd", "qdd", "lambda"][..count].iter().map(|name| ident(name)).collect()
+    names(arguments).iter().map(|name| ident(name)).collect()
+}
+
+fn names(arguments: Arguments) -> &'static [&'static str] {
+    match arguments {
+        Arguments::Parameters => &[],
+        Arguments::Positions => &["t", "q"],
+        Arguments::Speeds => &["t", "q", "qd"],
+        Arguments::Accelerations => &["t", "q", "qd", "qdd"],
+        Arguments::Multipliers => &["t", "q", "qd", "qdd", "lambda"],
+        Arguments::GeneralizedSpeeds => &["t", "q", "u"],
+    }
 }
 
 /// `t: S, q: &[S; n], ..`
 pub(super) fn arguments(model: &Model, arguments: Arguments) -> Vec<TokenStream> {
-    let (n, m) = (size(model.coordinates.len()), size(model.constraints.len()));
-    let mut list = Vec::new();
-    if arguments >= Arguments::Positions {
-        list.extend([quote! { t: S }, quote! { q: &[S; #n] }]);
-    }
-    if arguments >= Arguments::Speeds {
-        list.push(quote! { qd: &[S; #n] });
-    }
-    if arguments >= Arguments::Accelerations {
-        list.push(quote! { qdd: &[S; #n] });
-    }
-    if arguments >= Arguments::Multipliers {
-        list.push(quote! { lambda: &[S; #m] });
-    }
-    list
+    let argument = |name: &&str| {
+        let len = match *name {
+            "t" => return quote! { t: S },
+            "lambda" => model.constraints.len(),
+            "u" => model.speeds.len(),
+            _ => model.coordinates.len(),
+        };
+        let (name, len) = (ident(name), size(len));
+        quote! { #name: &[S; #len] }
+    };
+    names(arguments).iter().map(argument).collect()
 }
 
 /// Names for the entries of the arguments.
 fn entries(kernel: &Kernel) -> TokenStream {
     let e = &kernel.entries;
-    let levels = [("q", &e.positions), ("qd", &e.speeds), ("qdd", &e.accelerations), ("lambda", &e.multipliers)];
+    let levels = [
+        ("q", &e.positions),
+        ("qd", &e.speeds),
+        ("qdd", &e.accelerations),
+        ("lambda", &e.multipliers),
+        ("u", &e.generalized_speeds),
+    ];
     let bindings = levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(array, names)| {
         let array = ident(array);
         let names = names.iter().map(|name| match name {
@@ -236,6 +242,11 @@ pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream)
             Record::Dynamics => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
             Record::DynamicsJacobian => quote! { #path::DynamicsJacobian<S, [[S; #n]; #n], [[S; #n]; #m]> },
             Record::DynamicsSensitivity => quote! { #path::DynamicsSensitivity<S, [[S; #p]; #n], [[S; #p]; #m]> },
+            Record::Kinematics => quote! { #path::Kinematics<S, [S; #n]> },
+            Record::SpeedDynamics => {
+                let [k, r] = [model.speeds.len(), model.constraints.len() - model.satisfied_rows().len()].map(size);
+                quote! { #path::SpeedDynamics<S, [S; #k], [S; #r]> }
+            }
             Record::Prepared => {
                 let prepared = types::prepared_name(model);
                 quote! { #prepared<S> }
@@ -294,8 +305,10 @@ fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> Token
 }
 
 fn refused(pivots: Option<&[(Tree, Tree)]>, path: &TokenStream) -> TokenStream {
-    let Some(pivots) = pivots else {
-        return quote! { S::not(<S::Mask as #path::Mask>::NONE) };
+    let pivots = match pivots {
+        None => return quote! { S::not(<S::Mask as #path::Mask>::NONE) },
+        Some([]) => return quote! { <S::Mask as #path::Mask>::NONE },
+        Some(pivots) => pivots,
     };
     let checks = pivots.iter().map(|(pivot, terms)| {
         let (pivot, terms) = (tree(pivot), tree(terms));

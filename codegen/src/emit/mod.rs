@@ -6,6 +6,7 @@ mod equations;
 mod format;
 mod kernel;
 mod record;
+mod speeds;
 mod stub;
 mod table;
 mod tree;
@@ -32,7 +33,8 @@ pub fn emit(
     let types = types::types(head, equations, program, path);
     let kernels = kernel::kernels(&equations.model, program, path);
     let mechanism = types::mechanism_impl(equations, program, declaration, path);
-    quote! { #types #kernels #mechanism }
+    let speeds = speeds::speeds(head, equations, program, path);
+    quote! { #types #kernels #mechanism #speeds }
 }
 
 /// A name of the user's, raw where it is a keyword.

@@ -104,5 +104,29 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             }
             #(#kernels)*
         }
+
+        #[allow(unused_variables, clippy::all)]
+        impl<S: #path::Scalar> #path::GeneralizedSpeeds<S> for #name<S> {
+            type U = [S; 0];
+            type R = [S; 0];
+
+            const SPEEDS: &'static [#path::Quantity] = &[];
+            const ROWS: &'static [::core::primitive::usize] = &[];
+
+            fn generalized_speeds(&self, t: S, q: &[S; 0], qd: &[S; 0]) -> [S; 0] {
+                []
+            }
+            fn prepared_kinematics(prepared: &(), t: S, q: &[S; 0], u: &[S; 0]) -> #path::Kinematics<S, [S; 0]> {
+                loop {}
+            }
+            fn prepared_speed_dynamics(
+                prepared: &(),
+                t: S,
+                q: &[S; 0],
+                u: &[S; 0],
+            ) -> #path::SpeedDynamics<S, [S; 0], [S; 0]> {
+                loop {}
+            }
+        }
     }
 }

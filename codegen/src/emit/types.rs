@@ -4,6 +4,7 @@ use super::description::description;
 use super::equations::equations as documented_equations;
 use super::kernel::{argument_names, arguments, record_of, returned_array};
 use super::record::record;
+use super::speeds;
 use super::{ident, size};
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
@@ -68,7 +69,7 @@ pub(super) fn types(head: &Head, equations: &EquationsOfMotion, program: &Progra
 }
 
 /// Documentation of a quantity with its unit, a line each.
-fn documented(docs: &str, unit: &Unit) -> Vec<String> {
+pub(super) fn documented(docs: &str, unit: &Unit) -> Vec<String> {
     let text = docs.trim_end_matches('.');
     let unit = unit.si_text();
     let text = if text.is_empty() { format!("In `{unit}`.") } else { format!("{text}, in `{unit}`.") };
@@ -188,7 +189,8 @@ pub(super) fn mechanism_impl(
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
     let (input_places, input_count): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
     let defaults = model.parameters.iter().map(|p| constant(model, p.default));
-    let forwards = program.kernels.iter().map(|kernel| forward(model, kernel, path));
+    let own = program.kernels.iter().filter(|kernel| !speeds::is_of_speeds(kernel));
+    let forwards = own.map(|kernel| forward(model, kernel, path));
     quote! {
         #[allow(non_snake_case, clippy::all, clippy::pedantic)]
         impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
@@ -278,8 +280,9 @@ fn constant(model: &Model, expr: Expr) -> f64 {
 }
 
 /// The trait's function, which calls the inherent one of the same name.
-fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
+pub(super) fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let function = format_ident!("{}", kernel.name);
+    let prepared_function = format_ident!("prepared_{}", kernel.name);
     let list = arguments(model, kernel.arguments);
     let names = argument_names(kernel.arguments);
     let returns = returned_array(model, kernel, path);
@@ -296,9 +299,9 @@ fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
                 self.#function(#(#names),*) #to_array
             }
         },
-        Receiver::Prepared if kernel.name == "dynamics" => quote! {
+        Receiver::Prepared if ["dynamics", "kinematics", "speed_dynamics"].contains(&kernel.name) => quote! {
             #[inline(always)]
-            fn prepared_dynamics(prepared: &Self::Prepared #(, #list)*) -> #returns {
+            fn #prepared_function(prepared: &Self::Prepared #(, #list)*) -> #returns {
                 prepared.#function(#(#names),*)
             }
         },

@@ -23,6 +23,7 @@ mod rates;
 mod resolve;
 mod scope;
 mod space;
+mod speeds;
 mod spline;
 mod start;
 mod tables;
@@ -72,6 +73,8 @@ pub struct Model {
     pub norms: Vec<Norm>,
     /// The constraint rows that keep their norms.
     pub norm_constraints: Vec<usize>,
+    /// Generalised speeds, in the order of declaration; none, or as many as determine all rates.
+    pub speeds: Vec<GeneralizedSpeed>,
     /// 2 in the plane, 3 in space.
     pub dimension: usize,
     /// Constraints, one row each, in the order of declaration.
@@ -218,6 +221,20 @@ pub struct Conditional {
     pub rows: std::ops::Range<usize>,
     /// Whether it holds at the start.
     pub initially_active: bool,
+}
+
+/// A generalised speed u = W q' + w.
+pub struct GeneralizedSpeed {
+    /// Its name.
+    pub name: String,
+    /// Documentation.
+    pub docs: String,
+    /// The unit it is shown in.
+    pub unit: Unit,
+    /// W q' + w.
+    pub value: Expr,
+    /// u, where it is a variable of its own.
+    pub symbol: Symbol,
 }
 
 /// What a constraint holds between.

@@ -164,7 +164,7 @@ fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> 
             let at = later.iter().position(|definition| definition.name == *name)?;
             let message = match at {
                 0 => format!("`{name}` is defined by itself"),
-                _ => format!("`{name}` is defined only below; move its `let` above this line"),
+                _ => format!("`{name}` is defined only below; move its line above this one"),
             };
             Some(Region::from(name).error(message))
         }

@@ -1,4 +1,4 @@
-//! Constraints between speeds: they must be linear in them.
+//! What must be linear in the rates of the coordinates: constraints between speeds, and generalised speeds.
 
 use super::Dependence;
 use super::interpret::Interpreter;
@@ -18,15 +18,17 @@ pub(super) fn linear_in_speeds(place: Region, rows: &[Expr], i: &mut Interpreter
         BEYOND_SPEED,
         "a constraint holds between positions or speeds; `ddot()` cannot stand in it: write its integral, with `dot()`",
     )?;
+    first_power(place, rows, "a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`", i)
+}
+
+/// Refuses expressions in which a speed occurs otherwise than to the first power; `rule` says what they must be.
+pub(super) fn first_power(place: Region, rows: &[Expr], rule: &str, i: &mut Interpreter) -> Option<()> {
     for row in rows {
         for speed in speeds(*row, i) {
             let slope = Differential::partial(&mut i.graph, speed).of(&mut i.graph, *row);
             if depends_on_speed(slope, i) {
                 let name = i.graph.symbol_name(speed).trim_end_matches("_dot").to_owned();
-                let message = format!(
-                    "a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`; `dot({name})` does not \
-                     stand to the first power here"
-                );
+                let message = format!("{rule}; `dot({name})` does not stand to the first power here");
                 return i.refuse(place, message);
             }
         }

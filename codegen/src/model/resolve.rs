@@ -14,6 +14,7 @@ use super::quantities::{
 };
 use super::scope::{Names, plain};
 use super::space::{Frames, check_norms};
+use super::speeds::resolve_speeds;
 use super::start::resolve_initial;
 use super::tables::resolve_tables;
 use super::{Dependence, Dependences, Model, time_derivative};
@@ -87,13 +88,14 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         fall(&mut bodies, &turns, gravity, i);
     }
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
-    resolve_initial(&declaration.initial, &mut coordinates, i);
+    resolve_initial(declaration, &mut coordinates, i);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
     let events = resolve_events(declaration, &known, i);
     let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
     let drawing = resolve_drawing(declaration, i);
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
     let norm_constraints = check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
+    let speeds = resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, i);
     let dimension = if i.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     mistakes.or(Model {
@@ -113,6 +115,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         pushes: loads.pushes,
         norms,
         norm_constraints,
+        speeds,
         dimension,
         constraints,
         conditionals,
@@ -136,5 +139,6 @@ fn has_units(declaration: &Declaration) -> bool {
         || declaration.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
         || declaration.auxiliary.iter().any(|a| a.unit.is_some())
         || declaration.parameters.iter().any(|p| p.unit.is_some())
+        || declaration.speeds.iter().any(|speed| speed.unit.is_some())
         || outputs.into_iter().any(|output| output.unit.is_some())
 }

@@ -5,18 +5,25 @@ use super::interpret::Interpreter;
 use super::level::MOVING;
 use super::scope::{functions, plain};
 use super::{Coordinate, Dependence, Start, Unit};
-use crate::dsl::{self, Expression, InitialKind, Kind, Region};
+use crate::dsl::{Declaration, Expression, InitialKind, Kind, Region};
 use crate::symbolic::Expr;
 
 /// Enters the start values into their coordinates.
-pub(super) fn resolve_initial(lines: &[dsl::Initial], coordinates: &mut [Coordinate], interpreter: &mut Interpreter) {
+pub(super) fn resolve_initial(
+    declaration: &Declaration,
+    coordinates: &mut [Coordinate],
+    interpreter: &mut Interpreter,
+) {
     let mut seen: Vec<(String, bool, Region)> = Vec::new();
-    for line in lines {
+    for line in &declaration.initial {
         let name = plain(&line.coordinate);
         let Some(at) = coordinates.iter().position(|c| c.name == name) else {
             let base = name.strip_suffix("_dot").filter(|base| coordinates.iter().any(|c| c.name == *base));
             let near = match base {
                 Some(base) => format!(" (write `dot({base}) = ..;`)"),
+                None if declaration.speeds.iter().any(|speed| plain(&speed.name) == name) => {
+                    " (a generalised speed follows from the rates of coordinates: `dot(..) = ..;`)".to_owned()
+                }
                 None => crate::nearest::suggestion(&name, coordinates.iter().map(|c| c.name.as_str())),
             };
             interpreter.mistakes.add(

@@ -25,6 +25,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let planner = Planner::new(equations, &alternatives);
     let mut kernels = prepared_kernels(&planner);
     kernels.extend(separate_kernels(&planner, zero));
+    kernels.extend(generalized_speeds_kernel(&planner));
     kernels.extend(event_values_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
     Program { kernels }
@@ -32,8 +33,12 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
 
 /// Expressions with products of sums multiplied out, where that lets terms cancel.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
-    let EquationsOfMotion { model, tmt, constraints, .. } = equations;
+    let EquationsOfMotion { model, tmt, constraints, speeds, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
+    let in_speeds = speeds.iter().flat_map(|speeds| {
+        let matrices = speeds.tmt.mass_matrix.iter().chain(&speeds.jacobian);
+        matrices.chain([&speeds.tmt.right_hand_side, &speeds.convective]).flatten()
+    });
     let vectors = [
         &tmt.right_hand_side,
         &tmt.convective_forces,
@@ -41,8 +46,17 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
         &constraints.convective,
         &constraints.time_derivative,
     ];
-    let exprs: Vec<Expr> = matrices.chain(vectors.into_iter().flatten()).copied().collect();
+    let exprs: Vec<Expr> = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied().collect();
     exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?))).collect()
+}
+
+/// The generalised speeds at a state, if there are any.
+fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
+    let speeds: Vec<Expr> = planner.equations.model.speeds.iter().map(|speed| speed.value).collect();
+    let docs =
+        format!("The generalised speeds `u = W q' + w`, {}, in SI units, in the order of declaration.", speeds.len());
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&speeds));
+    (!speeds.is_empty()).then(|| planner.kernel("generalized_speeds", Arguments::Speeds, docs, kernel))
 }
 
 /// What events set, if any does.

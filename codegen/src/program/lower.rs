@@ -202,6 +202,6 @@ impl<'a> Lowering<'a> {
 impl Lowering<'_> {
     /// From now on these symbols are values that the program has computed.
     pub(super) fn replace(&mut self, computed: FxHashMap<Symbol, Value>) {
-        self.computed = computed;
+        self.computed.extend(computed);
     }
 }

@@ -15,6 +15,7 @@ mod prepared;
 mod reduced;
 mod results;
 mod schedule;
+mod speeds;
 mod values;
 
 pub use diagram::{Diagram, Vertex};
@@ -62,19 +63,21 @@ pub enum Receiver {
     Prepared,
 }
 
-/// The arguments of a kernel: each kind includes those before.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+/// The arguments of a kernel.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Arguments {
     /// Only the parameters.
     Parameters,
-    /// And t, q.
+    /// t, q.
     Positions,
-    /// And q'.
+    /// t, q, q'.
     Speeds,
-    /// And q''.
+    /// t, q, q', q''.
     Accelerations,
-    /// And lambda.
+    /// t, q, q', q'', lambda.
     Multipliers,
+    /// t, q, u.
+    GeneralizedSpeeds,
 }
 
 /// Local names of the entries of each argument.
@@ -88,6 +91,8 @@ pub struct Entries {
     pub accelerations: Vec<Option<String>>,
     /// Of lambda.
     pub multipliers: Vec<Option<String>>,
+    /// Of u.
+    pub generalized_speeds: Vec<Option<String>>,
 }
 
 /// One step of a kernel.

@@ -6,7 +6,7 @@ use super::planner::variable_names;
 use super::results::{Record, Results};
 use super::values::Value;
 use crate::dynamics::{Columns, EquationsOfMotion, Intermediate};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph};
 
 /// The equations of motion solved at one state.
 pub(super) struct Motion<'a> {
@@ -124,33 +124,47 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; for the multiplier of a constraint
 /// that events switch activity - 1, so that it is 0 where the constraint is released.
 pub(super) fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
-    let EquationsOfMotion { model, variables, intermediates, tmt, constraints, .. } = equations;
-    let mut entries = Vec::new();
-    let mut enter = |i: usize, j: usize, expr: Expr| {
-        if !model.graph.is_zero(expr) {
-            entries.push((i, j, lowering.lower(expr)));
-        }
-    };
-    for (i, row) in tmt.mass_matrix.iter().enumerate() {
-        row[..=i].iter().enumerate().for_each(|(j, expr)| enter(i, j, *expr));
-    }
-    for (i, row) in constraints.jacobian.iter().enumerate() {
-        row.iter().enumerate().for_each(|(j, expr)| enter(variables.len() + i, j, *expr));
-    }
-    for (i, constraint) in model.constraints.iter().enumerate() {
-        if let Some(activity) = constraint.activity {
-            let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
-            let inactivity = lowering.values.sum(vec![(false, one), (true, activity)]);
-            let place = variables.len() + i;
-            entries.push((place, place, lowering.values.negate(inactivity)));
-        }
-    }
+    let EquationsOfMotion { model, intermediates, tmt, constraints, .. } = equations;
+    let activities = model.constraints.iter().map(|constraint| constraint.activity);
+    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, &constraints.jacobian, activities);
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
     }
     unknowns.extend(model.constraints.iter().map(|_| Unknown::Multiplier));
     System { unknowns, entries }
+}
+
+/// The entries of a mass matrix, and below it those of a constraint Jacobian with what switching adds to its diagonal.
+pub(super) fn entries(
+    lowering: &mut Lowering,
+    graph: &Graph,
+    mass_matrix: &[Vec<Expr>],
+    jacobian: &[Vec<Expr>],
+    activities: impl Iterator<Item = Option<Expr>>,
+) -> Vec<(usize, usize, Value)> {
+    let variables = mass_matrix.len();
+    let mut entries = Vec::new();
+    let mut enter = |i: usize, j: usize, expr: Expr| {
+        if !graph.is_zero(expr) {
+            entries.push((i, j, lowering.lower(expr)));
+        }
+    };
+    for (i, row) in mass_matrix.iter().enumerate() {
+        row[..=i].iter().enumerate().for_each(|(j, expr)| enter(i, j, *expr));
+    }
+    for (i, row) in jacobian.iter().enumerate() {
+        row.iter().enumerate().for_each(|(j, expr)| enter(variables + i, j, *expr));
+    }
+    for (i, activity) in activities.enumerate() {
+        if let Some(activity) = activity {
+            let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
+            let inactivity = lowering.values.sum(vec![(false, one), (true, activity)]);
+            let place = variables + i;
+            entries.push((place, place, lowering.values.negate(inactivity)));
+        }
+    }
+    entries
 }
 
 /// The variables that an intermediate is defined by, with their coefficients.
@@ -165,7 +179,7 @@ pub(super) fn definition(
 }
 
 /// Forces, then the opposites of constraint terms.
-fn right_hand_side(lowering: &mut Lowering, forces: &[Expr], constraint_terms: &[Expr]) -> Vec<Value> {
+pub(super) fn right_hand_side(lowering: &mut Lowering, forces: &[Expr], constraint_terms: &[Expr]) -> Vec<Value> {
     let mut rhs = lowering.lower_all(forces);
     rhs.extend(negated(lowering, constraint_terms));
     rhs

@@ -49,6 +49,7 @@ impl<'a> Planner<'a> {
             inputs.extend(levels);
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
+        inputs.extend(model.speeds.iter().enumerate().map(|(i, speed)| (speed.symbol, Input::GeneralizedSpeed(i))));
         inputs.extend(model.inputs.iter().enumerate().map(|(i, input)| (input.symbol, Input::Held(i))));
         if let Some(inverse) = &equations.inverse {
             let given = inverse.accelerations.iter().enumerate();
@@ -98,6 +99,9 @@ impl<'a> Planner<'a> {
         let roots: Vec<Value> = results.entries().into_iter().copied().collect();
         let labels = self.names_wished(lowering, labels);
         let mut names = Names::new();
+        if head.arguments == Arguments::GeneralizedSpeeds {
+            names.unique("u");
+        }
         let entries = self.name_inputs(lowering, &roots, &mut names, &mut leaves);
         let schedule = Schedule::new(&lowering.values, &roots, &labels, &leaves, names);
         let results = results.map(&mut |value| schedule.tree(*value));
@@ -156,6 +160,12 @@ impl<'a> Planner<'a> {
             speeds: coordinates().map(|(i, c)| name(Input::Speed(i), format!("{}_dot", c.name))).collect(),
             accelerations: coordinates()
                 .map(|(i, c)| name(Input::Acceleration(i), format!("{}_ddot", c.name)))
+                .collect(),
+            generalized_speeds: model
+                .speeds
+                .iter()
+                .enumerate()
+                .map(|(i, speed)| name(Input::GeneralizedSpeed(i), speed.name.clone()))
                 .collect(),
             multipliers: constraints().map(|(i, c)| name(Input::Multiplier(i), format!("lambda_{}", c.name))).collect(),
         }

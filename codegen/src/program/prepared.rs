@@ -1,11 +1,13 @@
 //! The kernels that run at each step, and what they need of the parameters, computed once for a set of parameters.
 
+use super::eliminate::Labels;
 use super::lower::Lowering;
 use super::motion::Motion;
 use super::names::Names;
 use super::planner::{Head, Planner};
 use super::results::{Record, Results};
 use super::schedule::{Leaves, derived_name};
+use super::speeds;
 use super::values::{Input, Operation, Value};
 use super::{Arguments, Kernel, Receiver, Tree};
 use indexmap::IndexMap;
@@ -14,7 +16,7 @@ use std::collections::BTreeSet;
 /// `prepare`, and the kernels of what it returns.
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let mut lowering = planner.lowering();
-    let motion = Motion::solve(planner.equations, &mut lowering);
+    let mut motion = Motion::solve(planner.equations, &mut lowering);
     let mut planned = vec![("dynamics", dynamics_docs(planner), motion.dynamics())];
     if let Some(inverse) = &planner.equations.inverse {
         let forces = Results::Vector(lowering.lower_all(&inverse.forces));
@@ -26,8 +28,12 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     if let Some(columns) = &planner.equations.by_parameters {
         planned.push(("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering, columns)));
     }
+    let mut labels = std::mem::take(&mut motion.labels);
+    if let Some(speeds) = &planner.equations.speeds {
+        planned.extend(speeds::kernels(&planner.equations.model, speeds, &mut lowering, &mut labels));
+    }
     let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
-    let fields = fields(planner, &lowering, &motion, &roots);
+    let fields = fields(planner, &lowering, &labels, &roots);
     let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();
     let head = Head {
         name: "prepare",
@@ -39,15 +45,19 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let prepare =
         planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), vec![], Leaves::default());
     let kernels = planned.into_iter().map(|(name, docs, results)| {
-        let arguments = if name == "inverse_dynamics" { Arguments::Accelerations } else { Arguments::Speeds };
+        let arguments = match name {
+            "inverse_dynamics" => Arguments::Accelerations,
+            "kinematics" | "speed_dynamics" => Arguments::GeneralizedSpeeds,
+            _ => Arguments::Speeds,
+        };
         let head = Head { name, docs, receiver: Receiver::Prepared, arguments };
-        planner.finish(head, &lowering, &results, motion.labels.clone(), leaves.clone())
+        planner.finish(head, &lowering, &results, labels.clone(), leaves.clone())
     });
     [prepare].into_iter().chain(kernels).collect()
 }
 
 /// What depends on parameters alone and others need, and the parameters that are needed as they are.
-fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Value]) -> Vec<(String, Value)> {
+fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Value]) -> Vec<(String, Value)> {
     let values = &lowering.values;
     let is_computed = |value: Value| match values.operation(value) {
         Operation::Constant(_) | Operation::Input(_) => false,
@@ -63,19 +73,19 @@ fn fields(planner: &Planner, lowering: &Lowering, motion: &Motion, roots: &[Valu
     let is_parameter =
         |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_) | Input::Activity(_)));
     fields.extend(values.reachable(roots, &leaves).into_iter().filter(is_parameter));
-    name_fields(planner, lowering, motion, fields)
+    name_fields(planner, lowering, labels, fields)
 }
 
 /// Parameters keep their names; what was computed is named for what it is.
 fn name_fields(
     planner: &Planner,
     lowering: &Lowering,
-    motion: &Motion,
+    labels: &Labels,
     fields: BTreeSet<Value>,
 ) -> Vec<(String, Value)> {
     let values = &lowering.values;
     let (parameters, conditionals) = (&planner.equations.model.parameters, &planner.equations.model.conditionals);
-    let wished = planner.names_wished(lowering, motion.labels.clone());
+    let wished = planner.names_wished(lowering, labels.clone());
     let mut names = Names::default();
     parameters.iter().map(|p| &p.name).chain(conditionals.iter().map(|c| &c.field)).for_each(|name| {
         names.unique(name);
@@ -108,7 +118,7 @@ fn sizes(planner: &Planner) -> [usize; 3] {
     [model.coordinates.len(), model.constraints.len(), model.parameters.len()]
 }
 
-const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
+pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
 
 fn dynamics_docs(planner: &Planner) -> String {
     let [n, m, _] = sizes(planner);

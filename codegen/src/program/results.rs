@@ -27,6 +27,10 @@ pub enum Record {
     DynamicsJacobian,
     /// Their derivatives with respect to the parameters.
     DynamicsSensitivity,
+    /// q' of generalised speeds.
+    Kinematics,
+    /// The equations of motion in generalised speeds, solved.
+    SpeedDynamics,
     /// The mechanism's own: what `dynamics` needs of the parameters.
     Prepared,
 }

@@ -62,6 +62,8 @@ pub(super) enum Input {
     Acceleration(usize),
     /// A multiplier.
     Multiplier(usize),
+    /// A generalised speed.
+    GeneralizedSpeed(usize),
 }
 
 /// All values of a program.

@@ -23,6 +23,7 @@ mod parameters;
 mod reuse;
 mod space;
 mod spanning_tree;
+mod speeds;
 mod start;
 mod tables;
 mod units;

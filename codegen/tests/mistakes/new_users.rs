@@ -36,7 +36,7 @@ fn what_new_users_write() {
         "bodies { bob",
         "body { bob",
         &[
-            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`, `tables`",
+            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`, `tables`, `speeds`",
         ],
     );
     check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);

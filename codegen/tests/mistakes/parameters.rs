@@ -17,7 +17,7 @@ fn parameters_and_lets() {
         &["3:19 this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`"],
     );
     check("l [m] = 1;", "l [] = 1;", &["3:16 an empty unit; write `[m]`, or `[1]` for a pure number"]);
-    check("let P = l*", "let P = Q; let Q = l*", &["4:9 `Q` is defined only below; move its `let` above this line"]);
+    check("let P = l*", "let P = Q; let Q = l*", &["4:9 `Q` is defined only below; move its line above this one"]);
     check("let P = l*", "let P = P + l*", &["4:9 `P` is defined by itself"]);
     check(
         "let P = l*",

@@ -3,7 +3,7 @@
 use crate::reader::read;
 use crate::tree::{Point, Workspace};
 use codegen::notation::infix;
-use codegen::symbolic::{Differential, Number};
+use codegen::symbolic::{Differential, Number, Recognition};
 
 /// What the engine makes of a text, as text.
 fn canonical(text: &str) -> String {
@@ -23,6 +23,31 @@ fn derivative(text: &str) -> String {
     let expr = space.build(&read(text));
     let derivative = Differential::partial(&mut space.graph, space.symbols[0]).of(&mut space.graph, expr);
     infix(&space.graph, derivative)
+}
+
+/// A text in which another one has been replaced by `z`.
+fn recognised(text: &str, known: &str) -> String {
+    let mut space = Workspace::new();
+    let [expr, known, new] = [text, known, "z"].map(|text| space.build(&read(text)));
+    let replaced = Recognition::of([(known, new)]).replace(&mut space.graph, expr);
+    infix(&space.graph, replaced)
+}
+
+#[test]
+fn known_expressions_are_recognised() {
+    for (text, known, expected) in [
+        ("sin(x + y)", "x + y", "sin(z)"),
+        ("3*x + 3*y + x^2", "x + y", "x^2 + 3*z"),
+        ("1 - 2*x - 2*y", "x + y + 1", "3 - 2*z"),
+        ("3*x + 2*y", "x + y", "3*x + 2*y"),
+        ("6*x*y*cos(x)", "2*x*y", "3*z*cos(x)"),
+        ("x^2*y^2", "x*y", "z^2"),
+        ("y/x^3", "2*y/x", "z/(2*x^2)"),
+        ("x^3/y", "x*y", "x^3/y"),
+        ("cos(x)*sin(5*x + 5*y)", "x + y", "cos(x)*sin(5*z)"),
+    ] {
+        assert_eq!(recognised(text, known), expected, "{known} in {text}");
+    }
 }
 
 fn expect_forms(cases: &[(&str, &str, &str)]) {

@@ -14,6 +14,7 @@ mod input;
 mod lanes;
 mod mechanism;
 mod scalar;
+mod speeds;
 mod table;
 mod wave;
 
@@ -26,6 +27,7 @@ pub use mechanism::{
     ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
 };
 pub use scalar::{Mask, Scalar};
+pub use speeds::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
 pub use table::Table;
 
 #[cfg(feature = "macros")]

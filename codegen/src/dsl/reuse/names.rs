@@ -7,7 +7,7 @@ use syn::{Error, Result};
 
 /// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one, and a free body
 /// has coordinates.
-const NAMING: [&str; 6] = ["coordinates", "parameters", "inputs", "tables", "auxiliary", "outputs"];
+const NAMING: [&str; 7] = ["coordinates", "parameters", "inputs", "tables", "auxiliary", "outputs", "speeds"];
 
 /// Words that say what a line or a clause is, and those with a meaning everywhere.
 const WORDS: &str = "mass inertia angle at on along radius about force torque gravity guess line slider ground point circle spring \

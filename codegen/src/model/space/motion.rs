@@ -20,6 +20,7 @@ impl Frames {
         Rates {
             velocity: self.carried(graph, &velocities, turn),
             acceleration: self.carried(graph, &accelerations, turn),
+            turning: self.spin(turn),
         }
     }
 
@@ -53,7 +54,7 @@ impl Frames {
 
     /// The angular velocity of a frame and its rate, in the frame.
     pub(in crate::model) fn spin_rates(&self, turn: Turn) -> Rates {
-        Rates { velocity: self.spin(turn), acceleration: self.spin_rate(turn) }
+        Rates { velocity: self.spin(turn), acceleration: self.spin_rate(turn), turning: self.spin(turn) }
     }
 
     /// w x u + u', and ([w'] + [w]^2) u + 2 w x u' + u''.
@@ -67,7 +68,7 @@ impl Frames {
         let coriolis = cross(graph, &spin, &relative);
         let coriolis = scaled(graph, two, coriolis);
         let apparent = add(graph, coriolis, relative_rate);
-        Rates { velocity: add(graph, swept, relative), acceleration: add(graph, turning, apparent) }
+        Rates { velocity: add(graph, swept, relative), acceleration: add(graph, turning, apparent), turning: spin }
     }
 
     /// [w'] + [w]^2, which takes fixed points to their accelerations.

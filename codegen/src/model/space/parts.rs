@@ -10,6 +10,8 @@ pub struct Rates {
     pub velocity: [Expr; 3],
     /// A q'' and the rest.
     pub acceleration: [Expr; 3],
+    /// The angular velocity of the frame, in it.
+    pub turning: [Expr; 3],
 }
 
 /// A symmetric 3 x 3 tensor.

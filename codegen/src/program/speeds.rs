@@ -1,0 +1,148 @@
+//! The kernels of generalised speeds: q' = N u + n, and u' with the multipliers that are left.
+
+use super::eliminate::{Factors, Labels, System, Unknown, factorise};
+use super::lower::Lowering;
+use super::motion::{entries, right_hand_side};
+use super::prepared::REFUSED;
+use super::results::{Record, Results};
+use super::values::Value;
+use crate::dynamics::{Block, Solution, SpeedEquations};
+use crate::model::Model;
+
+/// Pivots, each with what cancellation in it is measured by; without an elimination none.
+type Pivots = Option<Vec<(Value, Value)>>;
+
+/// `kinematics` and `speed_dynamics`, each with its name and documentation.
+pub(super) fn kernels(
+    model: &Model,
+    equations: &SpeedEquations,
+    lowering: &mut Lowering,
+    labels: &mut Labels,
+) -> [(&'static str, String, Results<Value>); 2] {
+    let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, labels);
+    let rates = lowering.lower_all(&equations.kinematics.rates);
+    let kinematics = Results::record(
+        Record::Kinematics,
+        [("rates", Results::Vector(rates)), ("refused", Results::Refused(pivots.clone()))],
+    );
+    let dynamics = dynamics(model, equations, pivots, lowering, labels);
+    [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
+}
+
+/// Gives those rates that are solved for at run time, and their derivatives, their values.
+fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, labels: &mut Labels) -> Pivots {
+    let factors: Vec<Option<Factors>> =
+        blocks.iter().map(|block| factorise_block(model, block, lowering, labels)).collect();
+    let mut solve = |factors: &Option<Factors>, solution: &Solution| {
+        let right_hand_side = lowering.lower_all(&solution.right_hand_side);
+        let solved = solve(factors.as_ref(), right_hand_side, lowering, &mut |_, _| ());
+        let names = solution.symbols.iter().map(|symbol| model.graph.symbol_name(*symbol).to_owned());
+        labels.extend(solved.iter().copied().zip(names));
+        lowering.replace(solution.symbols.iter().copied().zip(solved).collect());
+    };
+    for (block, factors) in blocks.iter().zip(&factors) {
+        solve(factors, &block.rates);
+        block.by_speed.iter().for_each(|(_, by_speed)| solve(factors, by_speed));
+    }
+    // The rates of all blocks stand in it.
+    for (block, factors) in blocks.iter().zip(&factors) {
+        solve(factors, &block.convective);
+    }
+    let all: Option<Vec<Factors>> = factors.into_iter().collect();
+    all.map(distinct_pivots)
+}
+
+fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, labels: &mut Labels) -> Option<Factors> {
+    let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
+    let entries = entries(lowering, &model.graph, &block.matrix, &[], std::iter::empty());
+    let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
+    factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels)
+}
+
+fn distinct_pivots(factors: Vec<Factors>) -> Vec<(Value, Value)> {
+    let mut pivots: Vec<_> = factors.into_iter().flat_map(|factors| factors.pivots).collect();
+    pivots.sort();
+    pivots.dedup();
+    pivots
+}
+
+/// u' and lambda.
+fn dynamics(
+    model: &Model,
+    equations: &SpeedEquations,
+    kinematic: Pivots,
+    lowering: &mut Lowering,
+    labels: &mut Labels,
+) -> Results<Value> {
+    let SpeedEquations { tmt, rows, jacobian, convective, .. } = equations;
+    let speeds = model.speeds.iter().map(|speed| format!("{}_dot", speed.name));
+    let multipliers = rows.iter().map(|row| format!("lambda_{}", model.constraints[*row].name));
+    let names: Vec<String> = speeds.chain(multipliers).collect();
+    let activities = rows.iter().map(|row| model.constraints[*row].activity);
+    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, jacobian, activities);
+    let coordinates = model.speeds.iter().map(|_| Unknown::Coordinate);
+    let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
+    let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
+    let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels);
+    let solved = solve(factors.as_ref(), rhs, lowering, &mut |value, k| {
+        labels.push((value, format!("rhs_{}", names[k])));
+    });
+    labels.extend(solved.iter().copied().zip(names.iter().cloned()));
+    let own = factors.map(|factors| distinct_pivots(vec![factors]));
+    let refused = if needs_blocks(model, equations) {
+        own.zip(kinematic).map(|(own, kinematic)| [own, kinematic].concat())
+    } else {
+        own
+    };
+    let (rates, multipliers) = solved.split_at(model.speeds.len());
+    Results::record(
+        Record::SpeedDynamics,
+        [
+            ("rates", Results::Vector(rates.to_vec())),
+            ("multipliers", Results::Vector(multipliers.to_vec())),
+            ("refused", Results::Refused(refused)),
+        ],
+    )
+}
+
+/// Zeros where no elimination could be planned.
+fn solve(
+    factors: Option<&Factors>,
+    rhs: Vec<Value>,
+    lowering: &mut Lowering,
+    label: &mut dyn FnMut(Value, usize),
+) -> Vec<Value> {
+    let zeros = vec![lowering.values.constant(0.0); rhs.len()];
+    match factors {
+        Some(factors) => factors.solve(&mut lowering.values, rhs, &zeros, label),
+        None => zeros,
+    }
+}
+
+/// Whether the equations of motion depend on rates that are solved for at run time.
+fn needs_blocks(model: &Model, equations: &SpeedEquations) -> bool {
+    let SpeedEquations { kinematics, tmt, jacobian, convective, .. } = equations;
+    let matrices = tmt.mass_matrix.iter().chain(jacobian).chain([&tmt.right_hand_side, convective]);
+    let used = model.graph.symbols_of(&matrices.flatten().copied().collect::<Vec<_>>());
+    let mut solutions = kinematics.blocks.iter().flat_map(Block::solutions);
+    solutions.any(|solution| solution.symbols.iter().any(|symbol| used.binary_search(symbol).is_ok()))
+}
+
+fn kinematics_docs(model: &Model) -> String {
+    let (n, k) = (model.coordinates.len(), model.speeds.len());
+    format!(
+        "The kinematic differential equations `q' = N u + n`: speeds ({n}) of generalised speeds `u` ({k}), from `u = W q' + w` \
+         and what they satisfy by construction. {REFUSED}: no generalised speeds determine the speeds there."
+    )
+}
+
+fn dynamics_docs(model: &Model, equations: &SpeedEquations) -> String {
+    let (k, r) = (model.speeds.len(), equations.rows.len());
+    format!(
+        "The rates of the generalised speeds ({k}) and the multipliers of those constraints that they do not satisfy by \
+         construction ({r}), from Kane's equations\n\n```text\n\
+         [ N' M N  N' C_q' ] [ u'     ]   [ N' (Q - h - M c)                       ]\n\
+         [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]\n```\n\n\
+         with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. {REFUSED}."
+    )
+}

@@ -1,0 +1,1573 @@
+/// A disc that rolls and leans, by the components of its angular velocity in the frame that does not spin with it.
+///
+/// The fields are its parameters, in SI units; the methods are its kernels.
+///
+/// # Equations of motion
+///
+/// ```text
+/// [
+///     mass_matrix, transpose(constraint_jacobian);
+///     constraint_jacobian, 0
+/// ] * [accelerations; multipliers] = [
+///     generalized_forces - convective_forces;
+///     -constraint_convective
+/// ]
+/// coordinates = [x; y; psi; lean; phi]
+/// multipliers = [lambda_slip_x; lambda_slip_y]
+/// constraints = 0
+/// [
+///     m, 0, 0, 0, 0, 1, 0;
+///     0, m, 0, 0, 0, 0, 1;
+///     0, 0, mass_matrix[3, 3], 0, mass_matrix[3, 5], constraint_jacobian[1, 3], constraint_jacobian[2, 3];
+///     0, 0, 0, mass_matrix[4, 4], 0, constraint_jacobian[1, 4], constraint_jacobian[2, 4];
+///     0, 0, mass_matrix[3, 5], 0, m*r^2/2, -r*cos(psi), -r*sin(psi);
+///     1, 0, constraint_jacobian[1, 3], constraint_jacobian[1, 4], -r*cos(psi), 0, 0;
+///     0, 1, constraint_jacobian[2, 3], constraint_jacobian[2, 4], -r*sin(psi), 0, 0
+/// ] * [
+///     x_ddot;
+///     y_ddot;
+///     psi_ddot;
+///     lean_ddot;
+///     phi_ddot;
+///     lambda_slip_x;
+///     lambda_slip_y
+/// ] = [
+///     0;
+///     0;
+///     -convective_forces[3];
+///     m*r*g*sin(lean) - convective_forces[4];
+///     -m*r^2*psi_dot*lean_dot*cos(lean)/2;
+///     -constraint_convective[1];
+///     -constraint_convective[2]
+/// ]
+///
+/// mass_matrix = [
+///     m, 0, 0, 0, 0;
+///     0, m, 0, 0, 0;
+///     0, 0, mass_matrix[3, 3], 0, mass_matrix[3, 5];
+///     0, 0, 0, mass_matrix[4, 4], 0;
+///     0, 0, mass_matrix[3, 5], 0, m*r^2/2
+/// ]
+/// mass_matrix[3, 3] = m*r^2/4 + m*r^2*sin(lean)^2/4
+/// mass_matrix[3, 5] = m*r^2*sin(lean)/2
+/// mass_matrix[4, 4] = m*r^2/4 + m*r^2*sin(lean)^2
+///
+/// convective_forces = [
+///     0;
+///     0;
+///     convective_forces[3];
+///     convective_forces[4];
+///     m*r^2*psi_dot*lean_dot*cos(lean)/2
+/// ]
+/// convective_forces[3] = s_6*cos(lean)*sin(phi)/4 + m*r^2*psi_dot*lean_dot*sin(lean)*cos(lean)/2
+///     + s_7*cos(lean)*cos(phi)/4
+/// convective_forces[4] = m*r^2*lean_dot^2*sin(lean)*cos(lean) - s_6*cos(phi)/4 + s_7*sin(phi)/4
+///
+/// generalized_forces = [0; 0; 0; m*r*g*sin(lean); 0]
+///
+/// constraints = [0; 0]
+///
+/// constraint_jacobian = [
+///     1, 0, constraint_jacobian[1, 3], constraint_jacobian[1, 4], -r*cos(psi);
+///     0, 1, constraint_jacobian[2, 3], constraint_jacobian[2, 4], -r*sin(psi)
+/// ]
+/// constraint_jacobian[1, 3] = -r*cos(psi)*sin(lean)
+/// constraint_jacobian[1, 4] = -r*sin(psi)*cos(lean)
+/// constraint_jacobian[2, 3] = -r*sin(psi)*sin(lean)
+/// constraint_jacobian[2, 4] = r*cos(psi)*cos(lean)
+///
+/// constraint_convective = [
+///     constraint_convective[1];
+///     constraint_convective[2]
+/// ]
+/// constraint_convective[1] = r*s_4*psi_dot*sin(psi)*sin(lean) - r*s_4*lean_dot*cos(psi)*cos(lean)
+///     - r*s_10*cos(psi)*sin(lean) - s_13 + r*lean_dot*(w_x*sin(psi) + s_3*cos(psi))*sin(lean)
+/// constraint_convective[2] = s_14 - r*s_4*psi_dot*cos(psi)*sin(lean) - r*s_4*lean_dot*sin(psi)*cos(lean)
+///     - r*s_10*sin(psi)*sin(lean) - r*lean_dot*(w_x*cos(psi) - s_3*sin(psi))*sin(lean)
+///
+/// s_1 = lean_dot*cos(phi) - psi_dot*cos(lean)*sin(phi)
+/// s_2 = lean_dot*sin(phi) + psi_dot*cos(lean)*cos(phi)
+/// w_y = phi_dot + psi_dot*sin(lean)
+/// w_x = s_1*cos(phi) + s_2*sin(phi)
+/// w_z = s_2*cos(phi) - s_1*sin(phi)
+/// s_3 = w_y*cos(lean) - w_z*sin(lean)
+/// s_4 = w_y*sin(lean) + w_z*cos(lean)
+/// s_5 = psi_dot*lean_dot*sin(lean)*sin(phi) - lean_dot*phi_dot*sin(phi)
+///     - psi_dot*phi_dot*cos(lean)*cos(phi)
+/// s_6 = m*r^2*s_2*w_y + m*r^2*(s_2*phi_dot - psi_dot*lean_dot*sin(lean)*sin(phi))
+/// s_7 = m*r^2*s_1*w_y + m*r^2*(s_1*phi_dot - psi_dot*lean_dot*sin(lean)*cos(phi))
+/// s_8 = psi_dot*lean_dot*sin(lean)*cos(phi) - lean_dot*phi_dot*cos(phi)
+///     + psi_dot*phi_dot*cos(lean)*sin(phi)
+/// s_9 = s_2*phi_dot*sin(phi) + s_8*cos(phi) + s_1*phi_dot*cos(phi) + s_5*sin(phi)
+/// s_10 = w_y*lean_dot*cos(lean) + psi_dot*lean_dot*sin(lean)*cos(lean) - w_z*lean_dot*sin(lean)
+///     - s_9*cos(lean)
+/// s_11 = s_5*cos(phi) - s_1*phi_dot*sin(phi) + s_2*phi_dot*cos(phi) - s_8*sin(phi)
+/// s_12 = psi_dot*lean_dot*cos(lean)^2 - w_y*lean_dot*sin(lean) - w_z*lean_dot*cos(lean)
+///     + s_9*sin(lean)
+/// s_13 = r*(w_x*psi_dot*cos(psi) + s_11*sin(psi) + s_12*cos(psi) - s_3*psi_dot*sin(psi))*cos(lean)
+/// s_14 = r*(s_11*cos(psi) - w_x*psi_dot*sin(psi) - s_3*psi_dot*cos(psi) - s_12*sin(psi))*cos(lean)
+/// ```
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Wheel<S = ::core::primitive::f64> {
+    /// In `kg`.
+    pub m: S,
+    /// In `m`.
+    pub r: S,
+    /// In `m/s^2`.
+    pub g: S,
+}
+impl<S: sim_kernel::Scalar> ::core::default::Default for Wheel<S> {
+    /// The declared values.
+    fn default() -> Self {
+        <Self as sim_kernel::Mechanism<S>>::defaults()
+    }
+}
+/// Coordinates of [`Wheel`] by name, in SI units; also for their speeds and accelerations.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct WheelCoordinates<S = ::core::primitive::f64> {
+    /// In `m`.
+    pub x: S,
+    /// In `m`.
+    pub y: S,
+    /// In `rad`.
+    pub psi: S,
+    /// In `rad`.
+    pub lean: S,
+    /// In `rad`.
+    pub phi: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 5]> for WheelCoordinates<S> {
+    fn from(values: [S; 5]) -> Self {
+        Self {
+            x: values[0],
+            y: values[1],
+            psi: values[2],
+            lean: values[3],
+            phi: values[4],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<WheelCoordinates<S>> for [S; 5] {
+    fn from(record: WheelCoordinates<S>) -> Self {
+        [record.x, record.y, record.psi, record.lean, record.phi]
+    }
+}
+/// What the equations of motion need of the parameters of [`Wheel`], from [`Wheel::prepare`]; its methods are the kernels of each step.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct WheelPrepared<S = ::core::primitive::f64> {
+    m: S,
+    r: S,
+    k: S,
+    k_2: S,
+    mass_phi_phi: S,
+    g: S,
+    k_3: S,
+    k_4: S,
+    inverse_x: S,
+    k_5: S,
+    pivot_roll_dot: S,
+    pivot_nod_dot: S,
+    inverse_roll_dot: S,
+    inverse_nod_dot: S,
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> Wheel<S> {
+    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    ///
+    /// Operations: 15 multiplications, 3 divisions.
+    #[inline]
+    pub fn prepare(&self) -> WheelPrepared<S> {
+        let r_squared = self.r * self.r;
+        let w = self.m * r_squared * S::from_f64(1.5);
+        let w_2 = self.m * r_squared * S::from_f64(1.25);
+        WheelPrepared {
+            m: self.m,
+            r: self.r,
+            k: self.m * S::from_f64(0.25) * r_squared,
+            k_2: self.m * r_squared,
+            mass_phi_phi: self.m * r_squared * S::from_f64(0.5),
+            g: self.g,
+            k_3: self.m * self.r,
+            k_4: self.m * self.r * self.g,
+            inverse_x: S::from_f64(1.0) / self.m,
+            k_5: self.m * r_squared * S::from_f64(2.0),
+            pivot_roll_dot: w,
+            pivot_nod_dot: w_2,
+            inverse_roll_dot: S::from_f64(1.0) / w,
+            inverse_nod_dot: S::from_f64(1.0) / w_2,
+        }
+    }
+    /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
+    ///
+    /// Operations: 2 additions, 10 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
+        let [_, _, _, lean, _] = *q;
+        let r_squared = self.r * self.r;
+        let w = self.m * S::from_f64(0.25) * r_squared;
+        let ([sin_lean], [_]) = S::sin_cos_each([lean]);
+        let sin_lean_squared = sin_lean * sin_lean;
+        let mass_phi_phi = self.m * r_squared * S::from_f64(0.5);
+        let mass_phi_psi = sin_lean * mass_phi_phi;
+        [
+            [
+                self.m,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                self.m,
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                w * (S::from_f64(1.0) + sin_lean_squared),
+                S::from_f64(0.0),
+                mass_phi_psi,
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                w + sin_lean_squared * self.m * r_squared,
+                S::from_f64(0.0),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                mass_phi_psi,
+                S::from_f64(0.0),
+                mass_phi_phi,
+            ],
+        ]
+    }
+    /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
+    ///
+    /// Operations: 3 additions, 21 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        let [_, _, _, lean, _] = *q;
+        let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let r_squared = self.r * self.r;
+        let w = self.m * r_squared * S::from_f64(0.5);
+        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
+        [
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            w * cos_lean * lean_dot * (psi_dot * sin_lean + phi_dot),
+            cos_lean
+                * (sin_lean
+                    * (self.m * r_squared * lean_dot * lean_dot
+                        - psi_dot * psi_dot * S::from_f64(0.25) * self.m * r_squared)
+                    - psi_dot * phi_dot * w),
+            cos_lean * lean_dot * psi_dot * w,
+        ]
+    }
+    /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
+    ///
+    /// Operations: 3 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        let [_, _, _, lean, _] = *q;
+        let ([sin_lean], [_]) = S::sin_cos_each([lean]);
+        [
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            S::from_f64(0.0),
+            sin_lean * self.m * self.r * self.g,
+            S::from_f64(0.0),
+        ]
+    }
+    /// Constraints `C`, 2, in SI units; zero throughout the motion.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraints(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        [S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// The sum of the magnitudes of the terms of `C`, 2, in SI units: what its rounding is relative to.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_magnitudes(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        [S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// Constraint Jacobian `C_q`, 2 x 5: units of each constraint per unit of each coordinate.
+    ///
+    /// Operations: 5 additions, 10 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 2] {
+        let [_, _, psi, lean, _] = *q;
+        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        [
+            [
+                S::from_f64(1.0),
+                S::from_f64(0.0),
+                -(self.r * sin_lean * cos_psi),
+                -(self.r * sin_psi * cos_lean),
+                -(self.r * cos_psi),
+            ],
+            [
+                S::from_f64(0.0),
+                S::from_f64(1.0),
+                -(self.r * sin_lean * sin_psi),
+                self.r * cos_psi * cos_lean,
+                -(self.r * sin_psi),
+            ],
+        ]
+    }
+    /// `C_t`, 2, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn constraint_time_derivative(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        [S::from_f64(0.0), S::from_f64(0.0)]
+    }
+    /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
+    ///
+    /// Operations: 36 additions, 67 multiplications, 3 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 2] {
+        let [_, _, psi, lean, phi] = *q;
+        let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_psi, sin_lean, sin_phi], [cos_psi, cos_lean, cos_phi]) = S::sin_cos_each([
+            psi,
+            lean,
+            phi,
+        ]);
+        let w = sin_lean * psi_dot;
+        let w_y = phi_dot + w;
+        let w_2 = sin_lean * w_y;
+        let w_3 = lean_dot * sin_phi + cos_lean * psi_dot * cos_phi;
+        let w_4 = lean_dot * cos_phi - cos_lean * psi_dot * sin_phi;
+        let w_z = cos_phi * w_3 - sin_phi * w_4;
+        let w_5 = cos_lean * w_z;
+        let w_6 = w_2 + w_5;
+        let w_7 = sin_lean * w_z;
+        let w_8 = sin_phi * w_3;
+        let w_9 = cos_phi * w_4;
+        let w_10 = w - phi_dot;
+        let w_11 = lean_dot * cos_phi * w_10 + cos_lean * phi_dot * psi_dot * sin_phi;
+        let w_12 = lean_dot * sin_phi * w_10 - cos_lean * phi_dot * psi_dot * cos_phi;
+        let w_13 = phi_dot * (w_8 + w_9) + cos_phi * w_11 + sin_phi * w_12;
+        let w_14 = lean_dot * (cos_lean * (w_y + w) - w_7) - cos_lean * w_13;
+        let w_x = w_9 + w_8;
+        let w_15 = cos_lean * w_y - w_7;
+        let w_16 = sin_lean
+            * (psi_dot * w_6 * sin_psi - cos_psi * w_14
+                + lean_dot * (sin_psi * w_x + cos_psi * w_15));
+        let w_17 = psi_dot * w_x
+            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_2 - w_5) + sin_lean * w_13);
+        let w_18 = cos_phi * (w_12 + phi_dot * w_3) - sin_phi * (phi_dot * w_4 + w_11)
+            - psi_dot * w_15;
+        let w_19 = sin_lean
+            * (cos_psi * psi_dot * w_6 + w_14 * sin_psi
+                + lean_dot * (cos_psi * w_x - sin_psi * w_15));
+        [
+            self.r
+                * (w_16
+                    - cos_lean
+                        * (lean_dot * cos_psi * w_6
+                            + (cos_psi * w_17 + sin_psi * w_18))),
+            self.r
+                * (cos_lean
+                    * (cos_psi * w_18 - sin_psi * w_17 - lean_dot * w_6 * sin_psi)
+                    - w_19),
+        ]
+    }
+    /// `C` (2), `C_q` (2 x 5) and `C_t` (2) together, in SI units, for projection.
+    ///
+    /// Operations: 5 additions, 10 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 5],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 5]; 2]> {
+        let [_, _, psi, lean, _] = *q;
+        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        sim_kernel::ConstraintLinearization {
+            values: [S::from_f64(0.0), S::from_f64(0.0)],
+            jacobian: [
+                [
+                    S::from_f64(1.0),
+                    S::from_f64(0.0),
+                    -(self.r * sin_lean * cos_psi),
+                    -(self.r * sin_psi * cos_lean),
+                    -(self.r * cos_psi),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(1.0),
+                    -(self.r * sin_lean * sin_psi),
+                    self.r * cos_psi * cos_lean,
+                    -(self.r * sin_psi),
+                ],
+            ],
+            time_derivative: [S::from_f64(0.0), S::from_f64(0.0)],
+        }
+    }
+    /// Kinetic energy `v' M v / 2`, in joules.
+    ///
+    /// Operations: 8 additions, 27 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
+        let [_, _, _, lean, phi] = *q;
+        let [x_dot, y_dot, psi_dot, lean_dot, phi_dot] = *qd;
+        let r_squared = self.r * self.r;
+        let ([sin_lean, sin_phi], [cos_lean, cos_phi]) = S::sin_cos_each([lean, phi]);
+        let w = lean_dot * cos_phi - psi_dot * cos_lean * sin_phi;
+        let w_2 = lean_dot * sin_phi + cos_phi * psi_dot * cos_lean;
+        let w_3 = self.m * r_squared * S::from_f64(0.125) * (w * w + w_2 * w_2);
+        let w_4 = lean_dot * lean_dot * sin_lean * sin_lean * S::from_f64(0.5) * self.m
+            * r_squared;
+        let w_y = phi_dot + sin_lean * psi_dot;
+        S::from_f64(0.5) * self.m * (x_dot * x_dot + y_dot * y_dot) + w_3 + w_4
+            + w_y * w_y * self.m * r_squared * S::from_f64(0.25)
+    }
+    /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
+    ///
+    /// Operations: 4 multiplications, 1 sine-cosine pair.
+    #[inline]
+    pub fn power(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 2],
+    ) -> S {
+        let [_, _, _, lean, _] = *q;
+        let [_, _, _, lean_dot, _] = *qd;
+        let ([sin_lean], [_]) = S::sin_cos_each([lean]);
+        lean_dot * sin_lean * self.m * self.r * self.g
+    }
+    /// Outputs, 0, in SI units.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn outputs(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 2],
+    ) -> [S; 0] {
+        []
+    }
+    /// Rates of the outputs that depend on neither accelerations nor multipliers, 0, in SI units per second.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn output_rates(&self, t: S, q: &[S; 5], qd: &[S; 5], qdd: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// `left - right` of each event, 0, in SI units: zero when it happens.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn events(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 2],
+    ) -> [S; 0] {
+        []
+    }
+    /// The numbers of each shape of the drawing, in metres and radians.
+    ///
+    /// Operations: none.
+    #[inline]
+    pub fn drawing(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        []
+    }
+    /// Declared start: values or guesses of the coordinates (5), and speeds (5), in SI units; 0 where nothing is declared.
+    ///
+    /// Operations: 1 addition.
+    #[inline]
+    pub fn initial(&self) -> sim_kernel::Initial<[S; 5]> {
+        sim_kernel::Initial {
+            positions: [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                -S::from_f64(0.3),
+                S::from_f64(0.0),
+            ],
+            speeds: [
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+                S::from_f64(1.5),
+                S::from_f64(0.0),
+                S::from_f64(0.0),
+            ],
+        }
+    }
+    /// The generalised speeds `u = W q' + w`, 3, in SI units, in the order of declaration.
+    ///
+    /// Operations: 5 additions, 11 multiplications, 2 sine-cosine pairs.
+    #[inline]
+    pub fn generalized_speeds(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 3] {
+        let [_, _, _, lean, phi] = *q;
+        let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_phi], [cos_lean, cos_phi]) = S::sin_cos_each([lean, phi]);
+        let w = cos_phi * lean_dot - psi_dot * cos_lean * sin_phi;
+        let w_2 = lean_dot * sin_phi + psi_dot * cos_phi * cos_lean;
+        [
+            phi_dot + psi_dot * sin_lean,
+            cos_phi * w + sin_phi * w_2,
+            cos_phi * w_2 - sin_phi * w,
+        ]
+    }
+    /// [`WheelPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 2]> {
+        self.prepare().dynamics(t, q, qd)
+    }
+    /// [`WheelPrepared::dynamics_jacobian`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 5]; 5], [[S; 5]; 2]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    /// [`WheelPrepared::kinematics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn kinematics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::Kinematics<S, [S; 5]> {
+        self.prepare().kinematics(t, q, u)
+    }
+    /// [`WheelPrepared::speed_dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
+    #[inline]
+    pub fn speed_dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::SpeedDynamics<S, [S; 3], [S; 0]> {
+        self.prepare().speed_dynamics(t, q, u)
+    }
+}
+#[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> WheelPrepared<S> {
+    /// Accelerations (5), multipliers (2) and power, from
+    ///
+    /// ```text
+    /// [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]
+    /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
+    /// ```
+    ///
+    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    ///
+    /// Operations: 73 additions, 142 multiplications, 5 divisions, 3 sine-cosine pairs.
+    #[inline(always)]
+    pub fn dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 2]> {
+        let [_, _, psi, lean, phi] = *q;
+        let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
+            lean,
+            psi,
+            phi,
+        ]);
+        let minus_slip_x_by_lean = self.r * sin_psi * cos_lean;
+        let sin_lean_squared = sin_lean * sin_lean;
+        let mass_lean_lean = self.k + sin_lean_squared * self.k_2;
+        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
+        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
+        let minus_slip_x_by_psi = self.r * sin_lean * cos_psi;
+        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
+        let mass_phi_psi = sin_lean * self.mass_phi_phi;
+        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
+            - self.r * cos_psi;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
+        let minus_pivot_lambda_slip_x = self.inverse_x
+            + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
+            + minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+            + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
+        let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
+        let slip_y_by_lean = self.r * cos_psi * cos_lean;
+        let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
+        let minus_slip_y_by_psi = self.r * sin_lean * sin_psi;
+        let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
+        let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
+            - self.r * sin_psi;
+        let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
+        let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
+            - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
+            - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
+        let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
+            * k_lambda_slip_y_lambda_slip_x;
+        let w = self.inverse_x + slip_y_by_lean * l_lambda_slip_y_lean
+            + minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
+            + k_lambda_slip_y_phi * l_lambda_slip_y_phi;
+        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
+            * minus_l_lambda_slip_y_lambda_slip_x - w;
+        let rhs_lean = sin_lean
+            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot)
+                + self.k_4) + self.mass_phi_phi * cos_lean * psi_dot * phi_dot;
+        let w_2 = sin_lean * psi_dot;
+        let w_y = phi_dot + w_2;
+        let w_3 = sin_lean * w_y;
+        let w_4 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
+        let w_5 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
+        let w_z = cos_phi * w_4 - sin_phi * w_5;
+        let w_6 = cos_lean * w_z;
+        let w_7 = w_3 + w_6;
+        let w_8 = w_4 * phi_dot;
+        let w_9 = w_2 - phi_dot;
+        let w_10 = sin_phi * lean_dot * w_9 - cos_lean * psi_dot * cos_phi * phi_dot;
+        let w_11 = lean_dot * cos_phi * w_9 + cos_lean * sin_phi * psi_dot * phi_dot;
+        let w_12 = phi_dot * w_5;
+        let w_13 = sin_phi * (w_8 + w_10) + cos_phi * (w_11 + w_12);
+        let w_14 = cos_lean * (lean_dot * (w_y + w_2) - w_13)
+            - sin_lean * lean_dot * w_z;
+        let w_x = cos_phi * w_5 + sin_phi * w_4;
+        let w_15 = cos_lean * w_y - sin_lean * w_z;
+        let w_16 = sin_lean
+            * (sin_psi * psi_dot * w_7 - cos_psi * w_14
+                + lean_dot * (sin_psi * w_x + cos_psi * w_15));
+        let w_17 = psi_dot * w_x
+            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_3 - w_6) + sin_lean * w_13);
+        let w_18 = cos_phi * (w_10 + w_8) - sin_phi * (w_12 + w_11) - psi_dot * w_15;
+        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_2 + phi_dot);
+        let rhs_phi = minus_rhs_psi * l_phi_psi
+            - self.mass_phi_phi * cos_lean * lean_dot * psi_dot;
+        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
+            - self.r
+                * (w_16
+                    - cos_lean
+                        * (cos_psi * lean_dot * w_7 + (cos_psi * w_17 + sin_psi * w_18)))
+            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
+        let w_19 = sin_lean
+            * (cos_psi * psi_dot * w_7 + sin_psi * w_14
+                + lean_dot * (cos_psi * w_x - sin_psi * w_15));
+        let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
+            - self.r
+                * (cos_lean
+                    * (cos_psi * w_18 - sin_psi * w_17 - sin_psi * lean_dot * w_7)
+                    - w_19) - rhs_lean * l_lambda_slip_y_lean
+            - minus_rhs_psi * minus_l_lambda_slip_y_psi - l_lambda_slip_y_phi * rhs_phi;
+        let lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y * rhs_lambda_slip_y;
+        let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
+            - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_phi * lambda_slip_x
+            - l_lambda_slip_y_phi * lambda_slip_y;
+        sim_kernel::Dynamics {
+            accelerations: [
+                -(self.inverse_x * lambda_slip_x),
+                -(self.inverse_x * lambda_slip_y),
+                minus_l_lambda_slip_x_psi * lambda_slip_x - minus_rhs_psi * inverse_psi
+                    - l_phi_psi * phi_ddot + minus_l_lambda_slip_y_psi * lambda_slip_y,
+                rhs_lean * inverse_lean + minus_l_lambda_slip_x_lean * lambda_slip_x
+                    - l_lambda_slip_y_lean * lambda_slip_y,
+                phi_ddot,
+            ],
+            multipliers: [lambda_slip_x, lambda_slip_y],
+            power: sin_lean * lean_dot * self.k_4,
+            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_slip_x,
+                    minus_pivot_lambda_slip_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w),
+        }
+    }
+    /// The derivatives of accelerations (5 rows) and multipliers (2 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
+    ///
+    /// Operations: 295 additions, 486 multiplications, 5 divisions, 3 sine-cosine pairs.
+    #[inline]
+    pub fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 5]; 5], [[S; 5]; 2]> {
+        let [_, _, psi, lean, phi] = *q;
+        let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
+            lean,
+            psi,
+            phi,
+        ]);
+        let minus_slip_x_by_lean = self.r * sin_psi * cos_lean;
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = sin_lean_squared * self.k_2;
+        let mass_lean_lean = self.k + w;
+        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
+        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
+        let minus_slip_x_by_psi = self.r * sin_lean * cos_psi;
+        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
+        let mass_phi_psi = sin_lean * self.mass_phi_phi;
+        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
+            - self.r * cos_psi;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
+        let minus_pivot_lambda_slip_x = self.inverse_x
+            + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
+            + minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+            + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
+        let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
+        let slip_y_by_lean = self.r * cos_psi * cos_lean;
+        let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
+        let minus_slip_y_by_psi = self.r * sin_lean * sin_psi;
+        let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
+        let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
+            - self.r * sin_psi;
+        let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
+        let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
+            - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
+            - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
+        let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
+            * k_lambda_slip_y_lambda_slip_x;
+        let w_2 = self.inverse_x + slip_y_by_lean * l_lambda_slip_y_lean
+            + minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
+            + k_lambda_slip_y_phi * l_lambda_slip_y_phi;
+        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
+            * minus_l_lambda_slip_y_lambda_slip_x - w_2;
+        let inverse_lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y;
+        let w_3 = sin_lean * psi_dot;
+        let w_y = phi_dot + w_3;
+        let w_4 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
+        let w_5 = w_4 * phi_dot;
+        let w_6 = w_3 - phi_dot;
+        let w_7 = sin_phi * lean_dot * w_6 - cos_lean * psi_dot * cos_phi * phi_dot;
+        let w_8 = lean_dot * cos_phi * w_6 + cos_lean * sin_phi * psi_dot * phi_dot;
+        let w_9 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
+        let w_10 = phi_dot * w_9;
+        let w_11 = sin_phi * (w_5 + w_7) + cos_phi * (w_8 + w_10);
+        let w_z = cos_phi * w_4 - sin_phi * w_9;
+        let w_12 = cos_lean * (lean_dot * (w_y + w_3) - w_11)
+            - sin_lean * lean_dot * w_z;
+        let lean_dot_squared = lean_dot * lean_dot;
+        let rhs_lean = sin_lean
+            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot_squared)
+                + self.k_4) + self.mass_phi_phi * cos_lean * psi_dot * phi_dot;
+        let w_13 = sin_lean * w_y;
+        let w_14 = cos_lean * w_z;
+        let w_15 = w_13 + w_14;
+        let w_16 = sin_psi * psi_dot * w_15;
+        let w_17 = cos_phi * w_9;
+        let w_18 = sin_phi * w_4;
+        let w_x = w_17 + w_18;
+        let w_19 = sin_lean * w_z;
+        let w_20 = cos_lean * w_y - w_19;
+        let w_21 = sin_psi * w_x + cos_psi * w_20;
+        let w_22 = lean_dot * w_21;
+        let w_23 = psi_dot * cos_lean * cos_lean;
+        let w_24 = sin_lean * w_11;
+        let w_25 = psi_dot * w_x + (lean_dot * (w_23 - w_13 - w_14) + w_24);
+        let w_26 = psi_dot * w_20;
+        let w_27 = cos_phi * (w_7 + w_5) - sin_phi * (w_10 + w_8) - w_26;
+        let w_28 = cos_psi * w_25 + sin_psi * w_27;
+        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
+        let rhs_phi = minus_rhs_psi * l_phi_psi
+            - self.mass_phi_phi * cos_lean * lean_dot * psi_dot;
+        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
+            - self.r
+                * (sin_lean * (w_16 - cos_psi * w_12 + w_22)
+                    - cos_lean * (cos_psi * lean_dot * w_15 + w_28))
+            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
+        let w_29 = cos_psi * w_27 - sin_psi * w_25;
+        let w_30 = sin_psi * lean_dot * w_15;
+        let w_31 = cos_psi * psi_dot * w_15;
+        let w_32 = cos_psi * w_x - sin_psi * w_20;
+        let w_33 = lean_dot * w_32;
+        let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
+            - self.r
+                * (cos_lean * (w_29 - w_30) - sin_lean * (w_31 + sin_psi * w_12 + w_33))
+            - rhs_lean * l_lambda_slip_y_lean - minus_rhs_psi * minus_l_lambda_slip_y_psi
+            - l_lambda_slip_y_phi * rhs_phi;
+        let lambda_slip_y = inverse_lambda_slip_y * rhs_lambda_slip_y;
+        let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
+            - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_phi * lambda_slip_x
+            - l_lambda_slip_y_phi * lambda_slip_y;
+        let psi_ddot = minus_l_lambda_slip_x_psi * lambda_slip_x
+            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
+            + minus_l_lambda_slip_y_psi * lambda_slip_y;
+        let w_34 = w_12 + psi_ddot;
+        let lean_ddot = rhs_lean * inverse_lean
+            + minus_l_lambda_slip_x_lean * lambda_slip_x
+            - l_lambda_slip_y_lean * lambda_slip_y;
+        let w_35 = self.r
+            * (cos_psi * (sin_lean * w_34 + cos_lean * lean_dot * w_15 + phi_ddot)
+                - sin_lean * (w_16 + w_22) + cos_lean * (w_28 + sin_psi * lean_ddot));
+        let w_36 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
+        let w_37 = self.r * cos_lean * w_36;
+        let w_38 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
+        let w_39 = self.r * sin_lean * w_38;
+        let w_40 = self.r * w_38;
+        let w_41 = w_40 - l_phi_psi * w_39;
+        let w_42 = self.r
+            * (cos_lean * (w_29 - w_30 + cos_psi * lean_ddot)
+                - sin_lean * (sin_psi * w_34 + w_31 + w_33) - sin_psi * phi_ddot);
+        let w_43 = w_42 + minus_l_lambda_slip_x_lean * w_37
+            + minus_l_lambda_slip_x_psi * w_39 - l_lambda_slip_x_phi * w_41;
+        let w_44 = inverse_lambda_slip_y
+            * (w_35 - l_lambda_slip_y_lean * w_37 + minus_l_lambda_slip_y_psi * w_39
+                - l_lambda_slip_y_phi * w_41
+                + minus_l_lambda_slip_y_lambda_slip_x * w_43);
+        let w_45 = minus_l_lambda_slip_y_lambda_slip_x * w_44
+            - minus_inverse_lambda_slip_x * w_43;
+        let w_46 = lean_dot * w_20 + w_12 + psi_ddot;
+        let w_47 = psi_dot
+            * (sin_lean * cos_phi * phi_dot + cos_lean * sin_phi * lean_dot);
+        let w_48 = psi_dot
+            * (sin_lean * sin_phi * phi_dot - cos_lean * lean_dot * cos_phi);
+        let w_49 = psi_dot - w_13 - w_14;
+        let w_50 = cos_phi * w_47 + sin_phi * w_48 - sin_lean * psi_dot * phi_dot
+            - psi_dot * w_49;
+        let w_51 = cos_phi * w_48 - sin_phi * w_47;
+        let w_52 = cos_lean
+            * (lean_dot * (w_y + sin_lean * psi_dot * S::from_f64(2.0)) - w_11)
+            + sin_lean * (w_51 - lean_dot * w_z);
+        let w_53 = lean_dot * (w_15 + w_49)
+            + (lean_dot
+                * (S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0))
+                    + w_13 + w_14) - w_24 - cos_lean * w_51);
+        let w_54 = cos_lean
+            * (sin_psi * w_46 + w_31 - (cos_psi * w_50 + sin_psi * w_52) + w_33)
+            + sin_lean * (cos_psi * (w_26 + lean_ddot) - sin_psi * w_53 + w_29);
+        let w_55 = self.k_2
+            * (psi_dot * (cos_lean * w_4 - sin_lean * cos_phi * w_y) - w_47);
+        let w_56 = self.k_2
+            * (psi_dot * (sin_lean * sin_phi * w_y + cos_lean * w_9) + w_48);
+        let w_57 = cos_lean * (self.g - self.r * cos_lean * lean_dot_squared) * self.k_3;
+        let w_58 = sin_lean * (w_40 - cos_lean * lean_ddot * self.k_5)
+            + S::from_f64(0.25) * (cos_phi * w_55 - sin_phi * w_56)
+            + sin_lean_squared * self.k_2 * lean_dot_squared + w_57;
+        let w_59 = cos_phi * self.k_2
+            * (w_y * w_9 + (w_10 - sin_lean * lean_dot * psi_dot * cos_phi));
+        let w_60 = S::from_f64(0.25) * sin_lean
+            * (sin_phi * self.k_2
+                * (w_4 * w_y + (w_5 - sin_lean * sin_phi * lean_dot * psi_dot)) + w_59);
+        let w_61 = cos_lean
+            * (self.r * w_36 - S::from_f64(0.25) * (sin_phi * w_55 + cos_phi * w_56)
+                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot)) + w_60
+            + lean_dot * psi_dot * (w - self.mass_phi_phi);
+        let w_62 = self.mass_phi_phi
+            * (sin_lean * lean_dot * psi_dot - cos_lean * psi_ddot) - l_phi_psi * w_61;
+        let w_63 = sin_psi
+            * (psi_dot * (cos_lean * w_15 + sin_lean * w_20) + sin_lean * lean_ddot);
+        let w_64 = self.r
+            * (cos_psi * (cos_lean * w_46 - sin_lean * w_53) - w_63
+                + cos_lean * (sin_psi * w_50 - cos_psi * w_52 - w_22) - sin_lean * w_28);
+        let w_65 = w_64 + minus_l_lambda_slip_x_lean * w_58
+            + minus_l_lambda_slip_x_psi * w_61 - l_lambda_slip_x_phi * w_62;
+        let w_66 = inverse_lambda_slip_y
+            * (self.r * w_54 - l_lambda_slip_y_lean * w_58
+                + minus_l_lambda_slip_y_psi * w_61 - l_lambda_slip_y_phi * w_62
+                + minus_l_lambda_slip_y_lambda_slip_x * w_65);
+        let w_67 = minus_l_lambda_slip_y_lambda_slip_x * w_66
+            - minus_inverse_lambda_slip_x * w_65;
+        let w_68 = inverse_phi * w_41 - l_lambda_slip_x_phi * w_45
+            - l_lambda_slip_y_phi * w_44;
+        let w_69 = inverse_phi * w_62 - l_lambda_slip_x_phi * w_67
+            - l_lambda_slip_y_phi * w_66;
+        let w_70 = w_15 + psi_dot;
+        let w_71 = cos_lean * sin_phi * phi_dot + sin_lean * lean_dot * cos_phi;
+        let w_72 = cos_lean * cos_phi * phi_dot - sin_lean * sin_phi * lean_dot;
+        let w_73 = cos_phi * w_71 - sin_phi * w_72;
+        let w_74 = cos_lean * (sin_lean * lean_dot - w_73);
+        let w_75 = sin_psi * lean_dot;
+        let w_76 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_73);
+        let w_77 = w_20 + (cos_phi * w_72 + sin_phi * w_71 - cos_lean * phi_dot);
+        let w_78 = self.r
+            * (sin_lean * (cos_psi * w_70 + sin_psi * w_74)
+                + cos_lean * (w_75 + (sin_psi * w_76 + cos_psi * w_77)));
+        let w_79 = self.k_2 * (cos_lean * cos_phi * w_y + sin_lean * w_4 + w_72);
+        let w_80 = self.k_2 * (sin_lean * w_9 - cos_lean * sin_phi * w_y - w_71);
+        let w_81 = S::from_f64(0.25) * (cos_phi * w_79 - sin_phi * w_80);
+        let w_82 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_79 + cos_phi * w_80)
+                + sin_lean * self.mass_phi_phi * lean_dot);
+        let w_83 = l_phi_psi * w_82 - self.mass_phi_phi * cos_lean * lean_dot;
+        let w_84 = cos_psi * lean_dot;
+        let w_85 = self.r
+            * (sin_lean * (cos_psi * w_74 - sin_psi * w_70)
+                + cos_lean * (w_84 + (cos_psi * w_76 - sin_psi * w_77)))
+            + minus_l_lambda_slip_x_lean * w_81 - minus_l_lambda_slip_x_psi * w_82
+            - l_lambda_slip_x_phi * w_83;
+        let w_86 = inverse_lambda_slip_y
+            * (w_78 - l_lambda_slip_y_lean * w_81 - minus_l_lambda_slip_y_psi * w_82
+                - l_lambda_slip_y_phi * w_83
+                + minus_l_lambda_slip_y_lambda_slip_x * w_85);
+        let w_87 = minus_l_lambda_slip_y_lambda_slip_x * w_86
+            - minus_inverse_lambda_slip_x * w_85;
+        let w_88 = cos_phi * (phi_dot - w_3);
+        let w_89 = sin_phi * w_6;
+        let w_90 = phi_dot - cos_phi * w_88 + sin_phi * w_89;
+        let w_91 = cos_lean * (w_y + w_3 - w_90) - w_19;
+        let w_92 = sin_lean * (w_y - w_90) + w_14 - w_23;
+        let w_93 = cos_phi * w_89 + sin_phi * w_88;
+        let w_94 = self.r
+            * (sin_lean * (sin_psi * w_91 + w_32 + w_84)
+                + cos_lean
+                    * (sin_psi * w_15 - (sin_psi * (w_92 - psi_dot) + cos_psi * w_93)));
+        let w_95 = self.k_2 * (sin_phi * w_y - w_89);
+        let w_96 = self.k_2 * (cos_phi * w_y + w_88);
+        let w_97 = S::from_f64(0.25) * (cos_phi * w_95 - sin_phi * w_96)
+            - sin_lean * cos_lean * lean_dot * self.k_5;
+        let w_98 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_95 + cos_phi * w_96)
+                + sin_lean * self.mass_phi_phi * psi_dot);
+        let w_99 = l_phi_psi * w_98 - self.mass_phi_phi * cos_lean * psi_dot;
+        let w_100 = self.r
+            * (sin_lean * (cos_psi * w_91 - w_21 - w_75)
+                + cos_lean
+                    * (cos_psi * w_15 + (cos_psi * (psi_dot - w_92) + sin_psi * w_93)));
+        let w_101 = w_100 + minus_l_lambda_slip_x_lean * w_97
+            - minus_l_lambda_slip_x_psi * w_98 - l_lambda_slip_x_phi * w_99;
+        let w_102 = inverse_lambda_slip_y
+            * (w_94 - l_lambda_slip_y_lean * w_97 - minus_l_lambda_slip_y_psi * w_98
+                - l_lambda_slip_y_phi * w_99
+                + minus_l_lambda_slip_y_lambda_slip_x * w_101);
+        let w_103 = minus_l_lambda_slip_y_lambda_slip_x * w_102
+            - minus_inverse_lambda_slip_x * w_101;
+        let w_104 = sin_lean * sin_psi * lean_dot;
+        let w_105 = self.mass_phi_phi * w_z;
+        let w_106 = self.mass_phi_phi * cos_lean * (w_18 + w_17);
+        let w_107 = l_phi_psi * w_106;
+        let w_108 = sin_lean * cos_psi * lean_dot;
+        let w_109 = self.r
+            * (cos_lean * (w_108 - (w_108 + sin_psi * cos_lean * psi_dot))
+                - sin_lean_squared * sin_psi * psi_dot)
+            + minus_l_lambda_slip_x_lean * w_105 - minus_l_lambda_slip_x_psi * w_106
+            - l_lambda_slip_x_phi * w_107;
+        let w_110 = self.r
+            * (cos_lean * (w_104 + (cos_psi * cos_lean * psi_dot - w_104))
+                + sin_lean_squared * cos_psi * psi_dot) - l_lambda_slip_y_lean * w_105
+            - minus_l_lambda_slip_y_psi * w_106 - l_lambda_slip_y_phi * w_107
+            + minus_l_lambda_slip_y_lambda_slip_x * w_109;
+        let w_111 = inverse_lambda_slip_y * w_110;
+        let w_112 = minus_l_lambda_slip_y_lambda_slip_x * w_111
+            - minus_inverse_lambda_slip_x * w_109;
+        let w_113 = inverse_phi * w_83 - l_lambda_slip_x_phi * w_87
+            - l_lambda_slip_y_phi * w_86;
+        let w_114 = inverse_phi * w_99 - l_lambda_slip_x_phi * w_103
+            - l_lambda_slip_y_phi * w_102;
+        let w_115 = inverse_phi * w_107 - l_lambda_slip_x_phi * w_112
+            - l_lambda_slip_y_phi * w_111;
+        sim_kernel::DynamicsJacobian {
+            accelerations_by_positions: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_45),
+                    -(self.inverse_x * w_67),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_44),
+                    -(self.inverse_x * w_66),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    inverse_psi * w_39 - l_phi_psi * w_68
+                        + minus_l_lambda_slip_x_psi * w_45
+                        + minus_l_lambda_slip_y_psi * w_44,
+                    inverse_psi * w_61 - l_phi_psi * w_69
+                        + minus_l_lambda_slip_x_psi * w_67
+                        + minus_l_lambda_slip_y_psi * w_66,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    inverse_lean * w_37 + minus_l_lambda_slip_x_lean * w_45
+                        - l_lambda_slip_y_lean * w_44,
+                    inverse_lean * w_58 + minus_l_lambda_slip_x_lean * w_67
+                        - l_lambda_slip_y_lean * w_66,
+                    S::from_f64(0.0),
+                ],
+                [S::from_f64(0.0), S::from_f64(0.0), w_68, w_69, S::from_f64(0.0)],
+            ],
+            accelerations_by_speeds: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_87),
+                    -(self.inverse_x * w_103),
+                    -(self.inverse_x * w_112),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_x * w_86),
+                    -(self.inverse_x * w_102),
+                    -(self.inverse_x * w_111),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_l_lambda_slip_x_psi * w_87 - inverse_psi * w_82
+                        - l_phi_psi * w_113 + minus_l_lambda_slip_y_psi * w_86,
+                    minus_l_lambda_slip_x_psi * w_103 - inverse_psi * w_98
+                        - l_phi_psi * w_114 + minus_l_lambda_slip_y_psi * w_102,
+                    minus_l_lambda_slip_x_psi * w_112 - inverse_psi * w_106
+                        - l_phi_psi * w_115 + minus_l_lambda_slip_y_psi * w_111,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    inverse_lean * w_81 + minus_l_lambda_slip_x_lean * w_87
+                        - l_lambda_slip_y_lean * w_86,
+                    inverse_lean * w_97 + minus_l_lambda_slip_x_lean * w_103
+                        - l_lambda_slip_y_lean * w_102,
+                    inverse_lean * w_105 + minus_l_lambda_slip_x_lean * w_112
+                        - l_lambda_slip_y_lean * w_111,
+                ],
+                [S::from_f64(0.0), S::from_f64(0.0), w_113, w_114, w_115],
+            ],
+            multipliers_by_positions: [
+                [S::from_f64(0.0), S::from_f64(0.0), w_45, w_67, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_44, w_66, S::from_f64(0.0)],
+            ],
+            multipliers_by_speeds: [
+                [S::from_f64(0.0), S::from_f64(0.0), w_87, w_103, w_112],
+                [S::from_f64(0.0), S::from_f64(0.0), w_86, w_102, w_111],
+            ],
+            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_slip_x,
+                    minus_pivot_lambda_slip_x,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_2),
+        }
+    }
+    /// The kinematic differential equations `q' = N u + n`: speeds (5) of generalised speeds `u` (3), from `u = W q' + w` and what they satisfy by construction. Where `refused` is set a pivot was too small and nothing else holds: no generalised speeds determine the speeds there.
+    ///
+    /// Operations: 3 additions, 12 multiplications, 1 division, 2 sine-cosine pairs.
+    #[inline]
+    pub fn kinematics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::Kinematics<S, [S; 5]> {
+        let [_, _, psi, lean, _] = *q;
+        let [roll, nod, turn] = *u;
+        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let pivot_psi_dot = cos_lean * cos_lean;
+        let psi_dot = S::from_f64(1.0) / pivot_psi_dot * cos_lean * turn;
+        sim_kernel::Kinematics {
+            rates: [
+                self.r * (sin_psi * cos_lean * nod + cos_psi * roll),
+                self.r * (sin_psi * roll - cos_psi * cos_lean * nod),
+                psi_dot,
+                nod,
+                roll - sin_lean * psi_dot,
+            ],
+            refused: sim_kernel::pivot_is_refused(pivot_psi_dot, pivot_psi_dot),
+        }
+    }
+    /// The rates of the generalised speeds (3) and the multipliers of those constraints that they do not satisfy by construction (0), from Kane's equations
+    ///
+    /// ```text
+    /// [ N' M N  N' C_q' ] [ u'     ]   [ N' (Q - h - M c)                       ]
+    /// [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]
+    /// ```
+    ///
+    /// with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. Where `refused` is set a pivot was too small and nothing else holds.
+    ///
+    /// Operations: 5 additions, 31 multiplications, 2 divisions, 1 sine-cosine pair.
+    #[inline]
+    pub fn speed_dynamics(
+        &self,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::SpeedDynamics<S, [S; 3], [S; 0]> {
+        let [_, _, _, lean, _] = *q;
+        let [roll, nod, turn] = *u;
+        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
+        let pivot_psi_dot = cos_lean * cos_lean;
+        let inverse_psi_dot = S::from_f64(1.0) / pivot_psi_dot;
+        let psi_dot = inverse_psi_dot * cos_lean * turn;
+        let psi_by_turn = cos_lean * inverse_psi_dot;
+        let pivot_turn_dot = self.k * pivot_psi_dot * psi_by_turn * psi_by_turn;
+        sim_kernel::SpeedDynamics {
+            rates: [
+                -(self.k_2 * cos_lean * psi_dot * nod * self.inverse_roll_dot),
+                (sin_lean * (self.k_4 - self.k * cos_lean * psi_dot * psi_dot)
+                    + cos_lean * psi_dot * roll * self.pivot_roll_dot)
+                    * self.inverse_nod_dot,
+                psi_by_turn
+                    * (self.mass_phi_phi * cos_lean * nod * (sin_lean * psi_dot - roll)
+                        - self.k * pivot_psi_dot * inverse_psi_dot * sin_lean * cos_lean
+                            * psi_dot * nod) * (S::from_f64(1.0) / pivot_turn_dot),
+            ],
+            multipliers: [],
+            refused: sim_kernel::pivot_is_refused(
+                self.pivot_roll_dot,
+                self.pivot_roll_dot,
+            ) | sim_kernel::pivot_is_refused(self.pivot_nod_dot, self.pivot_nod_dot)
+                | sim_kernel::pivot_is_refused(pivot_turn_dot, pivot_turn_dot)
+                | sim_kernel::pivot_is_refused(pivot_psi_dot, pivot_psi_dot),
+        }
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Wheel<S> {
+    type Q = [S; 5];
+    type L = [S; 2];
+    type Z = [S; 7];
+    type QQ = [[S; 5]; 5];
+    type LQ = [[S; 5]; 2];
+    type LL = [[S; 2]; 2];
+    type ZZ = [[S; 7]; 7];
+    type Parameters = [S; 3];
+    type Outputs = [S; 0];
+    type OutputRates = [S; 0];
+    type Events = [S; 0];
+    type EventValues = [S; 0];
+    type Activities = [S; 0];
+    type Drawing = [S; 0];
+    type QP = [[S; 3]; 5];
+    type LP = [[S; 3]; 2];
+    type Inputs = [sim_kernel::Input<S>; 0];
+    type Prepared = WheelPrepared<S>;
+    type On<T: sim_kernel::Scalar> = Wheel<T>;
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "wheel",
+        type_name: "Wheel",
+        docs: "A disc that rolls and leans, by the components of its angular velocity in the frame that does not spin with it.",
+        declaration: "/// A disc that rolls and leans, by the components of its angular velocity in the frame that does not spin with it.\npub Wheel;\n\ncoordinates { x [m]; y [m]; psi [rad]; lean [rad]; phi [rad]; }\n\nparameters { m [kg] = 0.5; r [m] = 0.2; g [m/s^2] = 9.81; }\n\nlet S = rotation([0, 0, 1], psi)*rotation([1, 0, 0], lean);\nlet P = [x, y, r*cos(lean)];\nbodies { disc: mass m at P, inertia [m*r^2/4, m*r^2/2, m*r^2/4], attitude S*rotation([0, 1, 0], phi); }\nloads { gravity [0, 0, -g]; }\n\nlet slip = dot(P) + cross(omega(disc), S*[0, 0, -r]);\nconstraints { slip_x: slip.x = 0; slip_y: slip.y = 0; }\n\nlet w = transpose(S)*omega(disc);\nspeeds {\n    /// About the axis.\n    roll [rad/s] = w.y;\n    nod [rad/s] = w.x;\n    turn [rad/s] = w.z;\n}\n\ninitial { lean = -0.3; dot(psi) = 1.5; }\n",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "x",
+                    unit: "m",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "x_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "x_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Free,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "y",
+                    unit: "m",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "y_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "y_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Free,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "psi",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "psi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "psi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Free,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "lean",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "lean_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "lean_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi",
+                    unit: "rad",
+                    factor: 1f64,
+                    docs: "",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Free,
+                speed_given: false,
+            },
+        ],
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "r",
+                unit: "m",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        inputs: &[],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "slip_x",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "slip_y",
+                unit: "N",
+                factor: 1f64,
+                docs: "",
+            },
+        ],
+        speed_constraints: &[0, 1],
+        norm_constraints: &[],
+        conditionals: &[],
+        events: &[],
+        outputs: &[],
+        rated_outputs: &[],
+        figures: &[],
+        dimension: 3,
+        drawing: &[],
+    };
+    fn defaults() -> Self {
+        Self {
+            m: S::from_f64(0.5f64),
+            r: S::from_f64(0.2f64),
+            g: S::from_f64(9.81f64),
+        }
+    }
+    fn parameters(&self) -> [S; 3] {
+        [self.m, self.r, self.g]
+    }
+    fn with_parameters(&self, parameters: [S; 3]) -> Self {
+        Self {
+            m: parameters[0],
+            r: parameters[1],
+            g: parameters[2],
+            ..*self
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> Wheel<T> {
+        Wheel {
+            m: convert(self.m),
+            r: convert(self.r),
+            g: convert(self.g),
+        }
+    }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    #[inline(always)]
+    fn prepare(&self) -> WheelPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::Dynamics<S, [S; 5], [S; 2]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 5]; 5], [[S; 5]; 2]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 2] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 5]) -> [S; 2] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 2] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 5],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 5]; 2]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 5], qd: &[S; 5], qdd: &[S; 5], lambda: &[S; 2]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 2],
+    ) -> [S; 0] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 5], qd: &[S; 5], qdd: &[S; 5]) -> [S; 0] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 5],
+        qd: &[S; 5],
+        qdd: &[S; 5],
+        lambda: &[S; 2],
+    ) -> [S; 0] {
+        self.events(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 5]) -> [S; 0] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 5]> {
+        self.initial()
+    }
+}
+/// Generalised speeds of [`Wheel`] by name, in SI units; also for their rates.
+#[allow(non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct WheelSpeeds<S = ::core::primitive::f64> {
+    /// About the axis, in `rad/s`.
+    pub roll: S,
+    /// In `rad/s`.
+    pub nod: S,
+    /// In `rad/s`.
+    pub turn: S,
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<[S; 3]> for WheelSpeeds<S> {
+    fn from(values: [S; 3]) -> Self {
+        Self {
+            roll: values[0],
+            nod: values[1],
+            turn: values[2],
+        }
+    }
+}
+impl<S: sim_kernel::Scalar> ::core::convert::From<WheelSpeeds<S>> for [S; 3] {
+    fn from(record: WheelSpeeds<S>) -> Self {
+        [record.roll, record.nod, record.turn]
+    }
+}
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::GeneralizedSpeeds<S> for Wheel<S> {
+    type U = [S; 3];
+    type R = [S; 0];
+    const SPEEDS: &'static [sim_kernel::Quantity] = &[
+        sim_kernel::Quantity {
+            name: "roll",
+            unit: "rad/s",
+            factor: 1f64,
+            docs: "About the axis.",
+        },
+        sim_kernel::Quantity {
+            name: "nod",
+            unit: "rad/s",
+            factor: 1f64,
+            docs: "",
+        },
+        sim_kernel::Quantity {
+            name: "turn",
+            unit: "rad/s",
+            factor: 1f64,
+            docs: "",
+        },
+    ];
+    const ROWS: &'static [::core::primitive::usize] = &[];
+    #[inline(always)]
+    fn prepared_kinematics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::Kinematics<S, [S; 5]> {
+        prepared.kinematics(t, q, u)
+    }
+    #[inline(always)]
+    fn prepared_speed_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 5],
+        u: &[S; 3],
+    ) -> sim_kernel::SpeedDynamics<S, [S; 3], [S; 0]> {
+        prepared.speed_dynamics(t, q, u)
+    }
+    #[inline(always)]
+    fn generalized_speeds(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 3] {
+        self.generalized_speeds(t, q, qd)
+    }
+}
