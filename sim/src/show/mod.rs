@@ -144,5 +144,5 @@ fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
     fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
     let path = directory.join(format!("{name}.svg"));
     fs::write(&path, &document).map_err(|why| ShowError::write(&path, why))?;
-    png::write(&document, &directory.join(format!("{name}.png")))
+    png::write(scene, &directory.join(format!("{name}.png")))
 }
