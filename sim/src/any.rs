@@ -84,8 +84,6 @@ pub(crate) trait AnyMechanism {
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
     /// d(q'', lambda)/dq and d(q'', lambda)/dq', each n + m x n, from the generated kernels; `None` where these refuse a pivot.
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]>;
-    /// d(q'', lambda)/d(parameters), n + m x parameters, likewise.
-    fn by_parameters(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<DMatrix<f64>>;
     /// The dependent coordinates and the dependent speeds that pivoting chooses.
     fn dependent(&self, at: At<f64>) -> Option<[Vec<usize>; 2]>;
     /// Accelerations and multipliers with their derivatives along a change of positions and speeds, and of a control;
@@ -95,8 +93,8 @@ pub(crate) trait AnyMechanism {
     fn constraints_along(&self, at: At<Dual>, control: Option<Control>) -> [Vec<Dual>; 3];
     /// The outputs, likewise.
     fn outputs_along(&self, at: At<Dual>, control: Option<Control>) -> Vec<Dual>;
-    /// The same with second derivatives.
-    fn outputs_along_twice(&self, at: At<Dual<Dual>>) -> Vec<Dual<Dual>>;
+    /// The rates of outputs that have one, with their derivatives along a change of positions and speeds.
+    fn output_rates_along(&self, at: At<Dual>) -> Vec<Dual>;
 }
 
 /// A mechanism as one whose type is forgotten.
@@ -158,8 +156,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         outputs(self.0, at)
     }
     fn output_rates(&self, at: At<f64>) -> Vec<f64> {
-        let (q, qd) = (array(at.positions), array(at.speeds));
-        self.0.output_rates(at.time, &q, &qd, &array(at.accelerations)).as_ref().to_vec()
+        output_rates(self.0, at)
     }
     fn events(&self, at: At<f64>) -> Vec<f64> {
         let (q, qd) = (array(at.positions), array(at.speeds));
@@ -204,12 +201,6 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
             ]
         })
     }
-    fn by_parameters(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<DMatrix<f64>> {
-        let found = self.0.dynamics_sensitivity(time, &array(q), &array(qd));
-        let [accelerations, multipliers] =
-            [matrix::<M::QP, M::Parameters>(&found.accelerations), matrix::<M::LP, M::Parameters>(&found.multipliers)];
-        (!found.refused).then(|| below(accelerations, multipliers))
-    }
     fn dependent(&self, at: At<f64>) -> Option<[Vec<usize>; 2]> {
         let (positions, speeds) = (array(at.positions), array(at.speeds));
         let mut partition = Partition::default();
@@ -229,8 +220,8 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn outputs_along(&self, at: At<Dual>, control: Option<Control>) -> Vec<Dual> {
         outputs(&self.lifted(at, control), at)
     }
-    fn outputs_along_twice(&self, at: At<Dual<Dual>>) -> Vec<Dual<Dual>> {
-        outputs(&self.0.on(|value| Dual::constant(Dual::constant(value))), at)
+    fn output_rates_along(&self, at: At<Dual>) -> Vec<Dual> {
+        output_rates(&self.0.on(Dual::constant), at)
     }
 }
 
@@ -329,4 +320,9 @@ fn set_row(matrix: &mut DMatrix<f64>, i: usize, row: &[f64]) {
 fn outputs<S: Scalar, M: Mechanism<S>>(mechanism: &M, at: At<S>) -> Vec<S> {
     let (q, qd) = (array(at.positions), array(at.speeds));
     mechanism.outputs(at.time, &q, &qd, &array(at.accelerations), &array(at.multipliers)).as_ref().to_vec()
+}
+
+fn output_rates<S: Scalar, M: Mechanism<S>>(mechanism: &M, at: At<S>) -> Vec<S> {
+    let (q, qd) = (array(at.positions), array(at.speeds));
+    mechanism.output_rates(at.time, &q, &qd, &array(at.accelerations)).as_ref().to_vec()
 }

@@ -76,19 +76,15 @@ impl Driven {
         }
     }
 
-    /// (y_q q' + y_t)_q q' + (..)_t: y'' without accelerations.
+    /// (y_q q' + y_t)_q q' + (..)_t: y'' without accelerations, the change of y' along the motion.
     pub(super) fn convective(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64], qd: &[f64]) -> f64 {
-        match self {
-            Driven::Coordinate(_) => 0.0,
-            Driven::Output(i) => {
-                let moving = |value: f64, rate: f64| Dual {
-                    value: Dual { value, derivative: rate },
-                    derivative: Dual { value: rate, derivative: 0.0 },
-                };
-                let q: Vec<_> = q.iter().zip(qd).map(|(q, qd)| moving(*q, *qd)).collect();
-                mechanism.outputs_along_twice(At::moving(moving(time, 1.0), &q, &[]))[i].derivative.derivative
-            }
-        }
+        let Driven::Output(output) = self else { return 0.0 };
+        let rated = mechanism.description().rated_outputs.iter().position(|rated| *rated == output);
+        let Some(rated) = rated else { return f64::NAN };
+        let moving = |value: f64, derivative: f64| Dual { value, derivative };
+        let positions: Vec<Dual> = q.iter().zip(qd).map(|(q, qd)| moving(*q, *qd)).collect();
+        let speeds: Vec<Dual> = qd.iter().map(|qd| Dual::constant(*qd)).collect();
+        mechanism.output_rates_along(At::moving(moving(time, 1.0), &positions, &speeds))[rated].derivative
     }
 
     /// That it can be driven: an output must depend on positions alone.

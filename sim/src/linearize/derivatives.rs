@@ -59,19 +59,11 @@ impl Derivatives {
 
 /// How accelerations and multipliers change with each input; nothing where a pivot is refused.
 fn by_inputs(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Option<Vec<DVector<f64>>> {
-    let asks_for_parameters = inputs.iter().any(|input| matches!(input, Control::Parameter(_)));
-    let by_parameters = match asks_for_parameters {
-        true => mechanism.by_parameters(at.time, at.positions, at.speeds)?,
-        false => DMatrix::zeros(0, 0),
-    };
     let [positions, speeds] = [at.positions, at.speeds].map(constants);
     let still = At::moving(Dual::constant(at.time), &positions, &speeds);
-    let column = |control: &Control| match control {
-        Control::Parameter(p) => Some(by_parameters.column(*p).into()),
-        Control::Input(_) => {
-            let solution = mechanism.solution_along(still, Some(*control))?;
-            Some(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative)))
-        }
+    let column = |control: &Control| {
+        let solution = mechanism.solution_along(still, Some(*control))?;
+        Some(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative)))
     };
     inputs.iter().map(column).collect()
 }
