@@ -104,7 +104,6 @@ mechanism! {
         curve on(inner_gimbal, [0, -inner_radius, 0]), on(inner_gimbal, [0, l, 0]);
         circle [0, 0, 0] radius r normal R*[0, 1, 0];
         curve on(rotor, [-r, 0, 0]), on(rotor, [r, 0, 0]);
-        curve on(rotor, [0, 0, -r]), on(rotor, [0, 0, r]);
         point on(inner_gimbal, [0, l, 0]);
     }
 }
