@@ -11,6 +11,7 @@ mod cart_pole;
 mod double_pendulum;
 mod four_bar;
 mod four_bars;
+mod gyroscope;
 mod half_car;
 mod hanging_chain;
 mod pendulum;
@@ -41,6 +42,7 @@ pub use cart_pole::*;
 pub use double_pendulum::*;
 pub use four_bar::*;
 pub use four_bars::*;
+pub use gyroscope::*;
 pub use half_car::*;
 pub use hanging_chain::*;
 pub use pendulum::*;
@@ -88,6 +90,7 @@ macro_rules! all_models {
             $crate::Tumbling,
             $crate::TumblingQuaternion,
             $crate::Top,
+            $crate::Gyroscope,
             $crate::Cardan,
             $crate::Bennett,
             $crate::RobotArm,

@@ -14,6 +14,7 @@ mod oracle;
 mod arm;
 mod common;
 mod elliptic;
+mod gyroscope;
 mod linkages;
 mod rolling;
 mod speeds;

@@ -93,6 +93,7 @@ macro_rules! all_mechanisms {
             models::Tumbling,
             models::TumblingQuaternion,
             models::Top,
+            models::Gyroscope,
             models::Cardan,
             models::RobotArm,
             models::RollingDisc,

@@ -9,6 +9,8 @@ use std::process::Command;
 pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) declaration: String,
+    /// Components of vectors.
+    pub(crate) dimension: usize,
     pub(crate) states: Vec<State>,
 }
 

@@ -1,5 +1,5 @@
-//! Random declarations: sound ones are derived, compiled and compared with the oracle; mangled ones give an error or
-//! kernels, and never a panic.
+//! Random declarations, in the plane and in space: sound ones are derived, compiled and compared with the oracle; mangled
+//! ones give an error or kernels, and never a panic.
 //!
 //! Seeds are fixed. `LINKWRIGHT_FUZZ=20` makes twenty times as many cases, other ones each.
 
@@ -7,9 +7,13 @@
 
 mod build;
 mod compare;
-mod declaration;
+mod expression;
 mod mangle;
+mod parts;
+mod plane;
 mod random;
+mod space;
+mod table;
 
 use std::env;
 

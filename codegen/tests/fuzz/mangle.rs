@@ -1,7 +1,7 @@
 //! Declarations with words left out, doubled, exchanged and replaced.
 
-use crate::declaration::declaration;
 use crate::random::Random;
+use crate::{plane, space};
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 use std::panic::catch_unwind;
@@ -15,7 +15,9 @@ const CASES: usize = 500;
 const WORDS: &str = "x y q_1 t pi e 0 1 2.5 1e400 99999999999999999999 -1 [m] [rad] [kg*m^2] [x, y] [] () {} (x) ; , : . = + - * \
     / ^ .. ..= % ! # & -> => dot ddot reaction norm sin sqrt atan2 let use as fragment repeat in sum const at on mass inertia \
     angle force torque gravity guess coordinates parameters bodies loads constraints initial events outputs drawing \
-    kernels line slider tables over linear cubic periodic natural held from joints cam by \"title\" 'c' r#type \
+    kernels line slider tables over linear cubic periodic natural held from joints cam by free attitude \
+    rotation(z, t) euler quaternion axes transpose omega cross revolute ball to axis ground pitch R*[x, y, 1] \
+    \"title\" 'c' r#type \
     _ self P_[0] q_[i] repeat i in 1..=3 { } use A as b; x^99 1/0 (((x))) if else";
 
 /// Sound declarations: random ones, the models, and the examples of the language's reference.
@@ -28,7 +30,7 @@ fn declarations() -> Vec<TokenStream> {
     let reference = fs::read_to_string(workspace.join("LANGUAGE.md")).unwrap();
     let examples = reference.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next());
     texts.extend(examples.filter(|text| text.contains("mechanism!")).map(str::to_owned));
-    let random = (0..20).map(|seed| declaration("Fuzz", seed));
+    let random = (0..20).flat_map(|seed| [plane::declaration("Fuzz", seed), space::declaration("Fuzz", seed)]);
     texts.iter().cloned().chain(random).flat_map(|text| codegen::dsl::declarations(&text).unwrap()).collect()
 }
 
