@@ -167,7 +167,7 @@ impl Space {
             " axis [0.48, -0.6, 0.64]",
             " axis [0, sin(p3), cos(p3)]",
         ];
-        self.known.random.pick(&AXES)
+        *self.known.random.pick(&AXES)
     }
 
     /// In the frame of a body.
