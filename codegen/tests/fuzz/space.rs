@@ -156,7 +156,7 @@ impl Space {
         format!("{name}: {kind} {first} to {second}{pitch};\n")
     }
 
-    fn axis(&mut self) -> &'static str {
+    fn axis(&mut self) -> String {
         const AXES: [&str; 8] = [
             "",
             " axis [1, 0, 0]",
@@ -167,7 +167,7 @@ impl Space {
             " axis [0.48, -0.6, 0.64]",
             " axis [0, sin(p3), cos(p3)]",
         ];
-        *self.known.random.pick(&AXES)
+        self.known.random.pick(&AXES).to_string()
     }
 
     /// In the frame of a body.
