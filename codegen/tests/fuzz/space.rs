@@ -138,8 +138,9 @@ impl Space {
                 }
             }
         }
-        let leaves_a_point = |kinds: [&str; 2]| kinds.iter().any(|kind| self.hanging.contains(kind));
-        if self.hanging.len() == 2 && leaves_a_point(["ball", "universal"]) && !self.hanging.contains(&"weld") {
+        // A tip on two joints that can be anywhere near: the third takes three of its coordinates.
+        let hangs_by = |kind| self.hanging.contains(&kind);
+        if self.hanging.len() == 2 && (hangs_by("ball") || hangs_by("universal")) && !hangs_by("weld") {
             let tip = self.bodies[self.bodies.len() - 1].clone();
             text += &self.joint("stay", "ball", "ground", &tip);
             forces.push("stay".to_owned());
