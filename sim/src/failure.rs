@@ -324,7 +324,12 @@ fn readable(value: f64) -> String {
 
 /// The name of a constraint row.
 pub(crate) fn constraint_name<M: Mechanism>(row: usize) -> &'static str {
-    M::DESCRIPTION.constraints.get(row).map_or("?", |constraint| constraint.name)
+    row_name(const { &M::DESCRIPTION }, row)
+}
+
+/// The same in a mechanism of this description.
+pub(crate) fn row_name(description: &Description, row: usize) -> &'static str {
+    description.constraints.get(row).map_or("?", |constraint| constraint.name)
 }
 
 /// The entry of largest magnitude, a NaN before all others. `None` for an empty vector.

@@ -38,9 +38,10 @@ pub(crate) fn nearby_positions(mechanism: &dyn AnyMechanism, time: f64, q: &[f64
 /// An orthonormal basis of the speeds that the constraints that hold allow.
 fn null_space(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DVector<f64>> {
     let (n, jacobian) = (q.len(), mechanism.constraint_jacobian(time, q));
+    let rows = jacobian.nrows();
     // Square at least, so that the decomposition gives all directions.
-    let mut matrix = jacobian.clone().resize_vertically(n.max(jacobian.nrows()), 0.0);
-    (0..jacobian.nrows()).filter(|row| !mechanism.is_active(*row)).for_each(|row| matrix.row_mut(row).fill(0.0));
+    let mut matrix = jacobian.resize_vertically(n.max(rows), 0.0);
+    (0..rows).filter(|row| !mechanism.is_active(*row)).for_each(|row| matrix.row_mut(row).fill(0.0));
     if matrix.iter().any(|entry| !entry.is_finite()) {
         return Vec::new();
     }

@@ -82,8 +82,8 @@ pub fn linearize<M: Mechanism>(
     state: &State<M>,
     inputs: &[Control],
 ) -> Result<Linearization<M>, Failure> {
-    let found = linear(&Any(mechanism), At::state(state), inputs)?;
-    let Linear { a, b, c, d, eigenvalues, modes, reduction } = found;
+    let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
+    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction } = found;
     Ok(Linearization {
         state: *state,
         independent: reduction.independent,
@@ -99,7 +99,7 @@ pub fn linearize<M: Mechanism>(
 }
 
 /// What [`Linearization`] holds, of a mechanism of any type.
-struct Linear {
+struct AnyLinearization {
     a: DMatrix<f64>,
     b: DMatrix<f64>,
     c: DMatrix<f64>,
@@ -109,7 +109,7 @@ struct Linear {
     reduction: Reduction,
 }
 
-fn linear(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Linear, Failure> {
+fn linearize_any(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
     let description = mechanism.description();
     if let Some(input) = inputs.iter().find(|input| constraints_depend_on(mechanism, at, **input)) {
         let what = What::NotAnInput { parameter: input.name_in(description) };
@@ -133,7 +133,7 @@ fn linear(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Resu
     let outputs = description.outputs.len();
     let a = DMatrix::from_fn(size, size, |i, k| rate(&columns[k], i));
     let eigenvalues = modes::eigenvalues(&a);
-    Ok(Linear {
+    Ok(AnyLinearization {
         b: DMatrix::from_fn(size, inputs.len(), |i, k| rate(&forced[k], i)),
         c: DMatrix::from_fn(outputs, size, |i, k| by_state[k][i]),
         d: DMatrix::from_fn(outputs, inputs.len(), |i, k| by_input[k][i]),
