@@ -40,6 +40,14 @@ impl Number {
 
     /// The fraction of two 128-bit integers, the denominator not zero.
     fn reduced(numerator: i128, denominator: i128) -> Number {
+        // Nearly all numbers are short, and dividing long ones takes many times as long.
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
+            && n != i64::MIN
+            && d > 0
+        {
+            let divisor = num_integer::gcd(n, d);
+            return Number(Repr::Small(n / divisor, d / divisor));
+        }
         let divisor = num_integer::gcd(numerator, denominator) * denominator.signum();
         let (n, d) = (numerator / divisor, denominator / divisor);
         match (i64::try_from(n), i64::try_from(d)) {
@@ -160,6 +168,11 @@ impl Number {
     /// `None` for a negative power of 0, and for results of more than about 4,000 bits, which are better
     /// left unevaluated.
     pub fn pow(&self, exponent: i64) -> Option<Number> {
+        if let (Repr::Small(n, d), Ok(exponent)) = (&self.0, u32::try_from(exponent))
+            && let (Some(n), Some(d)) = (n.checked_pow(exponent), d.checked_pow(exponent))
+        {
+            return Some(Number(Repr::Small(n, d)));
+        }
         let base = if exponent < 0 { self.recip()?.to_big() } else { self.to_big() };
         let bits = base.numer().bits() + base.denom().bits();
         let exponent = match exponent.unsigned_abs() {
@@ -186,6 +199,11 @@ impl Number {
     /// one is 0.
     pub fn gcd(&self, other: &Number) -> Number {
         use num_integer::Integer;
+        if let (Repr::Small(a, 1), Repr::Small(b, 1)) = (&self.0, &other.0)
+            && let (Some(a), Some(b)) = (a.checked_abs(), b.checked_abs())
+        {
+            return Number(Repr::Small(a.gcd(&b), 1));
+        }
         let (a, b) = (self.to_big(), other.to_big());
         let numerator = (a.numer() * b.denom()).gcd(&(b.numer() * a.denom()));
         if numerator.is_zero() {
@@ -204,6 +222,11 @@ impl From<i64> for Number {
 impl Add for &Number {
     type Output = Number;
     fn add(self, other: &Number) -> Number {
+        if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c)
+        {
+            return Number(Repr::Small(sum, 1));
+        }
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
             // |a d|, |c b| < 2^126, so the sum cannot overflow.
@@ -216,6 +239,11 @@ impl Add for &Number {
 impl Mul for &Number {
     type Output = Number;
     fn mul(self, other: &Number) -> Number {
+        if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c)
+        {
+            return Number(Repr::Small(product, 1));
+        }
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return Number::reduced(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
         }

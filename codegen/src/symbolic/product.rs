@@ -54,13 +54,13 @@ impl Graph {
         if exponent == 0 {
             return;
         }
-        match self.node(base).clone() {
+        match self.node(base) {
             Node::Number(value) => match value.pow(exponent) {
                 Some(value) => *coefficient = &*coefficient * &value,
                 None => factors.push((base, exponent)),
             },
             Node::Product { coefficient: inner, factors: inner_factors } => {
-                let folds = inner.pow(exponent).filter(|_| self.may_distribute(&inner_factors, exponent));
+                let folds = inner.pow(exponent).filter(|_| self.may_distribute(inner_factors, exponent));
                 let scaled: Option<Vec<_>> =
                     inner_factors.iter().map(|(b, e)| Some((*b, e.checked_mul(exponent)?))).collect();
                 match (folds, scaled) {
@@ -94,11 +94,11 @@ impl Graph {
     /// A sum as a number times a sum with coprime integer coefficients, the first one positive; where these would be
     /// large, so that powers of the sum could leave the range of `f64`, times a sum whose first coefficient is 1.
     fn split_content(&mut self, sum: Expr) -> (Number, Expr) {
-        let Node::Sum { constant, terms } = self.node(sum).clone() else {
+        let Node::Sum { constant, terms } = self.node(sum) else {
             return (Number::ONE, sum);
         };
         let mut content = terms.iter().fold(constant.abs(), |gcd, (_, c)| gcd.gcd(c)).abs();
-        let largest = terms.iter().map(|(_, c)| c).chain([&constant]).map(|c| c.to_f64().abs()).fold(0.0, f64::max);
+        let largest = terms.iter().map(|(_, c)| c).chain([constant]).map(|c| c.to_f64().abs()).fold(0.0, f64::max);
         match terms.first() {
             Some((_, first)) if largest > LARGEST_INTEGER * content.to_f64() => content = first.clone(),
             Some((_, first)) if first.is_negative() => content = -&content,
@@ -107,7 +107,7 @@ impl Graph {
         match content.recip() {
             Some(inverse) if !content.is_one() => {
                 let primitive = Node::Sum {
-                    constant: &constant * &inverse,
+                    constant: constant * &inverse,
                     terms: terms.iter().map(|(term, c)| (*term, c * &inverse)).collect(),
                 };
                 (content, self.intern(primitive))

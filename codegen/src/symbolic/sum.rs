@@ -55,15 +55,15 @@ impl Graph {
 
     /// Splits `weight * expr` into a number and terms of coefficient one.
     fn collect_terms(&mut self, expr: Expr, weight: &Number, constant: &mut Number, terms: &mut Vec<(Expr, Number)>) {
-        match self.node(expr).clone() {
-            Node::Number(value) => *constant = &*constant + &(&value * weight),
+        match self.node(expr) {
+            Node::Number(value) => *constant = &*constant + &(value * weight),
             Node::Sum { constant: inner, terms: inner_terms } => {
-                *constant = &*constant + &(&inner * weight);
+                *constant = &*constant + &(inner * weight);
                 terms.extend(inner_terms.iter().map(|(term, c)| (*term, c * weight)));
             }
             Node::Product { coefficient, factors } if !coefficient.is_one() => {
-                let monic = self.canonical_product(Number::ONE, factors.into_vec());
-                terms.push((monic, &coefficient * weight));
+                let (weight, factors) = (coefficient * weight, factors.to_vec());
+                terms.push((self.canonical_product(Number::ONE, factors), weight));
             }
             _ => terms.push((expr, weight.clone())),
         }
@@ -83,10 +83,11 @@ impl Graph {
         if weight.is_one() {
             return term;
         }
-        match self.node(term).clone() {
-            Node::Product { factors, .. } => self.canonical_product(weight, factors.into_vec()),
-            _ => self.canonical_product(weight, vec![(term, 1)]),
-        }
+        let factors = match self.node(term) {
+            Node::Product { factors, .. } => factors.to_vec(),
+            _ => vec![(term, 1)],
+        };
+        self.canonical_product(weight, factors)
     }
 }
 
