@@ -122,12 +122,12 @@ pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
 
 /// The word that says what a clause is, one of those expected.
 pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
-    let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-    let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {list}")))?;
+    let list = || expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+    let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {}", list())))?;
     if expected.iter().any(|e| word == e) {
         return Ok(word);
     }
-    Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {list}")))
+    Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {}", list())))
 }
 
 pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {

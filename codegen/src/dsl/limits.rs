@@ -17,11 +17,12 @@ pub(super) fn check(tokens: TokenStream) -> syn::Result<()> {
 fn check_nesting(tokens: TokenStream, depth: usize) -> syn::Result<usize> {
     let (mut longest, mut words) = (0, 0);
     for token in tokens {
-        let place = Region::from(token.span());
+        let span = token.span();
+        let mistake = |message| Err(Region::from(span).error(message));
         match token {
             TokenTree::Punct(punct) if punct.as_char() == ';' => words = 0,
             TokenTree::Group(_) if depth == DEEPEST => {
-                return Err(place.error("brackets are nested too deeply; name inner parts with `let`"));
+                return mistake("brackets are nested too deeply; name inner parts with `let`");
             }
             TokenTree::Group(group) => {
                 let inside = check_nesting(group.stream(), depth + 1)?;
@@ -31,7 +32,7 @@ fn check_nesting(tokens: TokenStream, depth: usize) -> syn::Result<usize> {
             _ => words += 1,
         }
         if words > LONGEST_LINE {
-            return Err(place.error("this line is too long; name parts of it with `let`"));
+            return mistake("this line is too long; name parts of it with `let`");
         }
         longest = longest.max(words);
     }

@@ -57,10 +57,7 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// # Errors
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
-    super::limits::check(tokens.clone())?;
-    let ordinary = super::reuse::expand(tokens)?;
-    super::limits::check(ordinary.clone())?;
-    let mut declaration = declaration.parse2(ordinary)?;
+    let mut declaration = declaration.parse2(super::reuse::expand(tokens)?)?;
     super::free::give_coordinates(&mut declaration)?;
     super::spanning_tree::place_bodies(&mut declaration)?;
     super::frame::write_out(declaration)
@@ -123,12 +120,12 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         declaration.lets.push(ended(block::definition)(input)?);
         return Ok(());
     }
-    let list = BLOCKS.map(|word| format!("`{word}`")).join(", ");
-    let word =
-        Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {list}")))?;
+    let list = || BLOCKS.map(|word| format!("`{word}`")).join(", ");
+    let word = Ident::parse_any(input)
+        .map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {}", list())))?;
     if !BLOCKS.iter().any(|block| word == block) {
         let near = crate::nearest::block(&word.to_string(), &BLOCKS);
-        return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {list}")));
+        return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {}", list())));
     }
     if !input.peek(syn::token::Brace) {
         return Err(here(input, format!("expected `{{`: `{word} {{ .. }}`")));

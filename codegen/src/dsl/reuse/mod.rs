@@ -15,6 +15,7 @@ mod words;
 
 pub use attribute::attributed;
 
+use crate::dsl::limits;
 use crate::mistakes::Mistakes;
 use crate::nearest;
 use fragment::Fragment;
@@ -27,13 +28,43 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Words that a declaration may come to when it is written out.
 const MOST_WORDS: usize = 50_000;
 
-/// Writes out all fragments and repetitions of a declaration.
+/// Writes out all fragments and repetitions of a declaration. What there was and what comes of it are within the limits.
 pub(super) fn expand(tokens: TokenStream) -> syn::Result<TokenStream> {
-    expand_at(tokens, &mut Places::default())
+    limits::check(tokens.clone())?;
+    if is_written_out(tokens.clone()) {
+        return Ok(tokens);
+    }
+    let written = expand_at(tokens, &mut Places::default())?;
+    limits::check(written.clone())?;
+    Ok(written)
 }
 
-/// The same, with a say in where words are.
+/// Whether nothing can be there to write out, as for most declarations: no word of reuse, no name that an index may follow.
+fn is_written_out(tokens: TokenStream) -> bool {
+    let (mut blocks, mut words) = (vec![tokens], 0);
+    while let Some(block) = blocks.pop() {
+        for token in block {
+            words += 1;
+            match token {
+                TokenTree::Group(group) => blocks.push(group.stream()),
+                TokenTree::Ident(word) => {
+                    let word = word.to_string();
+                    if word.ends_with('_') || ["fragment", "const", "use", "repeat", "sum"].contains(&word.as_str()) {
+                        return false;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    words <= MOST_WORDS
+}
+
+/// Writes out, with a say in where words are.
 fn expand_at(tokens: TokenStream, places: &mut Places) -> syn::Result<TokenStream> {
+    if is_written_out(tokens.clone()) {
+        return Ok(tokens);
+    }
     let mut mistakes = Mistakes::default();
     let (fragments, constants, rest) = fragment::collect(tokens, places, &mut mistakes);
     if !mistakes.is_empty() {

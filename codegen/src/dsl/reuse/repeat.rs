@@ -265,6 +265,8 @@ fn same(a: &[TokenTree], b: &[TokenTree]) -> bool {
     a.len() == b.len()
         && a.iter().zip(b).all(|(a, b)| match (a, b) {
             (TokenTree::Group(a), TokenTree::Group(b)) => same(&list(a.stream()), &list(b.stream())),
+            (TokenTree::Ident(a), TokenTree::Ident(b)) => a == b,
+            (TokenTree::Punct(a), TokenTree::Punct(b)) => a.as_char() == b.as_char(),
             _ => a.to_string() == b.to_string(),
         })
 }
