@@ -2,6 +2,7 @@
 
 use super::names::Name;
 use crate::symbolic::{Constant, Function};
+use std::rc::Rc;
 
 /// An expression in the order and shape in which it is read.
 #[derive(Clone, Debug)]
@@ -9,7 +10,7 @@ pub(super) enum Formula {
     /// A number that is not negative: digits, perhaps with a decimal point.
     Number(String),
     Constant(Constant),
-    Name(Name),
+    Name(Rc<Name>),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Formula)>),
     /// Factors: no quotient is among them.
@@ -24,8 +25,8 @@ pub(super) enum Formula {
     /// The second where the first is above zero, and else the third.
     Choice(Box<Formula>, Box<Formula>, Box<Formula>),
     /// The derivative of this order of the table of that name.
-    Table(Name, u8, Box<Formula>),
-    Transpose(Name),
+    Table(Rc<Name>, u8, Box<Formula>),
+    Transpose(Rc<Name>),
 }
 
 /// How tightly the outermost operation of a formula binds.

@@ -2,6 +2,7 @@
 
 use crate::symbolic::{Expr, Graph, Symbol, TableId};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::rc::Rc;
 
 /// A name, as text and as it is set.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -71,9 +72,9 @@ impl Name {
 /// The names of symbols and of whole expressions. No two look the same.
 #[derive(Default)]
 pub(super) struct Names {
-    symbols: FxHashMap<Symbol, Name>,
-    expressions: FxHashMap<Expr, Name>,
-    tables: Vec<Name>,
+    symbols: FxHashMap<Symbol, Rc<Name>>,
+    expressions: FxHashMap<Expr, Rc<Name>>,
+    tables: Vec<Rc<Name>>,
     taken: FxHashSet<Setting>,
 }
 
@@ -91,10 +92,10 @@ impl Names {
     }
 
     /// The name of a table.
-    pub(super) fn table(&self, graph: &Graph, table: TableId) -> Name {
+    pub(super) fn table(&self, graph: &Graph, table: TableId) -> Rc<Name> {
         match self.tables.get(table.index()) {
             Some(name) => name.clone(),
-            None => Name::verbatim(&graph.table(table).name),
+            None => Name::verbatim(&graph.table(table).name).into(),
         }
     }
 
@@ -106,24 +107,24 @@ impl Names {
 
     /// Names an expression as an entry of a matrix, which no other name looks like.
     pub(super) fn name_entry(&mut self, expr: Expr, name: Name) {
-        self.expressions.insert(expr, name);
+        self.expressions.insert(expr, name.into());
     }
 
-    pub(super) fn of(&self, expr: Expr) -> Option<&Name> {
+    pub(super) fn of(&self, expr: Expr) -> Option<&Rc<Name>> {
         self.expressions.get(&expr)
     }
 
-    pub(super) fn symbol(&self, graph: &Graph, symbol: Symbol) -> Name {
+    pub(super) fn symbol(&self, graph: &Graph, symbol: Symbol) -> Rc<Name> {
         match self.symbols.get(&symbol) {
             Some(name) => name.clone(),
-            None => Name::of_word(graph.symbol_name(symbol), graph.symbol_name(symbol), 0),
+            None => Name::of_word(graph.symbol_name(symbol), graph.symbol_name(symbol), 0).into(),
         }
     }
 
-    fn unique(&mut self, name: Name) -> Name {
+    fn unique(&mut self, name: Name) -> Rc<Name> {
         match self.taken.insert(name.set.clone()) {
-            true => name,
-            false => Name::verbatim(&name.text),
+            true => name.into(),
+            false => Name::verbatim(&name.text).into(),
         }
     }
 }

@@ -8,6 +8,7 @@ use super::width::set_width;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::Constraint;
 use crate::symbolic::Expr;
+use std::rc::Rc;
 
 /// The widest system that is also written entry by entry.
 const LARGEST_SYSTEM: usize = 8;
@@ -39,7 +40,7 @@ pub(super) enum Block {
 struct Term<'a> {
     part: &'static str,
     title: &'static str,
-    symbol: Name,
+    symbol: Rc<Name>,
     rows: Vec<&'a [Expr]>,
     is_matrix: bool,
 }
@@ -88,11 +89,17 @@ impl<'a> Term<'a> {
         rows: &'a [Vec<Expr>],
     ) -> Term<'a> {
         let rows = rows.iter().map(Vec::as_slice).collect();
-        Term { part, title, symbol: Name::bold(part, letter, indices), rows, is_matrix: true }
+        Term { part, title, symbol: Name::bold(part, letter, indices).into(), rows, is_matrix: true }
     }
 
     fn vector(part: &'static str, title: &'static str, letter: &str, entries: &'a [Expr]) -> Term<'a> {
-        Term { part, title, symbol: Name::bold(part, letter, &[]), rows: entries.chunks(1).collect(), is_matrix: false }
+        Term {
+            part,
+            title,
+            symbol: Name::bold(part, letter, &[]).into(),
+            rows: entries.chunks(1).collect(),
+            is_matrix: false,
+        }
     }
 
     /// The name of an entry.
@@ -155,13 +162,16 @@ fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Transl
 }
 
 fn named(text: &str, letter: &str, entries: Vec<Vec<Formula>>) -> Equation {
-    Equation { left: vec![Block::Formula(Formula::Name(Name::bold(text, letter, &[])))], right: Block::Matrix(entries) }
+    Equation {
+        left: vec![Block::Formula(Formula::Name(Name::bold(text, letter, &[]).into()))],
+        right: Block::Matrix(entries),
+    }
 }
 
 /// `[M C_q'; C_q 0] [q''; lambda] = [Q - h; -c]`
 fn by_blocks(terms: &[Term; 6], constraints: usize) -> Equation {
     let [mass, convective, loads, _, jacobian, rates] = terms.each_ref().map(|term| term.symbol.clone());
-    let accelerations = Formula::Name(Name::bold("accelerations", "q", &[]).dotted(2));
+    let accelerations = Formula::Name(Name::bold("accelerations", "q", &[]).dotted(2).into());
     let forces = Formula::Sum(vec![(false, Formula::Name(loads)), (true, Formula::Name(convective))]);
     let mass = Formula::Name(mass);
     if constraints == 0 {
@@ -172,7 +182,7 @@ fn by_blocks(terms: &[Term; 6], constraints: usize) -> Equation {
     }
     let matrix =
         vec![vec![mass, Formula::Transpose(jacobian.clone())], vec![Formula::Name(jacobian), Formula::number(0)]];
-    let multipliers = Formula::Name(Name::bold("multipliers", "lambda", &[]));
+    let multipliers = Formula::Name(Name::bold("multipliers", "lambda", &[]).into());
     Equation {
         left: vec![Block::Matrix(matrix), Block::Matrix(vec![vec![accelerations], vec![multipliers]])],
         right: Block::Matrix(vec![vec![forces], vec![Formula::Name(rates).signed(true)]]),
