@@ -67,7 +67,7 @@ fn backwards(graph: &mut Graph, pairs: &[(Expr, Expr)], speeds: &[Symbol]) -> Op
     let mut depends: BTreeMap<Expr, bool> = BTreeMap::new();
     for expr in graph.reachable(&velocities) {
         let own = matches!(graph.node(expr), Node::Symbol(symbol) if speeds.contains(symbol));
-        let found = own || graph.operands(expr).iter().any(|operand| depends[operand]);
+        let found = own || graph.operands(expr).any(|operand| depends[&operand]);
         depends.insert(expr, found);
     }
     let mut passed: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();

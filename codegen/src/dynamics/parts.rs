@@ -140,7 +140,8 @@ impl Writer {
     }
 
     fn rewrite_operands(&mut self, model: &mut Model, expr: Expr) -> Expr {
-        for operand in model.graph.operands(expr) {
+        let operands: Vec<Expr> = model.graph.operands(expr).collect();
+        for operand in operands {
             self.rewrite(model, operand);
         }
         with_operands(&mut model.graph, expr, |operand| self.done[&operand])

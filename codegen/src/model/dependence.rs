@@ -57,7 +57,7 @@ impl Dependences {
         }
         let found = match graph.node(expr) {
             Node::Symbol(symbol) => self.symbols.get(symbol).copied().unwrap_or_default(),
-            _ => graph.operands(expr).into_iter().fold(Dependence::NONE, |all, x| all.or(self.of(graph, x))),
+            _ => graph.operands(expr).fold(Dependence::NONE, |all, x| all.or(self.of(graph, x))),
         };
         self.nodes.insert(expr, found);
         found

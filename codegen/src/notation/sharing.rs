@@ -67,7 +67,7 @@ fn symbols(model: &Model) -> Names {
 }
 
 fn is_leaf(graph: &Graph, expr: Expr) -> bool {
-    graph.operands(expr).is_empty()
+    graph.operands(expr).next().is_none()
 }
 
 /// Where an expression occurs.
@@ -81,7 +81,7 @@ struct Uses {
 fn uses(graph: &Graph, used: &[Expr], roots: &[Expr]) -> Vec<Uses> {
     let mut uses = vec![Uses::default(); graph.len()];
     for expr in used {
-        graph.operands(*expr).into_iter().for_each(|operand| uses[operand.index()].operands += 1);
+        graph.operands(*expr).for_each(|operand| uses[operand.index()].operands += 1);
     }
     roots.iter().for_each(|root| uses[root.index()].is_root = true);
     uses

@@ -1,5 +1,6 @@
 //! Derivatives on the shared graph.
 
+use super::graph::Symbols;
 use super::{Expr, Function, Graph, Node, Number, Symbol};
 use rustc_hash::FxHashMap;
 
@@ -11,13 +12,15 @@ use rustc_hash::FxHashMap;
 #[derive(Clone)]
 pub struct Differential {
     rates: FxHashMap<Symbol, Expr>,
+    changing: Symbols,
     done: FxHashMap<Expr, Expr>,
 }
 
 impl Differential {
     /// The derivative in which each listed symbol changes at the given rate, and no other changes.
     pub fn along(rates: impl IntoIterator<Item = (Symbol, Expr)>) -> Differential {
-        Differential { rates: rates.into_iter().collect(), done: FxHashMap::default() }
+        let rates: FxHashMap<Symbol, Expr> = rates.into_iter().collect();
+        Differential { changing: Symbols::of(rates.keys()), rates, done: FxHashMap::default() }
     }
 
     /// The partial derivative with respect to one symbol.
@@ -28,6 +31,9 @@ impl Differential {
 
     /// The derivative of an expression.
     pub fn of(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
+        if !graph.may_occur(expr).meet(self.changing) {
+            return graph.zero();
+        }
         if let Some(done) = self.done.get(&expr) {
             return *done;
         }

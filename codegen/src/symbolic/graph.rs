@@ -24,6 +24,26 @@ impl Expr {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct Symbol(u32);
 
+/// A set that holds some symbols and perhaps others, as all share 64 bits: what does not depend on a symbol mostly shows at
+/// once.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Symbols(u64);
+
+impl Symbols {
+    pub(super) fn of<'a>(symbols: impl IntoIterator<Item = &'a Symbol>) -> Symbols {
+        Symbols(symbols.into_iter().fold(0, |bits, symbol| bits | 1 << (symbol.0 % u64::BITS)))
+    }
+
+    fn or(self, others: Symbols) -> Symbols {
+        Symbols(self.0 | others.0)
+    }
+
+    /// Whether some symbol may be in both.
+    pub(super) fn meet(self, others: Symbols) -> bool {
+        self.0 & others.0 != 0
+    }
+}
+
 /// A constant that is not rational.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Constant {
@@ -91,6 +111,8 @@ pub enum Node {
 pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
     facts: Vec<Facts>,
+    /// Which symbols may occur in each expression.
+    occurring: Vec<Symbols>,
     symbols: Vec<String>,
     pub(super) tables: Vec<Table>,
 }
@@ -126,9 +148,19 @@ impl Graph {
         if new {
             let facts = Facts::of(self, &self.nodes[index]);
             self.facts.push(facts);
+            let occurring = match &self.nodes[index] {
+                Node::Symbol(symbol) => Symbols::of([symbol]),
+                _ => self.operands(Expr(index as u32)).fold(Symbols::default(), |all, x| all.or(self.may_occur(x))),
+            };
+            self.occurring.push(occurring);
         }
         // A graph of 2^32 nodes would take hundreds of gigabytes; memory ends first.
         Expr(index as u32)
+    }
+
+    /// The symbols that may occur in the expression; no others do.
+    pub(super) fn may_occur(&self, expr: Expr) -> Symbols {
+        self.occurring[expr.index()]
     }
 
     pub(super) fn facts(&self, expr: Expr) -> Facts {
@@ -214,16 +246,20 @@ impl Graph {
     }
 
     /// The expressions a node is made of, in order.
-    pub fn operands(&self, expr: Expr) -> Vec<Expr> {
+    pub fn operands(&self, expr: Expr) -> impl Iterator<Item = Expr> + Clone + use<'_> {
+        let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
         match self.node(expr) {
-            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => vec![],
-            Node::Sum { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
-            Node::Product { factors, .. } => factors.iter().map(|(base, _)| *base).collect(),
-            Node::Power { base, exponent } => vec![*base, *exponent],
-            Node::Call(_, argument) | Node::Table(_, _, argument) => vec![*argument],
-            Node::Atan2(y, x) => vec![*y, *x],
-            Node::Choice(difference, above, otherwise) => vec![*difference, *above, *otherwise],
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => {}
+            Node::Sum { terms, .. } => all_terms = terms,
+            Node::Product { factors, .. } => all_factors = factors,
+            Node::Power { base, exponent } => few = [Some(*base), Some(*exponent), None],
+            Node::Call(_, argument) | Node::Table(_, _, argument) => few = [Some(*argument), None, None],
+            Node::Atan2(y, x) => few = [Some(*y), Some(*x), None],
+            Node::Choice(difference, above, otherwise) => few = [difference, above, otherwise].map(|part| Some(*part)),
         }
+        let terms = all_terms.iter().map(|(term, _): &(Expr, Number)| *term);
+        let factors = all_factors.iter().map(|(base, _): &(Expr, i64)| *base);
+        terms.chain(factors).chain(few.into_iter().flatten())
     }
 
     /// Everything the given expressions are made of, themselves included, operands first.
@@ -254,6 +290,7 @@ impl Graph {
 
     /// Whether any of these symbols occurs in the expression.
     pub fn depends_on(&self, expr: Expr, symbols: &[Symbol]) -> bool {
-        self.symbols_of(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+        self.may_occur(expr).meet(Symbols::of(symbols))
+            && self.symbols_of(&[expr]).iter().any(|symbol| symbols.contains(symbol))
     }
 }

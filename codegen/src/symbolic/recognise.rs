@@ -33,7 +33,7 @@ impl Recognition {
                 graph.mul(new, rest)
             }
             None => {
-                let operands = graph.operands(expr);
+                let operands: Vec<Expr> = graph.operands(expr).collect();
                 let new: FxHashMap<Expr, Expr> =
                     operands.into_iter().map(|operand| (operand, self.replace(graph, operand))).collect();
                 with_operands(graph, expr, |operand| new[&operand])

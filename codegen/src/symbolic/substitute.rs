@@ -1,14 +1,17 @@
 //! Replacing symbols by expressions, in one graph or from one graph to another.
 
+use super::graph::Symbols;
 use super::{Expr, Graph, Node, Symbol};
 use rustc_hash::FxHashMap;
 
 /// Each root with every listed symbol replaced, all at once.
 pub fn substitute(graph: &mut Graph, roots: &[Expr], replacements: &[(Symbol, Expr)]) -> Vec<Expr> {
     let replacements: FxHashMap<_, _> = replacements.iter().copied().collect();
+    let replaced = Symbols::of(replacements.keys());
     let mut done: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expr in graph.reachable(roots) {
         let new = match graph.node(expr) {
+            _ if !graph.may_occur(expr).meet(replaced) => expr,
             Node::Symbol(symbol) => replacements.get(symbol).copied().unwrap_or(expr),
             _ => with_operands(graph, expr, |operand| done[&operand]),
         };

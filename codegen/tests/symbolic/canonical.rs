@@ -119,7 +119,7 @@ fn canonical_form_is_a_fixed_point() {
 
 /// What the documentation of `Node` promises.
 fn is_canonical(graph: &Graph, expr: Expr) -> bool {
-    let operands_first = graph.operands(expr).iter().all(|operand| operand.index() < expr.index());
+    let operands_first = graph.operands(expr).all(|operand| operand.index() < expr.index());
     operands_first
         && match graph.node(expr) {
             Node::Sum { constant, terms } => {
