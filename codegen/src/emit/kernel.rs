@@ -1,11 +1,10 @@
 //! Each program as a function of the mechanism.
 
 use super::record::record_type;
-use super::tree::tree;
 use super::{ident, size, table, types};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, LookUp, Piece, Program, Receiver, Record, Results, Statement, Tree};
-use proc_macro2::{Ident, TokenStream};
+use crate::program::{Arguments, Kernel, LookUp, Name, Piece, Program, Receiver, Record, Results, Statement, Tree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
@@ -34,24 +33,23 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let docs = docs.lines().map(|line| format!(" {line}"));
     let arguments = arguments(model, kernel.arguments);
     let returns = returns(model, kernel, path);
-    let entries = entries(kernel);
     let statements = kernel.statements.iter().map(|each| statement(model, each));
-    let results = results(model, kernel, path);
+    let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
+    let body = braces(body);
     let inline = inline(kernel);
-    let calls = calls(kernel);
     let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece));
     quote! {
         #(#pieces)*
 
         #(#[doc = #docs])*
         #inline
-        pub fn #name(&self #(, #arguments)*) -> #returns {
-            #entries
-            #calls
-            #(#statements)*
-            #results
-        }
+        pub fn #name(&self #(, #arguments)*) -> #returns #body
     }
+}
+
+/// Words one after the other in braces, none of which is copied.
+fn braces(words: impl Iterator<Item = TokenStream>) -> Group {
+    Group::new(Delimiter::Brace, words.collect())
 }
 
 fn piece_name(kernel: &Kernel, i: usize) -> Ident {
@@ -68,17 +66,13 @@ fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> To
         arguments.push(quote! { found: &[S; #len] });
         unpacked = Some(quote! { let [#(#names),*] = *found; });
     }
-    let entries = entries(kernel);
     let statements = piece.statements.iter().map(|each| statement(model, each));
     let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
+    let handed_on = quote! { [#(#handed_on),*] };
+    let body = braces([entries(kernel)].into_iter().chain(unpacked).chain(statements).chain([handed_on]));
     quote! {
         #[inline(never)]
-        fn #name(&self #(, #arguments)*) -> [S; #len] {
-            #entries
-            #unpacked
-            #(#statements)*
-            [#(#handed_on),*]
-        }
+        fn #name(&self #(, #arguments)*) -> [S; #len] #body
     }
 }
 
@@ -171,42 +165,39 @@ fn entries(kernel: &Kernel) -> TokenStream {
     ];
     let bindings = levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(array, names)| {
         let array = ident(array);
-        let names = names.iter().map(|name| match name {
-            Some(name) => ident(name).into_token_stream(),
-            None => quote! { _ },
-        });
+        let names = names.iter().map(pattern);
         quote! { let [#(#names),*] = *#array; }
     });
     quote! { #(#bindings)* }
 }
 
+/// What a value is bound to: nothing, where it has no name.
+fn pattern(name: &Option<Name>) -> Ident {
+    ident(name.as_deref().unwrap_or("_"))
+}
+
 fn statement(model: &Model, statement: &Statement) -> TokenStream {
     match statement {
         Statement::Let { name, value } => {
-            let (name, value) = (ident(name), tree(value));
+            let name = ident(name);
             quote! { let #name = #value; }
         }
         Statement::SinCos(waves) => {
-            let name =
-                |name: &Option<String>| name.as_ref().map_or(quote! { _ }, |name| ident(name).into_token_stream());
-            let (sines, cosines) = (waves.iter().map(|wave| name(&wave.sin)), waves.iter().map(|wave| name(&wave.cos)));
-            let angles = waves.iter().map(|wave| tree(&wave.argument));
+            let sines = waves.iter().map(|wave| pattern(&wave.sin));
+            let cosines = waves.iter().map(|wave| pattern(&wave.cos));
+            let angles = waves.iter().map(|wave| &wave.argument);
             quote! { let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_each([#(#angles),*]); }
         }
         Statement::Table(LookUp { table, names, argument }) => {
-            let names = names.iter().map(|name| match name {
-                Some(name) => ident(name).into_token_stream(),
-                None => quote! { _ },
-            });
-            let (mechanism, argument) = (ident(&model.name), tree(argument));
+            let names = names.iter().map(pattern);
+            let mechanism = ident(&model.name);
             let table = table::constant(&model.graph.table(*table).name);
             quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
     }
 }
 
-fn vector(trees: &[Tree]) -> TokenStream {
-    let entries = trees.iter().map(tree);
+fn vector(entries: &[Tree]) -> TokenStream {
     quote! { [#(#entries),*] }
 }
 
@@ -277,7 +268,7 @@ fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 
 fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> TokenStream {
     match results {
-        Results::Scalar(value) => tree(value),
+        Results::Scalar(value) => value.to_token_stream(),
         Results::Vector(entries) => vector(entries),
         Results::Matrix(_, rows) => matrix(rows),
         Results::Refused(pivots) => refused(pivots.as_deref(), path),
@@ -295,11 +286,12 @@ fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> Token
             };
             let is_empty = fields.is_empty() && inputs.is_empty();
             let marker = is_empty.then(|| quote! { scalar: ::core::marker::PhantomData });
-            let fields = fields.iter().map(|(name, field)| {
-                let (name, field) = (ident(name), returned(model, field, path));
-                quote! { #name: #field }
+            let fields = fields.iter().flat_map(|(name, field)| {
+                let name = ident(name);
+                [quote! { #name: }, returned(model, field, path), quote! { , }]
             });
-            quote! { #name { #(#fields,)* #(#inputs: self.#inputs,)* #marker } }
+            let fields = braces(fields.chain([quote! { #(#inputs: self.#inputs,)* #marker }]));
+            quote! { #name #fields }
         }
     }
 }
@@ -310,9 +302,6 @@ fn refused(pivots: Option<&[(Tree, Tree)]>, path: &TokenStream) -> TokenStream {
         Some([]) => return quote! { <S::Mask as #path::Mask>::NONE },
         Some(pivots) => pivots,
     };
-    let checks = pivots.iter().map(|(pivot, terms)| {
-        let (pivot, terms) = (tree(pivot), tree(terms));
-        quote! { #path::pivot_is_refused(#pivot, #terms) }
-    });
+    let checks = pivots.iter().map(|(pivot, terms)| quote! { #path::pivot_is_refused(#pivot, #terms) });
     quote! { #(#checks)|* }
 }

@@ -19,7 +19,6 @@ use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
 
 /// Everything a mechanism is made of in Rust: its type with its parameters, named coordinates and outputs, its
 /// kernels, and the impl of the runtime's trait. `path` is where `sim_kernel` is found.
@@ -34,12 +33,13 @@ pub fn emit(
     let kernels = kernel::kernels(&equations.model, program, path);
     let mechanism = types::mechanism_impl(equations, program, declaration, path);
     let speeds = speeds::speeds(head, equations, program, path);
-    quote! { #types #kernels #mechanism #speeds }
+    [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }
 
 /// A name of the user's, raw where it is a keyword.
 fn ident(name: &str) -> Ident {
-    if KEYWORDS.contains(&name) {
+    // Few names are of small letters alone, as all keywords are.
+    if name.bytes().all(|letter| letter.is_ascii_lowercase()) && KEYWORDS.contains(&name) {
         return Ident::new_raw(name, Span::call_site());
     }
     // A raw name of the user's; names of the program's making are never written so.

@@ -2,8 +2,8 @@
 
 use super::ident;
 use crate::program::Tree;
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream};
+use quote::{ToTokens, TokenStreamExt, quote};
 use std::f64::consts::{E, PI};
 
 /// How tightly the outermost operation of a piece of Rust binds.
@@ -15,69 +15,80 @@ enum Binding {
     Atom,
 }
 
-/// An expression.
-pub(super) fn tree(tree: &Tree) -> TokenStream {
-    tokens(tree).0
+/// An expression, written where it is to stand: streams that are put into streams are copied word by word.
+impl ToTokens for Tree {
+    fn to_tokens(&self, out: &mut TokenStream) {
+        match self {
+            Tree::Constant(value) => out.extend(constant(*value)),
+            Tree::Name(name) => out.append(ident(name)),
+            Tree::Field(name) => {
+                out.append(ident("self"));
+                mark('.', out);
+                out.append(ident(name));
+            }
+            Tree::Sum(terms) => sum(terms, out),
+            Tree::Product(factors) => product(factors, out),
+            Tree::Quotient(above, below) => {
+                bound(above, Binding::Product, out);
+                mark('/', out);
+                bound(below, Binding::Unary, out);
+            }
+            Tree::Negate(operand) => {
+                mark('-', out);
+                bound(operand, Binding::Unary, out);
+            }
+            Tree::Method(name, arguments) => {
+                if let Some(receiver) = arguments.first() {
+                    bound(receiver, Binding::Atom, out);
+                }
+                mark('.', out);
+                out.append(ident(name));
+                let others = arguments.iter().skip(1);
+                out.append(Group::new(Delimiter::Parenthesis, quote! { #(#others),* }));
+            }
+        }
+    }
 }
 
-fn bound(tree: &Tree, at_least: Binding) -> TokenStream {
-    let (tokens, binding) = tokens(tree);
-    if binding >= at_least {
-        tokens
+fn bound(tree: &Tree, at_least: Binding, out: &mut TokenStream) {
+    if binding(tree) >= at_least {
+        tree.to_tokens(out);
     } else {
-        quote! { (#tokens) }
+        out.append(Group::new(Delimiter::Parenthesis, tree.to_token_stream()));
     }
 }
 
-fn tokens(tree: &Tree) -> (TokenStream, Binding) {
+fn binding(tree: &Tree) -> Binding {
     match tree {
-        Tree::Constant(value) => (constant(*value), Binding::Atom),
-        Tree::Name(name) => (ident(name).into_token_stream(), Binding::Atom),
-        Tree::Field(name) => {
-            let name = ident(name);
-            (quote! { self.#name }, Binding::Atom)
-        }
-        Tree::Sum(terms) => (sum(terms), Binding::Sum),
-        Tree::Product(factors) => (product(factors), Binding::Product),
-        Tree::Quotient(above, below) => {
-            let (above, below) = (bound(above, Binding::Product), bound(below, Binding::Unary));
-            (quote! { #above / #below }, Binding::Product)
-        }
-        Tree::Negate(operand) => {
-            let operand = bound(operand, Binding::Unary);
-            (quote! { -#operand }, Binding::Unary)
-        }
-        Tree::Method(name, arguments) => {
-            let name = ident(name);
-            let receiver = arguments.first().map(|receiver| bound(receiver, Binding::Atom));
-            let others = arguments.iter().skip(1).map(self::tree);
-            (quote! { #receiver.#name(#(#others),*) }, Binding::Atom)
-        }
+        Tree::Constant(_) | Tree::Name(_) | Tree::Field(_) | Tree::Method(..) => Binding::Atom,
+        Tree::Sum(_) => Binding::Sum,
+        Tree::Product(_) | Tree::Quotient(..) => Binding::Product,
+        Tree::Negate(_) => Binding::Unary,
     }
 }
 
-fn sum(terms: &[(bool, Tree)]) -> TokenStream {
-    let mut out = TokenStream::new();
+fn sum(terms: &[(bool, Tree)], out: &mut TokenStream) {
     for (at, (negative, term)) in terms.iter().enumerate() {
-        let term = bound(term, if at == 0 { Binding::Sum } else { Binding::Product });
-        out.extend(match (at, negative) {
-            (0, false) => term,
-            (_, true) => quote! { - #term },
-            (_, false) => quote! { + #term },
-        });
+        match (at, negative) {
+            (0, false) => {}
+            (_, true) => mark('-', out),
+            (_, false) => mark('+', out),
+        }
+        bound(term, if at == 0 { Binding::Sum } else { Binding::Product }, out);
     }
-    out
 }
 
-fn product(factors: &[Tree]) -> TokenStream {
-    let mut out = TokenStream::new();
+fn product(factors: &[Tree], out: &mut TokenStream) {
     for (at, factor) in factors.iter().enumerate() {
         if at > 0 {
-            out.extend(quote! { * });
+            mark('*', out);
         }
-        out.extend(bound(factor, if at == 0 { Binding::Product } else { Binding::Unary }));
+        bound(factor, if at == 0 { Binding::Product } else { Binding::Unary }, out);
     }
-    out
+}
+
+fn mark(sign: char, out: &mut TokenStream) {
+    out.append(Punct::new(sign, Spacing::Alone));
 }
 
 fn constant(value: f64) -> TokenStream {
@@ -97,10 +108,16 @@ pub(super) fn number(value: f64) -> TokenStream {
             let size = number(-value);
             quote! { -#size }
         }
-        _ => {
-            // Shortest text that reads back as the same number.
-            let literal = format!("{value:?}").parse::<Literal>().unwrap_or_else(|_| Literal::f64_unsuffixed(value));
-            quote! { #literal }
-        }
+        _ => literal(value).into_token_stream(),
+    }
+}
+
+/// The shortest text that reads back as the same number.
+fn literal(value: f64) -> Literal {
+    let digits = || Literal::f64_unsuffixed(value);
+    // Outside of this there would be zeros upon zeros.
+    match (1e-4..1e16).contains(&value) {
+        true => digits(),
+        false => format!("{value:?}").parse().unwrap_or_else(|_| digits()),
     }
 }

@@ -188,7 +188,8 @@ pub(super) fn mechanism_impl(
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
     let (input_places, input_count): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
-    let defaults = model.parameters.iter().map(|p| constant(model, p.default));
+    let defaults: Vec<Expr> = model.parameters.iter().map(|p| p.default).collect();
+    let defaults = evaluate(&model.graph, &defaults, |_| f64::NAN);
     let own = program.kernels.iter().filter(|kernel| !speeds::is_of_speeds(kernel));
     let forwards = own.map(|kernel| forward(model, kernel, path));
     quote! {
@@ -273,10 +274,6 @@ fn kernel_len(program: &Program, name: &str) -> usize {
         Results::Vector(entries) => entries.len(),
         _ => 0,
     })
-}
-
-fn constant(model: &Model, expr: Expr) -> f64 {
-    evaluate(&model.graph, &[expr], |_| f64::NAN)[0]
 }
 
 /// The trait's function, which calls the inherent one of the same name.

@@ -102,6 +102,9 @@ impl Common {
 
 /// What most terms have in common; at least two.
 fn most_common(terms: &[Term]) -> Option<Common> {
+    if terms.len() < 2 {
+        return None;
+    }
     let mut counts: Map<Common, usize> = Map::default();
     for term in terms {
         // A term has a factor once: powers are values of their own.

@@ -3,7 +3,7 @@
 use super::collect::{Term, collect};
 use super::values::{Input, Operation, Value, Values};
 use crate::symbolic::{Expr, Graph, Node, Number, Symbol};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// Lowers expressions of one graph into one program.
 pub(super) struct Lowering<'a> {
@@ -59,28 +59,30 @@ impl<'a> Lowering<'a> {
                 self.done.insert(expr, value);
             }
         }
-        self.new_values(value).into_iter().for_each(|new| self.wanted[new.index()] = true);
+        self.want(value);
         value
     }
 
     /// Operations that a value needs beyond those that are there already. Those on parameters alone are free.
     fn cost(&mut self, value: Value) -> usize {
-        let new = self.new_values(value);
+        let new = self.want(value);
+        new.iter().for_each(|new| self.wanted[new.index()] = false);
         let variable = new.into_iter().filter(|new| !self.values.is_parametric(*new));
         let operations = |operands: usize| if operands < 2 { operands } else { operands - 1 };
-        variable.map(|new| operations(self.values.operands(new).len())).sum()
+        variable.map(|new| operations(self.values.operands(new).count())).sum()
     }
 
-    /// What a value is made of that was not wanted yet.
-    fn new_values(&mut self, value: Value) -> Vec<Value> {
+    /// Wants a value with all that it is made of; gives what was not wanted yet.
+    fn want(&mut self, value: Value) -> Vec<Value> {
         self.wanted.resize(self.values.len(), false);
-        let (mut new, mut stack) = (FxHashSet::default(), vec![value]);
+        let (mut new, mut stack) = (vec![], vec![value]);
         while let Some(value) = stack.pop() {
-            if !self.wanted[value.index()] && new.insert(value) {
+            if !std::mem::replace(&mut self.wanted[value.index()], true) {
+                new.push(value);
                 stack.extend(self.values.operands(value));
             }
         }
-        new.into_iter().collect()
+        new
     }
 
     fn lower_form(&mut self, expr: Expr) -> Value {

@@ -25,6 +25,7 @@ pub use pieces::Piece;
 pub use results::{Record, Results};
 
 use crate::symbolic::TableId;
+use std::rc::Rc;
 
 /// All kernels of a mechanism.
 pub struct Program {
@@ -84,15 +85,15 @@ pub enum Arguments {
 #[derive(Default)]
 pub struct Entries {
     /// Of q.
-    pub positions: Vec<Option<String>>,
+    pub positions: Vec<Option<Name>>,
     /// Of q'.
-    pub speeds: Vec<Option<String>>,
+    pub speeds: Vec<Option<Name>>,
     /// Of q''.
-    pub accelerations: Vec<Option<String>>,
+    pub accelerations: Vec<Option<Name>>,
     /// Of lambda.
-    pub multipliers: Vec<Option<String>>,
+    pub multipliers: Vec<Option<Name>>,
     /// Of u.
-    pub generalized_speeds: Vec<Option<String>>,
+    pub generalized_speeds: Vec<Option<Name>>,
 }
 
 /// One step of a kernel.
@@ -100,7 +101,7 @@ pub enum Statement {
     /// A name for a value.
     Let {
         /// The name.
-        name: String,
+        name: Name,
         /// The value.
         value: Tree,
     },
@@ -115,7 +116,7 @@ pub struct LookUp {
     /// Which table of the model's graph.
     pub table: TableId,
     /// The names of the derivatives by order, from the value itself on.
-    pub names: Vec<Option<String>>,
+    pub names: Vec<Option<Name>>,
     /// The argument.
     pub argument: Tree,
 }
@@ -123,12 +124,15 @@ pub struct LookUp {
 /// The sine and cosine of one angle, as far as they are needed.
 pub struct Wave {
     /// The name of the sine.
-    pub sin: Option<String>,
+    pub sin: Option<Name>,
     /// The name of the cosine.
-    pub cos: Option<String>,
+    pub cos: Option<Name>,
     /// The angle.
     pub argument: Tree,
 }
+
+/// A name, shared by all of its uses.
+pub type Name = Rc<str>;
 
 /// An expression over names.
 #[derive(Clone)]
@@ -136,9 +140,9 @@ pub enum Tree {
     /// A number that is not negative.
     Constant(f64),
     /// A local name.
-    Name(String),
+    Name(Name),
     /// A field of the receiver: a parameter, or what was computed from parameters before.
-    Field(String),
+    Field(Name),
     /// Terms, each with whether it is subtracted; the first is added.
     Sum(Vec<(bool, Tree)>),
     /// Factors.

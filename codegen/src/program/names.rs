@@ -1,39 +1,46 @@
 //! Names of local variables: never a Rust keyword's meaning, never twice.
 
+use super::Name;
 use rustc_hash::FxHashMap;
 
 /// Hands out names that are not taken.
 #[derive(Clone, Default)]
 pub(super) struct Names {
-    taken: FxHashMap<String, usize>,
+    /// Names with the last number that was added to each.
+    taken: FxHashMap<Name, usize>,
 }
 
 impl Names {
     /// No name but those that generated code itself uses, and those that are patterns everywhere in Rust.
     pub(super) fn new() -> Names {
         let reserved = ["t", "q", "qd", "qdd", "lambda", "S", "refused", "found", "Some", "None", "Ok", "Err"];
-        Names { taken: reserved.into_iter().map(|name| (name.to_owned(), 1)).collect() }
+        Names { taken: reserved.into_iter().map(|name| (name.into(), 1)).collect() }
     }
 
     /// The wished name, or the first of `name_2`, `name_3` .. that is free.
     ///
     /// A name in the style of Rust's constants and types gets a `_`: where it is bound, one of the user's could be meant.
-    pub(super) fn unique(&mut self, wished: &str) -> String {
+    pub(super) fn unique(&mut self, wished: &str) -> Name {
         let is_constant = !wished.contains(char::is_lowercase);
         let is_type = wished.starts_with(char::is_uppercase) && !wished.contains('_');
-        let marked = format!("{wished}_");
-        let wished = if is_constant || is_type { &marked } else { wished };
+        if is_constant || is_type { self.numbered(&format!("{wished}_")) } else { self.numbered(wished) }
+    }
+
+    fn numbered(&mut self, wished: &str) -> Name {
+        let Some(mut number) = self.taken.get(wished).copied() else { return self.take(wished) };
         loop {
-            let count = self.taken.entry(wished.to_owned()).or_insert(0);
-            *count += 1;
-            let name = match *count {
-                1 => return wished.to_string(),
-                count => format!("{wished}_{count}"),
-            };
-            if !self.taken.contains_key(&name) {
-                self.taken.insert(name.clone(), 1);
-                return name;
+            number += 1;
+            let name = format!("{wished}_{number}");
+            if !self.taken.contains_key(name.as_str()) {
+                self.taken.insert(wished.into(), number);
+                return self.take(&name);
             }
         }
+    }
+
+    fn take(&mut self, free: &str) -> Name {
+        let name = Name::from(free);
+        self.taken.insert(name.clone(), 1);
+        name
     }
 }

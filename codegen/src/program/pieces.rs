@@ -1,7 +1,7 @@
 //! Long programs in pieces: rustc takes the square of the length of a function and more (2,000 statements 1.2 s, 5,000
 //! statements 31 s).
 
-use super::{Results, Statement, Tree};
+use super::{Name, Results, Statement, Tree};
 use std::collections::BTreeSet;
 
 /// The longest function that is made.
@@ -10,11 +10,11 @@ const MOST_STATEMENTS: usize = 1500;
 /// A part of a program, which runs before the rest and hands on what is still needed.
 pub struct Piece {
     /// What earlier pieces have handed on.
-    pub given: Vec<String>,
+    pub given: Vec<Name>,
     /// What is computed, in order.
     pub statements: Vec<Statement>,
     /// What later pieces need of all this.
-    pub handed_on: Vec<String>,
+    pub handed_on: Vec<Name>,
 }
 
 /// Splits a program into pieces and the rest of it.
@@ -22,20 +22,20 @@ pub(super) fn split(mut statements: Vec<Statement>, results: &Results<Tree>) -> 
     let count = statements.len().div_ceil(MOST_STATEMENTS).max(1);
     let length = statements.len().div_ceil(count);
     let mut pieces = Vec::new();
-    let mut given: Vec<String> = Vec::new();
+    let mut given: Vec<Name> = Vec::new();
     while statements.len() > length {
         let rest = statements.split_off(length);
         let needed = names_needed(&rest, results);
         let defined = statements.iter().flat_map(defined_names);
-        let known: BTreeSet<&String> = given.iter().chain(defined).collect();
-        let handed_on: Vec<String> = known.into_iter().filter(|name| needed.contains(*name)).cloned().collect();
+        let known: BTreeSet<&Name> = given.iter().chain(defined).collect();
+        let handed_on: Vec<Name> = known.into_iter().filter(|name| needed.contains(*name)).cloned().collect();
         pieces.push(Piece { given, statements, handed_on: handed_on.clone() });
         (given, statements) = (handed_on, rest);
     }
     (pieces, statements)
 }
 
-fn names_needed(statements: &[Statement], results: &Results<Tree>) -> BTreeSet<String> {
+fn names_needed(statements: &[Statement], results: &Results<Tree>) -> BTreeSet<Name> {
     let mut names = BTreeSet::new();
     for statement in statements {
         match statement {
@@ -48,7 +48,7 @@ fn names_needed(statements: &[Statement], results: &Results<Tree>) -> BTreeSet<S
     names
 }
 
-fn defined_names(statement: &Statement) -> Vec<&String> {
+fn defined_names(statement: &Statement) -> Vec<&Name> {
     match statement {
         Statement::Let { name, .. } => vec![name],
         Statement::SinCos(waves) => waves.iter().flat_map(|wave| wave.sin.iter().chain(&wave.cos)).collect(),
@@ -56,7 +56,7 @@ fn defined_names(statement: &Statement) -> Vec<&String> {
     }
 }
 
-fn collect_names(tree: &Tree, names: &mut BTreeSet<String>) {
+fn collect_names(tree: &Tree, names: &mut BTreeSet<Name>) {
     match tree {
         Tree::Constant(_) | Tree::Field(_) => {}
         Tree::Name(name) => {
@@ -78,9 +78,9 @@ mod tests {
 
     /// Each statement needs the one before and one long before.
     fn program(length: usize) -> Vec<Statement> {
-        let name = |i: usize| Tree::Name(format!("x{i}"));
+        let name = |i: usize| Tree::Name(format!("x{i}").into());
         let value = |i: usize| Tree::Sum(vec![(false, name(i.saturating_sub(1))), (true, name(i / 3))]);
-        (1..=length).map(|i| Statement::Let { name: format!("x{i}"), value: value(i) }).collect()
+        (1..=length).map(|i| Statement::Let { name: format!("x{i}").into(), value: value(i) }).collect()
     }
 
     #[test]
@@ -89,12 +89,12 @@ mod tests {
         let results = Results::Scalar(Tree::Name("x5".into()));
         let (pieces, rest) = split(program(length), &results);
         assert_eq!(pieces.len(), 3);
-        let mut given = BTreeSet::from(["x0".to_owned()]);
+        let mut given = BTreeSet::from([Name::from("x0")]);
         let mut count = 0;
         for piece in &pieces {
             assert!(piece.statements.len() <= MOST_STATEMENTS);
             assert!(piece.given.iter().all(|name| given.contains(name)));
-            let mut known: BTreeSet<String> = piece.given.iter().cloned().chain(["x0".into()]).collect();
+            let mut known: BTreeSet<Name> = piece.given.iter().cloned().chain(["x0".into()]).collect();
             for statement in &piece.statements {
                 let needed = names_needed(std::slice::from_ref(statement), &Results::Vector(vec![]));
                 assert!(needed.is_subset(&known));
@@ -105,9 +105,9 @@ mod tests {
             given = piece.handed_on.iter().cloned().chain(["x0".into()]).collect();
         }
         let needed = names_needed(&rest, &results);
-        let defined: BTreeSet<String> = rest.iter().flat_map(defined_names).cloned().collect();
+        let defined: BTreeSet<Name> = rest.iter().flat_map(defined_names).cloned().collect();
         assert!(needed.iter().all(|name| given.contains(name) || defined.contains(name)));
-        assert!(given.iter().all(|name| name == "x0" || needed.contains(name)));
+        assert!(given.iter().all(|name| &**name == "x0" || needed.contains(name)));
         assert_eq!(count + rest.len(), length);
     }
 

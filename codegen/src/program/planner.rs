@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::names::Names;
 use super::pieces::split;
 use super::results::Results;
-use super::schedule::{Leaves, Schedule};
+use super::schedule::{Leaves, Schedule, Wishes};
 use super::values::{Input, Operation, Value};
 use super::{Arguments, Entries, Kernel, Operations, Receiver, Tree};
 use crate::dynamics::EquationsOfMotion;
@@ -84,7 +84,7 @@ impl<'a> Planner<'a> {
         let mut lowering = self.lowering();
         let results = wanted(&mut lowering);
         let head = Head { name, docs, receiver: Receiver::Mechanism, arguments };
-        self.finish(head, &lowering, &results, Labels::new(), Leaves::default())
+        self.finish(head, &lowering, &results, &Labels::new(), Leaves::default())
     }
 
     /// The kernel that returns `results`; `leaves` are known beside the inputs.
@@ -93,7 +93,7 @@ impl<'a> Planner<'a> {
         head: Head,
         lowering: &Lowering,
         results: &Results<Value>,
-        labels: Labels,
+        labels: &Labels,
         mut leaves: Leaves,
     ) -> Kernel {
         let roots: Vec<Value> = results.entries().into_iter().copied().collect();
@@ -113,14 +113,14 @@ impl<'a> Planner<'a> {
     }
 
     /// Names for values: what the user named, then what the method names. The first wish for a value wins.
-    pub(super) fn names_wished(&self, lowering: &Lowering, labels: Labels) -> FxHashMap<Value, String> {
-        let users = self.labels.iter().filter_map(|(expr, name)| Some((lowering.lowered(*expr)?, name.clone())));
-        let mut by_value: FxHashMap<Value, String> = FxHashMap::default();
-        for (value, name) in users.chain(labels) {
+    pub(super) fn names_wished<'s>(&'s self, lowering: &Lowering, labels: &'s Labels) -> Wishes<'s> {
+        let users = self.labels.iter().filter_map(|(expr, name)| Some((lowering.lowered(*expr)?, name)));
+        let mut by_value = Wishes::default();
+        for (value, name) in users.chain(labels.iter().map(|(value, name)| (*value, name))) {
             if let Some(opposite) = lowering.values.opposite(value) {
-                by_value.entry(opposite).or_insert_with(|| format!("minus_{name}"));
+                by_value.entry(opposite).or_insert_with(|| format!("minus_{name}").into());
             }
-            by_value.entry(value).or_insert(name);
+            by_value.entry(value).or_insert(name.into());
         }
         by_value
     }
@@ -137,37 +137,40 @@ impl<'a> Planner<'a> {
                 _ => None,
             })
             .collect();
-        let mut enter = |input: Input, tree: Tree| needed.get(&input).map(|value| leaves.insert(*value, tree));
-        enter(Input::Time, Tree::Name("t".to_owned()));
+        if let Some(time) = needed.get(&Input::Time) {
+            leaves.insert(*time, Tree::Name("t".into()));
+        }
+        let mut field = |input: Input, name: &str| {
+            needed.get(&input).map(|value| leaves.insert(*value, Tree::Field(name.into())));
+        };
         for (i, parameter) in model.parameters.iter().enumerate() {
-            enter(Input::Parameter(i), Tree::Field(parameter.name.clone()));
+            field(Input::Parameter(i), &parameter.name);
         }
         for (i, conditional) in model.conditionals.iter().enumerate() {
-            enter(Input::Activity(i), Tree::Field(conditional.field.clone()));
+            field(Input::Activity(i), &conditional.field);
         }
         for (i, held) in model.inputs.iter().enumerate() {
-            enter(Input::Held(i), Tree::Field(held.name.clone()));
+            field(Input::Held(i), &held.name);
         }
-        let mut name = |input: Input, wished: String| {
-            let name = needed.contains_key(&input).then(|| names.unique(&wished))?;
-            enter(input, Tree::Name(name.clone()));
+        let mut name = |input: Input, wished: [&str; 2]| {
+            let value = needed.get(&input)?;
+            let name = names.unique(&wished.concat());
+            leaves.insert(*value, Tree::Name(name.clone()));
             Some(name)
         };
         let coordinates = || model.coordinates.iter().enumerate();
         let constraints = || model.constraints.iter().enumerate();
         Entries {
-            positions: coordinates().map(|(i, c)| name(Input::Position(i), c.name.clone())).collect(),
-            speeds: coordinates().map(|(i, c)| name(Input::Speed(i), format!("{}_dot", c.name))).collect(),
-            accelerations: coordinates()
-                .map(|(i, c)| name(Input::Acceleration(i), format!("{}_ddot", c.name)))
-                .collect(),
+            positions: coordinates().map(|(i, c)| name(Input::Position(i), [&c.name, ""])).collect(),
+            speeds: coordinates().map(|(i, c)| name(Input::Speed(i), [&c.name, "_dot"])).collect(),
+            accelerations: coordinates().map(|(i, c)| name(Input::Acceleration(i), [&c.name, "_ddot"])).collect(),
             generalized_speeds: model
                 .speeds
                 .iter()
                 .enumerate()
-                .map(|(i, speed)| name(Input::GeneralizedSpeed(i), speed.name.clone()))
+                .map(|(i, speed)| name(Input::GeneralizedSpeed(i), [&speed.name, ""]))
                 .collect(),
-            multipliers: constraints().map(|(i, c)| name(Input::Multiplier(i), format!("lambda_{}", c.name))).collect(),
+            multipliers: constraints().map(|(i, c)| name(Input::Multiplier(i), ["lambda_", &c.name])).collect(),
         }
     }
 }

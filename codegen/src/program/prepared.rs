@@ -9,7 +9,7 @@ use super::results::{Record, Results};
 use super::schedule::{Leaves, derived_name};
 use super::speeds;
 use super::values::{Input, Operation, Value};
-use super::{Arguments, Kernel, Receiver, Tree};
+use super::{Arguments, Kernel, Name, Receiver, Tree};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
@@ -41,9 +41,9 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         receiver: Receiver::Mechanism,
         arguments: Arguments::Parameters,
     };
-    let results = fields.into_iter().map(|(name, value)| (name, Results::Scalar(value))).collect();
+    let results = fields.into_iter().map(|(name, value)| (name.to_string(), Results::Scalar(value))).collect();
     let prepare =
-        planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), vec![], Leaves::default());
+        planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), &vec![], Leaves::default());
     let kernels = planned.into_iter().map(|(name, docs, results)| {
         let arguments = match name {
             "inverse_dynamics" => Arguments::Accelerations,
@@ -51,17 +51,17 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
             _ => Arguments::Speeds,
         };
         let head = Head { name, docs, receiver: Receiver::Prepared, arguments };
-        planner.finish(head, &lowering, &results, labels.clone(), leaves.clone())
+        planner.finish(head, &lowering, &results, &labels, leaves.clone())
     });
     [prepare].into_iter().chain(kernels).collect()
 }
 
 /// What depends on parameters alone and others need, and the parameters that are needed as they are.
-fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Value]) -> Vec<(String, Value)> {
+fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Value]) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let is_computed = |value: Value| match values.operation(value) {
         Operation::Constant(_) | Operation::Input(_) => false,
-        Operation::Negate(operand) => !values.operands(*operand).is_empty(),
+        Operation::Negate(operand) => values.operands(*operand).next().is_some(),
         _ => true,
     };
     let needed = values.reachable(roots, &Leaves::default());
@@ -77,15 +77,10 @@ fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Valu
 }
 
 /// Parameters keep their names; what was computed is named for what it is.
-fn name_fields(
-    planner: &Planner,
-    lowering: &Lowering,
-    labels: &Labels,
-    fields: BTreeSet<Value>,
-) -> Vec<(String, Value)> {
+fn name_fields(planner: &Planner, lowering: &Lowering, labels: &Labels, fields: BTreeSet<Value>) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let (parameters, conditionals) = (&planner.equations.model.parameters, &planner.equations.model.conditionals);
-    let wished = planner.names_wished(lowering, labels.clone());
+    let wished = planner.names_wished(lowering, labels);
     let mut names = Names::default();
     parameters.iter().map(|p| &p.name).chain(conditionals.iter().map(|c| &c.field)).for_each(|name| {
         names.unique(name);
@@ -93,19 +88,21 @@ fn name_fields(
     planner.equations.model.inputs.iter().for_each(|input| {
         names.unique(&input.name);
     });
-    let mut named: IndexMap<Value, String> = IndexMap::new();
+    let mut named: IndexMap<Value, Name> = IndexMap::new();
     for value in fields {
         let name = match values.operation(value) {
-            Operation::Input(Input::Parameter(i)) => parameters[*i].name.clone(),
-            Operation::Input(Input::Activity(i)) => conditionals[*i].field.clone(),
+            Operation::Input(Input::Parameter(i)) => parameters[*i].name.as_str().into(),
+            Operation::Input(Input::Activity(i)) => conditionals[*i].field.as_str().into(),
             _ => {
                 let known = |value: Value| match values.operation(value) {
-                    Operation::Input(Input::Parameter(i)) => Some(&parameters[*i].name),
-                    Operation::Input(Input::Activity(i)) => Some(&conditionals[*i].field),
-                    _ => named.get(&value).or_else(|| wished.get(&value)),
+                    Operation::Input(Input::Parameter(i)) => Some(parameters[*i].name.as_str()),
+                    Operation::Input(Input::Activity(i)) => Some(conditionals[*i].field.as_str()),
+                    _ => named.get(&value).map(|name| &**name).or_else(|| wished.get(&value).map(|name| &**name)),
                 };
-                let wish = wished.get(&value).cloned().or_else(|| derived_name(values, value, known));
-                names.unique(&wish.unwrap_or_else(|| "k".into()))
+                match wished.get(&value) {
+                    Some(wish) => names.unique(wish),
+                    None => names.unique(derived_name(values, value, known).as_deref().unwrap_or("k")),
+                }
             }
         };
         named.insert(value, name);

@@ -5,9 +5,10 @@
 
 use super::names::Names;
 use super::values::{Operation, Value, Values};
-use super::{LookUp, Statement, Tree, Wave};
+use super::{LookUp, Name, Statement, Tree, Wave};
 use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 
 /// Operations in one expression, beyond which a part of it gets a name.
 const LONGEST_EXPRESSION: usize = 14;
@@ -17,10 +18,13 @@ const HIGHEST_DERIVATIVE: u8 = 3;
 /// Values that need no statement: inputs, and what was computed before.
 pub(super) type Leaves = FxHashMap<Value, Tree>;
 
+/// Names wished for values.
+pub(super) type Wishes<'a> = FxHashMap<Value, Cow<'a, str>>;
+
 /// A schedule for the values that `roots` need.
 pub(super) struct Schedule<'a> {
     values: &'a Values,
-    labels: &'a FxHashMap<Value, String>,
+    labels: &'a Wishes<'a>,
     /// Which values get a statement.
     named: Vec<bool>,
     /// Angles by how many sines they depend on, one inside another; those of a level are evaluated together.
@@ -31,7 +35,7 @@ pub(super) struct Schedule<'a> {
     local_names: Names,
     leaves: &'a Leaves,
     /// Names of what is stated.
-    names: FxHashMap<Value, String>,
+    names: FxHashMap<Value, Name>,
     /// What was scheduled, in order.
     pub(super) statements: Vec<Statement>,
 }
@@ -41,13 +45,15 @@ impl<'a> Schedule<'a> {
     pub(super) fn new(
         values: &'a Values,
         roots: &[Value],
-        labels: &'a FxHashMap<Value, String>,
+        labels: &'a Wishes<'a>,
         leaves: &'a Leaves,
         local_names: Names,
     ) -> Schedule<'a> {
-        let uses = count_uses(values, roots, leaves);
-        let named = choose_named(values, &uses, leaves);
-        let (levels, angles) = wave_levels(values, &uses, leaves);
+        let mut needed = values.reachable(roots, leaves);
+        needed.retain(|value| !leaves.contains_key(value));
+        let uses = count_uses(values, roots, &needed);
+        let named = choose_named(values, &uses, &needed, leaves);
+        let (levels, angles) = wave_levels(values, &needed);
         let (names, statements) = (FxHashMap::default(), vec![]);
         let mut schedule =
             Schedule { values, labels, named, angles, levels, uses, local_names, leaves, names, statements };
@@ -80,7 +86,8 @@ impl<'a> Schedule<'a> {
         if self.leaves.contains_key(&value) {
             return;
         }
-        for operand in self.values.operands(value) {
+        let values = self.values;
+        for operand in values.operands(value) {
             match self.named[operand.index()] {
                 true => self.state(operand),
                 false => self.require(operand),
@@ -112,7 +119,7 @@ impl<'a> Schedule<'a> {
         self.state(argument);
         self.require(argument);
         let tree = self.tree(argument);
-        let mut names: Vec<Option<String>> = (0..=HIGHEST_DERIVATIVE)
+        let mut names: Vec<Option<Name>> = (0..=HIGHEST_DERIVATIVE)
             .map(|order| {
                 let value = self.values.find(&Operation::Table(table, order, argument))?;
                 self.named[value.index()].then(|| self.give_name(value))
@@ -122,20 +129,22 @@ impl<'a> Schedule<'a> {
         self.statements.push(Statement::Table(LookUp { table, names, argument: tree }));
     }
 
-    fn give_name(&mut self, value: Value) -> String {
-        let wished = self.labels.get(&value).cloned().unwrap_or_else(|| self.derived_name(value));
-        let name = self.local_names.unique(&wished);
+    fn give_name(&mut self, value: Value) -> Name {
+        let name = match self.labels.get(&value) {
+            Some(wished) => self.local_names.unique(wished),
+            None => self.local_names.unique(self.derived_name(value).as_deref().unwrap_or("w")),
+        };
         self.names.insert(value, name.clone());
         name
     }
 
     /// A name that says what the value is, where that is short.
-    fn derived_name(&self, value: Value) -> String {
-        let known = |value: Value| match self.leaves.get(&value) {
-            Some(Tree::Name(name) | Tree::Field(name)) => Some(name),
-            _ => self.names.get(&value).or_else(|| self.labels.get(&value)),
+    fn derived_name(&self, value: Value) -> Option<String> {
+        let known = |value: Value| match (self.leaves.get(&value), self.names.get(&value)) {
+            (Some(Tree::Name(name) | Tree::Field(name)), _) | (_, Some(name)) => Some(&**name),
+            _ => self.labels.get(&value).map(|name| &**name),
         };
-        derived_name(self.values, value, known).unwrap_or_else(|| "w".into())
+        derived_name(self.values, value, known)
     }
 
     /// The expression that stands for a value: its name, or what it is made of.
@@ -144,14 +153,6 @@ impl<'a> Schedule<'a> {
             (Some(leaf), _) => leaf.clone(),
             (_, Some(name)) => Tree::Name(name.clone()),
             _ => self.operation_tree(value),
-        }
-    }
-
-    /// A factor; the factors of a product that stands inside another.
-    fn factors(&self, value: Value) -> Vec<Tree> {
-        match self.tree(value) {
-            Tree::Product(factors) => factors,
-            other => vec![other],
         }
     }
 
@@ -165,7 +166,15 @@ impl<'a> Schedule<'a> {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
             }
             Operation::Product(factors) => {
-                Tree::Product(factors.iter().flat_map(|factor| self.factors(*factor)).collect())
+                let mut all = Vec::with_capacity(factors.len());
+                for factor in factors {
+                    // The factors of a product that stands inside another.
+                    match self.tree(*factor) {
+                        Tree::Product(factors) => all.extend(factors),
+                        other => all.push(other),
+                    }
+                }
+                Tree::Product(all)
             }
             Operation::Quotient(above, below) => Tree::Quotient(boxed(above), boxed(below)),
             Operation::Negate(operand) => Tree::Negate(boxed(operand)),
@@ -186,7 +195,7 @@ impl<'a> Schedule<'a> {
 pub(super) fn derived_name<'a>(
     values: &Values,
     value: Value,
-    known: impl Fn(Value) -> Option<&'a String>,
+    known: impl Fn(Value) -> Option<&'a str>,
 ) -> Option<String> {
     let short = |value: Value| known(value).filter(|name| name.len() <= 24);
     match values.operation(value) {
@@ -202,28 +211,19 @@ pub(super) fn derived_name<'a>(
 }
 
 /// How often each value is an operand or a root; 0 for what the roots do not need.
-fn count_uses(values: &Values, roots: &[Value], leaves: &Leaves) -> Vec<usize> {
+fn count_uses(values: &Values, roots: &[Value], needed: &[Value]) -> Vec<usize> {
     let mut uses = vec![0; values.len()];
-    for root in roots {
-        uses[root.index()] += 1;
-    }
-    for value in values.all().rev() {
-        if uses[value.index()] > 0 && !leaves.contains_key(&value) {
-            for operand in values.operands(value) {
-                uses[operand.index()] += 1;
-            }
-        }
-    }
+    let operands = needed.iter().flat_map(|value| values.operands(*value));
+    operands.chain(roots.iter().copied()).for_each(|value| uses[value.index()] += 1);
     uses
 }
 
 /// For each value how many sines it depends on, one inside another, and the angles of each level.
-fn wave_levels(values: &Values, uses: &[usize], leaves: &Leaves) -> (Vec<usize>, Vec<Vec<Value>>) {
+fn wave_levels(values: &Values, needed: &[Value]) -> (Vec<usize>, Vec<Vec<Value>>) {
     let mut levels = vec![0; values.len()];
     let mut angles: Vec<Vec<Value>> = Vec::new();
-    for value in values.all().filter(|value| uses[value.index()] > 0 && !leaves.contains_key(value)) {
-        let operands = values.operands(value);
-        let level = operands.iter().map(|operand| levels[operand.index()]).max().unwrap_or(0);
+    for value in needed.iter().copied() {
+        let level = values.operands(value).map(|operand| levels[operand.index()]).max().unwrap_or(0);
         levels[value.index()] = level;
         if let Operation::Call(Function::Sin | Function::Cos, angle) = values.operation(value) {
             angles.resize(angles.len().max(level + 1), vec![]);
@@ -236,24 +236,25 @@ fn wave_levels(values: &Values, uses: &[usize], leaves: &Leaves) -> (Vec<usize>,
     (levels, angles)
 }
 
-fn choose_named(values: &Values, uses: &[usize], leaves: &Leaves) -> Vec<bool> {
+fn choose_named(values: &Values, uses: &[usize], needed: &[Value], leaves: &Leaves) -> Vec<bool> {
     let mut named = vec![false; values.len()];
     let mut size = vec![0; values.len()];
-    for value in values.all().filter(|value| uses[value.index()] > 0 && !leaves.contains_key(value)) {
+    for value in needed.iter().copied() {
         let operands = values.operands(value);
         // Too long an expression gives up its largest parts first.
         let weight = |size: &[usize], named: &[bool]| -> usize {
-            operands.iter().map(|x| if named[x.index()] { 0 } else { size[x.index()] }).sum()
+            operands.clone().map(|x| if named[x.index()] { 0 } else { size[x.index()] }).sum()
         };
         while weight(&size, &named) > LONGEST_EXPRESSION {
-            let largest = operands.iter().filter(|x| !named[x.index()]).max_by_key(|x| size[x.index()]);
+            let largest = operands.clone().filter(|x| !named[x.index()]).max_by_key(|x| size[x.index()]);
             let Some(largest) = largest.filter(|x| size[x.index()] > 0) else { break };
             named[largest.index()] = true;
         }
-        size[value.index()] = weight(&size, &named) + operands.len().saturating_sub(1).max(operands.len().min(1));
+        let count = operands.clone().count();
+        size[value.index()] = weight(&size, &named) + count.saturating_sub(1).max(count.min(1));
         let leaf = match values.operation(value) {
             Operation::Constant(_) | Operation::Input(_) => true,
-            Operation::Negate(operand) => values.operands(*operand).is_empty() || leaves.contains_key(operand),
+            Operation::Negate(operand) => values.operands(*operand).next().is_none() || leaves.contains_key(operand),
             _ => false,
         };
         let several =

@@ -84,7 +84,7 @@ impl Values {
     }
 
     /// All values, operands first.
-    pub(super) fn all(&self) -> impl DoubleEndedIterator<Item = Value> + use<> {
+    pub(super) fn all(&self) -> impl Iterator<Item = Value> + use<> {
         (0..self.operations.len() as u32).map(Value)
     }
 
@@ -93,7 +93,7 @@ impl Values {
         if value.index() == self.parametric.len() {
             let parametric = match self.operation(value) {
                 Operation::Input(input) => matches!(input, Input::Parameter(_) | Input::Activity(_)),
-                _ => self.operands(value).into_iter().all(|operand| self.is_parametric(operand)),
+                _ => self.operands(value).all(|operand| self.is_parametric(operand)),
             };
             self.parametric.push(parametric);
         }
@@ -210,10 +210,10 @@ impl Values {
 
     /// Takes the operands that depend on parameters alone out, if there are several, and others too.
     fn separate<T: Copy>(&self, operands: &mut Vec<T>, value: impl Fn(&T) -> Value) -> Option<Vec<T>> {
-        let (parametric, others): (Vec<T>, Vec<T>) =
-            operands.iter().partition(|operand| self.is_parametric(value(operand)));
-        let apart = parametric.len() > 1 && !others.is_empty();
-        apart.then(|| {
+        let is_parametric = |operand: &T| self.is_parametric(value(operand));
+        let count = operands.iter().filter(|operand| is_parametric(operand)).count();
+        (1 < count && count < operands.len()).then(|| {
+            let (parametric, others) = operands.iter().partition(|operand| is_parametric(operand));
             *operands = others;
             parametric
         })
@@ -270,17 +270,23 @@ impl Values {
         self.all().filter(|value| seen[value.index()]).collect()
     }
 
-    pub(super) fn operands(&self, value: Value) -> Vec<Value> {
+    /// What a value is made of, in order.
+    pub(super) fn operands(&self, value: Value) -> impl Iterator<Item = Value> + Clone + use<'_> {
+        let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
         match self.operation(value) {
-            Operation::Constant(_) | Operation::Input(_) => vec![],
-            Operation::Sum(terms) => terms.iter().map(|(_, term)| *term).collect(),
-            Operation::Product(factors) => factors.clone(),
+            Operation::Constant(_) | Operation::Input(_) => {}
+            Operation::Sum(terms) => all_terms = terms,
+            Operation::Product(factors) => all_factors = factors,
             Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) | Operation::Held(a, b) => {
-                vec![*a, *b]
+                few = [Some(*a), Some(*b), None];
             }
-            Operation::Choice(a, b, c) => vec![*a, *b, *c],
-            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) | Operation::Table(_, _, a) => vec![*a],
+            Operation::Choice(a, b, c) => few = [a, b, c].map(|part| Some(*part)),
+            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) | Operation::Table(_, _, a) => {
+                few = [Some(*a), None, None];
+            }
         }
+        let terms = all_terms.iter().map(|(_, term): &(bool, Value)| *term);
+        terms.chain(all_factors.iter().copied()).chain(few.into_iter().flatten())
     }
 }
 
