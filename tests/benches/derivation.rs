@@ -8,7 +8,7 @@ use quote::quote;
 use sim::Description;
 use std::time::{Duration, Instant};
 
-const RUNS: usize = 50;
+const RUNS: usize = 200;
 
 fn main() {
     println!("derivation and emission, minimum of {RUNS}, in ms (optimised)");

@@ -179,13 +179,14 @@ fn near_the_intermediate_axis_it_turns_over() {
     let theta0 = 29.999f64.to_radians();
     let closed = Closed::new(INERTIA, 6.0, theta0);
     assert!(closed.modulus > 0.999_9);
-    let settings = Settings::adaptive(Method::Dop853, 4.0 * closed.period(), 1e-14);
+    // Not to the end of the fourth period, where it turns over once more, before or after by rounding.
+    let settings = Settings::adaptive(Method::Dop853, 3.9 * closed.period(), 1e-14);
     let run = run_with(Tumbling { theta0, ..Default::default() }, &settings).unwrap();
     let (times, spins) = (columns(&run, ["t"]), columns(&run, ["w1", "w2", "w3"]));
     let apart = furthest(spins.iter().zip(&times).map(|(w, [t])| (*w, closed.spin(*t))));
     let flips = spins.windows(2).filter(|pair| pair[0][1] * pair[1][1] < 0.0).count();
     println!(
-        "near the intermediate axis, k = {:.6}: {flips} turns over in 4 periods, off by {apart:.1e}",
+        "near the intermediate axis, k = {:.6}: {flips} turns over in 3.9 periods, off by {apart:.1e}",
         closed.modulus
     );
     assert_eq!(flips, 7);

@@ -9,6 +9,8 @@ pub struct Pattern {
     linked: Vec<BTreeSet<usize>>,
     /// In how many definitions of what is left each unknown occurs.
     occurrences: Vec<usize>,
+    /// How many steps, each needing the one before, must be done before each unknown can be.
+    levels: Vec<usize>,
 }
 
 /// A kind of unknown.
@@ -20,6 +22,16 @@ pub enum Kind {
     Intermediate(Vec<usize>),
     /// A multiplier.
     Multiplier,
+}
+
+impl Kind {
+    /// The unknowns that an intermediate quantity is defined by.
+    fn definition(&self) -> &[usize] {
+        match self {
+            Kind::Intermediate(definition) => definition,
+            Kind::Coordinate | Kind::Multiplier => &[],
+        }
+    }
 }
 
 /// The next unknown to be solved for, with those that it has entries with at that time.
@@ -44,7 +56,8 @@ impl Pattern {
                 definition.iter().for_each(|j| occurrences[*j] += 1);
             }
         }
-        Pattern { kinds, linked, occurrences }
+        let levels = vec![0; kinds.len()];
+        Pattern { kinds, linked, occurrences, levels }
     }
 }
 
@@ -71,7 +84,22 @@ pub fn order(mut pattern: Pattern) -> Option<Vec<Action>> {
         }
         actions.push(Action { unknown, neighbours: pattern.remove(unknown) });
     }
-    Some(actions)
+    Some(as_late_as_possible(actions, &pattern))
+}
+
+/// Each step just before what needs it, so that steps that do not need each other lie side by side.
+fn as_late_as_possible(actions: Vec<Action>, pattern: &Pattern) -> Vec<Action> {
+    let last = pattern.levels.iter().copied().max().unwrap_or(0);
+    let mut levels = vec![last; pattern.kinds.len()];
+    for Action { unknown, neighbours } in actions.iter().rev() {
+        let definition = pattern.kinds[*unknown].definition();
+        for needing in neighbours.iter().chain(definition) {
+            levels[*unknown] = levels[*unknown].min(levels[*needing].saturating_sub(1));
+        }
+    }
+    let mut actions = actions;
+    actions.sort_by_key(|action| levels[action.unknown]);
+    actions
 }
 
 /// Only the intermediate quantities, the last defined first.
@@ -98,7 +126,9 @@ impl Pattern {
             Kind::Intermediate(_) => false,
         };
         let is_free = |k: usize| matches!(self.kinds[k], Kind::Intermediate(_)) && self.occurrences[k] == 0;
-        let ready = left.iter().copied().filter(|k| has_pivot(*k)).min_by_key(|k| (self.linked[*k].len(), *k));
+        let is_multiplier = |k: usize| matches!(self.kinds[k], Kind::Multiplier);
+        let rank = |k: &usize| (is_multiplier(*k), self.linked[*k].len(), self.levels[*k], *k);
+        let ready = left.iter().copied().filter(|k| has_pivot(*k)).min_by_key(rank);
         // The last defined lies farthest out: from there elimination works its way in.
         ready.or_else(|| left.iter().rev().copied().find(|k| is_free(*k)))
     }
@@ -107,6 +137,10 @@ impl Pattern {
     fn remove(&mut self, k: usize) -> Vec<usize> {
         let mut neighbours = std::mem::take(&mut self.linked[k]);
         let had_diagonal = neighbours.remove(&k);
+        let level = self.levels[k] + 1;
+        for needing in neighbours.iter().chain(self.kinds[k].definition()) {
+            self.levels[*needing] = self.levels[*needing].max(level);
+        }
         neighbours.iter().for_each(|i| {
             self.linked[*i].remove(&k);
         });
@@ -126,5 +160,60 @@ impl Pattern {
     fn link(&mut self, i: usize, j: usize) {
         self.linked[i].insert(j);
         self.linked[j].insert(i);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coordinates in a row, each with an entry with the next.
+    fn row(length: usize) -> Pattern {
+        let diagonal = (0..length).map(|k| (k, k));
+        let beside = (1..length).map(|k| (k, k - 1));
+        Pattern::new(vec![Kind::Coordinate; length], diagonal.chain(beside))
+    }
+
+    /// Coordinates in a row, each pair of neighbours held by a multiplier.
+    fn held_row(length: usize) -> Pattern {
+        let mut kinds = vec![Kind::Coordinate; length];
+        kinds.extend(vec![Kind::Multiplier; length - 1]);
+        let diagonal = (0..length).map(|k| (k, k));
+        let held = (1..length).flat_map(|k| [(length + k - 1, k - 1), (length + k - 1, k)]);
+        Pattern::new(kinds, diagonal.chain(held))
+    }
+
+    /// How many steps, each needing the one before, there are.
+    fn longest_wait(actions: &[Action], unknowns: usize) -> usize {
+        let mut waits = vec![1; unknowns];
+        for Action { unknown, neighbours } in actions {
+            for needing in neighbours {
+                waits[*needing] = waits[*needing].max(waits[*unknown] + 1);
+            }
+        }
+        waits.into_iter().max().unwrap_or(0)
+    }
+
+    #[test]
+    fn a_row_is_eliminated_from_both_ends() {
+        for length in [2, 5, 20, 41] {
+            let actions = order(row(length)).unwrap();
+            assert!(actions.iter().all(|action| action.neighbours.len() <= 1), "fill-in of {length}");
+            assert_eq!(longest_wait(&actions, length), length / 2 + 1, "{length}");
+            let actions = order(held_row(length)).unwrap();
+            // The coordinates side by side, then the multipliers as a row of their own.
+            assert_eq!(longest_wait(&actions, 2 * length - 1), (length - 1) / 2 + 2, "{length}");
+        }
+    }
+
+    #[test]
+    fn every_step_comes_before_what_needs_it_and_not_long_before() {
+        let actions = order(held_row(30)).unwrap();
+        let place = |unknown: usize| actions.iter().position(|action| action.unknown == unknown).unwrap();
+        for action in &actions {
+            let first = action.neighbours.iter().map(|needing| place(*needing)).min();
+            let own = place(action.unknown);
+            assert!(first.is_none_or(|first| own < first && first - own <= 8), "{}: {own} {first:?}", action.unknown);
+        }
     }
 }

@@ -10,6 +10,7 @@
 //!
 //! Each pivot comes with what cancellation in it is measured by, to be checked at run time.
 
+use super::notes::Notes;
 use super::values::{Value, Values};
 use crate::dynamics::order::{Action, Kind, Pattern, order, substitutions};
 use indexmap::IndexMap;
@@ -43,9 +44,6 @@ impl System {
         Pattern::new(self.unknowns.iter().map(kind).collect(), self.entries.iter().map(|(i, j, _)| (*i, *j)))
     }
 }
-
-/// Names for the intermediate results, for whoever reads the kernel.
-pub(super) type Labels = Vec<(Value, String)>;
 
 /// A factorised system, which solves any right-hand side.
 pub(super) struct Factors {
@@ -128,12 +126,7 @@ impl Matrix {
 }
 
 /// Plans the factorisation. `None` if no order of this kind exists, as for a coordinate without mass.
-pub(super) fn factorise(
-    values: &mut Values,
-    system: &System,
-    names: &[String],
-    labels: &mut Labels,
-) -> Option<Factors> {
+pub(super) fn factorise(values: &mut Values, system: &System, names: &[String], notes: &mut Notes) -> Option<Factors> {
     let actions = order(system.pattern())?;
     let mut matrix = Matrix::of(values, system);
     let mut factors = Factors { steps: vec![], pivots: vec![] };
@@ -141,7 +134,7 @@ pub(super) fn factorise(
         let step = match &system.unknowns[unknown] {
             Unknown::Intermediate(definition) => substitute(values, &mut matrix, unknown, definition, &neighbours),
             _ => {
-                let (step, pivot) = eliminate(values, &mut matrix, unknown, &neighbours, names, labels);
+                let (step, pivot) = eliminate(values, &mut matrix, unknown, &neighbours, names, notes);
                 factors.pivots.push(pivot);
                 step
             }
@@ -168,20 +161,19 @@ fn eliminate(
     k: usize,
     neighbours: &[usize],
     names: &[String],
-    labels: &mut Labels,
+    notes: &mut Notes,
 ) -> (Step, (Value, Value)) {
-    let mut label = |value: Value, text: String| labels.push((value, text));
     let (pivot, size) = matrix.pivot(values, k);
-    label(pivot, format!("pivot_{}", names[k]));
+    notes.name(pivot, format!("pivot_{}", names[k]));
     let one = values.constant(1.0);
     let inverse = values.quotient(one, pivot);
-    label(inverse, format!("inverse_{}", names[k]));
+    notes.name(inverse, format!("inverse_{}", names[k]));
     let mut column: Vec<(usize, Value)> = Vec::new();
     let entries = matrix.column(values, k, neighbours);
     for (at, (i, value)) in entries.iter().enumerate() {
-        label(*value, format!("k_{}_{}", names[*i], names[k]));
+        notes.name(*value, format!("k_{}_{}", names[*i], names[k]));
         let factor = values.product(vec![*value, inverse]);
-        label(factor, format!("l_{}_{}", names[*i], names[k]));
+        notes.name(factor, format!("l_{}_{}", names[*i], names[k]));
         column.push((*i, factor));
         for (j, value) in &entries[..=at] {
             let product = values.product(vec![factor, *value]);

@@ -1,7 +1,8 @@
 //! The equations of motion as a linear system of values, its solution, and the derivatives of that solution.
 
-use super::eliminate::{Factors, Labels, System, Unknown, factorise};
+use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
+use super::notes::Notes;
 use super::planner::variable_names;
 use super::results::{Record, Results};
 use super::values::Value;
@@ -15,28 +16,27 @@ pub(super) struct Motion<'a> {
     unknowns: Vec<Value>,
     power: Value,
     factors: Option<Factors>,
-    /// Names for what was computed.
-    pub(super) labels: Labels,
+    pub(super) notes: Notes,
 }
 
 impl<'a> Motion<'a> {
     pub(super) fn solve(equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> Motion<'a> {
         let names = unknown_names(equations);
-        let mut labels = Labels::new();
+        let mut notes = Notes::default();
         let system = system(equations, lowering);
         let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &equations.constraints.convective);
         let constants = constants(equations, lowering);
-        let factors = factorise(&mut lowering.values, &system, &names, &mut labels);
+        let factors = factorise(&mut lowering.values, &system, &names, &mut notes);
         let solved = match &factors {
             Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |value, k| {
-                labels.push((value, format!("rhs_{}", names[k])));
+                notes.right_hand_side(value, &names[k]);
             }),
             None => vec![lowering.values.constant(0.0); names.len()],
         };
         let variables = equations.variables.len();
         for (i, value) in solved.iter().enumerate() {
             let name = if i < variables { format!("{}_ddot", names[i]) } else { names[i].clone() };
-            labels.push((*value, name));
+            notes.name(*value, name);
         }
         let multipliers = equations.model.constraints.iter().map(|c| c.multiplier);
         let symbols = equations.variables.accelerations.iter().copied().chain(multipliers);
@@ -44,7 +44,7 @@ impl<'a> Motion<'a> {
         let power = lowering.lower(equations.energy.power);
         let intermediates = equations.model.coordinates.len()..variables;
         let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
-        Motion { equations, unknowns: unknowns.collect(), power, factors, labels }
+        Motion { equations, unknowns: unknowns.collect(), power, factors, notes }
     }
 
     /// q'', lambda and power.

@@ -1,12 +1,13 @@
 //! From what a kernel is to return to the kernel.
 
-use super::eliminate::Labels;
 use super::lower::Lowering;
 use super::names::Names;
+use super::notes::Notes;
 use super::pieces::split;
 use super::results::Results;
 use super::schedule::{Leaves, Schedule, Wishes};
-use super::values::{Input, Operation, Value};
+use super::shared_products::{Moved, share_products};
+use super::values::{Input, Operation, Value, Values};
 use super::{Arguments, Entries, Kernel, Operations, Receiver, Tree};
 use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::{Expr, Symbol};
@@ -18,6 +19,40 @@ pub(super) struct Head {
     pub(super) docs: String,
     pub(super) receiver: Receiver,
     pub(super) arguments: Arguments,
+}
+
+/// What a kernel is written from.
+struct Task<'a> {
+    results: Results<Value>,
+    /// What is computed before them.
+    first: Vec<Value>,
+    wishes: Wishes<'a>,
+    leaves: Leaves,
+}
+
+impl<'a> Task<'a> {
+    /// The same where values have moved.
+    fn moved(
+        moved: &Moved,
+        results: &Results<Value>,
+        notes: &Notes,
+        mut wishes: Wishes<'a>,
+        leaves: Leaves,
+    ) -> Task<'a> {
+        let new = |value: Value| moved.get(&value).copied();
+        let mut new_wishes = Wishes::default();
+        for (old, new) in moved {
+            if let Some(name) = wishes.remove(old) {
+                new_wishes.entry(*new).or_insert(name);
+            }
+        }
+        Task {
+            results: results.map(&mut |value| moved[value]),
+            first: notes.order().filter_map(new).collect(),
+            wishes: new_wishes,
+            leaves: leaves.into_iter().filter_map(|(value, leaf)| Some((new(value)?, leaf))).collect(),
+        }
+    }
 }
 
 /// Plans the kernels of one mechanism.
@@ -84,7 +119,7 @@ impl<'a> Planner<'a> {
         let mut lowering = self.lowering();
         let results = wanted(&mut lowering);
         let head = Head { name, docs, receiver: Receiver::Mechanism, arguments };
-        self.finish(head, &lowering, &results, &Labels::new(), Leaves::default())
+        self.finish(head, &lowering, &results, &Notes::default(), Leaves::default())
     }
 
     /// The kernel that returns `results`; `leaves` are known beside the inputs.
@@ -93,17 +128,34 @@ impl<'a> Planner<'a> {
         head: Head,
         lowering: &Lowering,
         results: &Results<Value>,
-        labels: &Labels,
-        mut leaves: Leaves,
+        notes: &Notes,
+        leaves: Leaves,
     ) -> Kernel {
         let roots: Vec<Value> = results.entries().into_iter().copied().collect();
-        let labels = self.names_wished(lowering, labels);
+        let wishes = self.names_wished(lowering, notes);
+        match share_products(&lowering.values, &roots, &leaves) {
+            None => {
+                let task =
+                    Task { results: results.map(&mut |value| *value), first: notes.order().collect(), wishes, leaves };
+                self.write(head, &lowering.values, task)
+            }
+            Some(shared) => {
+                let task = Task::moved(&shared.moved, results, notes, wishes, leaves);
+                self.write(head, &shared.values, task)
+            }
+        }
+    }
+
+    /// The kernel as statements.
+    fn write(&self, head: Head, values: &Values, task: Task) -> Kernel {
+        let Task { results, first, wishes, mut leaves } = task;
+        let roots: Vec<Value> = results.entries().into_iter().copied().collect();
         let mut names = Names::new();
         if head.arguments == Arguments::GeneralizedSpeeds {
             names.unique("u");
         }
-        let entries = self.name_inputs(lowering, &roots, &mut names, &mut leaves);
-        let schedule = Schedule::new(&lowering.values, &roots, &labels, &leaves, names);
+        let entries = self.name_inputs(values, &roots, &mut names, &mut leaves);
+        let schedule = Schedule::new(values, &first, &roots, &wishes, &leaves, names);
         let results = results.map(&mut |value| schedule.tree(*value));
         let statements = schedule.statements;
         let operations = Operations::of(&statements, &results);
@@ -113,10 +165,10 @@ impl<'a> Planner<'a> {
     }
 
     /// Names for values: what the user named, then what the method names. The first wish for a value wins.
-    pub(super) fn names_wished<'s>(&'s self, lowering: &Lowering, labels: &'s Labels) -> Wishes<'s> {
+    pub(super) fn names_wished<'s>(&'s self, lowering: &Lowering, notes: &'s Notes) -> Wishes<'s> {
         let users = self.labels.iter().filter_map(|(expr, name)| Some((lowering.lowered(*expr)?, name)));
         let mut by_value = Wishes::default();
-        for (value, name) in users.chain(labels.iter().map(|(value, name)| (*value, name))) {
+        for (value, name) in users.chain(notes.names()) {
             if let Some(opposite) = lowering.values.opposite(value) {
                 by_value.entry(opposite).or_insert_with(|| format!("minus_{name}").into());
             }
@@ -126,13 +178,12 @@ impl<'a> Planner<'a> {
     }
 
     /// Local names for the inputs that are needed, under the user's names where these are free.
-    fn name_inputs(&self, lowering: &Lowering, roots: &[Value], names: &mut Names, leaves: &mut Leaves) -> Entries {
+    fn name_inputs(&self, values: &Values, roots: &[Value], names: &mut Names, leaves: &mut Leaves) -> Entries {
         let model = &self.equations.model;
-        let needed: FxHashMap<Input, Value> = lowering
-            .values
+        let needed: FxHashMap<Input, Value> = values
             .reachable(roots, leaves)
             .into_iter()
-            .filter_map(|value| match lowering.values.operation(value) {
+            .filter_map(|value| match values.operation(value) {
                 Operation::Input(input) => Some((*input, value)),
                 _ => None,
             })

@@ -1,9 +1,9 @@
 //! The kernels that run at each step, and what they need of the parameters, computed once for a set of parameters.
 
-use super::eliminate::Labels;
 use super::lower::Lowering;
 use super::motion::Motion;
 use super::names::Names;
+use super::notes::Notes;
 use super::planner::{Head, Planner};
 use super::results::{Record, Results};
 use super::schedule::{Leaves, derived_name};
@@ -28,12 +28,12 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     if let Some(columns) = &planner.equations.by_parameters {
         planned.push(("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering, columns)));
     }
-    let mut labels = std::mem::take(&mut motion.labels);
+    let mut notes = std::mem::take(&mut motion.notes);
     if let Some(speeds) = &planner.equations.speeds {
-        planned.extend(speeds::kernels(&planner.equations.model, speeds, &mut lowering, &mut labels));
+        planned.extend(speeds::kernels(&planner.equations.model, speeds, &mut lowering, &mut notes));
     }
     let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
-    let fields = fields(planner, &lowering, &labels, &roots);
+    let fields = fields(planner, &lowering, &notes, &roots);
     let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();
     let head = Head {
         name: "prepare",
@@ -42,8 +42,13 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         arguments: Arguments::Parameters,
     };
     let results = fields.into_iter().map(|(name, value)| (name.to_string(), Results::Scalar(value))).collect();
-    let prepare =
-        planner.finish(head, &lowering, &Results::Record(Record::Prepared, results), &vec![], Leaves::default());
+    let prepare = planner.finish(
+        head,
+        &lowering,
+        &Results::Record(Record::Prepared, results),
+        &Notes::default(),
+        Leaves::default(),
+    );
     let kernels = planned.into_iter().map(|(name, docs, results)| {
         let arguments = match name {
             "inverse_dynamics" => Arguments::Accelerations,
@@ -51,13 +56,13 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
             _ => Arguments::Speeds,
         };
         let head = Head { name, docs, receiver: Receiver::Prepared, arguments };
-        planner.finish(head, &lowering, &results, &labels, leaves.clone())
+        planner.finish(head, &lowering, &results, &notes, leaves.clone())
     });
     [prepare].into_iter().chain(kernels).collect()
 }
 
 /// What depends on parameters alone and others need, and the parameters that are needed as they are.
-fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Value]) -> Vec<(Name, Value)> {
+fn fields(planner: &Planner, lowering: &Lowering, notes: &Notes, roots: &[Value]) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let is_computed = |value: Value| match values.operation(value) {
         Operation::Constant(_) | Operation::Input(_) => false,
@@ -73,14 +78,14 @@ fn fields(planner: &Planner, lowering: &Lowering, labels: &Labels, roots: &[Valu
     let is_parameter =
         |value: &Value| matches!(values.operation(*value), Operation::Input(Input::Parameter(_) | Input::Activity(_)));
     fields.extend(values.reachable(roots, &leaves).into_iter().filter(is_parameter));
-    name_fields(planner, lowering, labels, fields)
+    name_fields(planner, lowering, notes, fields)
 }
 
 /// Parameters keep their names; what was computed is named for what it is.
-fn name_fields(planner: &Planner, lowering: &Lowering, labels: &Labels, fields: BTreeSet<Value>) -> Vec<(Name, Value)> {
+fn name_fields(planner: &Planner, lowering: &Lowering, notes: &Notes, fields: BTreeSet<Value>) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let (parameters, conditionals) = (&planner.equations.model.parameters, &planner.equations.model.conditionals);
-    let wished = planner.names_wished(lowering, labels);
+    let wished = planner.names_wished(lowering, notes);
     let mut names = Names::default();
     parameters.iter().map(|p| &p.name).chain(conditionals.iter().map(|c| &c.field)).for_each(|name| {
         names.unique(name);

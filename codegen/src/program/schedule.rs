@@ -41,9 +41,10 @@ pub(super) struct Schedule<'a> {
 }
 
 impl<'a> Schedule<'a> {
-    /// Schedules everything that `roots` are made of. `labels` are names wished for, `local_names` those still free.
+    /// Schedules everything that `roots` are made of, what is needed of `first` before them. `labels` are names wished for, `local_names` those still free.
     pub(super) fn new(
         values: &'a Values,
+        first: &[Value],
         roots: &[Value],
         labels: &'a Wishes<'a>,
         leaves: &'a Leaves,
@@ -58,7 +59,9 @@ impl<'a> Schedule<'a> {
         let mut schedule =
             Schedule { values, labels, named, angles, levels, uses, local_names, leaves, names, statements };
         // From the results backwards: what is used together is computed together, and little has to be kept for long.
-        for root in roots {
+        let is_needed = |value: &&Value| schedule.uses[value.index()] > 0 && !leaves.contains_key(value);
+        let first: Vec<&Value> = first.iter().filter(is_needed).collect();
+        for root in first.into_iter().chain(roots) {
             if schedule.named[root.index()] { schedule.state(*root) } else { schedule.require(*root) }
         }
         schedule

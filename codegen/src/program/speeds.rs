@@ -1,8 +1,9 @@
 //! The kernels of generalised speeds: q' = N u + n, and u' with the multipliers that are left.
 
-use super::eliminate::{Factors, Labels, System, Unknown, factorise};
+use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::motion::{entries, right_hand_side};
+use super::notes::Notes;
 use super::prepared::REFUSED;
 use super::results::{Record, Results};
 use super::values::Value;
@@ -17,27 +18,27 @@ pub(super) fn kernels(
     model: &Model,
     equations: &SpeedEquations,
     lowering: &mut Lowering,
-    labels: &mut Labels,
+    notes: &mut Notes,
 ) -> [(&'static str, String, Results<Value>); 2] {
-    let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, labels);
+    let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, notes);
     let rates = lowering.lower_all(&equations.kinematics.rates);
     let kinematics = Results::record(
         Record::Kinematics,
         [("rates", Results::Vector(rates)), ("refused", Results::Refused(pivots.clone()))],
     );
-    let dynamics = dynamics(model, equations, pivots, lowering, labels);
+    let dynamics = dynamics(model, equations, pivots, lowering, notes);
     [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
 }
 
 /// Gives those rates that are solved for at run time, and their derivatives, their values.
-fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, labels: &mut Labels) -> Pivots {
+fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, notes: &mut Notes) -> Pivots {
     let factors: Vec<Option<Factors>> =
-        blocks.iter().map(|block| factorise_block(model, block, lowering, labels)).collect();
+        blocks.iter().map(|block| factorise_block(model, block, lowering, notes)).collect();
     let mut solve = |factors: &Option<Factors>, solution: &Solution| {
         let right_hand_side = lowering.lower_all(&solution.right_hand_side);
         let solved = solve(factors.as_ref(), right_hand_side, lowering, &mut |_, _| ());
         let names = solution.symbols.iter().map(|symbol| model.graph.symbol_name(*symbol).to_owned());
-        labels.extend(solved.iter().copied().zip(names));
+        solved.iter().zip(names).for_each(|(value, name)| notes.name(*value, name));
         lowering.replace(solution.symbols.iter().copied().zip(solved).collect());
     };
     for (block, factors) in blocks.iter().zip(&factors) {
@@ -52,11 +53,11 @@ fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, labels
     all.map(distinct_pivots)
 }
 
-fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, labels: &mut Labels) -> Option<Factors> {
+fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, notes: &mut Notes) -> Option<Factors> {
     let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
     let entries = entries(lowering, &model.graph, &block.matrix, &[], std::iter::empty());
     let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
-    factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels)
+    factorise(&mut lowering.values, &System { unknowns, entries }, &names, notes)
 }
 
 fn distinct_pivots(factors: Vec<Factors>) -> Vec<(Value, Value)> {
@@ -72,7 +73,7 @@ fn dynamics(
     equations: &SpeedEquations,
     kinematic: Pivots,
     lowering: &mut Lowering,
-    labels: &mut Labels,
+    notes: &mut Notes,
 ) -> Results<Value> {
     let SpeedEquations { tmt, rows, jacobian, convective, .. } = equations;
     let speeds = model.speeds.iter().map(|speed| format!("{}_dot", speed.name));
@@ -83,11 +84,11 @@ fn dynamics(
     let coordinates = model.speeds.iter().map(|_| Unknown::Coordinate);
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
-    let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, labels);
+    let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, notes);
     let solved = solve(factors.as_ref(), rhs, lowering, &mut |value, k| {
-        labels.push((value, format!("rhs_{}", names[k])));
+        notes.right_hand_side(value, &names[k]);
     });
-    labels.extend(solved.iter().copied().zip(names.iter().cloned()));
+    solved.iter().zip(&names).for_each(|(value, name)| notes.name(*value, name.clone()));
     let own = factors.map(|factors| distinct_pivots(vec![factors]));
     let refused = if needs_blocks(model, equations) {
         own.zip(kinematic).map(|(own, kinematic)| [own, kinematic].concat())

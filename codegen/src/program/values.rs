@@ -290,6 +290,26 @@ impl Values {
     }
 }
 
+impl Operation {
+    /// The same on other operands.
+    pub(super) fn map(&self, f: impl Fn(Value) -> Value) -> Operation {
+        match self {
+            Operation::Constant(_) | Operation::Input(_) => self.clone(),
+            Operation::Sum(terms) => Operation::Sum(terms.iter().map(|(negative, x)| (*negative, f(*x))).collect()),
+            Operation::Product(factors) => Operation::Product(factors.iter().map(|x| f(*x)).collect()),
+            Operation::Quotient(above, below) => Operation::Quotient(f(*above), f(*below)),
+            Operation::Negate(operand) => Operation::Negate(f(*operand)),
+            Operation::Call(function, argument) => Operation::Call(*function, f(*argument)),
+            Operation::Sqrt(argument) => Operation::Sqrt(f(*argument)),
+            Operation::Power(base, exponent) => Operation::Power(f(*base), f(*exponent)),
+            Operation::Atan2(y, x) => Operation::Atan2(f(*y), f(*x)),
+            Operation::Choice(difference, above, other) => Operation::Choice(f(*difference), f(*above), f(*other)),
+            Operation::Table(table, order, argument) => Operation::Table(*table, *order, f(*argument)),
+            Operation::Held(held, course) => Operation::Held(f(*held), f(*course)),
+        }
+    }
+}
+
 impl Value {
     pub(super) fn index(self) -> usize {
         self.0 as usize

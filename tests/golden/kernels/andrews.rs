@@ -493,25 +493,36 @@ pub struct AndrewsPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Andrews<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 35 additions, 94 multiplications, 2 divisions.
+    /// Operations: 35 additions, 64 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> AndrewsPrepared<S> {
-        let w = self.ee - self.ea;
-        let mass_Phi_Phi = self.i4 + self.m4 * w * w;
-        let w_2 = self.m4 * self.ee * self.zt;
-        let w_3 = self.m4 * self.ea * self.zt;
-        let w_4 = self.zf - self.fa;
-        let mass_Omega_Omega = self.i6 + self.m6 * w_4 * w_4;
-        let w_5 = self.m6 * self.zf * self.u;
-        let w_6 = self.m6 * self.fa * self.u;
+        let w = self.m2 * self.da;
+        let w_2 = self.ee - self.ea;
+        let mass_Phi_Phi = self.i4 + self.m4 * w_2 * w_2;
+        let w_3 = self.ee * S::from_f64(2.0);
+        let w_4 = self.m4 * self.zt;
+        let w_5 = self.ee * w_4;
+        let w_6 = self.ea * w_4;
+        let w_7 = self.zf - self.fa;
+        let mass_Omega_Omega = self.i6 + self.m6 * w_7 * w_7;
+        let w_8 = S::from_f64(2.0) * self.zf;
+        let w_9 = self.m6 * self.u;
+        let w_10 = self.zf * w_9;
+        let w_11 = self.fa * w_9;
+        let w_12 = self.c0 * self.sc;
+        let w_13 = self.xb * self.l0;
+        let w_14 = self.xc * self.l0;
+        let w_15 = self.c0 * self.sd;
+        let w_16 = self.yb * self.l0;
+        let w_17 = self.yc * self.l0;
         AndrewsPrepared {
             i2: self.i2,
             m2: self.m2,
             rr: self.rr,
             da: self.da,
             k: self.i1 + self.i2 + self.m1 * self.ra * self.ra,
-            k_2: self.m2 * self.da,
-            k_3: self.m2 * self.rr * self.da,
+            k_2: w,
+            k_3: self.rr * w,
             mass_Theta_Theta: self.i2 + self.m2 * self.da * self.da,
             i3: self.i3,
             m3: self.m3,
@@ -519,30 +530,28 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             sb: self.sb,
             m4: self.m4,
             ee: self.ee,
-            k_4: w,
+            k_4: w_2,
             mass_Phi_Phi: mass_Phi_Phi,
             zt: self.zt,
-            k_5: self.m4 * w,
-            k_6: self.i4 + self.m4 * self.ee * self.ee
-                - self.m4 * self.ee * self.ea * S::from_f64(2.0)
+            k_5: self.m4 * w_2,
+            k_6: self.i4 + self.m4 * self.ee * self.ee - self.m4 * self.ea * w_3
                 + self.m4 * self.ea * self.ea,
-            k_7: w_2 - w_3,
-            k_8: w_3 - w_2,
+            k_7: w_5 - w_6,
+            k_8: w_6 - w_5,
             m5: self.m5,
             ta: self.ta,
             tb: self.tb,
             k_9: self.i4 + self.i5,
             m6: self.m6,
             zf: self.zf,
-            k_10: w_4,
+            k_10: w_7,
             mass_Omega_Omega: mass_Omega_Omega,
             u: self.u,
-            k_11: self.m6 * w_4,
-            k_12: self.i6 + self.m6 * self.zf * self.zf
-                - S::from_f64(2.0) * self.m6 * self.zf * self.fa
+            k_11: self.m6 * w_7,
+            k_12: self.i6 + self.m6 * self.zf * self.zf - self.m6 * self.fa * w_8
                 + self.m6 * self.fa * self.fa,
-            k_13: w_5 - w_6,
-            k_14: w_6 - w_5,
+            k_13: w_10 - w_11,
+            k_14: w_11 - w_10,
             m7: self.m7,
             ua: self.ua,
             ub: self.ub,
@@ -550,32 +559,22 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             d: self.d,
             ss: self.ss,
             mom: self.mom,
-            k_16: self.m2 * self.rr * self.da * S::from_f64(2.0),
+            k_16: self.rr * w * S::from_f64(2.0),
             c0: self.c0,
             sc: self.sc,
             sd: self.sd,
             k_17: self.xb - self.xc,
             k_18: self.yb - self.yc,
             l0: self.l0,
-            k_19: self.c0 * self.xb * self.sc * self.l0
-                - self.c0 * self.xc * self.sc * self.l0
-                + self.c0 * self.sd * self.yb * self.l0
-                - self.c0 * self.sd * self.yc * self.l0,
-            k_20: self.c0 * self.xc * self.sd * self.l0
-                - self.c0 * self.xb * self.sd * self.l0
-                + self.c0 * self.sc * self.yb * self.l0
-                - self.c0 * self.sc * self.yc * self.l0,
-            k_21: self.c0 * self.xc * self.sc - self.c0 * self.xb * self.sc
-                - self.c0 * self.sd * self.yb + self.c0 * self.sd * self.yc,
-            k_22: self.c0 * self.xb * self.sd - self.c0 * self.xc * self.sd
-                - self.c0 * self.sc * self.yb + self.c0 * self.sc * self.yc,
-            k_23: self.m4 * self.ea * self.zt * S::from_f64(2.0)
-                - self.m4 * self.ee * self.zt * S::from_f64(2.0),
-            k_24: S::from_f64(2.0) * self.m6 * self.zf * self.u
-                - S::from_f64(2.0) * self.m6 * self.fa * self.u,
+            k_19: w_12 * w_13 - w_12 * w_14 + w_15 * w_16 - w_15 * w_17,
+            k_20: w_15 * w_14 - w_13 * w_15 + w_12 * w_16 - w_12 * w_17,
+            k_21: self.xc * w_12 - self.xb * w_12 - self.yb * w_15 + self.yc * w_15,
+            k_22: self.xb * w_15 - self.xc * w_15 - self.yb * w_12 + self.yc * w_12,
+            k_23: self.ea * S::from_f64(2.0) * w_4 - w_4 * w_3,
+            k_24: w_9 * w_8 - S::from_f64(2.0) * self.fa * w_9,
             k_25: S::from_f64(2.0) * self.d,
-            k_26: self.ee * S::from_f64(2.0),
-            k_27: S::from_f64(2.0) * self.zf,
+            k_26: w_3,
+            k_27: w_8,
             inverse_Phi: S::from_f64(1.0) / mass_Phi_Phi,
             inverse_Omega: S::from_f64(1.0) / mass_Omega_Omega,
             k_28: S::from_f64(2.0) * self.ss,
@@ -583,7 +582,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 52 additions, 84 multiplications, 7 sine-cosine pairs.
+    /// Operations: 52 additions, 82 multiplications, 7 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
@@ -614,29 +613,29 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_6 = self.sa * u3_x - self.sb * u3_y;
         let w_7 = self.sa * u3_y + u3_x * self.sb;
         let w_8 = self.ee - self.ea;
-        let w_9 = self.i4 + self.m4 * self.ee * self.ee
-            - self.m4 * self.ee * self.ea * S::from_f64(2.0)
-            + self.m4 * self.ea * self.ea;
-        let w_10 = self.m4 * self.ee * self.zt;
-        let w_11 = self.m4 * self.ea * self.zt;
-        let mass_delta_Phi = w_9 + n4_x * u5_x * (w_10 - w_11)
-            + cos_w_2 * u5_y * (w_11 - w_10);
-        let w_12 = self.zt * u5_y - w_8 * cos_w_2;
-        let w_13 = self.zt * u5_x + w_8 * n4_x;
-        let w_14 = u5_y * self.ta + u5_x * self.tb;
-        let w_15 = u5_x * self.ta - u5_y * self.tb;
-        let w_16 = self.zf - self.fa;
-        let w_17 = self.i6 + self.m6 * self.zf * self.zf
-            - S::from_f64(2.0) * self.m6 * self.zf * self.fa
-            + self.m6 * self.fa * self.fa;
-        let w_18 = self.m6 * self.zf * self.u;
-        let w_19 = self.m6 * self.fa * self.u;
-        let mass_epsilon_Omega = w_17 + u6_x * u7_y * (w_18 - w_19)
-            + u6_y * u7_x * (w_19 - w_18);
-        let w_20 = self.u * u7_x - w_16 * u6_y;
-        let w_21 = self.u * u7_y + w_16 * u6_x;
-        let w_22 = u7_x * self.ua + u7_y * self.ub;
-        let w_23 = u7_y * self.ua - u7_x * self.ub;
+        let w_9 = self.m4 * self.ee;
+        let w_10 = self.i4 + self.m4 * self.ee * self.ee
+            - self.ea * S::from_f64(2.0) * w_9 + self.m4 * self.ea * self.ea;
+        let w_11 = self.zt * w_9;
+        let w_12 = self.m4 * self.ea * self.zt;
+        let mass_delta_Phi = w_10 + n4_x * u5_x * (w_11 - w_12)
+            + cos_w_2 * u5_y * (w_12 - w_11);
+        let w_13 = self.zt * u5_y - w_8 * cos_w_2;
+        let w_14 = self.zt * u5_x + w_8 * n4_x;
+        let w_15 = u5_y * self.ta + u5_x * self.tb;
+        let w_16 = u5_x * self.ta - u5_y * self.tb;
+        let w_17 = self.zf - self.fa;
+        let w_18 = self.m6 * self.zf;
+        let w_19 = self.i6 + self.m6 * self.zf * self.zf
+            - S::from_f64(2.0) * self.fa * w_18 + self.m6 * self.fa * self.fa;
+        let w_20 = self.u * w_18;
+        let w_21 = self.m6 * self.fa * self.u;
+        let mass_epsilon_Omega = w_19 + u6_x * u7_y * (w_20 - w_21)
+            + u6_y * u7_x * (w_21 - w_20);
+        let w_22 = self.u * u7_x - w_17 * u6_y;
+        let w_23 = self.u * u7_y + w_17 * u6_x;
+        let w_24 = u7_x * self.ua + u7_y * self.ub;
+        let w_25 = u7_y * self.ua - u7_x * self.ub;
         [
             [
                 self.m2 * (w_4 * w_4 + w_5 * w_5)
@@ -680,8 +679,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_delta_Phi,
-                self.m4 * (w_12 * w_12 + w_13 * w_13)
-                    + self.m5 * (w_14 * w_14 + w_15 * w_15) + (self.i4 + self.i5),
+                self.m4 * (w_13 * w_13 + w_14 * w_14)
+                    + self.m5 * (w_15 * w_15 + w_16 * w_16) + (self.i4 + self.i5),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
             ],
@@ -691,7 +690,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                self.i6 + self.m6 * w_16 * w_16,
+                self.i6 + self.m6 * w_17 * w_17,
                 mass_epsilon_Omega,
             ],
             [
@@ -701,21 +700,22 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_epsilon_Omega,
-                self.m6 * (w_20 * w_20 + w_21 * w_21)
-                    + self.m7 * (w_22 * w_22 + w_23 * w_23) + (self.i6 + self.i7),
+                self.m6 * (w_22 * w_22 + w_23 * w_23)
+                    + self.m7 * (w_24 * w_24 + w_25 * w_25) + (self.i6 + self.i7),
             ],
         ]
     }
     /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 17 additions, 58 multiplications, 6 sine-cosine pairs.
+    /// Operations: 17 additions, 51 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [beta, Theta_, _, Phi_, delta, Omega_, epsilon] = *q;
         let [beta_dot, Theta_dot, _, Phi_dot, delta_dot, Omega_dot, epsilon_dot] = *qd;
-        let w = beta + Theta_;
-        let w_2 = Phi_ + delta;
-        let w_3 = Omega_ + epsilon;
+        let w = self.m2 * self.rr;
+        let w_2 = beta + Theta_;
+        let w_3 = Phi_ + delta;
+        let w_4 = Omega_ + epsilon;
         let (
             [u1_y,
             u2_y,
@@ -726,73 +726,64 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             ],
             [u1_x,
             u2_x,
-            cos_w_2,
+            cos_w_3,
             u5_x,
             u6_x,
             u7_x,
             ],
-        ) = S::sin_cos_each([beta, w, w_2, delta, w_3, epsilon]);
-        let w_4 = u2_y * u1_x;
-        let w_5 = u1_y * u2_x;
-        let w_6 = w_4 - w_5;
-        let w_7 = self.m2 * self.rr * self.da;
-        let w_8 = self.m4 * self.ea * self.zt;
-        let w_9 = self.m4 * self.ee * self.zt;
-        let w_10 = n4_x * u5_y + cos_w_2 * u5_x;
-        let w_11 = self.m6 * self.zf * self.u;
-        let w_12 = self.m6 * self.fa * self.u;
-        let w_13 = u6_y * u7_y;
-        let w_14 = u6_x * u7_x;
-        let w_15 = w_14 + w_13;
+        ) = S::sin_cos_each([beta, w_2, w_3, delta, w_4, epsilon]);
+        let w_5 = u2_y * u1_x;
+        let w_6 = u1_y * u2_x;
+        let w_7 = w_5 - w_6;
+        let w_8 = self.da * w;
+        let w_9 = self.m4 * self.zt;
+        let w_10 = self.ea * w_9;
+        let w_11 = self.ee * w_9;
+        let w_12 = n4_x * u5_y + cos_w_3 * u5_x;
+        let w_13 = self.m6 * self.u;
+        let w_14 = self.zf * w_13;
+        let w_15 = self.fa * w_13;
+        let w_16 = u6_y * u7_y;
+        let w_17 = u6_x * u7_x;
+        let w_18 = w_17 + w_16;
         [
-            self.m2 * self.rr * self.da * S::from_f64(2.0) * Theta_dot * beta_dot * w_6
-                + w_7 * Theta_dot * Theta_dot * w_6,
-            w_7 * beta_dot * beta_dot * (w_5 - w_4),
+            self.da * S::from_f64(2.0) * w * Theta_dot * beta_dot * w_7
+                + w_8 * Theta_dot * Theta_dot * w_7,
+            w_8 * beta_dot * beta_dot * (w_6 - w_5),
             S::from_f64(0.0),
-            (w_8 - w_9) * delta_dot * delta_dot * w_10,
-            (w_9 - w_8) * w_10 * Phi_dot * Phi_dot
-                + (S::from_f64(2.0) * self.m4 * self.ee * self.zt
-                    - S::from_f64(2.0) * self.m4 * self.ea * self.zt) * Phi_dot
-                    * delta_dot * w_10,
-            (w_11 - w_12) * epsilon_dot * epsilon_dot * (w_13 + w_14),
-            (S::from_f64(2.0) * self.m6 * self.fa * self.u
-                - S::from_f64(2.0) * self.m6 * self.zf * self.u) * epsilon_dot
-                * Omega_dot * w_15 + (w_12 - w_11) * Omega_dot * Omega_dot * w_15,
+            (w_10 - w_11) * delta_dot * delta_dot * w_12,
+            (w_11 - w_10) * w_12 * Phi_dot * Phi_dot
+                + (S::from_f64(2.0) * self.ee * w_9 - S::from_f64(2.0) * self.ea * w_9)
+                    * Phi_dot * delta_dot * w_12,
+            (w_14 - w_15) * epsilon_dot * epsilon_dot * (w_16 + w_17),
+            (S::from_f64(2.0) * self.fa * w_13 - S::from_f64(2.0) * self.zf * w_13)
+                * epsilon_dot * Omega_dot * w_18
+                + (w_15 - w_14) * Omega_dot * Omega_dot * w_18,
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
     ///
-    /// Operations: 22 additions, 50 multiplications, 1 division, 1 sine-cosine pair, 1 square root.
+    /// Operations: 22 additions, 32 multiplications, 1 division, 1 sine-cosine pair, 1 square root.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, gamma, _, _, _, _] = *q;
         let ([u3_y], [u3_x]) = S::sin_cos_each([gamma]);
-        let w = self.c0 * self.xb * self.sc * self.l0
-            - self.c0 * self.xc * self.sc * self.l0
-            + self.c0 * self.sd * self.yb * self.l0
-            - self.c0 * self.sd * self.yc * self.l0;
-        let w_2 = self.xb - self.xc + self.sc * u3_y + self.sd * u3_x;
-        let w_3 = self.yb - self.yc - self.sc * u3_x + u3_y * self.sd;
-        let w_4 = (w_2 * w_2 + w_3 * w_3).sqrt();
-        let w_5 = self.c0 * self.xc * self.sd * self.l0
-            - self.c0 * self.xb * self.sd * self.l0
-            + self.c0 * self.sc * self.yb * self.l0
-            - self.c0 * self.sc * self.yc * self.l0;
-        let w_6 = u3_y
-            * (w_5
-                + w_4
-                    * (self.c0 * self.xb * self.sd - self.c0 * self.xc * self.sd
-                        - self.c0 * self.sc * self.yb + self.c0 * self.sc * self.yc));
-        let w_7 = u3_x
-            * (w
-                + w_4
-                    * (self.c0 * self.xc * self.sc - self.c0 * self.xb * self.sc
-                        - self.c0 * self.sd * self.yb + self.c0 * self.sd * self.yc))
-            + w_6;
+        let w = self.c0 * self.sc;
+        let w_2 = self.xb * self.l0;
+        let w_3 = self.xc * self.l0;
+        let w_4 = self.c0 * self.sd;
+        let w_5 = self.yb * self.l0;
+        let w_6 = self.yc * self.l0;
+        let w_7 = self.xb - self.xc + self.sc * u3_y + self.sd * u3_x;
+        let w_8 = self.yb - self.yc - self.sc * u3_x + u3_y * self.sd;
+        let w_9 = (w_7 * w_7 + w_8 * w_8).sqrt();
+        let w_10 = w_9 * (self.xc * w - self.xb * w - self.yb * w_4 + self.yc * w_4);
+        let w_11 = w_9 * (self.xb * w_4 - self.xc * w_4 - self.yb * w + self.yc * w);
+        let w_12 = u3_y * (w_4 * w_3 - w_2 * w_4 + w * w_5 - w * w_6 + w_11);
         [
             self.mom,
             S::from_f64(0.0),
-            w_7 / w_4,
+            (u3_x * (w * w_2 - w * w_3 + w_4 * w_5 - w_4 * w_6 + w_10) + w_12) / w_9,
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -992,7 +983,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 6, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 28 additions, 53 multiplications, 7 sine-cosine pairs.
+    /// Operations: 28 additions, 37 multiplications, 7 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 6] {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
@@ -1019,25 +1010,27 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([w, beta, gamma, delta, w_2, w_3, epsilon]);
-        let w_4 = beta_dot + Theta_dot;
-        let w_5 = Theta_dot * self.d * u2_x * w_4;
-        let w_6 = beta_dot * (beta_dot * self.rr * u1_x - self.d * u2_x * w_4);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_7 = Theta_dot * self.d * w_4 * u2_y;
-        let w_8 = beta_dot * (beta_dot * self.rr * u1_y - self.d * w_4 * u2_y);
-        let w_9 = Phi_dot + delta_dot;
-        let w_10 = Omega_dot + epsilon_dot;
+        let w_4 = self.d * (beta_dot + Theta_dot);
+        let w_5 = Theta_dot * w_4;
+        let w_6 = u2_x * w_5;
+        let w_7 = beta_dot * self.rr;
+        let w_8 = beta_dot * (u1_x * w_7 - u2_x * w_4);
+        let w_9 = gamma_dot * gamma_dot * self.ss;
+        let w_10 = w_5 * u2_y;
+        let w_11 = beta_dot * (w_7 * u1_y - w_4 * u2_y);
+        let w_12 = delta_dot * self.zt;
+        let w_13 = self.ee * (Phi_dot + delta_dot);
+        let w_14 = Phi_dot * w_13;
+        let w_15 = self.zf * (Omega_dot + epsilon_dot);
+        let w_16 = Omega_dot * w_15;
+        let w_17 = epsilon_dot * self.u;
         [
-            w_5 - w_6 + gamma_dot_squared * self.ss * u3_y,
-            w_7 - w_8 - gamma_dot_squared * self.ss * u3_x,
-            w_5 - w_6 + delta_dot * (delta_dot * self.zt * u5_x + self.ee * n4_x * w_9)
-                + self.ee * n4_x * Phi_dot * w_9,
-            w_7 - w_8 - self.ee * Phi_dot * w_9 * cos_w_2
-                + delta_dot * (delta_dot * self.zt * u5_y - self.ee * w_9 * cos_w_2),
-            w_5 - w_6 + Omega_dot * self.zf * u6_x * w_10
-                + epsilon_dot * (epsilon_dot * self.u * u7_y + self.zf * u6_x * w_10),
-            w_7 - w_8 + Omega_dot * self.zf * w_10 * u6_y
-                - epsilon_dot * (epsilon_dot * self.u * u7_x - self.zf * w_10 * u6_y),
+            w_6 - w_8 + u3_y * w_9,
+            w_10 - w_11 - w_9 * u3_x,
+            w_6 - w_8 + delta_dot * (u5_x * w_12 + n4_x * w_13) + n4_x * w_14,
+            w_10 - w_11 - w_14 * cos_w_2 + delta_dot * (w_12 * u5_y - w_13 * cos_w_2),
+            w_6 - w_8 + u6_x * w_16 + epsilon_dot * (u7_y * w_17 + u6_x * w_15),
+            w_10 - w_11 + w_16 * u6_y - epsilon_dot * (w_17 * u7_x - w_15 * u6_y),
         ]
     }
     /// `C` (6), `C_q` (6 x 7) and `C_t` (6) together, in SI units, for projection.
@@ -1165,7 +1158,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 45 additions, 90 multiplications, 7 sine-cosine pairs.
+    /// Operations: 45 additions, 87 multiplications, 7 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> S {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
@@ -1207,29 +1200,29 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_12 = epsilon_dot * epsilon_dot
             * (S::from_f64(0.5) * self.m7 * (w_10 * w_10 + w_11 * w_11)
                 + S::from_f64(0.5) * self.i7);
-        let w_13 = Theta_dot * self.da * u2_y
-            - beta_dot * (self.rr * u1_y - self.da * u2_y);
-        let w_14 = beta_dot * (self.rr * u1_x - self.da * u2_x)
-            - Theta_dot * self.da * u2_x;
-        let w_15 = self.ee - self.ea;
-        let w_16 = Phi_dot * cos_w_2 * w_15
-            - delta_dot * (self.zt * u5_y - cos_w_2 * w_15);
-        let w_17 = Phi_dot * w_15 * n4_x + delta_dot * (self.zt * u5_x + w_15 * n4_x);
-        let w_18 = S::from_f64(0.5) * self.m4 * (w_16 * w_16 + w_17 * w_17);
-        let w_19 = self.zf - self.fa;
-        let w_20 = epsilon_dot * (self.u * u7_x - u6_y * w_19) - Omega_dot * u6_y * w_19;
-        let w_21 = Omega_dot * w_19 * u6_x + epsilon_dot * (self.u * u7_y + w_19 * u6_x);
-        let w_22 = S::from_f64(0.5) * self.m6 * (w_20 * w_20 + w_21 * w_21);
-        let w_23 = beta_dot * beta_dot
+        let w_13 = Theta_dot * self.da;
+        let w_14 = u2_y * w_13 - beta_dot * (self.rr * u1_y - self.da * u2_y);
+        let w_15 = beta_dot * (self.rr * u1_x - self.da * u2_x) - w_13 * u2_x;
+        let w_16 = self.ee - self.ea;
+        let w_17 = Phi_dot * w_16;
+        let w_18 = cos_w_2 * w_17 - delta_dot * (self.zt * u5_y - cos_w_2 * w_16);
+        let w_19 = w_17 * n4_x + delta_dot * (self.zt * u5_x + w_16 * n4_x);
+        let w_20 = S::from_f64(0.5) * self.m4 * (w_18 * w_18 + w_19 * w_19);
+        let w_21 = self.zf - self.fa;
+        let w_22 = Omega_dot * w_21;
+        let w_23 = epsilon_dot * (self.u * u7_x - u6_y * w_21) - u6_y * w_22;
+        let w_24 = w_22 * u6_x + epsilon_dot * (self.u * u7_y + w_21 * u6_x);
+        let w_25 = S::from_f64(0.5) * self.m6 * (w_23 * w_23 + w_24 * w_24);
+        let w_26 = beta_dot * beta_dot
             * (S::from_f64(0.5) * self.i1
                 + S::from_f64(0.5) * self.m1 * self.ra * self.ra);
-        let w_24 = beta_dot + Theta_dot;
-        let w_25 = Phi_dot + delta_dot;
-        let w_26 = Omega_dot + epsilon_dot;
-        w_6 + w_9 + w_12 + S::from_f64(0.5) * self.m2 * (w_13 * w_13 + w_14 * w_14)
-            + w_18 + w_22 + w_23 + w_24 * w_24 * S::from_f64(0.5) * self.i2
-            + w_25 * w_25 * S::from_f64(0.5) * self.i4
-            + w_26 * w_26 * S::from_f64(0.5) * self.i6
+        let w_27 = beta_dot + Theta_dot;
+        let w_28 = Phi_dot + delta_dot;
+        let w_29 = Omega_dot + epsilon_dot;
+        w_6 + w_9 + w_12 + S::from_f64(0.5) * self.m2 * (w_14 * w_14 + w_15 * w_15)
+            + w_20 + w_25 + w_26 + w_27 * w_27 * S::from_f64(0.5) * self.i2
+            + w_28 * w_28 * S::from_f64(0.5) * self.i4
+            + w_29 * w_29 * S::from_f64(0.5) * self.i6
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -1451,7 +1444,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 243 additions, 306 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 243 additions, 302 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1489,241 +1482,244 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let Theta_dot_squared = Theta_dot * Theta_dot;
         let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_6
             + self.k_3 * Theta_dot_squared * w_6 + self.mom;
-        let w_7 = self.rr * u1_y;
-        let w_8 = w_7 - self.da * u2_y;
-        let w_9 = self.rr * u1_x;
-        let w_10 = w_9 - self.da * u2_x;
-        let mass_beta_beta = self.m2 * (w_8 * w_8 + w_10 * w_10) + self.k;
-        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_8 + u2_x * w_10);
-        let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
-        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
+        let w_7 = u3_y * self.sc;
+        let w_8 = u3_x * self.sd;
+        let w_9 = self.k_17 + w_7 + w_8;
+        let w_10 = u3_x * self.sc;
+        let w_11 = u3_y * self.sd;
+        let w_12 = self.k_18 - w_10 + w_11;
+        let w_13 = (w_9 * w_9 + w_12 * w_12).sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + w_13 * self.k_21)
+            + u3_y * (self.k_20 + w_13 * self.k_22)) / w_13;
         let beta_dot_squared = beta_dot * beta_dot;
+        let w_14 = self.rr * u1_y;
+        let w_15 = w_14 - self.da * u2_y;
+        let w_16 = self.rr * u1_x;
+        let w_17 = w_16 - self.da * u2_x;
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_15 + u2_x * w_17);
+        let mass_beta_beta = self.m2 * (w_15 * w_15 + w_17 * w_17) + self.k;
+        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
+        let l_Theta_beta = mass_Theta_beta * inverse_beta;
         let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
             - rhs_beta * l_Theta_beta;
+        let delta_dot_squared = delta_dot * delta_dot;
+        let w_18 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_18;
+        let minus_loop3_x_by_gamma = u3_x * self.ss;
+        let w_19 = self.sa * u3_x - self.sb * u3_y;
+        let w_20 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_19 * w_19 + w_20 * w_20) + self.i3;
+        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
+        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
+        let w_21 = Theta_dot * beta_dot * self.k_25;
+        let w_22 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_21);
+        let w_23 = self.ss * gamma_dot * gamma_dot;
+        let w_24 = self.rr * beta_dot_squared;
+        let w_25 = u1_x * w_24;
         let loop3_x_by_Theta = u2_y * self.d;
-        let loop3_x_by_beta = loop3_x_by_Theta - w_7;
+        let loop3_x_by_beta = loop3_x_by_Theta - w_14;
         let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
+        let w_26 = rhs_beta * l_lambda_loop3_x_beta;
+        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
+        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
         let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let w_11 = self.sa * u3_x - self.sb * u3_y;
-        let w_12 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_11 * w_11 + w_12 * w_12) + self.i3;
-        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
-        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_13 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let w_14 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
-        let minus_pivot_lambda_loop3_x = minus_loop3_x_by_gamma
-            * minus_l_lambda_loop3_x_gamma + w_13 + w_14;
-        let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
+        let w_27 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
+            - (w_22 + u3_y * w_23 - w_25) - w_26 - w_27;
+        let Phi_dot_squared = Phi_dot * Phi_dot;
+        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
+            + cos_w_2 * u5_y * self.k_8;
+        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
+        let rhs_delta = self.k_8 * w_18 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_18 - rhs_Phi * l_delta_Phi;
+        let minus_loop3_y_by_gamma = u3_y * self.ss;
+        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
+        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_21);
+        let w_29 = u1_y * w_24;
         let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_9 - minus_loop3_y_by_Theta;
+        let P_x = w_16 - minus_loop3_y_by_Theta;
         let l_lambda_loop3_y_beta = P_x * inverse_beta;
+        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_15 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let minus_loop3_y_by_gamma = u3_y * self.ss;
-        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_16 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let k_lambda_loop3_y_lambda_loop3_x = w_15
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_16;
+        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_32 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_33 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = w_32
+            + minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma + w_33;
+        let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
+        let w_34 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_35 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_34 - w_35
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_17 = P_x * l_lambda_loop3_y_beta;
-        let w_18 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_19 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_17 + w_18;
-        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop3_y_lambda_loop3_x - w_19;
-        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_20 = u3_y * self.sc;
-        let w_21 = u3_x * self.sd;
-        let w_22 = self.k_17 + w_20 + w_21;
-        let w_23 = u3_x * self.sc;
-        let w_24 = u3_y * self.sd;
-        let w_25 = self.k_18 - w_23 + w_24;
-        let w_26 = (w_22 * w_22 + w_25 * w_25).sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + w_26 * self.k_21)
-            + u3_y * (self.k_20 + w_26 * self.k_22)) / w_26;
-        let w_27 = Theta_dot * beta_dot * self.k_25;
-        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_27);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_29 = self.rr * u1_y * beta_dot_squared;
-        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
-        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let w_32 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_27);
-        let w_33 = self.rr * u1_x * beta_dot_squared;
-        let w_34 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_35 = l_lambda_loop3_x_Theta * rhs_Theta;
-        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_32 + u3_y * self.ss * gamma_dot_squared - w_33) - w_34 - w_35;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_28 - u3_x * self.ss * gamma_dot_squared - w_29) - w_30 + w_31
+            - (w_28 - u3_x * w_23 - w_29) - w_30 + w_31
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_36 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let w_37 = P_x * l_lambda_loop3_x_beta;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_13 + w_14;
+        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
+        let w_36 = u7_y * u6_y;
+        let w_37 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_36 + w_37);
+        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
+        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
+        let w_38 = Phi_dot * delta_dot * self.k_26;
+        let w_39 = self.zt * delta_dot_squared;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_32 + w_33;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_x_lambda_loop3_y = w_36 - w_37
+        let w_40 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_41 = self.zt * u5_y;
+        let w_42 = w_41 - self.k_4 * cos_w_2;
+        let w_43 = self.zt * u5_x;
+        let w_44 = w_43 + self.k_4 * n4_x;
+        let w_45 = u5_y * self.ta + u5_x * self.tb;
+        let w_46 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_42 * w_42 + w_44 * w_44)
+            + self.m5 * (w_45 * w_45 + w_46 * w_46) + self.k_9;
+        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
+        let inverse_delta = S::from_f64(1.0) / pivot_delta;
+        let k_lambda_loop4_x_delta = w_41 - minus_loop4_x_by_Phi
+            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
+        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
+        let w_47 = P_x * l_lambda_loop3_y_beta;
+        let w_48 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_49 = w_47 + minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_48;
+        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop3_y_lambda_loop3_x - w_49;
+        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
+        let w_50 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_51 = P_x * l_lambda_loop3_x_beta;
+        let k_lambda_loop4_x_lambda_loop3_y = w_50 - w_51
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_38 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * l_lambda_loop4_x_lambda_loop3_x;
-        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
-        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_39 = self.zt * u5_y;
-        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
-            + cos_w_2 * u5_y * self.k_8;
-        let k_lambda_loop4_x_delta = w_39 - minus_loop4_x_by_Phi
-            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_40 = w_39 - self.k_4 * cos_w_2;
-        let w_41 = self.zt * u5_x;
-        let w_42 = w_41 + self.k_4 * n4_x;
-        let w_43 = u5_y * self.ta + u5_x * self.tb;
-        let w_44 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_42 * w_42)
-            + self.m5 * (w_43 * w_43 + w_44 * w_44) + self.k_9;
-        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
-        let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_45 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
-            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta + w_13 + w_14;
-        let w_46 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_38 - w_45 - w_46;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let delta_dot_squared = delta_dot * delta_dot;
-        let w_47 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_47;
-        let Phi_dot_squared = Phi_dot * Phi_dot;
-        let w_48 = Phi_dot * delta_dot * self.k_26;
-        let rhs_delta = self.k_8 * w_47 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_47 - rhs_Phi * l_delta_Phi;
-        let w_49 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_50 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_52 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_32 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_48)
-                - w_33 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_34 - w_35 - w_49 - w_50;
+            - (w_22 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_38)
+                - w_25 + u5_x * w_39) - w_26 - w_27 - w_40
+            - l_lambda_loop4_x_delta * rhs_delta - w_52;
+        let w_53 = w_37 + w_36;
+        let Omega_dot_squared = Omega_dot * Omega_dot;
+        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
+            + u6_y * u7_x * self.k_14;
+        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_53
+            + self.k_13 * Omega_dot_squared * w_53 - rhs_Omega * l_epsilon_Omega;
         let minus_loop4_y_by_Phi = self.ee * n4_x;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_41 + minus_loop4_y_by_Phi);
-        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let k_lambda_loop4_y_lambda_loop3_x = w_15 - w_16;
+        let k_lambda_loop4_y_lambda_loop3_x = w_34 - w_35;
         let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop4_y_lambda_loop3_x;
-        let w_51 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_54 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_43 + minus_loop4_y_by_Phi);
+        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_17 - w_18;
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_47 - w_48;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_52 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let k_lambda_loop4_y_lambda_loop4_x = w_15
-            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_16 - w_51 - w_52;
+        let w_55 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * l_lambda_loop4_x_lambda_loop3_x;
+        let w_57 = w_32 + w_33 + minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
+            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
+        let w_58 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_56 - w_57 - w_58;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
+        let w_59 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_60 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_34 - w_35
+            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi - w_59
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_60;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_53 = k_lambda_loop4_y_lambda_loop3_x
+        let rhs_lambda_loop4_y = w_31
+            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_38)
+                - w_29 + u5_y * w_39) - w_30 + rhs_Phi * minus_l_lambda_loop4_y_Phi
+            + w_54 - l_lambda_loop4_y_delta * rhs_delta - w_55
+            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
+        let w_61 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+            + epsilon_dot * Omega_dot * self.k_27;
+        let w_62 = self.u * epsilon_dot_squared;
+        let minus_loop6_y_by_Omega = self.zf * u6_x;
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_y_lambda_loop4_x = w_34 - w_35 - w_59 - w_60;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let w_63 = self.u * u7_x;
+        let w_64 = w_63 - self.k_10 * u6_y;
+        let w_65 = self.u * u7_y;
+        let w_66 = w_65 + self.k_10 * u6_x;
+        let w_67 = u7_x * self.ua + u7_y * self.ub;
+        let w_68 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_64 * w_64 + w_66 * w_66)
+            + self.m7 * (w_67 * w_67 + w_68 * w_68) + self.k_15;
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - (w_65 + minus_loop6_y_by_Omega);
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let w_69 = k_lambda_loop4_y_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_54 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
-            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta + w_17 + w_18;
-        let w_55 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let pivot_lambda_loop4_y = w_53 - w_54 - w_55
+        let w_70 = w_47 + w_48 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
+        let w_71 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let pivot_lambda_loop4_y = w_69 - w_70 - w_71
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
         let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let w_56 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_57 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_48)
-                - w_29 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_30 + w_31 + w_56 - w_57
-            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_x = w_38 - w_13 - w_14 - w_46;
+        let k_lambda_loop6_y_lambda_loop4_y = w_69 - w_47 - w_48 - w_71
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
+            * k_lambda_loop6_y_lambda_loop4_y;
+        let loop6_x_by_Omega = self.zf * u6_y;
+        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_63
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_72 = w_32 + w_33 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let k_lambda_loop6_x_lambda_loop4_x = w_56 - w_32 - w_33 - w_58;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_y = w_36 - w_37
+        let k_lambda_loop6_x_lambda_loop4_y = w_50 - w_51
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let loop6_x_by_Omega = self.zf * u6_y;
-        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_58 = self.u * u7_x;
-        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
-            + u6_y * u7_x * self.k_14;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_58
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let w_59 = w_58 - self.k_10 * u6_y;
-        let w_60 = self.u * u7_y;
-        let w_61 = w_60 + self.k_10 * u6_x;
-        let w_62 = u7_x * self.ua + u7_y * self.ub;
-        let w_63 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_59 * w_59 + w_61 * w_61)
-            + self.m7 * (w_62 * w_62 + w_63 * w_63) + self.k_15;
-        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_64 = loop6_x_by_Omega * l_lambda_loop6_x_Omega
-            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon + w_13 + w_14;
-        let pivot_lambda_loop6_x = w_38 - w_64 - w_46
+        let pivot_lambda_loop6_x = w_56 - w_72 - w_58
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
         let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
-        let Omega_dot_squared = Omega_dot * Omega_dot;
-        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_65 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let w_66 = u7_y * u6_y;
-        let w_67 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_66 + w_67);
-        let w_68 = w_67 + w_66;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_68
-            + self.k_13 * Omega_dot_squared * w_68 - rhs_Omega * l_epsilon_Omega;
-        let minus_rhs_lambda_loop6_x = w_32 + u6_x * w_65 - w_33
-            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_34 + w_35 + w_49 + w_50
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
-        let minus_loop6_y_by_Omega = self.zf * u6_x;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_60 + minus_loop6_y_by_Omega);
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let k_lambda_loop6_y_lambda_loop4_x = w_15 - w_16 - w_51 - w_52;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_53 - w_17 - w_18 - w_55
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
-            * k_lambda_loop6_y_lambda_loop4_y;
-        let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
-            * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_16 + w_15 - w_51
-            - w_52 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+        let k_lambda_loop6_y_lambda_loop6_x = w_34 - w_35 - w_59 - w_60
+            + loop6_x_by_Omega * minus_l_lambda_loop6_y_Omega
+            - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_69 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
-            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon + w_17 + w_18;
-        let pivot_lambda_loop6_y = w_53 - w_69 - w_55
+        let minus_rhs_lambda_loop6_x = w_22 + u6_x * w_61 - w_25 + u7_y * w_62 + w_26
+            + w_27 + w_40 + w_52 + rhs_Omega * l_lambda_loop6_x_Omega
+            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            + l_lambda_loop6_x_epsilon * rhs_epsilon
+            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let rhs_lambda_loop6_y = w_31 - (w_28 + u6_y * w_61 - w_29 - u7_x * w_62) - w_30
+            + w_54 - w_55 + rhs_Omega * minus_l_lambda_loop6_y_Omega
+            - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
+            - l_lambda_loop6_y_epsilon * rhs_epsilon
+            - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
+            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
+        let w_73 = w_47 + w_48 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let pivot_lambda_loop6_y = w_69 - w_73 - w_71
             - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
             - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
-        let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_28 + u6_y * w_65 - w_29 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_30 + w_31 + w_56 - w_57
-            - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
-            - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
         let lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y
             * rhs_lambda_loop6_y;
         let minus_lambda_loop6_x = inverse_lambda_loop6_x * minus_rhs_lambda_loop6_x
@@ -1788,31 +1784,31 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 -minus_lambda_loop6_x,
                 lambda_loop6_y,
             ],
-            power: self.c0 * gamma_dot * (self.l0 - w_26)
-                * ((w_22 * (w_23 - w_24) + w_25 * (w_20 + w_21)) / w_26)
+            power: self.c0 * gamma_dot * (self.l0 - w_13)
+                * ((w_9 * (w_10 - w_11) + w_12 * (w_7 + w_8)) / w_13)
                 + self.mom * beta_dot,
-            refused: sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
-                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
-                | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
-                | sim_kernel::pivot_is_refused(
-                    self.mass_Omega_Omega,
-                    self.mass_Omega_Omega,
-                ) | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
-                | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+            refused: sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+                | sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
                 | sim_kernel::pivot_is_refused(pivot_Theta, self.mass_Theta_Theta)
+                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
                     minus_pivot_lambda_loop3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_19)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_45)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_54)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_64)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
+                ) | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_49)
+                | sim_kernel::pivot_is_refused(
+                    self.mass_Omega_Omega,
+                    self.mass_Omega_Omega,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_57)
+                | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_70)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_72)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_73),
         }
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 1094 additions, 1412 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 1094 additions, 1386 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1844,253 +1840,257 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w, gamma, w_2, delta, w_3, epsilon]);
-        let w_4 = self.rr * u1_y;
-        let w_5 = w_4 - self.da * u2_y;
-        let w_6 = self.rr * u1_x;
-        let w_7 = w_6 - self.da * u2_x;
-        let mass_beta_beta = self.m2 * (w_5 * w_5 + w_7 * w_7) + self.k;
+        let w_4 = u1_y * u2_x;
+        let w_5 = u2_y * u1_x;
+        let w_6 = w_4 - w_5;
+        let Theta_dot_squared = Theta_dot * Theta_dot;
+        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_6
+            + self.k_3 * Theta_dot_squared * w_6 + self.mom;
+        let w_7 = u3_y * self.sc;
+        let w_8 = u3_x * self.sd;
+        let w_9 = self.k_17 + w_7 + w_8;
+        let w_10 = u3_x * self.sc;
+        let w_11 = u3_y * self.sd;
+        let w_12 = self.k_18 - w_10 + w_11;
+        let w_13 = w_9 * w_9 + w_12 * w_12;
+        let sqrt_w_13 = w_13.sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_13 * self.k_21)
+            + u3_y * (self.k_20 + sqrt_w_13 * self.k_22)) / sqrt_w_13;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w_14 = self.rr * u1_y;
+        let w_15 = w_14 - self.da * u2_y;
+        let w_16 = self.rr * u1_x;
+        let w_17 = w_16 - self.da * u2_x;
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_15 + u2_x * w_17);
+        let mass_beta_beta = self.m2 * (w_15 * w_15 + w_17 * w_17) + self.k;
         let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
-        let loop3_x_by_Theta = u2_y * self.d;
-        let P_y = w_4 - loop3_x_by_Theta;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_5 + u2_x * w_7);
-        let loop3_x_by_beta = loop3_x_by_Theta - w_4;
-        let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
-        let k_lambda_loop3_x_Theta = loop3_x_by_Theta
-            - mass_Theta_beta * l_lambda_loop3_x_beta;
         let l_Theta_beta = mass_Theta_beta * inverse_beta;
+        let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
+            - rhs_beta * l_Theta_beta;
+        let delta_dot_squared = delta_dot * delta_dot;
+        let w_18 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_18;
+        let minus_loop3_x_by_gamma = u3_x * self.ss;
+        let w_19 = self.sa * u3_x - self.sb * u3_y;
+        let w_20 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.m3 * (w_19 * w_19 + w_20 * w_20) + self.i3;
+        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
+        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
+        let w_21 = Theta_dot * beta_dot * self.k_25;
+        let w_22 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_21);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_23 = self.ss * gamma_dot_squared;
+        let w_24 = self.rr * beta_dot_squared;
+        let w_25 = u1_x * w_24;
+        let loop3_x_by_Theta = u2_y * self.d;
+        let loop3_x_by_beta = loop3_x_by_Theta - w_14;
+        let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
+        let w_26 = rhs_beta * l_lambda_loop3_x_beta;
         let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
         let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
+        let k_lambda_loop3_x_Theta = loop3_x_by_Theta
+            - mass_Theta_beta * l_lambda_loop3_x_beta;
+        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
+        let w_27 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
+            - (w_22 + u3_y * w_23 - w_25) - w_26 - w_27;
+        let Phi_dot_squared = Phi_dot * Phi_dot;
+        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
+            + cos_w_2 * u5_y * self.k_8;
+        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
+        let rhs_delta = self.k_8 * w_18 * Phi_dot_squared
+            + self.k_23 * Phi_dot * delta_dot * w_18 - rhs_Phi * l_delta_Phi;
+        let minus_loop3_y_by_gamma = u3_y * self.ss;
+        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
+        let w_28 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_21);
+        let w_29 = u1_y * w_24;
         let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_6 - minus_loop3_y_by_Theta;
+        let P_x = w_16 - minus_loop3_y_by_Theta;
         let l_lambda_loop3_y_beta = P_x * inverse_beta;
+        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_8 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let minus_loop3_y_by_gamma = u3_y * self.ss;
-        let w_9 = self.sa * u3_x - self.sb * u3_y;
-        let w_10 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_9 * w_9 + w_10 * w_10) + self.i3;
-        let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
-        let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_11 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let k_lambda_loop3_y_lambda_loop3_x = w_8
-            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma - w_11;
-        let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_12 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_13 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
-        let minus_pivot_lambda_loop3_x = minus_loop3_x_by_gamma
-            * minus_l_lambda_loop3_x_gamma + w_12 + w_13;
+        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_32 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_33 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let minus_pivot_lambda_loop3_x = w_32
+            + minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma + w_33;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
+        let w_34 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_35 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let k_lambda_loop3_y_lambda_loop3_x = w_34 - w_35
+            - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
-        let w_14 = P_x * l_lambda_loop3_y_beta;
-        let w_15 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_16 = minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_14 + w_15;
-        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop3_y_lambda_loop3_x - w_16;
-        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_17 = u3_y * self.sc;
-        let w_18 = u3_x * self.sd;
-        let w_19 = self.k_17 + w_17 + w_18;
-        let w_20 = u3_x * self.sc;
-        let w_21 = u3_y * self.sd;
-        let w_22 = self.k_18 - w_20 + w_21;
-        let w_23 = w_19 * w_19 + w_22 * w_22;
-        let sqrt_w_23 = w_23.sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_23 * self.k_21)
-            + u3_y * (self.k_20 + sqrt_w_23 * self.k_22)) / sqrt_w_23;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let Theta_dot_squared = Theta_dot * Theta_dot;
-        let w_24 = Theta_dot * beta_dot * self.k_25;
-        let w_25 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_24);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_26 = self.rr * u1_y * beta_dot_squared;
-        let w_27 = u1_y * u2_x;
-        let w_28 = u2_y * u1_x;
-        let w_29 = w_27 - w_28;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_29
-            + self.k_3 * Theta_dot_squared * w_29 + self.mom;
-        let w_30 = rhs_beta * l_lambda_loop3_y_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_28 - w_27)
-            - rhs_beta * l_Theta_beta;
-        let w_31 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let w_32 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_24);
-        let w_33 = self.rr * u1_x * beta_dot_squared;
-        let w_34 = rhs_beta * l_lambda_loop3_x_beta;
-        let w_35 = l_lambda_loop3_x_Theta * rhs_Theta;
-        let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_32 + u3_y * self.ss * gamma_dot_squared - w_33) - w_34 - w_35;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_25 - u3_x * self.ss * gamma_dot_squared - w_26) - w_30 + w_31
+            - (w_28 - u3_x * w_23 - w_29) - w_30 + w_31
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_36 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let w_37 = P_x * l_lambda_loop3_x_beta;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_12 + w_13;
+        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
+        let w_36 = u7_y * u6_y;
+        let w_37 = u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_36 + w_37);
+        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
+        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
+        let w_38 = Phi_dot * delta_dot * self.k_26;
+        let w_39 = self.zt * delta_dot_squared;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_32 + w_33;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let k_lambda_loop4_x_lambda_loop3_y = w_36 - w_37
+        let w_40 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_41 = self.zt * u5_y;
+        let w_42 = w_41 - self.k_4 * cos_w_2;
+        let w_43 = self.zt * u5_x;
+        let w_44 = w_43 + self.k_4 * n4_x;
+        let w_45 = u5_y * self.ta + u5_x * self.tb;
+        let w_46 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.m4 * (w_42 * w_42 + w_44 * w_44)
+            + self.m5 * (w_45 * w_45 + w_46 * w_46) + self.k_9;
+        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
+        let inverse_delta = S::from_f64(1.0) / pivot_delta;
+        let loop4_x_by_delta = w_41 - minus_loop4_x_by_Phi;
+        let k_lambda_loop4_x_delta = loop4_x_by_delta
+            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
+        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
+        let w_47 = P_x * l_lambda_loop3_y_beta;
+        let w_48 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_49 = w_47 + minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_48;
+        let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
+            * minus_l_lambda_loop3_y_lambda_loop3_x - w_49;
+        let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
+        let w_50 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
+        let w_51 = P_x * l_lambda_loop3_x_beta;
+        let k_lambda_loop4_x_lambda_loop3_y = w_50 - w_51
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_38 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * l_lambda_loop4_x_lambda_loop3_x;
-        let minus_loop4_x_by_Phi = self.ee * cos_w_2;
-        let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_39 = self.zt * u5_y;
-        let loop4_x_by_delta = w_39 - minus_loop4_x_by_Phi;
-        let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
-            + cos_w_2 * u5_y * self.k_8;
-        let k_lambda_loop4_x_delta = loop4_x_by_delta
-            + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
-        let w_40 = w_39 - self.k_4 * cos_w_2;
-        let w_41 = self.zt * u5_x;
-        let w_42 = w_41 + self.k_4 * n4_x;
-        let w_43 = u5_y * self.ta + u5_x * self.tb;
-        let w_44 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_42 * w_42)
-            + self.m5 * (w_43 * w_43 + w_44 * w_44) + self.k_9;
-        let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
-        let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_45 = minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
-            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta + w_12 + w_13;
-        let w_46 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_38 - w_45 - w_46;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let delta_dot_squared = delta_dot * delta_dot;
-        let w_47 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_47;
-        let Phi_dot_squared = Phi_dot * Phi_dot;
-        let w_48 = Phi_dot * delta_dot * self.k_26;
-        let rhs_delta = self.k_8 * w_47 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_47 - rhs_Phi * l_delta_Phi;
-        let w_49 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_50 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_52 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
         let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_32 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_48)
-                - w_33 + self.zt * u5_x * delta_dot_squared)
-            - l_lambda_loop4_x_delta * rhs_delta - w_34 - w_35 - w_49 - w_50;
+            - (w_22 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_38)
+                - w_25 + u5_x * w_39) - w_26 - w_27 - w_40
+            - l_lambda_loop4_x_delta * rhs_delta - w_52;
+        let w_53 = w_37 + w_36;
+        let Omega_dot_squared = Omega_dot * Omega_dot;
+        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
+            + u6_y * u7_x * self.k_14;
+        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
+        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_53
+            + self.k_13 * Omega_dot_squared * w_53 - rhs_Omega * l_epsilon_Omega;
         let minus_loop4_y_by_Phi = self.ee * n4_x;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let minus_loop4_y_by_delta = w_41 + minus_loop4_y_by_Phi;
+        let k_lambda_loop4_y_lambda_loop3_x = w_34 - w_35;
+        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
+            * k_lambda_loop4_y_lambda_loop3_x;
+        let w_54 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let minus_loop4_y_by_delta = w_43 + minus_loop4_y_by_Phi;
         let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
             - minus_loop4_y_by_delta;
         let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
-        let k_lambda_loop4_y_lambda_loop3_x = w_8 - w_11;
-        let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
-            * k_lambda_loop4_y_lambda_loop3_x;
-        let w_51 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_14 - w_15;
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_47 - w_48;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_52 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let k_lambda_loop4_y_lambda_loop4_x = w_8
-            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_11 - w_51 - w_52;
+        let w_55 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * l_lambda_loop4_x_lambda_loop3_x;
+        let w_57 = w_32 + w_33 + minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
+            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
+        let w_58 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let pivot_lambda_loop4_x = w_56 - w_57 - w_58;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
+        let w_59 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_60 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_34 - w_35
+            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi - w_59
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_60;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let w_53 = k_lambda_loop4_y_lambda_loop3_x
+        let rhs_lambda_loop4_y = w_31
+            - (w_28 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_38)
+                - w_29 + u5_y * w_39) - w_30 + rhs_Phi * minus_l_lambda_loop4_y_Phi
+            + w_54 - l_lambda_loop4_y_delta * rhs_delta - w_55
+            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
+        let w_61 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
+            + epsilon_dot * Omega_dot * self.k_27;
+        let w_62 = self.u * epsilon_dot_squared;
+        let minus_loop6_y_by_Omega = self.zf * u6_x;
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_y_lambda_loop4_x = w_34 - w_35 - w_59 - w_60;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let w_63 = self.u * u7_x;
+        let w_64 = w_63 - self.k_10 * u6_y;
+        let w_65 = self.u * u7_y;
+        let w_66 = w_65 + self.k_10 * u6_x;
+        let w_67 = u7_x * self.ua + u7_y * self.ub;
+        let w_68 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.m6 * (w_64 * w_64 + w_66 * w_66)
+            + self.m7 * (w_67 * w_67 + w_68 * w_68) + self.k_15;
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let minus_loop6_y_by_epsilon = w_65 + minus_loop6_y_by_Omega;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - minus_loop6_y_by_epsilon;
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let w_69 = k_lambda_loop4_y_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_54 = minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
-            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta + w_14 + w_15;
-        let w_55 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let pivot_lambda_loop4_y = w_53 - w_54 - w_55
+        let w_70 = w_47 + w_48 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
+        let w_71 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let pivot_lambda_loop4_y = w_69 - w_70 - w_71
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
         let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let w_56 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_57 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_25 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_48)
-                - w_26 + self.zt * u5_y * delta_dot_squared)
-            - l_lambda_loop4_y_delta * rhs_delta - w_30 + w_31 + w_56 - w_57
-            - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_x = w_38 - w_12 - w_13 - w_46;
+        let k_lambda_loop6_y_lambda_loop4_y = w_69 - w_47 - w_48 - w_71
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
+            * k_lambda_loop6_y_lambda_loop4_y;
+        let loop6_x_by_Omega = self.zf * u6_y;
+        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_63
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_72 = w_32 + w_33 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let k_lambda_loop6_x_lambda_loop4_x = w_56 - w_32 - w_33 - w_58;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_y = w_36 - w_37
+        let k_lambda_loop6_x_lambda_loop4_y = w_50 - w_51
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let loop6_x_by_Omega = self.zf * u6_y;
-        let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let w_58 = self.u * u7_x;
-        let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
-            + u6_y * u7_x * self.k_14;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_58
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let w_59 = w_58 - self.k_10 * u6_y;
-        let w_60 = self.u * u7_y;
-        let w_61 = w_60 + self.k_10 * u6_x;
-        let w_62 = u7_x * self.ua + u7_y * self.ub;
-        let w_63 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_59 * w_59 + w_61 * w_61)
-            + self.m7 * (w_62 * w_62 + w_63 * w_63) + self.k_15;
-        let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_64 = loop6_x_by_Omega * l_lambda_loop6_x_Omega
-            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon + w_12 + w_13;
-        let pivot_lambda_loop6_x = w_38 - w_64 - w_46
+        let pivot_lambda_loop6_x = w_56 - w_72 - w_58
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
         let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
-        let Omega_dot_squared = Omega_dot * Omega_dot;
-        let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_65 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let w_66 = u7_y * u6_y;
-        let w_67 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_66 + w_67);
-        let w_68 = w_67 + w_66;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_68
-            + self.k_13 * Omega_dot_squared * w_68 - rhs_Omega * l_epsilon_Omega;
-        let minus_rhs_lambda_loop6_x = w_32 + u6_x * w_65 - w_33
-            + self.u * u7_y * epsilon_dot_squared + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_epsilon * rhs_epsilon + w_34 + w_35 + w_49 + w_50
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
-        let minus_loop6_y_by_Omega = self.zf * u6_x;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let minus_loop6_y_by_epsilon = w_60 + minus_loop6_y_by_Omega;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - minus_loop6_y_by_epsilon;
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let k_lambda_loop6_y_lambda_loop4_x = w_8 - w_11 - w_51 - w_52;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let k_lambda_loop6_y_lambda_loop4_y = w_53 - w_14 - w_15 - w_55
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
-            * k_lambda_loop6_y_lambda_loop4_y;
-        let k_lambda_loop6_y_lambda_loop6_x = loop6_x_by_Omega
-            * minus_l_lambda_loop6_y_Omega
-            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon - w_11 + w_8 - w_51
-            - w_52 - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+        let k_lambda_loop6_y_lambda_loop6_x = w_34 - w_35 - w_59 - w_60
+            + loop6_x_by_Omega * minus_l_lambda_loop6_y_Omega
+            - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
+            - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let w_69 = minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
-            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon + w_14 + w_15;
-        let pivot_lambda_loop6_y = w_53 - w_69 - w_55
+        let minus_rhs_lambda_loop6_x = w_22 + u6_x * w_61 - w_25 + u7_y * w_62 + w_26
+            + w_27 + w_40 + w_52 + rhs_Omega * l_lambda_loop6_x_Omega
+            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            + l_lambda_loop6_x_epsilon * rhs_epsilon
+            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let rhs_lambda_loop6_y = w_31 - (w_28 + u6_y * w_61 - w_29 - u7_x * w_62) - w_30
+            + w_54 - w_55 + rhs_Omega * minus_l_lambda_loop6_y_Omega
+            - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
+            - l_lambda_loop6_y_epsilon * rhs_epsilon
+            - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
+            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
+        let P_y = w_14 - loop3_x_by_Theta;
+        let w_73 = w_47 + w_48 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let pivot_lambda_loop6_y = w_69 - w_73 - w_71
             - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
             - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
         let inverse_lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y;
-        let rhs_lambda_loop6_y = rhs_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_25 + u6_y * w_65 - w_26 - self.u * u7_x * epsilon_dot_squared)
-            - l_lambda_loop6_y_epsilon * rhs_epsilon - w_30 + w_31 + w_56 - w_57
-            - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
-            - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
         let lambda_loop6_y = inverse_lambda_loop6_y * rhs_lambda_loop6_y;
         let minus_lambda_loop6_x = inverse_lambda_loop6_x * minus_rhs_lambda_loop6_x
             + l_lambda_loop6_y_lambda_loop6_x * lambda_loop6_y;
@@ -2106,21 +2106,24 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_y * minus_lambda_loop6_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop6_y;
-        let w_70 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
+        let w_74 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
         let lambda_loop3_x = minus_l_lambda_loop3_y_lambda_loop3_x * lambda_loop3_y
             - minus_inverse_lambda_loop3_x * rhs_lambda_loop3_x
             - l_lambda_loop4_x_lambda_loop3_x * lambda_loop4_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop4_y
             + l_lambda_loop4_x_lambda_loop3_x * minus_lambda_loop6_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop6_y;
-        let w_71 = P_y * w_70
+        let w_75 = P_y * w_74
             + P_x * (lambda_loop3_x + lambda_loop4_x - minus_lambda_loop6_x);
-        let w_72 = self.d
+        let w_76 = self.d
             * (u2_x * (minus_lambda_loop6_x - lambda_loop3_x - lambda_loop4_x)
-                - u2_y * w_70);
-        let w_73 = w_72 - l_Theta_beta * w_71;
-        let w_74 = self.rr * u1_x * beta_dot;
-        let w_75 = beta_dot + Theta_dot;
+                - u2_y * w_74);
+        let w_77 = w_76 - l_Theta_beta * w_75;
+        let w_78 = self.rr * beta_dot;
+        let w_79 = u1_x * w_78;
+        let w_80 = beta_dot + Theta_dot;
+        let w_81 = self.d * w_80;
+        let w_82 = Theta_dot * w_80;
         let Theta_ddot = inverse_Theta * rhs_Theta
             - l_lambda_loop3_x_Theta * lambda_loop3_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop3_y
@@ -2135,250 +2138,216 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop3_y_beta * lambda_loop4_y
             + l_lambda_loop3_x_beta * minus_lambda_loop6_x
             - l_lambda_loop3_y_beta * lambda_loop6_y;
-        let w_76 = beta_dot * (w_74 - u2_x * self.d * w_75)
-            - self.d * (u2_x * Theta_dot * w_75 + u2_y * Theta_ddot) + beta_ddot * P_y;
-        let w_77 = l_lambda_loop3_y_beta * w_71;
-        let w_78 = minus_l_lambda_loop3_y_Theta * w_73;
-        let w_79 = self.rr * u1_y * beta_dot;
-        let w_80 = self.d * (u2_y * Theta_dot * w_75 - u2_x * Theta_ddot)
-            - beta_dot * (w_79 - u2_y * self.d * w_75) + P_x * beta_ddot;
-        let w_81 = l_lambda_loop3_x_beta * w_71;
-        let w_82 = l_lambda_loop3_x_Theta * w_73;
-        let w_83 = w_80 - w_81 - w_82;
-        let w_84 = w_76 - w_77 + w_78 + minus_l_lambda_loop3_y_lambda_loop3_x * w_83;
-        let w_85 = l_lambda_loop4_x_lambda_loop3_x * w_83;
-        let w_86 = l_lambda_loop4_x_lambda_loop3_y * w_84;
-        let w_87 = w_80 - w_81 - w_82 - w_85 - w_86;
-        let w_88 = minus_l_lambda_loop4_y_lambda_loop3_x * w_83;
-        let w_89 = l_lambda_loop4_y_lambda_loop3_y * w_84;
-        let w_90 = w_76 - w_77 + w_78 + w_88 - w_89
-            - l_lambda_loop4_y_lambda_loop4_x * w_87;
-        let w_91 = w_80 - w_81 - w_82 - w_85 - w_86
-            - l_lambda_loop6_x_lambda_loop4_x * w_87
-            - l_lambda_loop6_x_lambda_loop4_y * w_90;
-        let w_92 = inverse_lambda_loop6_y
-            * (w_76 - w_77 + w_78 + w_88 - w_89 - l_lambda_loop6_y_lambda_loop4_x * w_87
-                - l_lambda_loop6_y_lambda_loop4_y * w_90
-                - l_lambda_loop6_y_lambda_loop6_x * w_91);
-        let w_93 = inverse_lambda_loop6_x * w_91
-            - l_lambda_loop6_y_lambda_loop6_x * w_92;
-        let w_94 = inverse_lambda_loop4_y * w_90 - l_lambda_loop6_x_lambda_loop4_y * w_93
-            - l_lambda_loop6_y_lambda_loop4_y * w_92;
-        let w_95 = inverse_lambda_loop4_x * w_87 - l_lambda_loop4_y_lambda_loop4_x * w_94
-            - l_lambda_loop6_x_lambda_loop4_x * w_93
-            - l_lambda_loop6_y_lambda_loop4_x * w_92;
-        let w_96 = inverse_lambda_loop3_y * w_84 - l_lambda_loop4_x_lambda_loop3_y * w_95
-            - l_lambda_loop4_y_lambda_loop3_y * w_94
-            - l_lambda_loop4_x_lambda_loop3_y * w_93
-            - l_lambda_loop4_y_lambda_loop3_y * w_92;
-        let w_97 = minus_l_lambda_loop3_y_lambda_loop3_x * w_96
-            - minus_inverse_lambda_loop3_x * w_83
-            - l_lambda_loop4_x_lambda_loop3_x * w_95
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_94
-            - l_lambda_loop4_x_lambda_loop3_x * w_93
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_92;
-        let w_98 = inverse_Theta * w_73 - l_lambda_loop3_x_Theta * w_97
-            + minus_l_lambda_loop3_y_Theta * w_96 - l_lambda_loop3_x_Theta * w_95
-            + minus_l_lambda_loop3_y_Theta * w_94 - l_lambda_loop3_x_Theta * w_93
-            + minus_l_lambda_loop3_y_Theta * w_92;
-        let w_99 = beta_dot * (w_79 - self.da * u2_y * w_75)
-            - self.da * u2_y * Theta_dot * w_75;
-        let w_100 = self.da * u2_x * Theta_dot * w_75
-            - beta_dot * (w_74 - self.da * u2_x * w_75);
-        let w_101 = w_75 * (Theta_dot + beta_dot);
-        let w_102 = u2_y * w_101;
-        let w_103 = self.da * w_102;
-        let w_104 = u2_x * w_101;
-        let w_105 = self.da * w_104;
-        let w_106 = self.k_2 * (w_5 * u2_x - u2_y * w_7);
-        let w_107 = w_72 + self.k_2 * (u2_y * w_99 - u2_x * w_100)
-            - self.m2 * (w_5 * w_103 + w_7 * w_105)
-            + w_106 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
-        let w_108 = w_72 + self.k_2 * (u2_x * (w_105 - w_100) + u2_y * (w_99 + w_103))
-            + beta_ddot * w_106 - l_Theta_beta * w_107;
-        let w_109 = minus_l_lambda_loop3_y_Theta * w_108;
-        let w_110 = Theta_ddot + beta_ddot;
-        let w_111 = self.d * (w_104 + u2_y * w_110);
-        let w_112 = l_lambda_loop3_y_beta * w_107;
-        let w_113 = self.d * (w_102 - u2_x * w_110);
-        let w_114 = l_lambda_loop3_x_beta * w_107;
-        let w_115 = l_lambda_loop3_x_Theta * w_108;
-        let w_116 = w_113 - w_114 - w_115;
-        let w_117 = w_109 - w_111 - w_112
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_116;
-        let w_118 = l_lambda_loop4_x_lambda_loop3_x * w_116;
-        let w_119 = l_lambda_loop4_x_lambda_loop3_y * w_117;
-        let w_120 = w_113 - w_114 - w_115 - w_118 - w_119;
-        let w_121 = minus_l_lambda_loop4_y_lambda_loop3_x * w_116;
-        let w_122 = l_lambda_loop4_y_lambda_loop3_y * w_117;
-        let w_123 = w_109 - w_111 - w_112 + w_121 - w_122
-            - l_lambda_loop4_y_lambda_loop4_x * w_120;
-        let w_124 = w_113 - w_114 - w_115 - w_118 - w_119
-            - l_lambda_loop6_x_lambda_loop4_x * w_120
-            - l_lambda_loop6_x_lambda_loop4_y * w_123;
-        let w_125 = inverse_lambda_loop6_y
-            * (w_109 - w_111 - w_112 + w_121 - w_122
-                - l_lambda_loop6_y_lambda_loop4_x * w_120
-                - l_lambda_loop6_y_lambda_loop4_y * w_123
-                - l_lambda_loop6_y_lambda_loop6_x * w_124);
-        let w_126 = inverse_lambda_loop6_x * w_124
-            - l_lambda_loop6_y_lambda_loop6_x * w_125;
-        let w_127 = inverse_lambda_loop4_y * w_123
-            - l_lambda_loop6_x_lambda_loop4_y * w_126
-            - l_lambda_loop6_y_lambda_loop4_y * w_125;
-        let w_128 = inverse_lambda_loop4_x * w_120
-            - l_lambda_loop4_y_lambda_loop4_x * w_127
-            - l_lambda_loop6_x_lambda_loop4_x * w_126
-            - l_lambda_loop6_y_lambda_loop4_x * w_125;
-        let w_129 = inverse_lambda_loop3_y * w_117
-            - l_lambda_loop4_x_lambda_loop3_y * w_128
-            - l_lambda_loop4_y_lambda_loop3_y * w_127
-            - l_lambda_loop4_x_lambda_loop3_y * w_126
-            - l_lambda_loop4_y_lambda_loop3_y * w_125;
-        let w_130 = minus_l_lambda_loop3_y_lambda_loop3_x * w_129
-            - minus_inverse_lambda_loop3_x * w_116
-            - l_lambda_loop4_x_lambda_loop3_x * w_128
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_127
-            - l_lambda_loop4_x_lambda_loop3_x * w_126
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_125;
-        let w_131 = inverse_Theta * w_108 - l_lambda_loop3_x_Theta * w_130
-            + minus_l_lambda_loop3_y_Theta * w_129 - l_lambda_loop3_x_Theta * w_128
-            + minus_l_lambda_loop3_y_Theta * w_127 - l_lambda_loop3_x_Theta * w_126
-            + minus_l_lambda_loop3_y_Theta * w_125;
-        let w_132 = w_20 - w_21;
-        let w_133 = w_17 + w_18;
-        let w_134 = w_19 * w_132 + w_22 * w_133;
-        let w_135 = (w_132 * w_132 - w_19 * w_133 + w_133 * w_133 + w_22 * w_132)
-            / sqrt_w_23 - sqrt_w_23 * w_134 * (w_134 / (sqrt_w_23 * sqrt_w_23) / w_23);
-        let w_136 = self.c0
-            * ((self.l0 - sqrt_w_23) * w_135
-                - sqrt_w_23 * w_134 * (w_134 / sqrt_w_23 / w_23))
+        let w_83 = beta_dot * (w_79 - u2_x * w_81)
+            - self.d * (u2_x * w_82 + u2_y * Theta_ddot) + beta_ddot * P_y;
+        let w_84 = l_lambda_loop3_y_beta * w_75;
+        let w_85 = minus_l_lambda_loop3_y_Theta * w_77;
+        let w_86 = u1_y * w_78;
+        let w_87 = self.d * (u2_y * w_82 - u2_x * Theta_ddot)
+            - beta_dot * (w_86 - u2_y * w_81) + P_x * beta_ddot;
+        let w_88 = l_lambda_loop3_x_beta * w_75;
+        let w_89 = l_lambda_loop3_x_Theta * w_77;
+        let w_90 = w_87 - w_88 - w_89;
+        let w_91 = w_83 - w_84 + w_85 + minus_l_lambda_loop3_y_lambda_loop3_x * w_90;
+        let w_92 = l_lambda_loop4_x_lambda_loop3_x * w_90;
+        let w_93 = l_lambda_loop4_x_lambda_loop3_y * w_91;
+        let w_94 = w_87 - w_88 - w_89 - w_92 - w_93;
+        let w_95 = minus_l_lambda_loop4_y_lambda_loop3_x * w_90;
+        let w_96 = l_lambda_loop4_y_lambda_loop3_y * w_91;
+        let w_97 = w_83 - w_84 + w_85 + w_95 - w_96
+            - l_lambda_loop4_y_lambda_loop4_x * w_94;
+        let w_98 = w_87 - w_88 - w_89 - w_92 - w_93
+            - l_lambda_loop6_x_lambda_loop4_x * w_94
+            - l_lambda_loop6_x_lambda_loop4_y * w_97;
+        let w_99 = inverse_lambda_loop6_y
+            * (w_83 - w_84 + w_85 + w_95 - w_96 - l_lambda_loop6_y_lambda_loop4_x * w_94
+                - l_lambda_loop6_y_lambda_loop4_y * w_97
+                - l_lambda_loop6_y_lambda_loop6_x * w_98);
+        let w_100 = inverse_lambda_loop6_x * w_98
+            - l_lambda_loop6_y_lambda_loop6_x * w_99;
+        let w_101 = inverse_lambda_loop4_y * w_97
+            - l_lambda_loop6_x_lambda_loop4_y * w_100
+            - l_lambda_loop6_y_lambda_loop4_y * w_99;
+        let w_102 = inverse_lambda_loop4_x * w_94
+            - l_lambda_loop4_y_lambda_loop4_x * w_101
+            - l_lambda_loop6_x_lambda_loop4_x * w_100
+            - l_lambda_loop6_y_lambda_loop4_x * w_99;
+        let w_103 = inverse_lambda_loop3_y * w_91
+            - l_lambda_loop4_x_lambda_loop3_y * w_102
+            - l_lambda_loop4_y_lambda_loop3_y * w_101
+            - l_lambda_loop4_x_lambda_loop3_y * w_100
+            - l_lambda_loop4_y_lambda_loop3_y * w_99;
+        let w_104 = minus_l_lambda_loop3_y_lambda_loop3_x * w_103
+            - minus_inverse_lambda_loop3_x * w_90
+            - l_lambda_loop4_x_lambda_loop3_x * w_102
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_101
+            - l_lambda_loop4_x_lambda_loop3_x * w_100
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_99;
+        let w_105 = inverse_Theta * w_77 - l_lambda_loop3_x_Theta * w_104
+            + minus_l_lambda_loop3_y_Theta * w_103 - l_lambda_loop3_x_Theta * w_102
+            + minus_l_lambda_loop3_y_Theta * w_101 - l_lambda_loop3_x_Theta * w_100
+            + minus_l_lambda_loop3_y_Theta * w_99;
+        let w_106 = self.da * w_80;
+        let w_107 = Theta_dot * w_106;
+        let w_108 = beta_dot * (w_86 - u2_y * w_106) - u2_y * w_107;
+        let w_109 = u2_x * w_107 - beta_dot * (w_79 - u2_x * w_106);
+        let w_110 = w_80 * (Theta_dot + beta_dot);
+        let w_111 = u2_y * w_110;
+        let w_112 = self.da * w_111;
+        let w_113 = u2_x * w_110;
+        let w_114 = self.da * w_113;
+        let w_115 = self.k_2 * (w_15 * u2_x - u2_y * w_17);
+        let w_116 = w_76 + self.k_2 * (u2_y * w_108 - u2_x * w_109)
+            - self.m2 * (w_15 * w_112 + w_17 * w_114)
+            + w_115 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
+        let w_117 = w_76 + self.k_2 * (u2_x * (w_114 - w_109) + u2_y * (w_108 + w_112))
+            + beta_ddot * w_115 - l_Theta_beta * w_116;
+        let w_118 = minus_l_lambda_loop3_y_Theta * w_117;
+        let w_119 = Theta_ddot + beta_ddot;
+        let w_120 = self.d * (w_113 + u2_y * w_119);
+        let w_121 = l_lambda_loop3_y_beta * w_116;
+        let w_122 = self.d * (w_111 - u2_x * w_119);
+        let w_123 = l_lambda_loop3_x_beta * w_116;
+        let w_124 = l_lambda_loop3_x_Theta * w_117;
+        let w_125 = w_122 - w_123 - w_124;
+        let w_126 = w_118 - w_120 - w_121
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_125;
+        let w_127 = l_lambda_loop4_x_lambda_loop3_x * w_125;
+        let w_128 = l_lambda_loop4_x_lambda_loop3_y * w_126;
+        let w_129 = w_122 - w_123 - w_124 - w_127 - w_128;
+        let w_130 = minus_l_lambda_loop4_y_lambda_loop3_x * w_125;
+        let w_131 = l_lambda_loop4_y_lambda_loop3_y * w_126;
+        let w_132 = w_118 - w_120 - w_121 + w_130 - w_131
+            - l_lambda_loop4_y_lambda_loop4_x * w_129;
+        let w_133 = w_122 - w_123 - w_124 - w_127 - w_128
+            - l_lambda_loop6_x_lambda_loop4_x * w_129
+            - l_lambda_loop6_x_lambda_loop4_y * w_132;
+        let w_134 = inverse_lambda_loop6_y
+            * (w_118 - w_120 - w_121 + w_130 - w_131
+                - l_lambda_loop6_y_lambda_loop4_x * w_129
+                - l_lambda_loop6_y_lambda_loop4_y * w_132
+                - l_lambda_loop6_y_lambda_loop6_x * w_133);
+        let w_135 = inverse_lambda_loop6_x * w_133
+            - l_lambda_loop6_y_lambda_loop6_x * w_134;
+        let w_136 = inverse_lambda_loop4_y * w_132
+            - l_lambda_loop6_x_lambda_loop4_y * w_135
+            - l_lambda_loop6_y_lambda_loop4_y * w_134;
+        let w_137 = inverse_lambda_loop4_x * w_129
+            - l_lambda_loop4_y_lambda_loop4_x * w_136
+            - l_lambda_loop6_x_lambda_loop4_x * w_135
+            - l_lambda_loop6_y_lambda_loop4_x * w_134;
+        let w_138 = inverse_lambda_loop3_y * w_126
+            - l_lambda_loop4_x_lambda_loop3_y * w_137
+            - l_lambda_loop4_y_lambda_loop3_y * w_136
+            - l_lambda_loop4_x_lambda_loop3_y * w_135
+            - l_lambda_loop4_y_lambda_loop3_y * w_134;
+        let w_139 = minus_l_lambda_loop3_y_lambda_loop3_x * w_138
+            - minus_inverse_lambda_loop3_x * w_125
+            - l_lambda_loop4_x_lambda_loop3_x * w_137
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_136
+            - l_lambda_loop4_x_lambda_loop3_x * w_135
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_134;
+        let w_140 = inverse_Theta * w_117 - l_lambda_loop3_x_Theta * w_139
+            + minus_l_lambda_loop3_y_Theta * w_138 - l_lambda_loop3_x_Theta * w_137
+            + minus_l_lambda_loop3_y_Theta * w_136 - l_lambda_loop3_x_Theta * w_135
+            + minus_l_lambda_loop3_y_Theta * w_134;
+        let w_141 = w_10 - w_11;
+        let w_142 = w_7 + w_8;
+        let w_143 = w_9 * w_141 + w_12 * w_142;
+        let w_144 = (w_141 * w_141 - w_9 * w_142 + w_142 * w_142 + w_12 * w_141)
+            / sqrt_w_13 - sqrt_w_13 * w_143 * (w_143 / (sqrt_w_13 * sqrt_w_13) / w_13);
+        let w_145 = self.c0
+            * ((self.l0 - sqrt_w_13) * w_144
+                - sqrt_w_13 * w_143 * (w_143 / sqrt_w_13 / w_13))
             + self.ss * (u3_x * lambda_loop3_y - u3_y * lambda_loop3_x);
         let gamma_ddot = rhs_gamma * inverse_gamma
             + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
             + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
-        let w_137 = minus_l_lambda_loop3_x_gamma * w_136
+        let w_146 = minus_l_lambda_loop3_x_gamma * w_145
             - self.ss * (u3_x * gamma_dot_squared + u3_y * gamma_ddot);
-        let w_138 = l_lambda_loop4_x_lambda_loop3_x * w_137;
-        let w_139 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
-            + minus_l_lambda_loop3_y_gamma * w_136
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_137;
-        let w_140 = l_lambda_loop4_x_lambda_loop3_y * w_139;
-        let w_141 = w_138 + w_140;
-        let w_142 = minus_l_lambda_loop4_y_lambda_loop3_x * w_137;
-        let w_143 = l_lambda_loop4_y_lambda_loop3_y * w_139;
-        let w_144 = w_142 - w_143 + l_lambda_loop4_y_lambda_loop4_x * w_141;
-        let w_145 = l_lambda_loop6_x_lambda_loop4_x * w_141 - w_138 - w_140
-            - l_lambda_loop6_x_lambda_loop4_y * w_144;
-        let w_146 = inverse_lambda_loop6_y
-            * (w_142 - w_143 + l_lambda_loop6_y_lambda_loop4_x * w_141
-                - l_lambda_loop6_y_lambda_loop4_y * w_144
-                - l_lambda_loop6_y_lambda_loop6_x * w_145);
-        let w_147 = inverse_lambda_loop6_x * w_145
-            - l_lambda_loop6_y_lambda_loop6_x * w_146;
-        let w_148 = inverse_lambda_loop4_y * w_144
-            - l_lambda_loop6_x_lambda_loop4_y * w_147
-            - l_lambda_loop6_y_lambda_loop4_y * w_146;
-        let w_149 = inverse_lambda_loop4_x * w_141
-            + l_lambda_loop4_y_lambda_loop4_x * w_148
-            + l_lambda_loop6_x_lambda_loop4_x * w_147
-            + l_lambda_loop6_y_lambda_loop4_x * w_146;
-        let w_150 = inverse_lambda_loop3_y * w_139
-            + l_lambda_loop4_x_lambda_loop3_y * w_149
-            - l_lambda_loop4_y_lambda_loop3_y * w_148
-            - l_lambda_loop4_x_lambda_loop3_y * w_147
-            - l_lambda_loop4_y_lambda_loop3_y * w_146;
-        let w_151 = minus_l_lambda_loop3_y_lambda_loop3_x * w_150
-            - minus_inverse_lambda_loop3_x * w_137
-            + l_lambda_loop4_x_lambda_loop3_x * w_149
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_148
-            - l_lambda_loop4_x_lambda_loop3_x * w_147
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_146;
-        let w_152 = minus_l_lambda_loop3_y_Theta * w_150 - l_lambda_loop3_x_Theta * w_151
-            + l_lambda_loop3_x_Theta * w_149 + minus_l_lambda_loop3_y_Theta * w_148
-            - l_lambda_loop3_x_Theta * w_147 + minus_l_lambda_loop3_y_Theta * w_146;
-        let w_153 = Phi_dot + delta_dot;
-        let w_153_squared = w_153 * w_153;
-        let w_154 = cos_w_2 * w_153_squared;
-        let w_155 = self.k_4 * w_154;
-        let w_156 = self.zt * u5_y * delta_dot;
-        let w_157 = self.k_4 * cos_w_2 * Phi_dot * w_153
-            - delta_dot * (w_156 - self.k_4 * cos_w_2 * w_153);
-        let w_158 = n4_x * w_153_squared;
-        let w_159 = self.k_4 * w_158;
-        let w_160 = self.zt * u5_x * delta_dot;
-        let w_161 = self.k_4 * n4_x * Phi_dot * w_153
-            + delta_dot * (w_160 + self.k_4 * n4_x * w_153);
-        let w_162 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
+        let w_147 = l_lambda_loop4_x_lambda_loop3_x * w_146;
+        let w_148 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
+            + minus_l_lambda_loop3_y_gamma * w_145
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_146;
+        let w_149 = l_lambda_loop4_x_lambda_loop3_y * w_148;
+        let w_150 = w_147 + w_149;
+        let w_151 = minus_l_lambda_loop4_y_lambda_loop3_x * w_146;
+        let w_152 = l_lambda_loop4_y_lambda_loop3_y * w_148;
+        let w_153 = w_151 - w_152 + l_lambda_loop4_y_lambda_loop4_x * w_150;
+        let w_154 = l_lambda_loop6_x_lambda_loop4_x * w_150 - w_147 - w_149
+            - l_lambda_loop6_x_lambda_loop4_y * w_153;
+        let w_155 = inverse_lambda_loop6_y
+            * (w_151 - w_152 + l_lambda_loop6_y_lambda_loop4_x * w_150
+                - l_lambda_loop6_y_lambda_loop4_y * w_153
+                - l_lambda_loop6_y_lambda_loop6_x * w_154);
+        let w_156 = inverse_lambda_loop6_x * w_154
+            - l_lambda_loop6_y_lambda_loop6_x * w_155;
+        let w_157 = inverse_lambda_loop4_y * w_153
+            - l_lambda_loop6_x_lambda_loop4_y * w_156
+            - l_lambda_loop6_y_lambda_loop4_y * w_155;
+        let w_158 = inverse_lambda_loop4_x * w_150
+            + l_lambda_loop4_y_lambda_loop4_x * w_157
+            + l_lambda_loop6_x_lambda_loop4_x * w_156
+            + l_lambda_loop6_y_lambda_loop4_x * w_155;
+        let w_159 = inverse_lambda_loop3_y * w_148
+            + l_lambda_loop4_x_lambda_loop3_y * w_158
+            - l_lambda_loop4_y_lambda_loop3_y * w_157
+            - l_lambda_loop4_x_lambda_loop3_y * w_156
+            - l_lambda_loop4_y_lambda_loop3_y * w_155;
+        let w_160 = minus_l_lambda_loop3_y_lambda_loop3_x * w_159
+            - minus_inverse_lambda_loop3_x * w_146
+            + l_lambda_loop4_x_lambda_loop3_x * w_158
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_157
+            - l_lambda_loop4_x_lambda_loop3_x * w_156
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_155;
+        let w_161 = minus_l_lambda_loop3_y_Theta * w_159 - l_lambda_loop3_x_Theta * w_160
+            + l_lambda_loop3_x_Theta * w_158 + minus_l_lambda_loop3_y_Theta * w_157
+            - l_lambda_loop3_x_Theta * w_156 + minus_l_lambda_loop3_y_Theta * w_155;
+        let w_162 = Phi_dot + delta_dot;
+        let w_162_squared = w_162 * w_162;
+        let w_163 = cos_w_2 * w_162_squared;
+        let w_164 = self.k_4 * w_163;
+        let w_165 = self.k_4 * w_162;
+        let w_166 = Phi_dot * w_165;
+        let w_167 = self.zt * delta_dot;
+        let w_168 = u5_y * w_167;
+        let w_169 = cos_w_2 * w_166 - delta_dot * (w_168 - cos_w_2 * w_165);
+        let w_170 = n4_x * w_162_squared;
+        let w_171 = self.k_4 * w_170;
+        let w_172 = u5_x * w_167;
+        let w_173 = n4_x * w_166 + delta_dot * (w_172 + n4_x * w_165);
+        let w_174 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
         let delta_ddot = inverse_delta * rhs_delta
             - l_lambda_loop4_x_delta * lambda_loop4_x
             - l_lambda_loop4_y_delta * lambda_loop4_y;
-        let w_163 = self.k_5 * (w_42 * cos_w_2 + n4_x * w_40);
-        let w_164 = self.k_5 * (cos_w_2 * (w_155 - w_157) + n4_x * (w_159 - w_161))
-            + w_162 - delta_ddot * w_163;
+        let w_175 = self.k_5 * (w_44 * cos_w_2 + n4_x * w_42);
+        let w_176 = self.k_5 * (cos_w_2 * (w_164 - w_169) + n4_x * (w_171 - w_173))
+            + w_174 - delta_ddot * w_175;
         let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
             + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
             + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
-        let w_165 = Phi_ddot + delta_ddot;
-        let w_166 = w_162 - self.k_5 * (cos_w_2 * w_157 + n4_x * w_161)
-            - w_163 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
-            + self.m4 * (w_42 * w_159 - w_40 * w_155);
-        let w_167 = w_166 - l_delta_Phi * w_164;
-        let w_168 = minus_l_lambda_loop4_x_Phi * w_164 - self.ee * (w_154 + n4_x * w_165)
-            - l_lambda_loop4_x_delta * w_167;
-        let w_169 = self.ee * (cos_w_2 * w_165 - w_158)
-            + minus_l_lambda_loop4_y_Phi * w_164 - l_lambda_loop4_y_delta * w_167
-            - l_lambda_loop4_y_lambda_loop4_x * w_168;
-        let w_170 = l_lambda_loop6_x_lambda_loop4_x * w_168
-            + l_lambda_loop6_x_lambda_loop4_y * w_169;
-        let w_171 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_170
-                - l_lambda_loop6_y_lambda_loop4_x * w_168
-                - l_lambda_loop6_y_lambda_loop4_y * w_169);
-        let w_172 = inverse_lambda_loop6_x * w_170
-            + l_lambda_loop6_y_lambda_loop6_x * w_171;
-        let w_173 = inverse_lambda_loop4_y * w_169
-            + l_lambda_loop6_x_lambda_loop4_y * w_172
-            - l_lambda_loop6_y_lambda_loop4_y * w_171;
-        let w_174 = inverse_lambda_loop4_x * w_168
-            - l_lambda_loop4_y_lambda_loop4_x * w_173
-            + l_lambda_loop6_x_lambda_loop4_x * w_172
-            - l_lambda_loop6_y_lambda_loop4_x * w_171;
-        let w_175 = l_lambda_loop4_x_lambda_loop3_y * w_172
-            - l_lambda_loop4_x_lambda_loop3_y * w_174
-            - l_lambda_loop4_y_lambda_loop3_y * w_173
-            - l_lambda_loop4_y_lambda_loop3_y * w_171;
-        let w_176 = minus_l_lambda_loop3_y_lambda_loop3_x * w_175
-            - l_lambda_loop4_x_lambda_loop3_x * w_174
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_173
-            + l_lambda_loop4_x_lambda_loop3_x * w_172
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_171;
-        let w_177 = minus_l_lambda_loop3_y_Theta * w_175 - l_lambda_loop3_x_Theta * w_176
-            - l_lambda_loop3_x_Theta * w_174 + minus_l_lambda_loop3_y_Theta * w_173
-            + l_lambda_loop3_x_Theta * w_172 + minus_l_lambda_loop3_y_Theta * w_171;
-        let w_178 = minus_loop4_y_by_delta * lambda_loop4_x
-            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_162;
-        let w_179 = delta_dot * (w_156 - self.ee * cos_w_2 * w_153)
-            - self.ee * (cos_w_2 * Phi_dot * w_153 + n4_x * Phi_ddot)
-            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_162
-            + l_lambda_loop4_x_delta * w_178;
-        let w_180 = self.ee * (cos_w_2 * Phi_ddot - n4_x * Phi_dot * w_153)
-            - delta_dot * (w_160 + self.ee * n4_x * w_153)
-            - loop4_x_by_delta * delta_ddot;
-        let w_181 = w_180 + minus_l_lambda_loop4_y_Phi * w_162
-            + l_lambda_loop4_y_delta * w_178 - l_lambda_loop4_y_lambda_loop4_x * w_179;
-        let w_182 = l_lambda_loop6_x_lambda_loop4_x * w_179
+        let w_177 = Phi_ddot + delta_ddot;
+        let w_178 = w_174 - self.k_5 * (cos_w_2 * w_169 + n4_x * w_173)
+            - w_175 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
+            + self.m4 * (w_44 * w_171 - w_42 * w_164);
+        let w_179 = w_178 - l_delta_Phi * w_176;
+        let w_180 = minus_l_lambda_loop4_x_Phi * w_176 - self.ee * (w_163 + n4_x * w_177)
+            - l_lambda_loop4_x_delta * w_179;
+        let w_181 = self.ee * (cos_w_2 * w_177 - w_170)
+            + minus_l_lambda_loop4_y_Phi * w_176 - l_lambda_loop4_y_delta * w_179
+            - l_lambda_loop4_y_lambda_loop4_x * w_180;
+        let w_182 = l_lambda_loop6_x_lambda_loop4_x * w_180
             + l_lambda_loop6_x_lambda_loop4_y * w_181;
         let w_183 = inverse_lambda_loop6_y
             * (l_lambda_loop6_y_lambda_loop6_x * w_182
-                - l_lambda_loop6_y_lambda_loop4_x * w_179
+                - l_lambda_loop6_y_lambda_loop4_x * w_180
                 - l_lambda_loop6_y_lambda_loop4_y * w_181);
         let w_184 = inverse_lambda_loop6_x * w_182
             + l_lambda_loop6_y_lambda_loop6_x * w_183;
         let w_185 = inverse_lambda_loop4_y * w_181
             + l_lambda_loop6_x_lambda_loop4_y * w_184
             - l_lambda_loop6_y_lambda_loop4_y * w_183;
-        let w_186 = inverse_lambda_loop4_x * w_179
+        let w_186 = inverse_lambda_loop4_x * w_180
             - l_lambda_loop4_y_lambda_loop4_x * w_185
             + l_lambda_loop6_x_lambda_loop4_x * w_184
             - l_lambda_loop6_y_lambda_loop4_x * w_183;
@@ -2394,623 +2363,663 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let w_189 = minus_l_lambda_loop3_y_Theta * w_187 - l_lambda_loop3_x_Theta * w_188
             - l_lambda_loop3_x_Theta * w_186 + minus_l_lambda_loop3_y_Theta * w_185
             + l_lambda_loop3_x_Theta * w_184 + minus_l_lambda_loop3_y_Theta * w_183;
-        let w_190 = Omega_dot + epsilon_dot;
-        let w_190_squared = w_190 * w_190;
-        let w_191 = u6_y * w_190_squared;
+        let w_190 = self.ee * w_162;
+        let w_191 = Phi_dot * w_162;
+        let w_192 = minus_loop4_y_by_delta * lambda_loop4_x
+            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_174;
+        let w_193 = delta_dot * (w_168 - cos_w_2 * w_190)
+            - self.ee * (cos_w_2 * w_191 + n4_x * Phi_ddot)
+            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_174
+            + l_lambda_loop4_x_delta * w_192;
+        let w_194 = self.ee * (cos_w_2 * Phi_ddot - n4_x * w_191)
+            - delta_dot * (w_172 + n4_x * w_190) - loop4_x_by_delta * delta_ddot
+            + minus_l_lambda_loop4_y_Phi * w_174 + l_lambda_loop4_y_delta * w_192
+            - l_lambda_loop4_y_lambda_loop4_x * w_193;
+        let w_195 = l_lambda_loop6_x_lambda_loop4_x * w_193
+            + l_lambda_loop6_x_lambda_loop4_y * w_194;
+        let w_196 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_195
+                - l_lambda_loop6_y_lambda_loop4_x * w_193
+                - l_lambda_loop6_y_lambda_loop4_y * w_194);
+        let w_197 = inverse_lambda_loop6_x * w_195
+            + l_lambda_loop6_y_lambda_loop6_x * w_196;
+        let w_198 = inverse_lambda_loop4_y * w_194
+            + l_lambda_loop6_x_lambda_loop4_y * w_197
+            - l_lambda_loop6_y_lambda_loop4_y * w_196;
+        let w_199 = inverse_lambda_loop4_x * w_193
+            - l_lambda_loop4_y_lambda_loop4_x * w_198
+            + l_lambda_loop6_x_lambda_loop4_x * w_197
+            - l_lambda_loop6_y_lambda_loop4_x * w_196;
+        let w_200 = l_lambda_loop4_x_lambda_loop3_y * w_197
+            - l_lambda_loop4_x_lambda_loop3_y * w_199
+            - l_lambda_loop4_y_lambda_loop3_y * w_198
+            - l_lambda_loop4_y_lambda_loop3_y * w_196;
+        let w_201 = minus_l_lambda_loop3_y_lambda_loop3_x * w_200
+            - l_lambda_loop4_x_lambda_loop3_x * w_199
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_198
+            + l_lambda_loop4_x_lambda_loop3_x * w_197
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_196;
+        let w_202 = minus_l_lambda_loop3_y_Theta * w_200 - l_lambda_loop3_x_Theta * w_201
+            - l_lambda_loop3_x_Theta * w_199 + minus_l_lambda_loop3_y_Theta * w_198
+            + l_lambda_loop3_x_Theta * w_197 + minus_l_lambda_loop3_y_Theta * w_196;
+        let w_203 = Omega_dot + epsilon_dot;
+        let w_203_squared = w_203 * w_203;
+        let w_204 = u6_y * w_203_squared;
         let epsilon_ddot = inverse_epsilon * rhs_epsilon
             + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
             - l_lambda_loop6_y_epsilon * lambda_loop6_y;
         let Omega_ddot = rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
             + l_lambda_loop6_x_Omega * minus_lambda_loop6_x
             + minus_l_lambda_loop6_y_Omega * lambda_loop6_y;
-        let w_192 = Omega_ddot + epsilon_ddot;
-        let w_193 = u6_x * w_190_squared;
-        let w_194 = self.k_10 * w_193;
-        let w_195 = self.u * u7_y * epsilon_dot;
-        let w_196 = epsilon_dot * (w_195 + self.k_10 * u6_x * w_190)
-            + self.k_10 * u6_x * Omega_dot * w_190;
-        let w_197 = self.k_10 * w_191;
-        let w_198 = self.u * u7_x * epsilon_dot;
-        let w_199 = self.k_10 * u6_y * Omega_dot * w_190
-            - epsilon_dot * (w_198 - self.k_10 * u6_y * w_190);
-        let w_200 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
-        let w_201 = self.k_11 * (w_61 * u6_y + u6_x * w_59);
-        let w_202 = self.k_11 * (u6_x * (w_194 - w_196) + u6_y * (w_197 - w_199)) + w_200
-            + epsilon_ddot * w_201;
-        let w_203 = w_201 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
-            - self.k_11 * (u6_x * w_196 + u6_y * w_199) + w_200
-            + self.m6 * (w_61 * w_194 - w_59 * w_197);
-        let w_204 = w_203 - l_epsilon_Omega * w_202;
-        let w_205 = self.zf * (w_191 - u6_x * w_192) - l_lambda_loop6_x_Omega * w_202
-            - l_lambda_loop6_x_epsilon * w_204;
-        let w_206 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_202 - self.zf * (w_193 + u6_y * w_192)
-                - l_lambda_loop6_y_epsilon * w_204
-                - l_lambda_loop6_y_lambda_loop6_x * w_205);
-        let w_207 = inverse_lambda_loop6_x * w_205
-            - l_lambda_loop6_y_lambda_loop6_x * w_206;
-        let w_208 = l_lambda_loop6_x_lambda_loop4_y * w_207
-            + l_lambda_loop6_y_lambda_loop4_y * w_206;
-        let w_209 = l_lambda_loop4_y_lambda_loop4_x * w_208
-            - l_lambda_loop6_x_lambda_loop4_x * w_207
-            - l_lambda_loop6_y_lambda_loop4_x * w_206;
-        let w_210 = l_lambda_loop4_y_lambda_loop3_y * w_208
-            - l_lambda_loop4_x_lambda_loop3_y * w_209
-            - l_lambda_loop4_x_lambda_loop3_y * w_207
-            - l_lambda_loop4_y_lambda_loop3_y * w_206;
-        let w_211 = minus_l_lambda_loop3_y_lambda_loop3_x * w_210
-            - l_lambda_loop4_x_lambda_loop3_x * w_209
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_208
-            - l_lambda_loop4_x_lambda_loop3_x * w_207
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_206;
-        let w_212 = minus_l_lambda_loop3_y_Theta * w_210 - l_lambda_loop3_x_Theta * w_211
-            - l_lambda_loop3_x_Theta * w_209 - minus_l_lambda_loop3_y_Theta * w_208
-            - l_lambda_loop3_x_Theta * w_207 + minus_l_lambda_loop3_y_Theta * w_206;
-        let w_213 = w_58 - loop6_x_by_Omega;
-        let w_214 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
-            + lambda_loop6_y * w_213 - l_epsilon_Omega * w_200;
-        let w_215 = self.zf * (u6_y * Omega_dot * w_190 - u6_x * Omega_ddot)
-            - epsilon_dot * (w_198 - self.zf * u6_y * w_190)
-            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_200
-            - l_lambda_loop6_x_epsilon * w_214;
-        let w_216 = epsilon_ddot * w_213
-            - self.zf * (u6_x * Omega_dot * w_190 + u6_y * Omega_ddot)
-            - epsilon_dot * (w_195 + self.zf * u6_x * w_190);
-        let w_217 = inverse_lambda_loop6_y
-            * (w_216 + minus_l_lambda_loop6_y_Omega * w_200
-                - l_lambda_loop6_y_epsilon * w_214
-                - l_lambda_loop6_y_lambda_loop6_x * w_215);
-        let w_218 = inverse_lambda_loop6_x * w_215
-            - l_lambda_loop6_y_lambda_loop6_x * w_217;
-        let w_219 = l_lambda_loop6_x_lambda_loop4_y * w_218
-            + l_lambda_loop6_y_lambda_loop4_y * w_217;
-        let w_220 = l_lambda_loop4_y_lambda_loop4_x * w_219
-            - l_lambda_loop6_x_lambda_loop4_x * w_218
-            - l_lambda_loop6_y_lambda_loop4_x * w_217;
-        let w_221 = l_lambda_loop4_y_lambda_loop3_y * w_219
-            - l_lambda_loop4_x_lambda_loop3_y * w_220
-            - l_lambda_loop4_x_lambda_loop3_y * w_218
-            - l_lambda_loop4_y_lambda_loop3_y * w_217;
-        let w_222 = minus_l_lambda_loop3_y_lambda_loop3_x * w_221
-            - l_lambda_loop4_x_lambda_loop3_x * w_220
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_219
-            - l_lambda_loop4_x_lambda_loop3_x * w_218
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_217;
-        let w_223 = minus_l_lambda_loop3_y_Theta * w_221 - l_lambda_loop3_x_Theta * w_222
-            - l_lambda_loop3_x_Theta * w_220 - minus_l_lambda_loop3_y_Theta * w_219
-            - l_lambda_loop3_x_Theta * w_218 + minus_l_lambda_loop3_y_Theta * w_217;
-        let w_224 = l_lambda_loop4_x_delta * w_95 + l_lambda_loop4_y_delta * w_94;
-        let w_225 = l_lambda_loop4_x_delta * w_128 + l_lambda_loop4_y_delta * w_127;
-        let w_226 = l_lambda_loop4_x_delta * w_149 - l_lambda_loop4_y_delta * w_148;
-        let w_227 = inverse_delta * w_167 - l_lambda_loop4_x_delta * w_174
-            - l_lambda_loop4_y_delta * w_173;
-        let w_228 = inverse_delta * w_178 + l_lambda_loop4_x_delta * w_186
-            + l_lambda_loop4_y_delta * w_185;
-        let w_229 = l_lambda_loop4_y_delta * w_208 - l_lambda_loop4_x_delta * w_209;
-        let w_230 = l_lambda_loop4_y_delta * w_219 - l_lambda_loop4_x_delta * w_220;
-        let w_231 = l_lambda_loop6_x_epsilon * w_93 + l_lambda_loop6_y_epsilon * w_92;
-        let w_232 = l_lambda_loop6_x_epsilon * w_126 + l_lambda_loop6_y_epsilon * w_125;
-        let w_233 = l_lambda_loop6_x_epsilon * w_147 + l_lambda_loop6_y_epsilon * w_146;
-        let w_234 = l_lambda_loop6_x_epsilon * w_172 - l_lambda_loop6_y_epsilon * w_171;
-        let w_235 = l_lambda_loop6_x_epsilon * w_184 - l_lambda_loop6_y_epsilon * w_183;
-        let w_236 = inverse_epsilon * w_204 - l_lambda_loop6_x_epsilon * w_207
-            - l_lambda_loop6_y_epsilon * w_206;
-        let w_237 = inverse_epsilon * w_214 - l_lambda_loop6_x_epsilon * w_218
-            - l_lambda_loop6_y_epsilon * w_217;
-        let w_238 = u2_x * (w_75 + Theta_dot);
-        let w_239 = beta_dot * (w_6 + w_7) - self.da * w_238;
-        let w_240 = u2_y * (Theta_dot + w_75);
-        let w_241 = self.da * w_240 - beta_dot * (w_5 + w_4);
-        let w_242 = self.m2 * (w_5 * w_239 + w_7 * w_241);
-        let w_243 = self.k_2 * (u2_y * w_239 + u2_x * w_241) + l_Theta_beta * w_242;
-        let w_244 = beta_dot * (w_4 + P_y) - self.d * w_240;
-        let w_245 = l_lambda_loop3_y_beta * w_242;
-        let w_246 = minus_l_lambda_loop3_y_Theta * w_243;
-        let w_247 = beta_dot * (w_6 + P_x) - self.d * w_238;
-        let w_248 = l_lambda_loop3_x_beta * w_242;
-        let w_249 = l_lambda_loop3_x_Theta * w_243;
-        let w_250 = w_247 + w_248 - w_249;
-        let w_251 = w_244 + w_245 + w_246
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_250;
-        let w_252 = l_lambda_loop4_x_lambda_loop3_x * w_250;
-        let w_253 = l_lambda_loop4_x_lambda_loop3_y * w_251;
-        let w_254 = w_247 + w_248 - w_249 - w_252 - w_253;
-        let w_255 = minus_l_lambda_loop4_y_lambda_loop3_x * w_250;
-        let w_256 = l_lambda_loop4_y_lambda_loop3_y * w_251;
-        let w_257 = w_244 + w_245 + w_246 + w_255 - w_256
-            - l_lambda_loop4_y_lambda_loop4_x * w_254;
-        let w_258 = w_247 + w_248 - w_249 - w_252 - w_253
-            - l_lambda_loop6_x_lambda_loop4_x * w_254
-            - l_lambda_loop6_x_lambda_loop4_y * w_257;
-        let w_259 = inverse_lambda_loop6_y
-            * (w_244 + w_245 + w_246 + w_255 - w_256
-                - l_lambda_loop6_y_lambda_loop4_x * w_254
-                - l_lambda_loop6_y_lambda_loop4_y * w_257
-                - l_lambda_loop6_y_lambda_loop6_x * w_258);
-        let w_260 = inverse_lambda_loop6_x * w_258
-            - l_lambda_loop6_y_lambda_loop6_x * w_259;
-        let w_261 = inverse_lambda_loop4_y * w_257
-            - l_lambda_loop6_x_lambda_loop4_y * w_260
-            - l_lambda_loop6_y_lambda_loop4_y * w_259;
-        let w_262 = inverse_lambda_loop4_x * w_254
-            - l_lambda_loop4_y_lambda_loop4_x * w_261
-            - l_lambda_loop6_x_lambda_loop4_x * w_260
-            - l_lambda_loop6_y_lambda_loop4_x * w_259;
-        let w_263 = inverse_lambda_loop3_y * w_251
-            - l_lambda_loop4_x_lambda_loop3_y * w_262
-            - l_lambda_loop4_y_lambda_loop3_y * w_261
-            - l_lambda_loop4_x_lambda_loop3_y * w_260
-            - l_lambda_loop4_y_lambda_loop3_y * w_259;
-        let w_264 = minus_l_lambda_loop3_y_lambda_loop3_x * w_263
-            - minus_inverse_lambda_loop3_x * w_250
-            - l_lambda_loop4_x_lambda_loop3_x * w_262
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_261
-            - l_lambda_loop4_x_lambda_loop3_x * w_260
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_259;
-        let w_265 = inverse_Theta * w_243 - l_lambda_loop3_x_Theta * w_264
-            + minus_l_lambda_loop3_y_Theta * w_263 - l_lambda_loop3_x_Theta * w_262
-            + minus_l_lambda_loop3_y_Theta * w_261 - l_lambda_loop3_x_Theta * w_260
-            + minus_l_lambda_loop3_y_Theta * w_259;
-        let w_266 = inverse_beta * w_242 + l_Theta_beta * w_265
-            + l_lambda_loop3_x_beta * w_264 + l_lambda_loop3_y_beta * w_263
-            + l_lambda_loop3_x_beta * w_262 + l_lambda_loop3_y_beta * w_261
-            + l_lambda_loop3_x_beta * w_260 + l_lambda_loop3_y_beta * w_259;
-        let w_267 = u2_x * (w_75 + Theta_dot + beta_dot);
-        let w_268 = self.da * w_267;
-        let w_269 = u2_y * (Theta_dot + w_75 + beta_dot);
-        let w_270 = self.da * w_269;
-        let w_271 = self.m2 * (w_5 * w_268 - w_7 * w_270);
-        let w_272 = self.k_2 * (u2_x * w_270 - u2_y * w_268) - l_Theta_beta * w_271;
-        let w_273 = self.d * w_267;
-        let w_274 = l_lambda_loop3_x_beta * w_271;
-        let w_275 = l_lambda_loop3_x_Theta * w_272;
-        let w_276 = w_273 + w_274 + w_275;
-        let w_277 = minus_l_lambda_loop3_y_Theta * w_272;
-        let w_278 = self.d * w_269;
-        let w_279 = l_lambda_loop3_y_beta * w_271;
-        let w_280 = w_277 - w_278 - w_279
-            - minus_l_lambda_loop3_y_lambda_loop3_x * w_276;
-        let w_281 = l_lambda_loop4_x_lambda_loop3_x * w_276;
-        let w_282 = l_lambda_loop4_x_lambda_loop3_y * w_280;
-        let w_283 = w_281 - w_273 - w_274 - w_275 - w_282;
-        let w_284 = minus_l_lambda_loop4_y_lambda_loop3_x * w_276;
-        let w_285 = l_lambda_loop4_y_lambda_loop3_y * w_280;
-        let w_286 = w_277 - w_278 - w_279 - w_284 - w_285
-            - l_lambda_loop4_y_lambda_loop4_x * w_283;
-        let w_287 = w_281 - w_273 - w_274 - w_275 - w_282
-            - l_lambda_loop6_x_lambda_loop4_x * w_283
-            - l_lambda_loop6_x_lambda_loop4_y * w_286;
-        let w_288 = inverse_lambda_loop6_y
-            * (w_277 - w_278 - w_279 - w_284 - w_285
-                - l_lambda_loop6_y_lambda_loop4_x * w_283
-                - l_lambda_loop6_y_lambda_loop4_y * w_286
-                - l_lambda_loop6_y_lambda_loop6_x * w_287);
-        let w_289 = inverse_lambda_loop6_x * w_287
-            - l_lambda_loop6_y_lambda_loop6_x * w_288;
-        let w_290 = inverse_lambda_loop4_y * w_286
-            - l_lambda_loop6_x_lambda_loop4_y * w_289
-            - l_lambda_loop6_y_lambda_loop4_y * w_288;
-        let w_291 = inverse_lambda_loop4_x * w_283
-            - l_lambda_loop4_y_lambda_loop4_x * w_290
-            - l_lambda_loop6_x_lambda_loop4_x * w_289
-            - l_lambda_loop6_y_lambda_loop4_x * w_288;
-        let w_292 = inverse_lambda_loop3_y * w_280
-            - l_lambda_loop4_x_lambda_loop3_y * w_291
-            - l_lambda_loop4_y_lambda_loop3_y * w_290
-            - l_lambda_loop4_x_lambda_loop3_y * w_289
-            - l_lambda_loop4_y_lambda_loop3_y * w_288;
-        let w_293 = minus_inverse_lambda_loop3_x * w_276
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_292
-            - l_lambda_loop4_x_lambda_loop3_x * w_291
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_290
-            - l_lambda_loop4_x_lambda_loop3_x * w_289
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_288;
-        let w_294 = inverse_Theta * w_272 - l_lambda_loop3_x_Theta * w_293
-            + minus_l_lambda_loop3_y_Theta * w_292 - l_lambda_loop3_x_Theta * w_291
-            + minus_l_lambda_loop3_y_Theta * w_290 - l_lambda_loop3_x_Theta * w_289
-            + minus_l_lambda_loop3_y_Theta * w_288;
-        let w_295 = self.m3 * (w_9 * w_10 * gamma_dot - w_10 * w_9 * gamma_dot);
-        let w_296 = minus_l_lambda_loop3_x_gamma * w_295 - u3_y * gamma_dot * self.k_28;
-        let w_297 = l_lambda_loop4_x_lambda_loop3_x * w_296;
-        let w_298 = u3_x * gamma_dot * self.k_28 + minus_l_lambda_loop3_y_gamma * w_295
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_296;
-        let w_299 = l_lambda_loop4_x_lambda_loop3_y * w_298;
-        let w_300 = w_297 + w_299;
-        let w_301 = minus_l_lambda_loop4_y_lambda_loop3_x * w_296;
-        let w_302 = l_lambda_loop4_y_lambda_loop3_y * w_298;
-        let w_303 = w_301 - w_302 + l_lambda_loop4_y_lambda_loop4_x * w_300;
-        let w_304 = l_lambda_loop6_x_lambda_loop4_x * w_300 - w_297 - w_299
-            - l_lambda_loop6_x_lambda_loop4_y * w_303;
-        let w_305 = inverse_lambda_loop6_y
-            * (w_301 - w_302 + l_lambda_loop6_y_lambda_loop4_x * w_300
-                - l_lambda_loop6_y_lambda_loop4_y * w_303
-                - l_lambda_loop6_y_lambda_loop6_x * w_304);
-        let w_306 = inverse_lambda_loop6_x * w_304
-            - l_lambda_loop6_y_lambda_loop6_x * w_305;
-        let w_307 = inverse_lambda_loop4_y * w_303
-            - l_lambda_loop6_x_lambda_loop4_y * w_306
-            - l_lambda_loop6_y_lambda_loop4_y * w_305;
-        let w_308 = inverse_lambda_loop4_x * w_300
-            + l_lambda_loop4_y_lambda_loop4_x * w_307
-            + l_lambda_loop6_x_lambda_loop4_x * w_306
-            + l_lambda_loop6_y_lambda_loop4_x * w_305;
-        let w_309 = inverse_lambda_loop3_y * w_298
-            + l_lambda_loop4_x_lambda_loop3_y * w_308
-            - l_lambda_loop4_y_lambda_loop3_y * w_307
-            - l_lambda_loop4_x_lambda_loop3_y * w_306
-            - l_lambda_loop4_y_lambda_loop3_y * w_305;
-        let w_310 = minus_l_lambda_loop3_y_lambda_loop3_x * w_309
-            - minus_inverse_lambda_loop3_x * w_296
-            + l_lambda_loop4_x_lambda_loop3_x * w_308
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_307
-            - l_lambda_loop4_x_lambda_loop3_x * w_306
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_305;
-        let w_311 = minus_l_lambda_loop3_y_Theta * w_309 - l_lambda_loop3_x_Theta * w_310
-            + l_lambda_loop3_x_Theta * w_308 + minus_l_lambda_loop3_y_Theta * w_307
-            - l_lambda_loop3_x_Theta * w_306 + minus_l_lambda_loop3_y_Theta * w_305;
-        let w_312 = n4_x * (w_153 + Phi_dot + delta_dot);
-        let w_313 = self.k_4 * w_312;
-        let w_314 = cos_w_2 * (Phi_dot + w_153 + delta_dot);
-        let w_315 = self.k_4 * w_314;
-        let w_316 = self.k_5 * (cos_w_2 * w_313 - n4_x * w_315);
-        let w_317 = self.m4 * (w_40 * w_313 + w_42 * w_315) + l_delta_Phi * w_316;
-        let w_318 = minus_l_lambda_loop4_x_Phi * w_316 - self.ee * w_312
-            + l_lambda_loop4_x_delta * w_317;
-        let w_319 = self.ee * w_314 + minus_l_lambda_loop4_y_Phi * w_316
-            + l_lambda_loop4_y_delta * w_317 - l_lambda_loop4_y_lambda_loop4_x * w_318;
-        let w_320 = l_lambda_loop6_x_lambda_loop4_x * w_318
-            + l_lambda_loop6_x_lambda_loop4_y * w_319;
-        let w_321 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_320
-                - l_lambda_loop6_y_lambda_loop4_x * w_318
-                - l_lambda_loop6_y_lambda_loop4_y * w_319);
-        let w_322 = inverse_lambda_loop6_x * w_320
-            + l_lambda_loop6_y_lambda_loop6_x * w_321;
-        let w_323 = inverse_lambda_loop4_y * w_319
-            + l_lambda_loop6_x_lambda_loop4_y * w_322
-            - l_lambda_loop6_y_lambda_loop4_y * w_321;
-        let w_324 = inverse_lambda_loop4_x * w_318
-            - l_lambda_loop4_y_lambda_loop4_x * w_323
-            + l_lambda_loop6_x_lambda_loop4_x * w_322
-            - l_lambda_loop6_y_lambda_loop4_x * w_321;
-        let w_325 = l_lambda_loop4_x_lambda_loop3_y * w_322
-            - l_lambda_loop4_x_lambda_loop3_y * w_324
-            - l_lambda_loop4_y_lambda_loop3_y * w_323
-            - l_lambda_loop4_y_lambda_loop3_y * w_321;
-        let w_326 = minus_l_lambda_loop3_y_lambda_loop3_x * w_325
-            - l_lambda_loop4_x_lambda_loop3_x * w_324
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_323
-            + l_lambda_loop4_x_lambda_loop3_x * w_322
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_321;
-        let w_327 = minus_l_lambda_loop3_y_Theta * w_325 - l_lambda_loop3_x_Theta * w_326
-            - l_lambda_loop3_x_Theta * w_324 + minus_l_lambda_loop3_y_Theta * w_323
-            + l_lambda_loop3_x_Theta * w_322 + minus_l_lambda_loop3_y_Theta * w_321;
-        let w_328 = n4_x * (w_153 + Phi_dot);
-        let w_329 = delta_dot * (w_41 + w_42) + self.k_4 * w_328;
-        let w_330 = cos_w_2 * (Phi_dot + w_153);
-        let w_331 = self.k_4 * w_330 - delta_dot * (w_40 + w_39);
-        let w_332 = self.k_5 * (cos_w_2 * w_329 - n4_x * w_331);
-        let w_333 = self.m5 * (w_44 * w_43 * delta_dot - w_43 * w_44 * delta_dot)
-            - self.m4 * (w_40 * w_329 + w_42 * w_331) - l_delta_Phi * w_332;
-        let w_334 = minus_l_lambda_loop4_x_Phi * w_332
-            - (delta_dot * (w_41 + minus_loop4_y_by_delta) + self.ee * w_328)
-            - l_lambda_loop4_x_delta * w_333;
-        let w_335 = self.ee * w_330 - delta_dot * (w_39 + loop4_x_by_delta)
-            + minus_l_lambda_loop4_y_Phi * w_332 - l_lambda_loop4_y_delta * w_333
-            - l_lambda_loop4_y_lambda_loop4_x * w_334;
-        let w_336 = l_lambda_loop6_x_lambda_loop4_x * w_334
-            + l_lambda_loop6_x_lambda_loop4_y * w_335;
-        let w_337 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_336
-                - l_lambda_loop6_y_lambda_loop4_x * w_334
-                - l_lambda_loop6_y_lambda_loop4_y * w_335);
-        let w_338 = inverse_lambda_loop6_x * w_336
-            + l_lambda_loop6_y_lambda_loop6_x * w_337;
-        let w_339 = inverse_lambda_loop4_y * w_335
-            + l_lambda_loop6_x_lambda_loop4_y * w_338
-            - l_lambda_loop6_y_lambda_loop4_y * w_337;
-        let w_340 = inverse_lambda_loop4_x * w_334
-            - l_lambda_loop4_y_lambda_loop4_x * w_339
-            + l_lambda_loop6_x_lambda_loop4_x * w_338
-            - l_lambda_loop6_y_lambda_loop4_x * w_337;
-        let w_341 = l_lambda_loop4_x_lambda_loop3_y * w_338
-            - l_lambda_loop4_x_lambda_loop3_y * w_340
-            - l_lambda_loop4_y_lambda_loop3_y * w_339
-            - l_lambda_loop4_y_lambda_loop3_y * w_337;
-        let w_342 = minus_l_lambda_loop3_y_lambda_loop3_x * w_341
-            - l_lambda_loop4_x_lambda_loop3_x * w_340
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_339
-            + l_lambda_loop4_x_lambda_loop3_x * w_338
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_337;
-        let w_343 = minus_l_lambda_loop3_y_Theta * w_341 - l_lambda_loop3_x_Theta * w_342
-            - l_lambda_loop3_x_Theta * w_340 + minus_l_lambda_loop3_y_Theta * w_339
-            + l_lambda_loop3_x_Theta * w_338 + minus_l_lambda_loop3_y_Theta * w_337;
-        let w_344 = u6_x * (w_190 + Omega_dot + epsilon_dot);
-        let w_345 = u6_y * (Omega_dot + w_190 + epsilon_dot);
-        let w_346 = self.k_10 * w_345;
-        let w_347 = self.k_10 * w_344;
-        let w_348 = self.k_11 * (u6_x * w_346 - u6_y * w_347);
-        let w_349 = self.m6 * (w_59 * w_347 + w_61 * w_346) - l_epsilon_Omega * w_348;
-        let w_350 = self.zf * w_344 + l_lambda_loop6_x_Omega * w_348
-            + l_lambda_loop6_x_epsilon * w_349;
-        let w_351 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_348 - self.zf * w_345
-                - l_lambda_loop6_y_epsilon * w_349
-                + l_lambda_loop6_y_lambda_loop6_x * w_350);
-        let w_352 = inverse_lambda_loop6_x * w_350
-            + l_lambda_loop6_y_lambda_loop6_x * w_351;
-        let w_353 = l_lambda_loop6_x_lambda_loop4_y * w_352
-            - l_lambda_loop6_y_lambda_loop4_y * w_351;
-        let w_354 = l_lambda_loop6_x_lambda_loop4_x * w_352
-            - l_lambda_loop4_y_lambda_loop4_x * w_353
-            - l_lambda_loop6_y_lambda_loop4_x * w_351;
-        let w_355 = l_lambda_loop4_x_lambda_loop3_y * w_352
-            - l_lambda_loop4_x_lambda_loop3_y * w_354
-            - l_lambda_loop4_y_lambda_loop3_y * w_353
-            - l_lambda_loop4_y_lambda_loop3_y * w_351;
-        let w_356 = minus_l_lambda_loop3_y_lambda_loop3_x * w_355
-            - l_lambda_loop4_x_lambda_loop3_x * w_354
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_353
-            + l_lambda_loop4_x_lambda_loop3_x * w_352
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_351;
-        let w_357 = minus_l_lambda_loop3_y_Theta * w_355 - l_lambda_loop3_x_Theta * w_356
-            - l_lambda_loop3_x_Theta * w_354 + minus_l_lambda_loop3_y_Theta * w_353
-            + l_lambda_loop3_x_Theta * w_352 + minus_l_lambda_loop3_y_Theta * w_351;
-        let w_358 = u6_x * (w_190 + Omega_dot);
-        let w_359 = epsilon_dot * (w_60 + w_61) + self.k_10 * w_358;
-        let w_360 = u6_y * (Omega_dot + w_190);
-        let w_361 = epsilon_dot * (w_59 + w_58) - self.k_10 * w_360;
-        let w_362 = self.k_11 * (u6_y * w_359 + u6_x * w_361);
-        let w_363 = self.m7 * (w_62 * w_63 * epsilon_dot - w_63 * w_62 * epsilon_dot)
-            + self.m6 * (w_59 * w_359 - w_61 * w_361) + l_epsilon_Omega * w_362;
-        let w_364 = l_lambda_loop6_x_Omega * w_362
-            - (epsilon_dot * (w_60 + minus_loop6_y_by_epsilon) + self.zf * w_358)
-            - l_lambda_loop6_x_epsilon * w_363;
-        let w_365 = inverse_lambda_loop6_y
-            * (epsilon_dot * (w_58 + w_213) - self.zf * w_360
-                - minus_l_lambda_loop6_y_Omega * w_362 - l_lambda_loop6_y_epsilon * w_363
-                - l_lambda_loop6_y_lambda_loop6_x * w_364);
-        let w_366 = inverse_lambda_loop6_x * w_364
-            - l_lambda_loop6_y_lambda_loop6_x * w_365;
-        let w_367 = l_lambda_loop6_x_lambda_loop4_y * w_366
-            + l_lambda_loop6_y_lambda_loop4_y * w_365;
-        let w_368 = l_lambda_loop4_y_lambda_loop4_x * w_367
-            - l_lambda_loop6_x_lambda_loop4_x * w_366
-            - l_lambda_loop6_y_lambda_loop4_x * w_365;
-        let w_369 = l_lambda_loop4_y_lambda_loop3_y * w_367
-            - l_lambda_loop4_x_lambda_loop3_y * w_368
-            - l_lambda_loop4_x_lambda_loop3_y * w_366
-            - l_lambda_loop4_y_lambda_loop3_y * w_365;
-        let w_370 = minus_l_lambda_loop3_y_lambda_loop3_x * w_369
-            - l_lambda_loop4_x_lambda_loop3_x * w_368
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_367
-            - l_lambda_loop4_x_lambda_loop3_x * w_366
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_365;
-        let w_371 = minus_l_lambda_loop3_y_Theta * w_369 - l_lambda_loop3_x_Theta * w_370
-            - l_lambda_loop3_x_Theta * w_368 - minus_l_lambda_loop3_y_Theta * w_367
-            - l_lambda_loop3_x_Theta * w_366 + minus_l_lambda_loop3_y_Theta * w_365;
-        let w_372 = l_lambda_loop4_x_delta * w_262 + l_lambda_loop4_y_delta * w_261;
-        let w_373 = l_lambda_loop4_x_delta * w_291 + l_lambda_loop4_y_delta * w_290;
-        let w_374 = l_lambda_loop4_x_delta * w_308 - l_lambda_loop4_y_delta * w_307;
-        let w_375 = inverse_delta * w_317 + l_lambda_loop4_x_delta * w_324
-            + l_lambda_loop4_y_delta * w_323;
-        let w_376 = inverse_delta * w_333 - l_lambda_loop4_x_delta * w_340
-            - l_lambda_loop4_y_delta * w_339;
-        let w_377 = l_lambda_loop4_x_delta * w_354 + l_lambda_loop4_y_delta * w_353;
-        let w_378 = l_lambda_loop4_y_delta * w_367 - l_lambda_loop4_x_delta * w_368;
-        let w_379 = l_lambda_loop6_x_epsilon * w_260 + l_lambda_loop6_y_epsilon * w_259;
-        let w_380 = l_lambda_loop6_x_epsilon * w_289 + l_lambda_loop6_y_epsilon * w_288;
-        let w_381 = l_lambda_loop6_x_epsilon * w_306 + l_lambda_loop6_y_epsilon * w_305;
-        let w_382 = l_lambda_loop6_x_epsilon * w_322 - l_lambda_loop6_y_epsilon * w_321;
-        let w_383 = l_lambda_loop6_x_epsilon * w_338 - l_lambda_loop6_y_epsilon * w_337;
-        let w_384 = inverse_epsilon * w_349 + l_lambda_loop6_x_epsilon * w_352
-            - l_lambda_loop6_y_epsilon * w_351;
-        let w_385 = inverse_epsilon * w_363 - l_lambda_loop6_x_epsilon * w_366
-            - l_lambda_loop6_y_epsilon * w_365;
+        let w_205 = Omega_ddot + epsilon_ddot;
+        let w_206 = u6_x * w_203_squared;
+        let w_207 = self.k_10 * w_206;
+        let w_208 = self.u * epsilon_dot;
+        let w_209 = u7_y * w_208;
+        let w_210 = self.k_10 * w_203;
+        let w_211 = Omega_dot * w_210;
+        let w_212 = epsilon_dot * (w_209 + u6_x * w_210) + u6_x * w_211;
+        let w_213 = self.k_10 * w_204;
+        let w_214 = u7_x * w_208;
+        let w_215 = u6_y * w_211 - epsilon_dot * (w_214 - u6_y * w_210);
+        let w_216 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
+        let w_217 = self.k_11 * (w_66 * u6_y + u6_x * w_64);
+        let w_218 = self.k_11 * (u6_x * (w_207 - w_212) + u6_y * (w_213 - w_215)) + w_216
+            + epsilon_ddot * w_217;
+        let w_219 = w_217 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
+            - self.k_11 * (u6_x * w_212 + u6_y * w_215) + w_216
+            + self.m6 * (w_66 * w_207 - w_64 * w_213);
+        let w_220 = w_219 - l_epsilon_Omega * w_218;
+        let w_221 = self.zf * (w_204 - u6_x * w_205) - l_lambda_loop6_x_Omega * w_218
+            - l_lambda_loop6_x_epsilon * w_220;
+        let w_222 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_218 - self.zf * (w_206 + u6_y * w_205)
+                - l_lambda_loop6_y_epsilon * w_220
+                - l_lambda_loop6_y_lambda_loop6_x * w_221);
+        let w_223 = inverse_lambda_loop6_x * w_221
+            - l_lambda_loop6_y_lambda_loop6_x * w_222;
+        let w_224 = l_lambda_loop6_x_lambda_loop4_y * w_223
+            + l_lambda_loop6_y_lambda_loop4_y * w_222;
+        let w_225 = l_lambda_loop4_y_lambda_loop4_x * w_224
+            - l_lambda_loop6_x_lambda_loop4_x * w_223
+            - l_lambda_loop6_y_lambda_loop4_x * w_222;
+        let w_226 = l_lambda_loop4_y_lambda_loop3_y * w_224
+            - l_lambda_loop4_x_lambda_loop3_y * w_225
+            - l_lambda_loop4_x_lambda_loop3_y * w_223
+            - l_lambda_loop4_y_lambda_loop3_y * w_222;
+        let w_227 = minus_l_lambda_loop3_y_lambda_loop3_x * w_226
+            - l_lambda_loop4_x_lambda_loop3_x * w_225
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_224
+            - l_lambda_loop4_x_lambda_loop3_x * w_223
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_222;
+        let w_228 = minus_l_lambda_loop3_y_Theta * w_226 - l_lambda_loop3_x_Theta * w_227
+            - l_lambda_loop3_x_Theta * w_225 - minus_l_lambda_loop3_y_Theta * w_224
+            - l_lambda_loop3_x_Theta * w_223 + minus_l_lambda_loop3_y_Theta * w_222;
+        let w_229 = Omega_dot * w_203;
+        let w_230 = self.zf * w_203;
+        let w_231 = w_63 - loop6_x_by_Omega;
+        let w_232 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
+            + lambda_loop6_y * w_231 - l_epsilon_Omega * w_216;
+        let w_233 = self.zf * (u6_y * w_229 - u6_x * Omega_ddot)
+            - epsilon_dot * (w_214 - u6_y * w_230)
+            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_216
+            - l_lambda_loop6_x_epsilon * w_232;
+        let w_234 = epsilon_ddot * w_231 - self.zf * (u6_x * w_229 + u6_y * Omega_ddot)
+            - epsilon_dot * (w_209 + u6_x * w_230) + minus_l_lambda_loop6_y_Omega * w_216
+            - l_lambda_loop6_y_epsilon * w_232 - l_lambda_loop6_y_lambda_loop6_x * w_233;
+        let w_235 = inverse_lambda_loop6_y * w_234;
+        let w_236 = inverse_lambda_loop6_x * w_233
+            - l_lambda_loop6_y_lambda_loop6_x * w_235;
+        let w_237 = l_lambda_loop6_x_lambda_loop4_y * w_236
+            + l_lambda_loop6_y_lambda_loop4_y * w_235;
+        let w_238 = l_lambda_loop4_y_lambda_loop4_x * w_237
+            - l_lambda_loop6_x_lambda_loop4_x * w_236
+            - l_lambda_loop6_y_lambda_loop4_x * w_235;
+        let w_239 = l_lambda_loop4_y_lambda_loop3_y * w_237
+            - l_lambda_loop4_x_lambda_loop3_y * w_238
+            - l_lambda_loop4_x_lambda_loop3_y * w_236
+            - l_lambda_loop4_y_lambda_loop3_y * w_235;
+        let w_240 = minus_l_lambda_loop3_y_lambda_loop3_x * w_239
+            - l_lambda_loop4_x_lambda_loop3_x * w_238
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_237
+            - l_lambda_loop4_x_lambda_loop3_x * w_236
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_235;
+        let w_241 = minus_l_lambda_loop3_y_Theta * w_239 - l_lambda_loop3_x_Theta * w_240
+            - l_lambda_loop3_x_Theta * w_238 - minus_l_lambda_loop3_y_Theta * w_237
+            - l_lambda_loop3_x_Theta * w_236 + minus_l_lambda_loop3_y_Theta * w_235;
+        let w_242 = l_lambda_loop4_x_delta * w_102 + l_lambda_loop4_y_delta * w_101;
+        let w_243 = l_lambda_loop4_x_delta * w_137 + l_lambda_loop4_y_delta * w_136;
+        let w_244 = l_lambda_loop4_x_delta * w_158 - l_lambda_loop4_y_delta * w_157;
+        let w_245 = inverse_delta * w_179 - l_lambda_loop4_x_delta * w_186
+            - l_lambda_loop4_y_delta * w_185;
+        let w_246 = inverse_delta * w_192 + l_lambda_loop4_x_delta * w_199
+            + l_lambda_loop4_y_delta * w_198;
+        let w_247 = l_lambda_loop4_y_delta * w_224 - l_lambda_loop4_x_delta * w_225;
+        let w_248 = l_lambda_loop4_y_delta * w_237 - l_lambda_loop4_x_delta * w_238;
+        let w_249 = l_lambda_loop6_x_epsilon * w_100 + l_lambda_loop6_y_epsilon * w_99;
+        let w_250 = l_lambda_loop6_x_epsilon * w_135 + l_lambda_loop6_y_epsilon * w_134;
+        let w_251 = l_lambda_loop6_x_epsilon * w_156 + l_lambda_loop6_y_epsilon * w_155;
+        let w_252 = l_lambda_loop6_x_epsilon * w_184 - l_lambda_loop6_y_epsilon * w_183;
+        let w_253 = l_lambda_loop6_x_epsilon * w_197 - l_lambda_loop6_y_epsilon * w_196;
+        let w_254 = inverse_epsilon * w_220 - l_lambda_loop6_x_epsilon * w_223
+            - l_lambda_loop6_y_epsilon * w_222;
+        let w_255 = inverse_epsilon * w_232 - l_lambda_loop6_x_epsilon * w_236
+            - l_lambda_loop6_y_epsilon * w_235;
+        let w_256 = u2_x * (w_80 + Theta_dot);
+        let w_257 = beta_dot * (w_16 + w_17) - self.da * w_256;
+        let w_258 = u2_y * (Theta_dot + w_80);
+        let w_259 = self.da * w_258 - beta_dot * (w_15 + w_14);
+        let w_260 = self.m2 * (w_15 * w_257 + w_17 * w_259);
+        let w_261 = self.k_2 * (u2_y * w_257 + u2_x * w_259) + l_Theta_beta * w_260;
+        let w_262 = beta_dot * (w_14 + P_y) - self.d * w_258;
+        let w_263 = l_lambda_loop3_y_beta * w_260;
+        let w_264 = minus_l_lambda_loop3_y_Theta * w_261;
+        let w_265 = beta_dot * (w_16 + P_x) - self.d * w_256;
+        let w_266 = l_lambda_loop3_x_beta * w_260;
+        let w_267 = l_lambda_loop3_x_Theta * w_261;
+        let w_268 = w_265 + w_266 - w_267;
+        let w_269 = w_262 + w_263 + w_264
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_268;
+        let w_270 = l_lambda_loop4_x_lambda_loop3_x * w_268;
+        let w_271 = l_lambda_loop4_x_lambda_loop3_y * w_269;
+        let w_272 = w_265 + w_266 - w_267 - w_270 - w_271;
+        let w_273 = minus_l_lambda_loop4_y_lambda_loop3_x * w_268;
+        let w_274 = l_lambda_loop4_y_lambda_loop3_y * w_269;
+        let w_275 = w_262 + w_263 + w_264 + w_273 - w_274
+            - l_lambda_loop4_y_lambda_loop4_x * w_272;
+        let w_276 = w_265 + w_266 - w_267 - w_270 - w_271
+            - l_lambda_loop6_x_lambda_loop4_x * w_272
+            - l_lambda_loop6_x_lambda_loop4_y * w_275;
+        let w_277 = inverse_lambda_loop6_y
+            * (w_262 + w_263 + w_264 + w_273 - w_274
+                - l_lambda_loop6_y_lambda_loop4_x * w_272
+                - l_lambda_loop6_y_lambda_loop4_y * w_275
+                - l_lambda_loop6_y_lambda_loop6_x * w_276);
+        let w_278 = inverse_lambda_loop6_x * w_276
+            - l_lambda_loop6_y_lambda_loop6_x * w_277;
+        let w_279 = inverse_lambda_loop4_y * w_275
+            - l_lambda_loop6_x_lambda_loop4_y * w_278
+            - l_lambda_loop6_y_lambda_loop4_y * w_277;
+        let w_280 = inverse_lambda_loop4_x * w_272
+            - l_lambda_loop4_y_lambda_loop4_x * w_279
+            - l_lambda_loop6_x_lambda_loop4_x * w_278
+            - l_lambda_loop6_y_lambda_loop4_x * w_277;
+        let w_281 = inverse_lambda_loop3_y * w_269
+            - l_lambda_loop4_x_lambda_loop3_y * w_280
+            - l_lambda_loop4_y_lambda_loop3_y * w_279
+            - l_lambda_loop4_x_lambda_loop3_y * w_278
+            - l_lambda_loop4_y_lambda_loop3_y * w_277;
+        let w_282 = minus_l_lambda_loop3_y_lambda_loop3_x * w_281
+            - minus_inverse_lambda_loop3_x * w_268
+            - l_lambda_loop4_x_lambda_loop3_x * w_280
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_279
+            - l_lambda_loop4_x_lambda_loop3_x * w_278
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_277;
+        let w_283 = inverse_Theta * w_261 - l_lambda_loop3_x_Theta * w_282
+            + minus_l_lambda_loop3_y_Theta * w_281 - l_lambda_loop3_x_Theta * w_280
+            + minus_l_lambda_loop3_y_Theta * w_279 - l_lambda_loop3_x_Theta * w_278
+            + minus_l_lambda_loop3_y_Theta * w_277;
+        let w_284 = inverse_beta * w_260 + l_Theta_beta * w_283
+            + l_lambda_loop3_x_beta * w_282 + l_lambda_loop3_y_beta * w_281
+            + l_lambda_loop3_x_beta * w_280 + l_lambda_loop3_y_beta * w_279
+            + l_lambda_loop3_x_beta * w_278 + l_lambda_loop3_y_beta * w_277;
+        let w_285 = u2_x * (w_80 + Theta_dot + beta_dot);
+        let w_286 = self.da * w_285;
+        let w_287 = u2_y * (Theta_dot + w_80 + beta_dot);
+        let w_288 = self.da * w_287;
+        let w_289 = self.m2 * (w_15 * w_286 - w_17 * w_288);
+        let w_290 = self.k_2 * (u2_x * w_288 - u2_y * w_286) - l_Theta_beta * w_289;
+        let w_291 = self.d * w_285;
+        let w_292 = l_lambda_loop3_x_beta * w_289;
+        let w_293 = l_lambda_loop3_x_Theta * w_290;
+        let w_294 = w_291 + w_292 + w_293;
+        let w_295 = minus_l_lambda_loop3_y_Theta * w_290;
+        let w_296 = self.d * w_287;
+        let w_297 = l_lambda_loop3_y_beta * w_289;
+        let w_298 = w_295 - w_296 - w_297
+            - minus_l_lambda_loop3_y_lambda_loop3_x * w_294;
+        let w_299 = l_lambda_loop4_x_lambda_loop3_x * w_294;
+        let w_300 = l_lambda_loop4_x_lambda_loop3_y * w_298;
+        let w_301 = w_299 - w_291 - w_292 - w_293 - w_300;
+        let w_302 = minus_l_lambda_loop4_y_lambda_loop3_x * w_294;
+        let w_303 = l_lambda_loop4_y_lambda_loop3_y * w_298;
+        let w_304 = w_295 - w_296 - w_297 - w_302 - w_303
+            - l_lambda_loop4_y_lambda_loop4_x * w_301;
+        let w_305 = w_299 - w_291 - w_292 - w_293 - w_300
+            - l_lambda_loop6_x_lambda_loop4_x * w_301
+            - l_lambda_loop6_x_lambda_loop4_y * w_304;
+        let w_306 = inverse_lambda_loop6_y
+            * (w_295 - w_296 - w_297 - w_302 - w_303
+                - l_lambda_loop6_y_lambda_loop4_x * w_301
+                - l_lambda_loop6_y_lambda_loop4_y * w_304
+                - l_lambda_loop6_y_lambda_loop6_x * w_305);
+        let w_307 = inverse_lambda_loop6_x * w_305
+            - l_lambda_loop6_y_lambda_loop6_x * w_306;
+        let w_308 = inverse_lambda_loop4_y * w_304
+            - l_lambda_loop6_x_lambda_loop4_y * w_307
+            - l_lambda_loop6_y_lambda_loop4_y * w_306;
+        let w_309 = inverse_lambda_loop4_x * w_301
+            - l_lambda_loop4_y_lambda_loop4_x * w_308
+            - l_lambda_loop6_x_lambda_loop4_x * w_307
+            - l_lambda_loop6_y_lambda_loop4_x * w_306;
+        let w_310 = inverse_lambda_loop3_y * w_298
+            - l_lambda_loop4_x_lambda_loop3_y * w_309
+            - l_lambda_loop4_y_lambda_loop3_y * w_308
+            - l_lambda_loop4_x_lambda_loop3_y * w_307
+            - l_lambda_loop4_y_lambda_loop3_y * w_306;
+        let w_311 = minus_inverse_lambda_loop3_x * w_294
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_310
+            - l_lambda_loop4_x_lambda_loop3_x * w_309
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_308
+            - l_lambda_loop4_x_lambda_loop3_x * w_307
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_306;
+        let w_312 = inverse_Theta * w_290 - l_lambda_loop3_x_Theta * w_311
+            + minus_l_lambda_loop3_y_Theta * w_310 - l_lambda_loop3_x_Theta * w_309
+            + minus_l_lambda_loop3_y_Theta * w_308 - l_lambda_loop3_x_Theta * w_307
+            + minus_l_lambda_loop3_y_Theta * w_306;
+        let w_313 = self.m3 * (w_19 * w_20 * gamma_dot - w_20 * w_19 * gamma_dot);
+        let w_314 = gamma_dot * self.k_28;
+        let w_315 = minus_l_lambda_loop3_x_gamma * w_313 - u3_y * w_314;
+        let w_316 = l_lambda_loop4_x_lambda_loop3_x * w_315;
+        let w_317 = u3_x * w_314 + minus_l_lambda_loop3_y_gamma * w_313
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_315;
+        let w_318 = l_lambda_loop4_x_lambda_loop3_y * w_317;
+        let w_319 = w_316 + w_318;
+        let w_320 = minus_l_lambda_loop4_y_lambda_loop3_x * w_315;
+        let w_321 = l_lambda_loop4_y_lambda_loop3_y * w_317;
+        let w_322 = w_320 - w_321 + l_lambda_loop4_y_lambda_loop4_x * w_319;
+        let w_323 = l_lambda_loop6_x_lambda_loop4_x * w_319 - w_316 - w_318
+            - l_lambda_loop6_x_lambda_loop4_y * w_322;
+        let w_324 = inverse_lambda_loop6_y
+            * (w_320 - w_321 + l_lambda_loop6_y_lambda_loop4_x * w_319
+                - l_lambda_loop6_y_lambda_loop4_y * w_322
+                - l_lambda_loop6_y_lambda_loop6_x * w_323);
+        let w_325 = inverse_lambda_loop6_x * w_323
+            - l_lambda_loop6_y_lambda_loop6_x * w_324;
+        let w_326 = inverse_lambda_loop4_y * w_322
+            - l_lambda_loop6_x_lambda_loop4_y * w_325
+            - l_lambda_loop6_y_lambda_loop4_y * w_324;
+        let w_327 = inverse_lambda_loop4_x * w_319
+            + l_lambda_loop4_y_lambda_loop4_x * w_326
+            + l_lambda_loop6_x_lambda_loop4_x * w_325
+            + l_lambda_loop6_y_lambda_loop4_x * w_324;
+        let w_328 = inverse_lambda_loop3_y * w_317
+            + l_lambda_loop4_x_lambda_loop3_y * w_327
+            - l_lambda_loop4_y_lambda_loop3_y * w_326
+            - l_lambda_loop4_x_lambda_loop3_y * w_325
+            - l_lambda_loop4_y_lambda_loop3_y * w_324;
+        let w_329 = minus_l_lambda_loop3_y_lambda_loop3_x * w_328
+            - minus_inverse_lambda_loop3_x * w_315
+            + l_lambda_loop4_x_lambda_loop3_x * w_327
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_326
+            - l_lambda_loop4_x_lambda_loop3_x * w_325
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_324;
+        let w_330 = minus_l_lambda_loop3_y_Theta * w_328 - l_lambda_loop3_x_Theta * w_329
+            + l_lambda_loop3_x_Theta * w_327 + minus_l_lambda_loop3_y_Theta * w_326
+            - l_lambda_loop3_x_Theta * w_325 + minus_l_lambda_loop3_y_Theta * w_324;
+        let w_331 = n4_x * (w_162 + Phi_dot + delta_dot);
+        let w_332 = self.k_4 * w_331;
+        let w_333 = cos_w_2 * (Phi_dot + w_162 + delta_dot);
+        let w_334 = self.k_4 * w_333;
+        let w_335 = self.k_5 * (cos_w_2 * w_332 - n4_x * w_334);
+        let w_336 = self.m4 * (w_42 * w_332 + w_44 * w_334) + l_delta_Phi * w_335;
+        let w_337 = minus_l_lambda_loop4_x_Phi * w_335 - self.ee * w_331
+            + l_lambda_loop4_x_delta * w_336;
+        let w_338 = self.ee * w_333 + minus_l_lambda_loop4_y_Phi * w_335
+            + l_lambda_loop4_y_delta * w_336 - l_lambda_loop4_y_lambda_loop4_x * w_337;
+        let w_339 = l_lambda_loop6_x_lambda_loop4_x * w_337
+            + l_lambda_loop6_x_lambda_loop4_y * w_338;
+        let w_340 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_339
+                - l_lambda_loop6_y_lambda_loop4_x * w_337
+                - l_lambda_loop6_y_lambda_loop4_y * w_338);
+        let w_341 = inverse_lambda_loop6_x * w_339
+            + l_lambda_loop6_y_lambda_loop6_x * w_340;
+        let w_342 = inverse_lambda_loop4_y * w_338
+            + l_lambda_loop6_x_lambda_loop4_y * w_341
+            - l_lambda_loop6_y_lambda_loop4_y * w_340;
+        let w_343 = inverse_lambda_loop4_x * w_337
+            - l_lambda_loop4_y_lambda_loop4_x * w_342
+            + l_lambda_loop6_x_lambda_loop4_x * w_341
+            - l_lambda_loop6_y_lambda_loop4_x * w_340;
+        let w_344 = l_lambda_loop4_x_lambda_loop3_y * w_341
+            - l_lambda_loop4_x_lambda_loop3_y * w_343
+            - l_lambda_loop4_y_lambda_loop3_y * w_342
+            - l_lambda_loop4_y_lambda_loop3_y * w_340;
+        let w_345 = minus_l_lambda_loop3_y_lambda_loop3_x * w_344
+            - l_lambda_loop4_x_lambda_loop3_x * w_343
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_342
+            + l_lambda_loop4_x_lambda_loop3_x * w_341
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_340;
+        let w_346 = minus_l_lambda_loop3_y_Theta * w_344 - l_lambda_loop3_x_Theta * w_345
+            - l_lambda_loop3_x_Theta * w_343 + minus_l_lambda_loop3_y_Theta * w_342
+            + l_lambda_loop3_x_Theta * w_341 + minus_l_lambda_loop3_y_Theta * w_340;
+        let w_347 = n4_x * (w_162 + Phi_dot);
+        let w_348 = delta_dot * (w_43 + w_44) + self.k_4 * w_347;
+        let w_349 = cos_w_2 * (Phi_dot + w_162);
+        let w_350 = self.k_4 * w_349 - delta_dot * (w_42 + w_41);
+        let w_351 = self.k_5 * (cos_w_2 * w_348 - n4_x * w_350);
+        let w_352 = self.m5 * (w_46 * w_45 * delta_dot - w_45 * w_46 * delta_dot)
+            - self.m4 * (w_42 * w_348 + w_44 * w_350) - l_delta_Phi * w_351;
+        let w_353 = minus_l_lambda_loop4_x_Phi * w_351
+            - (delta_dot * (w_43 + minus_loop4_y_by_delta) + self.ee * w_347)
+            - l_lambda_loop4_x_delta * w_352;
+        let w_354 = self.ee * w_349 - delta_dot * (w_41 + loop4_x_by_delta)
+            + minus_l_lambda_loop4_y_Phi * w_351 - l_lambda_loop4_y_delta * w_352
+            - l_lambda_loop4_y_lambda_loop4_x * w_353;
+        let w_355 = l_lambda_loop6_x_lambda_loop4_x * w_353
+            + l_lambda_loop6_x_lambda_loop4_y * w_354;
+        let w_356 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_355
+                - l_lambda_loop6_y_lambda_loop4_x * w_353
+                - l_lambda_loop6_y_lambda_loop4_y * w_354);
+        let w_357 = inverse_lambda_loop6_x * w_355
+            + l_lambda_loop6_y_lambda_loop6_x * w_356;
+        let w_358 = inverse_lambda_loop4_y * w_354
+            + l_lambda_loop6_x_lambda_loop4_y * w_357
+            - l_lambda_loop6_y_lambda_loop4_y * w_356;
+        let w_359 = inverse_lambda_loop4_x * w_353
+            - l_lambda_loop4_y_lambda_loop4_x * w_358
+            + l_lambda_loop6_x_lambda_loop4_x * w_357
+            - l_lambda_loop6_y_lambda_loop4_x * w_356;
+        let w_360 = l_lambda_loop4_x_lambda_loop3_y * w_357
+            - l_lambda_loop4_x_lambda_loop3_y * w_359
+            - l_lambda_loop4_y_lambda_loop3_y * w_358
+            - l_lambda_loop4_y_lambda_loop3_y * w_356;
+        let w_361 = minus_l_lambda_loop3_y_lambda_loop3_x * w_360
+            - l_lambda_loop4_x_lambda_loop3_x * w_359
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_358
+            + l_lambda_loop4_x_lambda_loop3_x * w_357
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_356;
+        let w_362 = minus_l_lambda_loop3_y_Theta * w_360 - l_lambda_loop3_x_Theta * w_361
+            - l_lambda_loop3_x_Theta * w_359 + minus_l_lambda_loop3_y_Theta * w_358
+            + l_lambda_loop3_x_Theta * w_357 + minus_l_lambda_loop3_y_Theta * w_356;
+        let w_363 = u6_x * (w_203 + Omega_dot + epsilon_dot);
+        let w_364 = u6_y * (Omega_dot + w_203 + epsilon_dot);
+        let w_365 = self.k_10 * w_364;
+        let w_366 = self.k_10 * w_363;
+        let w_367 = self.k_11 * (u6_x * w_365 - u6_y * w_366);
+        let w_368 = self.m6 * (w_64 * w_366 + w_66 * w_365) - l_epsilon_Omega * w_367;
+        let w_369 = self.zf * w_363 + l_lambda_loop6_x_Omega * w_367
+            + l_lambda_loop6_x_epsilon * w_368;
+        let w_370 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_367 - self.zf * w_364
+                - l_lambda_loop6_y_epsilon * w_368
+                + l_lambda_loop6_y_lambda_loop6_x * w_369);
+        let w_371 = inverse_lambda_loop6_x * w_369
+            + l_lambda_loop6_y_lambda_loop6_x * w_370;
+        let w_372 = l_lambda_loop6_x_lambda_loop4_y * w_371
+            - l_lambda_loop6_y_lambda_loop4_y * w_370;
+        let w_373 = l_lambda_loop6_x_lambda_loop4_x * w_371
+            - l_lambda_loop4_y_lambda_loop4_x * w_372
+            - l_lambda_loop6_y_lambda_loop4_x * w_370;
+        let w_374 = l_lambda_loop4_x_lambda_loop3_y * w_371
+            - l_lambda_loop4_x_lambda_loop3_y * w_373
+            - l_lambda_loop4_y_lambda_loop3_y * w_372
+            - l_lambda_loop4_y_lambda_loop3_y * w_370;
+        let w_375 = minus_l_lambda_loop3_y_lambda_loop3_x * w_374
+            - l_lambda_loop4_x_lambda_loop3_x * w_373
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_372
+            + l_lambda_loop4_x_lambda_loop3_x * w_371
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_370;
+        let w_376 = minus_l_lambda_loop3_y_Theta * w_374 - l_lambda_loop3_x_Theta * w_375
+            - l_lambda_loop3_x_Theta * w_373 + minus_l_lambda_loop3_y_Theta * w_372
+            + l_lambda_loop3_x_Theta * w_371 + minus_l_lambda_loop3_y_Theta * w_370;
+        let w_377 = u6_x * (w_203 + Omega_dot);
+        let w_378 = epsilon_dot * (w_65 + w_66) + self.k_10 * w_377;
+        let w_379 = u6_y * (Omega_dot + w_203);
+        let w_380 = epsilon_dot * (w_64 + w_63) - self.k_10 * w_379;
+        let w_381 = self.k_11 * (u6_y * w_378 + u6_x * w_380);
+        let w_382 = self.m7 * (w_67 * w_68 * epsilon_dot - w_68 * w_67 * epsilon_dot)
+            + self.m6 * (w_64 * w_378 - w_66 * w_380) + l_epsilon_Omega * w_381;
+        let w_383 = l_lambda_loop6_x_Omega * w_381
+            - (epsilon_dot * (w_65 + minus_loop6_y_by_epsilon) + self.zf * w_377)
+            - l_lambda_loop6_x_epsilon * w_382;
+        let w_384 = inverse_lambda_loop6_y
+            * (epsilon_dot * (w_63 + w_231) - self.zf * w_379
+                - minus_l_lambda_loop6_y_Omega * w_381 - l_lambda_loop6_y_epsilon * w_382
+                - l_lambda_loop6_y_lambda_loop6_x * w_383);
+        let w_385 = inverse_lambda_loop6_x * w_383
+            - l_lambda_loop6_y_lambda_loop6_x * w_384;
+        let w_386 = l_lambda_loop6_x_lambda_loop4_y * w_385
+            + l_lambda_loop6_y_lambda_loop4_y * w_384;
+        let w_387 = l_lambda_loop4_y_lambda_loop4_x * w_386
+            - l_lambda_loop6_x_lambda_loop4_x * w_385
+            - l_lambda_loop6_y_lambda_loop4_x * w_384;
+        let w_388 = l_lambda_loop4_y_lambda_loop3_y * w_386
+            - l_lambda_loop4_x_lambda_loop3_y * w_387
+            - l_lambda_loop4_x_lambda_loop3_y * w_385
+            - l_lambda_loop4_y_lambda_loop3_y * w_384;
+        let w_389 = minus_l_lambda_loop3_y_lambda_loop3_x * w_388
+            - l_lambda_loop4_x_lambda_loop3_x * w_387
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_386
+            - l_lambda_loop4_x_lambda_loop3_x * w_385
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_384;
+        let w_390 = minus_l_lambda_loop3_y_Theta * w_388 - l_lambda_loop3_x_Theta * w_389
+            - l_lambda_loop3_x_Theta * w_387 - minus_l_lambda_loop3_y_Theta * w_386
+            - l_lambda_loop3_x_Theta * w_385 + minus_l_lambda_loop3_y_Theta * w_384;
+        let w_391 = l_lambda_loop4_x_delta * w_280 + l_lambda_loop4_y_delta * w_279;
+        let w_392 = l_lambda_loop4_x_delta * w_309 + l_lambda_loop4_y_delta * w_308;
+        let w_393 = l_lambda_loop4_x_delta * w_327 - l_lambda_loop4_y_delta * w_326;
+        let w_394 = inverse_delta * w_336 + l_lambda_loop4_x_delta * w_343
+            + l_lambda_loop4_y_delta * w_342;
+        let w_395 = inverse_delta * w_352 - l_lambda_loop4_x_delta * w_359
+            - l_lambda_loop4_y_delta * w_358;
+        let w_396 = l_lambda_loop4_x_delta * w_373 + l_lambda_loop4_y_delta * w_372;
+        let w_397 = l_lambda_loop4_y_delta * w_386 - l_lambda_loop4_x_delta * w_387;
+        let w_398 = l_lambda_loop6_x_epsilon * w_278 + l_lambda_loop6_y_epsilon * w_277;
+        let w_399 = l_lambda_loop6_x_epsilon * w_307 + l_lambda_loop6_y_epsilon * w_306;
+        let w_400 = l_lambda_loop6_x_epsilon * w_325 + l_lambda_loop6_y_epsilon * w_324;
+        let w_401 = l_lambda_loop6_x_epsilon * w_341 - l_lambda_loop6_y_epsilon * w_340;
+        let w_402 = l_lambda_loop6_x_epsilon * w_357 - l_lambda_loop6_y_epsilon * w_356;
+        let w_403 = inverse_epsilon * w_368 + l_lambda_loop6_x_epsilon * w_371
+            - l_lambda_loop6_y_epsilon * w_370;
+        let w_404 = inverse_epsilon * w_382 - l_lambda_loop6_x_epsilon * w_385
+            - l_lambda_loop6_y_epsilon * w_384;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    inverse_beta * w_71 - l_Theta_beta * w_98
-                        - l_lambda_loop3_x_beta * w_97 - l_lambda_loop3_y_beta * w_96
-                        - l_lambda_loop3_x_beta * w_95 - l_lambda_loop3_y_beta * w_94
-                        - l_lambda_loop3_x_beta * w_93 - l_lambda_loop3_y_beta * w_92,
-                    inverse_beta * w_107 - l_Theta_beta * w_131
-                        - l_lambda_loop3_x_beta * w_130 - l_lambda_loop3_y_beta * w_129
-                        - l_lambda_loop3_x_beta * w_128 - l_lambda_loop3_y_beta * w_127
-                        - l_lambda_loop3_x_beta * w_126 - l_lambda_loop3_y_beta * w_125,
-                    l_lambda_loop3_x_beta * w_149 - l_Theta_beta * w_152
-                        - l_lambda_loop3_x_beta * w_151 - l_lambda_loop3_y_beta * w_150
-                        - l_lambda_loop3_y_beta * w_148 - l_lambda_loop3_x_beta * w_147
-                        - l_lambda_loop3_y_beta * w_146,
-                    l_lambda_loop3_x_beta * w_172 - l_Theta_beta * w_177
-                        - l_lambda_loop3_x_beta * w_176 - l_lambda_loop3_y_beta * w_175
-                        - l_lambda_loop3_x_beta * w_174 - l_lambda_loop3_y_beta * w_173
-                        - l_lambda_loop3_y_beta * w_171,
+                    inverse_beta * w_75 - l_Theta_beta * w_105
+                        - l_lambda_loop3_x_beta * w_104 - l_lambda_loop3_y_beta * w_103
+                        - l_lambda_loop3_x_beta * w_102 - l_lambda_loop3_y_beta * w_101
+                        - l_lambda_loop3_x_beta * w_100 - l_lambda_loop3_y_beta * w_99,
+                    inverse_beta * w_116 - l_Theta_beta * w_140
+                        - l_lambda_loop3_x_beta * w_139 - l_lambda_loop3_y_beta * w_138
+                        - l_lambda_loop3_x_beta * w_137 - l_lambda_loop3_y_beta * w_136
+                        - l_lambda_loop3_x_beta * w_135 - l_lambda_loop3_y_beta * w_134,
+                    l_lambda_loop3_x_beta * w_158 - l_Theta_beta * w_161
+                        - l_lambda_loop3_x_beta * w_160 - l_lambda_loop3_y_beta * w_159
+                        - l_lambda_loop3_y_beta * w_157 - l_lambda_loop3_x_beta * w_156
+                        - l_lambda_loop3_y_beta * w_155,
                     l_lambda_loop3_x_beta * w_184 - l_Theta_beta * w_189
                         - l_lambda_loop3_x_beta * w_188 - l_lambda_loop3_y_beta * w_187
                         - l_lambda_loop3_x_beta * w_186 - l_lambda_loop3_y_beta * w_185
                         - l_lambda_loop3_y_beta * w_183,
-                    l_lambda_loop3_y_beta * w_208 - l_Theta_beta * w_212
-                        - l_lambda_loop3_x_beta * w_211 - l_lambda_loop3_y_beta * w_210
-                        - l_lambda_loop3_x_beta * w_209 - l_lambda_loop3_x_beta * w_207
-                        - l_lambda_loop3_y_beta * w_206,
-                    l_lambda_loop3_y_beta * w_219 - l_Theta_beta * w_223
-                        - l_lambda_loop3_x_beta * w_222 - l_lambda_loop3_y_beta * w_221
-                        - l_lambda_loop3_x_beta * w_220 - l_lambda_loop3_x_beta * w_218
-                        - l_lambda_loop3_y_beta * w_217,
+                    l_lambda_loop3_x_beta * w_197 - l_Theta_beta * w_202
+                        - l_lambda_loop3_x_beta * w_201 - l_lambda_loop3_y_beta * w_200
+                        - l_lambda_loop3_x_beta * w_199 - l_lambda_loop3_y_beta * w_198
+                        - l_lambda_loop3_y_beta * w_196,
+                    l_lambda_loop3_y_beta * w_224 - l_Theta_beta * w_228
+                        - l_lambda_loop3_x_beta * w_227 - l_lambda_loop3_y_beta * w_226
+                        - l_lambda_loop3_x_beta * w_225 - l_lambda_loop3_x_beta * w_223
+                        - l_lambda_loop3_y_beta * w_222,
+                    l_lambda_loop3_y_beta * w_237 - l_Theta_beta * w_241
+                        - l_lambda_loop3_x_beta * w_240 - l_lambda_loop3_y_beta * w_239
+                        - l_lambda_loop3_x_beta * w_238 - l_lambda_loop3_x_beta * w_236
+                        - l_lambda_loop3_y_beta * w_235,
                 ],
-                [w_98, w_131, w_152, w_177, w_189, w_212, w_223],
+                [w_105, w_140, w_161, w_189, w_202, w_228, w_241],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_97
-                        + minus_l_lambda_loop3_y_gamma * w_96,
-                    minus_l_lambda_loop3_x_gamma * w_130
-                        + minus_l_lambda_loop3_y_gamma * w_129,
-                    inverse_gamma * w_136 + minus_l_lambda_loop3_x_gamma * w_151
-                        + minus_l_lambda_loop3_y_gamma * w_150,
-                    minus_l_lambda_loop3_x_gamma * w_176
-                        + minus_l_lambda_loop3_y_gamma * w_175,
+                    minus_l_lambda_loop3_x_gamma * w_104
+                        + minus_l_lambda_loop3_y_gamma * w_103,
+                    minus_l_lambda_loop3_x_gamma * w_139
+                        + minus_l_lambda_loop3_y_gamma * w_138,
+                    inverse_gamma * w_145 + minus_l_lambda_loop3_x_gamma * w_160
+                        + minus_l_lambda_loop3_y_gamma * w_159,
                     minus_l_lambda_loop3_x_gamma * w_188
                         + minus_l_lambda_loop3_y_gamma * w_187,
-                    minus_l_lambda_loop3_x_gamma * w_211
-                        + minus_l_lambda_loop3_y_gamma * w_210,
-                    minus_l_lambda_loop3_x_gamma * w_222
-                        + minus_l_lambda_loop3_y_gamma * w_221,
+                    minus_l_lambda_loop3_x_gamma * w_201
+                        + minus_l_lambda_loop3_y_gamma * w_200,
+                    minus_l_lambda_loop3_x_gamma * w_227
+                        + minus_l_lambda_loop3_y_gamma * w_226,
+                    minus_l_lambda_loop3_x_gamma * w_240
+                        + minus_l_lambda_loop3_y_gamma * w_239,
                 ],
                 [
-                    l_delta_Phi * w_224 + minus_l_lambda_loop4_x_Phi * w_95
-                        + minus_l_lambda_loop4_y_Phi * w_94,
-                    l_delta_Phi * w_225 + minus_l_lambda_loop4_x_Phi * w_128
-                        + minus_l_lambda_loop4_y_Phi * w_127,
-                    minus_l_lambda_loop4_y_Phi * w_148 - l_delta_Phi * w_226
-                        - minus_l_lambda_loop4_x_Phi * w_149,
-                    self.inverse_Phi * w_164 - l_delta_Phi * w_227
-                        + minus_l_lambda_loop4_x_Phi * w_174
-                        + minus_l_lambda_loop4_y_Phi * w_173,
-                    self.inverse_Phi * w_162 + l_delta_Phi * w_228
+                    l_delta_Phi * w_242 + minus_l_lambda_loop4_x_Phi * w_102
+                        + minus_l_lambda_loop4_y_Phi * w_101,
+                    l_delta_Phi * w_243 + minus_l_lambda_loop4_x_Phi * w_137
+                        + minus_l_lambda_loop4_y_Phi * w_136,
+                    minus_l_lambda_loop4_y_Phi * w_157 - l_delta_Phi * w_244
+                        - minus_l_lambda_loop4_x_Phi * w_158,
+                    self.inverse_Phi * w_176 - l_delta_Phi * w_245
                         + minus_l_lambda_loop4_x_Phi * w_186
                         + minus_l_lambda_loop4_y_Phi * w_185,
-                    minus_l_lambda_loop4_x_Phi * w_209 - l_delta_Phi * w_229
-                        - minus_l_lambda_loop4_y_Phi * w_208,
-                    minus_l_lambda_loop4_x_Phi * w_220 - l_delta_Phi * w_230
-                        - minus_l_lambda_loop4_y_Phi * w_219,
+                    self.inverse_Phi * w_174 + l_delta_Phi * w_246
+                        + minus_l_lambda_loop4_x_Phi * w_199
+                        + minus_l_lambda_loop4_y_Phi * w_198,
+                    minus_l_lambda_loop4_x_Phi * w_225 - l_delta_Phi * w_247
+                        - minus_l_lambda_loop4_y_Phi * w_224,
+                    minus_l_lambda_loop4_x_Phi * w_238 - l_delta_Phi * w_248
+                        - minus_l_lambda_loop4_y_Phi * w_237,
                 ],
-                [-w_224, -w_225, w_226, w_227, -w_228, w_229, w_230],
+                [-w_242, -w_243, w_244, w_245, -w_246, w_247, w_248],
                 [
-                    l_epsilon_Omega * w_231 - l_lambda_loop6_x_Omega * w_93
-                        + minus_l_lambda_loop6_y_Omega * w_92,
-                    l_epsilon_Omega * w_232 - l_lambda_loop6_x_Omega * w_126
-                        + minus_l_lambda_loop6_y_Omega * w_125,
-                    l_epsilon_Omega * w_233 - l_lambda_loop6_x_Omega * w_147
-                        + minus_l_lambda_loop6_y_Omega * w_146,
-                    l_lambda_loop6_x_Omega * w_172 - l_epsilon_Omega * w_234
-                        + minus_l_lambda_loop6_y_Omega * w_171,
-                    l_lambda_loop6_x_Omega * w_184 - l_epsilon_Omega * w_235
+                    l_epsilon_Omega * w_249 - l_lambda_loop6_x_Omega * w_100
+                        + minus_l_lambda_loop6_y_Omega * w_99,
+                    l_epsilon_Omega * w_250 - l_lambda_loop6_x_Omega * w_135
+                        + minus_l_lambda_loop6_y_Omega * w_134,
+                    l_epsilon_Omega * w_251 - l_lambda_loop6_x_Omega * w_156
+                        + minus_l_lambda_loop6_y_Omega * w_155,
+                    l_lambda_loop6_x_Omega * w_184 - l_epsilon_Omega * w_252
                         + minus_l_lambda_loop6_y_Omega * w_183,
-                    self.inverse_Omega * w_202 - l_epsilon_Omega * w_236
-                        - l_lambda_loop6_x_Omega * w_207
-                        + minus_l_lambda_loop6_y_Omega * w_206,
-                    self.inverse_Omega * w_200 - l_epsilon_Omega * w_237
-                        - l_lambda_loop6_x_Omega * w_218
-                        + minus_l_lambda_loop6_y_Omega * w_217,
+                    l_lambda_loop6_x_Omega * w_197 - l_epsilon_Omega * w_253
+                        + minus_l_lambda_loop6_y_Omega * w_196,
+                    self.inverse_Omega * w_218 - l_epsilon_Omega * w_254
+                        - l_lambda_loop6_x_Omega * w_223
+                        + minus_l_lambda_loop6_y_Omega * w_222,
+                    self.inverse_Omega * w_216 - l_epsilon_Omega * w_255
+                        - l_lambda_loop6_x_Omega * w_236
+                        + minus_l_lambda_loop6_y_Omega * w_235,
                 ],
-                [-w_231, -w_232, -w_233, w_234, w_235, w_236, w_237],
+                [-w_249, -w_250, -w_251, w_252, w_253, w_254, w_255],
             ],
             accelerations_by_speeds: [
                 [
-                    -w_266,
-                    inverse_beta * w_271 - l_Theta_beta * w_294
-                        - l_lambda_loop3_x_beta * w_293 - l_lambda_loop3_y_beta * w_292
-                        - l_lambda_loop3_x_beta * w_291 - l_lambda_loop3_y_beta * w_290
-                        - l_lambda_loop3_x_beta * w_289 - l_lambda_loop3_y_beta * w_288,
-                    l_lambda_loop3_x_beta * w_308 - l_Theta_beta * w_311
-                        - l_lambda_loop3_x_beta * w_310 - l_lambda_loop3_y_beta * w_309
-                        - l_lambda_loop3_y_beta * w_307 - l_lambda_loop3_x_beta * w_306
-                        - l_lambda_loop3_y_beta * w_305,
-                    l_lambda_loop3_x_beta * w_322 - l_Theta_beta * w_327
-                        - l_lambda_loop3_x_beta * w_326 - l_lambda_loop3_y_beta * w_325
-                        - l_lambda_loop3_x_beta * w_324 - l_lambda_loop3_y_beta * w_323
-                        - l_lambda_loop3_y_beta * w_321,
-                    l_lambda_loop3_x_beta * w_338 - l_Theta_beta * w_343
-                        - l_lambda_loop3_x_beta * w_342 - l_lambda_loop3_y_beta * w_341
-                        - l_lambda_loop3_x_beta * w_340 - l_lambda_loop3_y_beta * w_339
-                        - l_lambda_loop3_y_beta * w_337,
-                    l_lambda_loop3_x_beta * w_352 - l_Theta_beta * w_357
-                        - l_lambda_loop3_x_beta * w_356 - l_lambda_loop3_y_beta * w_355
-                        - l_lambda_loop3_x_beta * w_354 - l_lambda_loop3_y_beta * w_353
-                        - l_lambda_loop3_y_beta * w_351,
-                    l_lambda_loop3_y_beta * w_367 - l_Theta_beta * w_371
-                        - l_lambda_loop3_x_beta * w_370 - l_lambda_loop3_y_beta * w_369
-                        - l_lambda_loop3_x_beta * w_368 - l_lambda_loop3_x_beta * w_366
-                        - l_lambda_loop3_y_beta * w_365,
+                    -w_284,
+                    inverse_beta * w_289 - l_Theta_beta * w_312
+                        - l_lambda_loop3_x_beta * w_311 - l_lambda_loop3_y_beta * w_310
+                        - l_lambda_loop3_x_beta * w_309 - l_lambda_loop3_y_beta * w_308
+                        - l_lambda_loop3_x_beta * w_307 - l_lambda_loop3_y_beta * w_306,
+                    l_lambda_loop3_x_beta * w_327 - l_Theta_beta * w_330
+                        - l_lambda_loop3_x_beta * w_329 - l_lambda_loop3_y_beta * w_328
+                        - l_lambda_loop3_y_beta * w_326 - l_lambda_loop3_x_beta * w_325
+                        - l_lambda_loop3_y_beta * w_324,
+                    l_lambda_loop3_x_beta * w_341 - l_Theta_beta * w_346
+                        - l_lambda_loop3_x_beta * w_345 - l_lambda_loop3_y_beta * w_344
+                        - l_lambda_loop3_x_beta * w_343 - l_lambda_loop3_y_beta * w_342
+                        - l_lambda_loop3_y_beta * w_340,
+                    l_lambda_loop3_x_beta * w_357 - l_Theta_beta * w_362
+                        - l_lambda_loop3_x_beta * w_361 - l_lambda_loop3_y_beta * w_360
+                        - l_lambda_loop3_x_beta * w_359 - l_lambda_loop3_y_beta * w_358
+                        - l_lambda_loop3_y_beta * w_356,
+                    l_lambda_loop3_x_beta * w_371 - l_Theta_beta * w_376
+                        - l_lambda_loop3_x_beta * w_375 - l_lambda_loop3_y_beta * w_374
+                        - l_lambda_loop3_x_beta * w_373 - l_lambda_loop3_y_beta * w_372
+                        - l_lambda_loop3_y_beta * w_370,
+                    l_lambda_loop3_y_beta * w_386 - l_Theta_beta * w_390
+                        - l_lambda_loop3_x_beta * w_389 - l_lambda_loop3_y_beta * w_388
+                        - l_lambda_loop3_x_beta * w_387 - l_lambda_loop3_x_beta * w_385
+                        - l_lambda_loop3_y_beta * w_384,
                 ],
-                [w_265, w_294, w_311, w_327, w_343, w_357, w_371],
+                [w_283, w_312, w_330, w_346, w_362, w_376, w_390],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_264
-                        + minus_l_lambda_loop3_y_gamma * w_263,
-                    minus_l_lambda_loop3_x_gamma * w_293
-                        + minus_l_lambda_loop3_y_gamma * w_292,
-                    inverse_gamma * w_295 + minus_l_lambda_loop3_x_gamma * w_310
-                        + minus_l_lambda_loop3_y_gamma * w_309,
-                    minus_l_lambda_loop3_x_gamma * w_326
-                        + minus_l_lambda_loop3_y_gamma * w_325,
-                    minus_l_lambda_loop3_x_gamma * w_342
-                        + minus_l_lambda_loop3_y_gamma * w_341,
-                    minus_l_lambda_loop3_x_gamma * w_356
-                        + minus_l_lambda_loop3_y_gamma * w_355,
-                    minus_l_lambda_loop3_x_gamma * w_370
-                        + minus_l_lambda_loop3_y_gamma * w_369,
+                    minus_l_lambda_loop3_x_gamma * w_282
+                        + minus_l_lambda_loop3_y_gamma * w_281,
+                    minus_l_lambda_loop3_x_gamma * w_311
+                        + minus_l_lambda_loop3_y_gamma * w_310,
+                    inverse_gamma * w_313 + minus_l_lambda_loop3_x_gamma * w_329
+                        + minus_l_lambda_loop3_y_gamma * w_328,
+                    minus_l_lambda_loop3_x_gamma * w_345
+                        + minus_l_lambda_loop3_y_gamma * w_344,
+                    minus_l_lambda_loop3_x_gamma * w_361
+                        + minus_l_lambda_loop3_y_gamma * w_360,
+                    minus_l_lambda_loop3_x_gamma * w_375
+                        + minus_l_lambda_loop3_y_gamma * w_374,
+                    minus_l_lambda_loop3_x_gamma * w_389
+                        + minus_l_lambda_loop3_y_gamma * w_388,
                 ],
                 [
-                    l_delta_Phi * w_372 + minus_l_lambda_loop4_x_Phi * w_262
-                        + minus_l_lambda_loop4_y_Phi * w_261,
-                    l_delta_Phi * w_373 + minus_l_lambda_loop4_x_Phi * w_291
-                        + minus_l_lambda_loop4_y_Phi * w_290,
-                    minus_l_lambda_loop4_y_Phi * w_307 - l_delta_Phi * w_374
-                        - minus_l_lambda_loop4_x_Phi * w_308,
-                    self.inverse_Phi * w_316 + l_delta_Phi * w_375
-                        + minus_l_lambda_loop4_x_Phi * w_324
-                        + minus_l_lambda_loop4_y_Phi * w_323,
-                    self.inverse_Phi * w_332 - l_delta_Phi * w_376
-                        + minus_l_lambda_loop4_x_Phi * w_340
-                        + minus_l_lambda_loop4_y_Phi * w_339,
-                    l_delta_Phi * w_377 + minus_l_lambda_loop4_x_Phi * w_354
-                        + minus_l_lambda_loop4_y_Phi * w_353,
-                    minus_l_lambda_loop4_x_Phi * w_368 - l_delta_Phi * w_378
-                        - minus_l_lambda_loop4_y_Phi * w_367,
+                    l_delta_Phi * w_391 + minus_l_lambda_loop4_x_Phi * w_280
+                        + minus_l_lambda_loop4_y_Phi * w_279,
+                    l_delta_Phi * w_392 + minus_l_lambda_loop4_x_Phi * w_309
+                        + minus_l_lambda_loop4_y_Phi * w_308,
+                    minus_l_lambda_loop4_y_Phi * w_326 - l_delta_Phi * w_393
+                        - minus_l_lambda_loop4_x_Phi * w_327,
+                    self.inverse_Phi * w_335 + l_delta_Phi * w_394
+                        + minus_l_lambda_loop4_x_Phi * w_343
+                        + minus_l_lambda_loop4_y_Phi * w_342,
+                    self.inverse_Phi * w_351 - l_delta_Phi * w_395
+                        + minus_l_lambda_loop4_x_Phi * w_359
+                        + minus_l_lambda_loop4_y_Phi * w_358,
+                    l_delta_Phi * w_396 + minus_l_lambda_loop4_x_Phi * w_373
+                        + minus_l_lambda_loop4_y_Phi * w_372,
+                    minus_l_lambda_loop4_x_Phi * w_387 - l_delta_Phi * w_397
+                        - minus_l_lambda_loop4_y_Phi * w_386,
                 ],
-                [-w_372, -w_373, w_374, -w_375, w_376, -w_377, w_378],
+                [-w_391, -w_392, w_393, -w_394, w_395, -w_396, w_397],
                 [
-                    l_epsilon_Omega * w_379 - l_lambda_loop6_x_Omega * w_260
-                        + minus_l_lambda_loop6_y_Omega * w_259,
-                    l_epsilon_Omega * w_380 - l_lambda_loop6_x_Omega * w_289
-                        + minus_l_lambda_loop6_y_Omega * w_288,
-                    l_epsilon_Omega * w_381 - l_lambda_loop6_x_Omega * w_306
-                        + minus_l_lambda_loop6_y_Omega * w_305,
-                    l_lambda_loop6_x_Omega * w_322 - l_epsilon_Omega * w_382
-                        + minus_l_lambda_loop6_y_Omega * w_321,
-                    l_lambda_loop6_x_Omega * w_338 - l_epsilon_Omega * w_383
-                        + minus_l_lambda_loop6_y_Omega * w_337,
-                    self.inverse_Omega * w_348 - l_epsilon_Omega * w_384
-                        + l_lambda_loop6_x_Omega * w_352
-                        + minus_l_lambda_loop6_y_Omega * w_351,
-                    minus_l_lambda_loop6_y_Omega * w_365 - self.inverse_Omega * w_362
-                        - l_epsilon_Omega * w_385 - l_lambda_loop6_x_Omega * w_366,
+                    l_epsilon_Omega * w_398 - l_lambda_loop6_x_Omega * w_278
+                        + minus_l_lambda_loop6_y_Omega * w_277,
+                    l_epsilon_Omega * w_399 - l_lambda_loop6_x_Omega * w_307
+                        + minus_l_lambda_loop6_y_Omega * w_306,
+                    l_epsilon_Omega * w_400 - l_lambda_loop6_x_Omega * w_325
+                        + minus_l_lambda_loop6_y_Omega * w_324,
+                    l_lambda_loop6_x_Omega * w_341 - l_epsilon_Omega * w_401
+                        + minus_l_lambda_loop6_y_Omega * w_340,
+                    l_lambda_loop6_x_Omega * w_357 - l_epsilon_Omega * w_402
+                        + minus_l_lambda_loop6_y_Omega * w_356,
+                    self.inverse_Omega * w_367 - l_epsilon_Omega * w_403
+                        + l_lambda_loop6_x_Omega * w_371
+                        + minus_l_lambda_loop6_y_Omega * w_370,
+                    minus_l_lambda_loop6_y_Omega * w_384 - self.inverse_Omega * w_381
+                        - l_epsilon_Omega * w_404 - l_lambda_loop6_x_Omega * w_385,
                 ],
-                [-w_379, -w_380, -w_381, w_382, w_383, w_384, w_385],
+                [-w_398, -w_399, -w_400, w_401, w_402, w_403, w_404],
             ],
             multipliers_by_positions: [
-                [w_97, w_130, w_151, w_176, w_188, w_211, w_222],
-                [w_96, w_129, w_150, w_175, w_187, w_210, w_221],
-                [w_95, w_128, -w_149, w_174, w_186, w_209, w_220],
-                [w_94, w_127, w_148, w_173, w_185, -w_208, -w_219],
-                [w_93, w_126, w_147, -w_172, -w_184, w_207, w_218],
-                [w_92, w_125, w_146, w_171, w_183, w_206, w_217],
+                [w_104, w_139, w_160, w_188, w_201, w_227, w_240],
+                [w_103, w_138, w_159, w_187, w_200, w_226, w_239],
+                [w_102, w_137, -w_158, w_186, w_199, w_225, w_238],
+                [w_101, w_136, w_157, w_185, w_198, -w_224, -w_237],
+                [w_100, w_135, w_156, -w_184, -w_197, w_223, w_236],
+                [w_99, w_134, w_155, w_183, w_196, w_222, w_235],
             ],
             multipliers_by_speeds: [
-                [w_264, w_293, w_310, w_326, w_342, w_356, w_370],
-                [w_263, w_292, w_309, w_325, w_341, w_355, w_369],
-                [w_262, w_291, -w_308, w_324, w_340, w_354, w_368],
-                [w_261, w_290, w_307, w_323, w_339, w_353, -w_367],
-                [w_260, w_289, w_306, -w_322, -w_338, -w_352, w_366],
-                [w_259, w_288, w_305, w_321, w_337, w_351, w_365],
+                [w_282, w_311, w_329, w_345, w_361, w_375, w_389],
+                [w_281, w_310, w_328, w_344, w_360, w_374, w_388],
+                [w_280, w_309, -w_327, w_343, w_359, w_373, w_387],
+                [w_279, w_308, w_326, w_342, w_358, w_372, -w_386],
+                [w_278, w_307, w_325, -w_341, -w_357, -w_371, w_385],
+                [w_277, w_306, w_324, w_340, w_356, w_370, w_384],
             ],
-            refused: sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
-                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
-                | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
-                | sim_kernel::pivot_is_refused(
-                    self.mass_Omega_Omega,
-                    self.mass_Omega_Omega,
-                ) | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
-                | sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+            refused: sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
+                | sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
                 | sim_kernel::pivot_is_refused(pivot_Theta, self.mass_Theta_Theta)
+                | sim_kernel::pivot_is_refused(self.mass_Phi_Phi, self.mass_Phi_Phi)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop3_x,
                     minus_pivot_lambda_loop3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_16)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_45)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_54)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_64)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
+                ) | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_49)
+                | sim_kernel::pivot_is_refused(
+                    self.mass_Omega_Omega,
+                    self.mass_Omega_Omega,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_57)
+                | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_70)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_72)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_73),
         }
     }
 }

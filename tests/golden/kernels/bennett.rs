@@ -512,22 +512,43 @@ pub struct BennettPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Bennett<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 5 additions, 166 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
+    /// Operations: 5 additions, 113 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn prepare(&self) -> BennettPrepared<S> {
         let ([sin_alpha], [cos_alpha]) = S::sin_cos_each([self.alpha]);
         let w = sin_alpha * self.b;
         let beta = (w / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
+        let w_2 = self.a * cos_alpha;
+        let w_3 = self.a * sin_alpha;
         let sin_alpha_squared = sin_alpha * sin_alpha;
-        let w_2 = self.J * S::from_f64(0.98) * sin_alpha_squared;
-        let w_3 = S::from_f64(2.0) * self.J;
+        let w_4 = S::from_f64(2.0) * self.a;
+        let w_5 = cos_alpha * w_4;
+        let w_6 = self.J * S::from_f64(0.98);
+        let w_7 = sin_alpha_squared * w_6;
+        let w_8 = self.m * S::from_f64(0.25);
+        let w_9 = self.J * S::from_f64(0.02);
+        let w_10 = S::from_f64(2.0) * self.J;
         let a_squared = self.a * self.a;
-        let w_4 = a_squared * self.m * S::from_f64(0.25);
+        let w_11 = a_squared * w_8;
         let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_12 = S::from_f64(2.0) * self.b;
         let b_squared = self.b * self.b;
         let cos_beta_squared = cos_beta * cos_beta;
         let sin_beta_squared = sin_beta * sin_beta;
+        let w_13 = cos_alpha * sin_alpha;
+        let w_14 = self.J * S::from_f64(49.0);
+        let w_15 = self.J * S::from_f64(50.0);
+        let w_16 = sin_alpha * w_15;
+        let w_17 = S::from_f64(2.0) * self.g;
+        let w_18 = sin_alpha * self.g;
+        let w_19 = self.m * S::from_f64(0.5);
+        let w_20 = S::from_f64(2.0) * sin_alpha;
+        let w_21 = self.a * w_20;
+        let w_22 = S::from_f64(2.0) * cos_alpha;
+        let w_23 = cos_beta * sin_beta;
+        let w_24 = S::from_f64(2.0) * cos_alpha_squared;
+        let w_25 = cos_alpha * w_20;
         BennettPrepared {
             J: self.J,
             a: self.a,
@@ -543,97 +564,96 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             k_4: cos_alpha * cos_beta,
             k_5: sin_alpha * sin_beta,
             k_6: cos_alpha * self.b,
-            k_7: self.a * cos_alpha,
-            k_8: self.a * sin_alpha,
+            k_7: w_2,
+            k_8: w_3,
             sin_alpha_squared: sin_alpha_squared,
-            k_9: S::from_f64(2.0) * self.a * cos_alpha,
-            k_10: S::from_f64(2.0) * self.a * sin_alpha,
+            k_9: w_5,
+            k_10: sin_alpha * w_4,
             k_11: S::from_f64(2.0) * sin_beta,
             k_12: S::from_f64(2.0) * cos_beta,
-            k_13: w_2,
-            k_14: self.m * S::from_f64(0.25),
-            k_15: self.J * S::from_f64(0.02),
-            k_16: w_3 + w_4,
-            k_17: a_squared * self.m * cos_alpha_squared - w_2,
+            k_13: w_7,
+            k_14: w_8,
+            k_15: w_9,
+            k_16: w_10 + w_11,
+            k_17: a_squared * self.m * cos_alpha_squared - w_7,
             k_18: self.a * cos_beta,
-            k_19: S::from_f64(2.0) * self.b * cos_beta,
+            k_19: cos_beta * w_12,
             k_20: self.a * sin_beta,
-            k_21: S::from_f64(2.0) * self.b * sin_beta,
+            k_21: sin_beta * w_12,
             k_22: self.J * cos_alpha,
             k_23: self.J * sin_beta,
             k_24: self.J * cos_beta,
             k_25: self.m * self.b * cos_beta,
-            k_26: self.m * self.b * S::from_f64(0.25),
-            k_27: self.J * sin_beta * S::from_f64(0.02),
-            k_28: w_3 + self.m * S::from_f64(0.25) * b_squared,
-            k_29: self.m * b_squared * cos_beta_squared
-                - self.J * S::from_f64(0.98) * sin_beta_squared,
-            k_30: self.a * self.m * S::from_f64(0.25),
-            mass_theta3_theta3: self.J + w_4,
-            k_31: cos_alpha * sin_alpha * sin_beta,
+            k_26: self.b * w_8,
+            k_27: sin_beta * w_9,
+            k_28: w_10 + w_8 * b_squared,
+            k_29: self.m * b_squared * cos_beta_squared - w_6 * sin_beta_squared,
+            k_30: self.a * w_8,
+            mass_theta3_theta3: self.J + w_11,
+            k_31: sin_beta * w_13,
             k_32: cos_alpha_squared * sin_beta,
-            k_33: self.J * sin_alpha * S::from_f64(49.0),
-            k_34: self.J * sin_alpha * S::from_f64(50.0),
-            k_35: self.J * S::from_f64(49.0),
-            k_36: self.J * S::from_f64(50.0),
-            k_37: self.J * sin_alpha * sin_beta * S::from_f64(50.0),
+            k_33: sin_alpha * w_14,
+            k_34: w_16,
+            k_35: w_14,
+            k_36: w_15,
+            k_37: sin_beta * w_16,
             g: self.g,
-            k_38: S::from_f64(2.0) * cos_alpha * self.g,
+            k_38: cos_alpha * w_17,
             k_39: self.b * sin_alpha_squared,
-            k_40: S::from_f64(2.0) * sin_alpha * self.g,
+            k_40: sin_alpha * w_17,
             k_41: cos_alpha * self.g,
-            k_42: sin_alpha * self.g,
-            k_43: self.J * sin_alpha_squared * S::from_f64(0.02),
+            k_42: w_18,
+            k_43: sin_alpha_squared * w_9,
             k_44: sin_alpha * S::from_f64(0.02),
-            k_45: self.J * cos_alpha * S::from_f64(0.98) * sin_alpha_squared,
-            k_46: self.a * self.m * S::from_f64(0.5) * self.g,
-            k_47: self.a * self.m * cos_alpha * S::from_f64(0.5),
-            k_48: self.m * S::from_f64(0.5),
+            k_45: cos_alpha * sin_alpha_squared * w_6,
+            k_46: self.a * self.g * w_19,
+            k_47: self.a * cos_alpha * w_19,
+            k_48: w_19,
             k_49: sin_beta * S::from_f64(0.02),
             k_50: cos_beta * S::from_f64(0.02),
-            k_51: self.m * self.b * cos_beta * S::from_f64(0.5),
-            k_52: self.J * S::from_f64(0.98),
+            k_51: self.b * cos_beta * w_19,
+            k_52: w_6,
             k_53: self.J * sin_alpha * sin_beta,
-            k_54: S::from_f64(2.0) * self.a * sin_alpha * sin_beta,
-            k_55: S::from_f64(2.0) * self.a * cos_beta,
-            k_56: S::from_f64(2.0) * self.a * cos_alpha * cos_beta,
-            k_57: self.a * sin_alpha * sin_beta,
-            k_58: self.a * cos_alpha * cos_beta,
-            k_59: S::from_f64(2.0) * self.a,
-            k_60: S::from_f64(2.0) * self.b,
-            k_61: S::from_f64(2.0) * cos_alpha * self.b,
-            k_62: self.a * sin_alpha * cos_beta,
-            k_63: S::from_f64(2.0) * self.a * sin_alpha * cos_beta,
-            k_64: self.a * cos_alpha * sin_beta,
-            k_65: S::from_f64(2.0) * cos_alpha * sin_beta,
-            k_66: S::from_f64(2.0) * cos_alpha * cos_beta * sin_beta,
-            k_67: S::from_f64(2.0) * sin_alpha * sin_beta_squared,
-            k_68: cos_alpha * cos_beta * sin_beta,
+            k_54: sin_beta * w_21,
+            k_55: cos_beta * w_4,
+            k_56: cos_beta * w_5,
+            k_57: sin_beta * w_3,
+            k_58: cos_beta * w_2,
+            k_59: w_4,
+            k_60: w_12,
+            k_61: cos_alpha * w_12,
+            k_62: cos_beta * w_3,
+            k_63: cos_beta * w_21,
+            k_64: sin_beta * w_2,
+            k_65: sin_beta * w_22,
+            k_66: w_22 * w_23,
+            k_67: sin_beta_squared * w_20,
+            k_68: cos_alpha * w_23,
             k_69: sin_alpha * sin_beta_squared,
-            k_70: cos_alpha_squared * cos_beta * sin_beta,
-            k_71: cos_alpha * sin_alpha * sin_beta_squared,
-            k_72: cos_beta * sin_beta * sin_alpha_squared,
-            k_73: S::from_f64(2.0) * cos_alpha_squared * cos_beta * sin_beta,
-            k_74: S::from_f64(2.0) * cos_alpha * sin_alpha * sin_beta_squared,
-            k_75: S::from_f64(2.0) * cos_alpha_squared * sin_beta,
-            k_76: S::from_f64(2.0) * cos_alpha * sin_alpha * cos_beta,
-            k_77: cos_alpha * sin_alpha * cos_beta,
-            k_78: cos_alpha * sin_alpha * cos_beta_squared,
-            k_79: S::from_f64(2.0) * cos_alpha * sin_alpha * cos_beta_squared,
-            k_80: S::from_f64(2.0) * cos_beta * sin_beta,
-            k_81: cos_beta * sin_beta,
-            k_82: S::from_f64(2.0) * sin_alpha * cos_beta,
+            k_70: cos_alpha_squared * w_23,
+            k_71: sin_beta_squared * w_13,
+            k_72: sin_alpha_squared * w_23,
+            k_73: w_23 * w_24,
+            k_74: sin_beta_squared * w_25,
+            k_75: sin_beta * w_24,
+            k_76: cos_beta * w_25,
+            k_77: cos_beta * w_13,
+            k_78: cos_beta_squared * w_13,
+            k_79: cos_beta_squared * w_25,
+            k_80: S::from_f64(2.0) * w_23,
+            k_81: w_23,
+            k_82: cos_beta * w_20,
             k_83: sin_alpha * cos_beta_squared,
-            k_84: S::from_f64(2.0) * sin_alpha * cos_beta_squared,
-            k_85: sin_alpha * sin_beta * self.g,
-            k_86: sin_alpha * cos_beta * self.g,
+            k_84: cos_beta_squared * w_20,
+            k_85: sin_beta * w_18,
+            k_86: cos_beta * w_18,
             k_87: self.a * self.m * cos_alpha,
-            k_88: self.m * sin_alpha * S::from_f64(0.5) * self.g,
+            k_88: sin_alpha * self.g * w_19,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
     ///
-    /// Operations: 42 additions, 110 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
+    /// Operations: 42 additions, 101 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
         let [_, theta2, theta3] = *q;
@@ -644,68 +664,71 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             theta3,
         ]);
         let w_2 = cos_alpha * self.b;
-        let w_3 = S::from_f64(2.0) * self.a * cos_alpha;
-        let w_4 = w_2 + cos_theta2 * w_3;
-        let w_5 = sin_alpha * self.b;
-        let w_6 = cos_theta2 * w_5;
-        let w_7 = w_6 + S::from_f64(2.0) * self.a * sin_alpha;
-        let beta = (w_5 / self.a).asin();
+        let w_3 = S::from_f64(2.0) * self.a;
+        let w_4 = cos_alpha * w_3;
+        let w_5 = w_2 + cos_theta2 * w_4;
+        let w_6 = sin_alpha * self.b;
+        let w_7 = cos_theta2 * w_6;
+        let w_8 = w_7 + sin_alpha * w_3;
+        let beta = (w_6 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_8 = cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta;
-        let w_9 = self.a * cos_alpha;
-        let w_10 = w_2 + cos_theta2 * w_9;
-        let w_11 = w_6 + self.a * sin_alpha;
-        let w_12 = cos_beta * w_10 - sin_beta * w_11;
-        let w_13 = self.a * w_8 + S::from_f64(2.0) * cos_theta3 * w_12
-            - sin_theta2 * sin_theta3 * w_3;
-        let w_14 = cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta;
-        let w_15 = w_14 * cos_theta3 - sin_theta2 * sin_alpha * sin_theta3;
-        let w_16 = self.a * w_15 + w_10 * S::from_f64(2.0) * sin_beta
-            + w_11 * S::from_f64(2.0) * cos_beta;
-        let w_17 = w * (w_4 * w_4 + w_7 * w_7 + w_13 * w_13 + w_16 * w_16);
-        let w_18 = S::from_f64(2.0) * self.J;
+        let w_9 = cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta;
+        let w_10 = self.a * cos_alpha;
+        let w_11 = w_2 + cos_theta2 * w_10;
+        let w_12 = w_7 + self.a * sin_alpha;
+        let w_13 = cos_beta * w_11 - sin_beta * w_12;
+        let w_14 = self.a * w_9 + S::from_f64(2.0) * cos_theta3 * w_13
+            - sin_theta2 * sin_theta3 * w_4;
+        let w_15 = cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta;
+        let w_16 = sin_theta2 * sin_alpha;
+        let w_17 = w_15 * cos_theta3 - sin_theta3 * w_16;
+        let w_18 = self.a * w_17 + w_11 * S::from_f64(2.0) * sin_beta
+            + w_12 * S::from_f64(2.0) * cos_beta;
+        let w_19 = w * (w_5 * w_5 + w_8 * w_8 + w_14 * w_14 + w_18 * w_18);
+        let w_20 = S::from_f64(2.0) * self.J;
         let a_squared = self.a * self.a;
-        let w_19 = a_squared * self.m * S::from_f64(0.25);
-        let w_20 = sin_theta2 * sin_theta2
+        let w_21 = a_squared * w;
+        let w_22 = self.J * S::from_f64(0.98);
+        let w_23 = sin_theta2 * sin_theta2
             * (a_squared * self.m * cos_alpha * cos_alpha
-                - self.J * S::from_f64(0.98) * sin_alpha * sin_alpha);
-        let w_21 = sin_theta2 * cos_theta3 * w_9 + sin_theta3 * w_12;
-        let w_22 = sin_theta2 * sin_alpha * cos_theta3 + w_14 * sin_theta3;
-        let w_23 = sin_theta3
-            * (w_21 * self.m * self.b * cos_beta
-                + w_22 * self.J * sin_beta * S::from_f64(0.02));
-        let w_24 = self.a * cos_beta + cos_theta3 * S::from_f64(2.0) * self.b * cos_beta;
-        let w_25 = cos_theta3 * self.a * sin_beta + S::from_f64(2.0) * self.b * sin_beta;
-        let w_26 = self.J * cos_beta;
-        let mass_theta2_theta1 = w_23 + w * (w_13 * w_24 + w_16 * w_25)
-            + self.J * cos_alpha + cos_theta3 * w_15 * self.J * sin_beta + w_8 * w_26
-            + w_4 * self.m * self.b * S::from_f64(0.25);
-        let w_27 = self.a * self.m * S::from_f64(0.25);
-        let mass_theta3_theta1 = self.J * w_8 + w_13 * w_27;
+                - sin_alpha * sin_alpha * w_22);
+        let w_24 = sin_theta2 * cos_theta3 * w_10 + sin_theta3 * w_13;
+        let w_25 = cos_theta3 * w_16 + w_15 * sin_theta3;
+        let w_26 = self.J * S::from_f64(0.02);
+        let w_27 = sin_theta3
+            * (w_24 * self.m * self.b * cos_beta + w_25 * sin_beta * w_26);
+        let w_28 = S::from_f64(2.0) * self.b;
+        let w_29 = self.a * cos_beta + cos_theta3 * cos_beta * w_28;
+        let w_30 = cos_theta3 * self.a * sin_beta + sin_beta * w_28;
+        let w_31 = self.J * cos_beta;
+        let mass_theta2_theta1 = w_27 + w * (w_14 * w_29 + w_18 * w_30)
+            + self.J * cos_alpha + cos_theta3 * w_17 * self.J * sin_beta + w_9 * w_31
+            + w_5 * self.b * w;
+        let w_32 = self.a * w;
+        let mass_theta3_theta1 = self.J * w_9 + w_14 * w_32;
         let b_squared = self.b * self.b;
-        let w_28 = sin_theta3 * sin_theta3
-            * (self.m * b_squared * cos_beta * cos_beta
-                - self.J * S::from_f64(0.98) * sin_beta * sin_beta);
-        let mass_theta3_theta2 = w_26 + w_24 * w_27;
+        let mass_theta3_theta2 = w_31 + w_29 * w_32;
         [
             [
-                w_17 + self.J * (w_15 * w_15 + w_8 * w_8) + (w_18 + w_19) + w_20
-                    + self.m * w_21 * w_21 + w_22 * w_22 * self.J * S::from_f64(0.02),
+                w_19 + self.J * (w_17 * w_17 + w_9 * w_9) + (w_20 + w_21) + w_23
+                    + self.m * w_24 * w_24 + w_25 * w_25 * w_26,
                 mass_theta2_theta1,
                 mass_theta3_theta1,
             ],
             [
                 mass_theta2_theta1,
-                w * (w_24 * w_24 + w_25 * w_25)
-                    + (w_18 + self.m * S::from_f64(0.25) * b_squared) + w_28,
+                w * (w_29 * w_29 + w_30 * w_30) + (w_20 + w * b_squared)
+                    + sin_theta3 * sin_theta3
+                        * (self.m * b_squared * cos_beta * cos_beta
+                            - w_22 * sin_beta * sin_beta),
                 mass_theta3_theta2,
             ],
-            [mass_theta3_theta1, mass_theta3_theta2, self.J + w_19],
+            [mass_theta3_theta1, mass_theta3_theta2, self.J + w_21],
         ]
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 66 additions, 206 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
+    /// Operations: 66 additions, 176 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, theta2, theta3] = *q;
@@ -716,107 +739,100 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             theta3,
         ]);
         let sin_alpha_squared = sin_alpha * sin_alpha;
+        let w = S::from_f64(0.02) * self.J;
         let theta1_dot_squared = theta1_dot * theta1_dot;
-        let w = cos_theta2
-            * (theta1_dot * theta2_dot * S::from_f64(0.02) * self.J * sin_alpha_squared
-                + theta1_dot_squared * self.J * sin_alpha_squared * cos_alpha
-                    * S::from_f64(0.98));
-        let w_2 = theta2_dot + theta1_dot * cos_alpha;
-        let w_3 = self.b
+        let w_2 = self.J * S::from_f64(0.98);
+        let w_3 = theta2_dot + theta1_dot * cos_alpha;
+        let w_4 = self.b
             * (sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
-                + w_2 * w_2);
-        let w_4 = self.a * S::from_f64(2.0);
-        let w_5 = sin_theta2
-            * (w
-                - (w_3 + cos_theta2 * theta1_dot_squared * w_4) * cos_alpha
-                    * S::from_f64(0.5) * self.a * self.m);
-        let w_6 = self.m * S::from_f64(0.25);
-        let w_7 = cos_theta2 * sin_alpha_squared * self.b;
-        let w_8 = sin_theta2 * theta1_dot_squared * (w_4 + w_7);
-        let w_9 = cos_alpha * self.b;
-        let w_10 = cos_alpha * self.a * S::from_f64(2.0);
-        let w_11 = w_3 + cos_theta2 * theta1_dot_squared * self.a;
-        let w_12 = sin_alpha * self.b;
-        let beta = (w_12 / self.a).asin();
+                + w_3 * w_3);
+        let w_5 = self.a * S::from_f64(2.0);
+        let w_6 = S::from_f64(0.5) * self.m;
+        let w_7 = cos_theta2
+            * (theta1_dot * theta2_dot * sin_alpha_squared * w
+                + theta1_dot_squared * sin_alpha_squared * cos_alpha * w_2)
+            - (w_4 + cos_theta2 * theta1_dot_squared * w_5) * cos_alpha * self.a * w_6;
+        let w_8 = self.m * S::from_f64(0.25);
+        let w_9 = cos_theta2 * sin_alpha_squared * self.b;
+        let w_10 = sin_theta2 * theta1_dot_squared * (w_5 + w_9);
+        let w_11 = cos_alpha * self.b;
+        let w_12 = cos_alpha * w_5;
+        let w_13 = w_4 + cos_theta2 * theta1_dot_squared * self.a;
+        let w_14 = sin_alpha * self.b;
+        let beta = (w_14 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_13 = sin_theta2 * theta1_dot_squared * (self.a + w_7);
-        let w_14 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_2);
-        let w_15 = cos_beta * w_13 + w_14 * self.b * sin_beta;
-        let w_16 = sin_alpha * cos_beta;
-        let w_17 = theta1_dot * cos_theta2 * w_16 + w_2 * sin_beta;
-        let w_18 = cos_theta3 * w_17 - theta1_dot * sin_alpha * sin_theta2 * sin_theta3;
-        let w_19 = theta1_dot * sin_alpha * sin_theta2 * cos_theta3 + sin_theta3 * w_17;
-        let w_20 = sin_alpha * sin_beta;
-        let w_21 = S::from_f64(2.0) * (sin_theta3 * w_11 + cos_theta3 * w_15)
-            + self.a * (w_18 * w_19 + theta1_dot * theta2_dot * sin_theta2 * w_20);
-        let w_22 = cos_alpha * cos_beta - cos_theta2 * w_20;
-        let w_23 = cos_alpha * self.a;
-        let w_24 = w_9 + cos_theta2 * w_23;
-        let w_25 = cos_theta2 * w_12;
-        let w_26 = w_25 + sin_alpha * self.a;
-        let w_27 = cos_beta * w_24 - sin_beta * w_26;
-        let w_28 = w_21
-            * (self.a * w_22 + S::from_f64(2.0) * cos_theta3 * w_27
-                - sin_theta2 * w_10 * sin_theta3);
-        let w_29 = theta3_dot + w_2 * cos_beta - theta1_dot * cos_theta2 * w_20;
-        let w_30 = theta1_dot * theta2_dot
-            * (sin_theta2 * cos_theta3 * w_16 + sin_alpha * cos_theta2 * sin_theta3);
-        let w_31 = self.b * S::from_f64(2.0) * cos_beta;
-        let w_32 = S::from_f64(2.0) * sin_beta;
-        let w_33 = self.a * (w_19 * (theta3_dot + w_29) + w_30) + w_14 * w_31
-            - w_13 * w_32;
-        let w_34 = cos_theta2 * w_16 + cos_alpha * sin_beta;
-        let w_35 = cos_theta3 * w_34 - sin_alpha * sin_theta2 * sin_theta3;
-        let w_36 = w_6
-            * (w_8 * (w_9 + cos_theta2 * w_10) + w_28
-                - w_33
-                    * (self.a * w_35 + w_24 * w_32
-                        + w_26 * S::from_f64(2.0) * cos_beta));
-        let w_37 = self.J * S::from_f64(49.0);
-        let w_38 = w_18 * w_19 * w_37
-            + theta1_dot * theta2_dot * sin_theta2 * self.J * sin_alpha
-                * S::from_f64(50.0) * sin_beta;
-        let w_39 = w_19 * w_29 * w_37
-            + (w_30 + theta3_dot * w_19) * self.J * S::from_f64(50.0);
-        let w_40 = cos_theta2 * theta1_dot * sin_theta2
-            * (w_2 * self.J * sin_alpha * S::from_f64(49.0)
-                + theta2_dot * self.J * sin_alpha * S::from_f64(50.0))
-            * S::from_f64(0.02) * sin_alpha;
-        let w_41 = self.m * self.b * S::from_f64(0.25);
-        let w_42 = theta1_dot * theta2_dot
-            * (sin_alpha * cos_theta2 * cos_theta3 - sin_theta2 * w_16 * sin_theta3)
-            + theta3_dot * w_18;
-        let w_43 = (sin_alpha * sin_theta2 * cos_theta3 + w_34 * sin_theta3) * w_42
-            * S::from_f64(0.02) * self.J;
-        let w_44 = S::from_f64(2.0) * (cos_theta3 * w_11 - sin_theta3 * w_15)
-            + self.a * (w_18 * w_18 + w_29 * w_29);
-        let w_45 = (sin_theta2 * cos_theta3 * w_23 + sin_theta3 * w_27) * w_44
-            * S::from_f64(0.5) * self.m;
-        let w_46 = sin_theta3
-            * (w_42 * S::from_f64(0.02) * self.J * sin_beta
-                - w_44 * S::from_f64(0.5) * self.m * self.b * cos_beta);
-        let w_47 = w_6
-            * (w_21 * (self.a * cos_beta + cos_theta3 * w_31)
-                - w_33
-                    * (cos_theta3 * self.a * sin_beta
-                        + self.b * S::from_f64(2.0) * sin_beta));
+        let w_15 = sin_theta2 * theta1_dot_squared * (self.a + w_9);
+        let w_16 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_3);
+        let w_17 = cos_beta * w_15 + w_16 * self.b * sin_beta;
+        let w_18 = sin_alpha * cos_beta;
+        let w_19 = theta1_dot * cos_theta2;
+        let w_20 = w_18 * w_19 + w_3 * sin_beta;
+        let w_21 = theta1_dot * sin_theta2;
+        let w_22 = sin_alpha * sin_theta3;
+        let w_23 = cos_theta3 * w_20 - w_21 * w_22;
+        let w_24 = sin_alpha * cos_theta3;
+        let w_25 = w_24 * w_21 + sin_theta3 * w_20;
+        let w_26 = w_23 * w_25;
+        let w_27 = sin_alpha * sin_beta;
+        let w_28 = theta2_dot * w_21;
+        let w_29 = S::from_f64(2.0) * (sin_theta3 * w_13 + cos_theta3 * w_17)
+            + self.a * (w_26 + w_27 * w_28);
+        let w_30 = cos_alpha * cos_beta - cos_theta2 * w_27;
+        let w_31 = cos_alpha * self.a;
+        let w_32 = w_11 + cos_theta2 * w_31;
+        let w_33 = cos_theta2 * w_14;
+        let w_34 = w_33 + sin_alpha * self.a;
+        let w_35 = cos_beta * w_32 - sin_beta * w_34;
+        let w_36 = sin_theta2 * sin_theta3;
+        let w_37 = theta3_dot + w_3 * cos_beta - w_19 * w_27;
+        let w_38 = sin_theta2 * cos_theta3;
+        let w_39 = theta1_dot * theta2_dot * (w_18 * w_38 + cos_theta2 * w_22);
+        let w_40 = self.b * S::from_f64(2.0);
+        let w_41 = cos_beta * w_40;
+        let w_42 = S::from_f64(2.0) * sin_beta;
+        let w_43 = self.a * (w_25 * (theta3_dot + w_37) + w_39) + w_16 * w_41
+            - w_15 * w_42;
+        let w_44 = cos_theta2 * w_18 + cos_alpha * sin_beta;
+        let w_45 = cos_theta3 * w_44 - sin_theta2 * w_22;
+        let w_46 = w_43
+            * (self.a * w_45 + w_32 * w_42 + w_34 * S::from_f64(2.0) * cos_beta);
+        let w_47 = w_8
+            * (w_10 * (w_11 + cos_theta2 * w_12)
+                + w_29
+                    * (self.a * w_30 + S::from_f64(2.0) * cos_theta3 * w_35
+                        - w_12 * w_36) - w_46);
+        let w_48 = self.J * S::from_f64(49.0);
+        let w_49 = self.J * S::from_f64(50.0);
+        let w_50 = sin_alpha * w_49;
+        let w_51 = w_48 * w_26 + w_50 * sin_beta * w_28;
+        let w_52 = w_48 * w_25 * w_37 + w_49 * (w_39 + theta3_dot * w_25);
+        let w_53 = cos_theta2 * theta1_dot * sin_theta2
+            * (w_3 * sin_alpha * w_48 + theta2_dot * w_50) * S::from_f64(0.02)
+            * sin_alpha;
+        let w_54 = self.b * w_8;
+        let w_55 = theta1_dot * theta2_dot * (cos_theta2 * w_24 - w_18 * w_36)
+            + theta3_dot * w_23;
+        let w_56 = S::from_f64(2.0) * (cos_theta3 * w_13 - sin_theta3 * w_17)
+            + self.a * (w_23 * w_23 + w_37 * w_37);
+        let w_57 = (w_38 * w_31 + sin_theta3 * w_35) * w_56 * w_6;
+        let w_58 = sin_theta3 * (w_55 * sin_beta * w - w_56 * self.b * cos_beta * w_6);
+        let w_59 = w_8
+            * (w_29 * (self.a * cos_beta + cos_theta3 * w_41)
+                - w_43 * (cos_theta3 * self.a * sin_beta + sin_beta * w_40));
         [
-            w_5 + w_36 + S::from_f64(0.02) * (w_22 * w_38 - w_35 * w_39) - w_40
-                - w_14 * (w_25 + sin_alpha * self.a * S::from_f64(2.0)) * w_41 + w_43
-                - w_45,
-            w_46 + w_47
-                + sin_theta2 * cos_theta2 * theta1_dot_squared * self.J
-                    * sin_alpha_squared * S::from_f64(0.98) + w_8 * w_41
-                - cos_theta3 * w_39 * S::from_f64(0.02) * sin_beta
-                + w_38 * S::from_f64(0.02) * cos_beta,
-            w_18 * w_19 * self.J * S::from_f64(0.98)
-                + theta1_dot * theta2_dot * sin_theta2 * self.J * sin_alpha * sin_beta
-                + w_21 * self.a * self.m * S::from_f64(0.25),
+            sin_theta2 * w_7 + w_47 + S::from_f64(0.02) * (w_30 * w_51 - w_45 * w_52)
+                - w_53 - w_16 * (w_33 + sin_alpha * w_5) * w_54
+                + (sin_theta2 * w_24 + w_44 * sin_theta3) * w_55 * w - w_57,
+            w_58 + w_59
+                + sin_theta2 * cos_theta2 * theta1_dot_squared * sin_alpha_squared * w_2
+                + w_10 * w_54 - cos_theta3 * w_52 * S::from_f64(0.02) * sin_beta
+                + w_51 * S::from_f64(0.02) * cos_beta,
+            w_26 * w_2 + w_28 * self.J * sin_alpha * sin_beta + w_29 * self.a * w_8,
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
     ///
-    /// Operations: 30 additions, 96 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 30 additions, 87 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [theta1, theta2, theta3] = *q;
@@ -834,51 +850,52 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             ],
         ) = S::sin_cos_each([self.alpha, theta2, theta1, theta3]);
         let w_2 = cos_alpha * self.g;
-        let w_3 = cos_theta2 * cos_theta1 * w_2 - sin_theta2 * self.g * sin_theta1;
-        let w_4 = cos_alpha * self.b;
-        let w_5 = self.a * cos_alpha * S::from_f64(2.0);
-        let w_6 = self.b * sin_alpha;
-        let beta = (w_6 / self.a).asin();
+        let w_3 = self.g * sin_theta1;
+        let w_4 = cos_theta2 * cos_theta1 * w_2 - sin_theta2 * w_3;
+        let w_5 = cos_alpha * self.b;
+        let w_6 = self.a * S::from_f64(2.0);
+        let w_7 = cos_alpha * w_6;
+        let w_8 = self.b * sin_alpha;
+        let beta = (w_8 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_7 = cos_beta * w_3 - cos_theta1 * self.g * sin_alpha * sin_beta;
-        let w_8 = self.g * sin_theta1 * cos_theta2 + sin_theta2 * cos_theta1 * w_2;
-        let w_9 = cos_theta3 * w_7 - w_8 * sin_theta3;
-        let w_10 = self.a * cos_alpha;
-        let w_11 = w_4 + cos_theta2 * w_10;
-        let w_12 = cos_theta2 * w_6;
-        let w_13 = w_12 + self.a * sin_alpha;
-        let w_14 = cos_beta * w_11 - sin_beta * w_13;
-        let w_15 = w_9
-            * (self.a * (cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta)
-                + cos_theta3 * w_14 * S::from_f64(2.0) - sin_theta2 * sin_theta3 * w_5);
-        let w_16 = w_3 * sin_beta + cos_theta1 * self.g * sin_alpha * cos_beta;
-        let w_17 = self.a
-            * (cos_theta3 * (cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta)
-                - sin_theta2 * sin_theta3 * sin_alpha)
-            + w_11 * sin_beta * S::from_f64(2.0) + w_13 * cos_beta * S::from_f64(2.0);
-        let w_18 = w * (w_3 * (w_4 + cos_theta2 * w_5) + w_15 + w_16 * w_17);
-        let w_19 = cos_theta1
-            * (self.a * self.m * self.g * S::from_f64(0.5)
-                + (w_12 + self.a * sin_alpha * S::from_f64(2.0)) * self.m * self.g
-                    * sin_alpha * S::from_f64(0.5));
-        let w_20 = w_8 * cos_theta3 + sin_theta3 * w_7;
-        let w_21 = w
-            * (w_9
-                * (self.a * cos_beta + cos_theta3 * self.b * cos_beta * S::from_f64(2.0))
-                + w_16
-                    * (cos_theta3 * self.a * sin_beta
-                        + self.b * sin_beta * S::from_f64(2.0)));
+        let w_9 = self.g * sin_alpha;
+        let w_10 = cos_beta * w_4 - cos_theta1 * sin_beta * w_9;
+        let w_11 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
+        let w_12 = cos_theta3 * w_10 - w_11 * sin_theta3;
+        let w_13 = self.a * cos_alpha;
+        let w_14 = w_5 + cos_theta2 * w_13;
+        let w_15 = cos_theta2 * w_8;
+        let w_16 = w_15 + self.a * sin_alpha;
+        let w_17 = cos_beta * w_14 - sin_beta * w_16;
+        let w_18 = sin_theta2 * sin_theta3;
+        let w_19 = w_4 * sin_beta + cos_theta1 * cos_beta * w_9;
+        let w_20 = w_19
+            * (self.a
+                * (cos_theta3
+                    * (cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta)
+                    - sin_alpha * w_18) + w_14 * sin_beta * S::from_f64(2.0)
+                + w_16 * cos_beta * S::from_f64(2.0));
+        let w_21 = w_4 * (w_5 + cos_theta2 * w_7)
+            + w_12
+                * (self.a * (cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta)
+                    + cos_theta3 * w_17 * S::from_f64(2.0) - w_7 * w_18) + w_20;
+        let w_22 = cos_theta1
+            * (self.a * self.g * w + (w_15 + sin_alpha * w_6) * self.g * sin_alpha * w);
+        let w_23 = w_11 * cos_theta3 + sin_theta3 * w_10;
+        let w_24 = self.b * S::from_f64(2.0);
+        let w_25 = w
+            * (w_12 * (self.a * cos_beta + cos_theta3 * cos_beta * w_24)
+                + w_19 * (cos_theta3 * self.a * sin_beta + sin_beta * w_24));
         [
-            w_18 + w_19 + sin_theta2 * w_8 * self.a * self.m * cos_alpha
-                + self.m * w_20 * (sin_theta2 * cos_theta3 * w_10 + sin_theta3 * w_14),
-            w_21 + sin_theta3 * w_20 * self.m * self.b * cos_beta
-                + w_3 * self.m * self.b * S::from_f64(0.5),
-            w_9 * self.a * self.m * S::from_f64(0.5),
+            w * w_21 + w_22 + sin_theta2 * w_11 * self.a * self.m * cos_alpha
+                + self.m * w_23 * (sin_theta2 * cos_theta3 * w_13 + sin_theta3 * w_17),
+            w_25 + sin_theta3 * w_23 * self.m * self.b * cos_beta + w_4 * self.b * w,
+            w_12 * self.a * w,
         ]
     }
     /// Constraints `C`, 5, in SI units; zero throughout the motion.
     ///
-    /// Operations: 31 additions, 65 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 31 additions, 60 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraints(&self, t: S, q: &[S; 3]) -> [S; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -894,53 +911,51 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             cos_theta3,
             ],
         ) = S::sin_cos_each([theta1, theta2, self.alpha, theta3]);
-        let w = cos_theta1 * cos_theta2 - sin_theta1 * cos_alpha * sin_theta2;
-        let w_2 = self.b * sin_alpha;
-        let beta = (w_2 / self.a).asin();
+        let w = cos_alpha * sin_theta2;
+        let w_2 = cos_theta1 * cos_theta2 - sin_theta1 * w;
+        let w_3 = self.b * sin_alpha;
+        let beta = (w_3 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_3 = sin_alpha * sin_beta;
-        let w_4 = cos_theta2 * sin_theta1 + cos_theta1 * cos_alpha * sin_theta2;
-        let w_5 = sin_alpha * cos_beta;
-        let w_6 = cos_alpha * sin_beta;
-        let w_7 = cos_theta3 * cos_alpha * cos_beta - w_3;
-        let w_8 = cos_theta2 * w_7 - cos_alpha * sin_theta2 * sin_theta3;
-        let w_9 = cos_theta3 * w_6 + w_5;
-        let w_10 = sin_beta
-            * (cos_theta1 * (cos_alpha * w_8 - sin_alpha * w_9)
-                - sin_theta1 * (cos_theta2 * cos_alpha * sin_theta3 + sin_theta2 * w_7));
-        let w_11 = sin_theta2 * cos_theta3 + cos_theta2 * cos_beta * sin_theta3;
-        let w_12 = sin_beta
+        let w_4 = sin_alpha * sin_beta;
+        let w_5 = cos_theta2 * cos_alpha;
+        let w_6 = cos_theta2 * sin_theta1 + cos_theta1 * w;
+        let w_7 = sin_theta2 * cos_theta3;
+        let w_8 = sin_alpha * cos_beta;
+        let w_9 = cos_alpha * sin_beta;
+        let w_10 = cos_theta3 * cos_alpha * cos_beta - w_4;
+        let w_11 = cos_theta2 * w_10 - w * sin_theta3;
+        let w_12 = cos_theta3 * w_9 + w_8;
+        let w_13 = w_7 + cos_theta2 * cos_beta * sin_theta3;
+        let w_14 = sin_beta
             * (sin_theta1
                 * (cos_theta2 * cos_theta3 - sin_theta2 * cos_beta * sin_theta3)
-                + cos_theta1 * (cos_alpha * w_11 - w_3 * sin_theta3));
+                + cos_theta1 * (cos_alpha * w_13 - w_4 * sin_theta3));
         [
-            self.b * (S::from_f64(1.0) + w)
+            self.b * (S::from_f64(1.0) + w_2)
                 + self.a
                     * (cos_theta1
-                        + (w * cos_theta3
-                            + (sin_theta1 * w_3
-                                - cos_beta
-                                    * (cos_theta1 * sin_theta2
-                                        + cos_theta2 * sin_theta1 * cos_alpha)) * sin_theta3)),
+                        + (w_2 * cos_theta3
+                            + (sin_theta1 * w_4
+                                - cos_beta * (cos_theta1 * sin_theta2 + sin_theta1 * w_5))
+                                * sin_theta3)),
             self.a
                 * (sin_theta1
-                    + (cos_theta3 * w_4
+                    + (cos_theta3 * w_6
                         + sin_theta3
-                            * (cos_beta
-                                * (cos_theta1 * cos_theta2 * cos_alpha
-                                    - sin_theta1 * sin_theta2) - cos_theta1 * w_3)))
-                + self.b * w_4,
-            sin_theta2 * w_2
-                + self.a
-                    * (sin_theta2 * cos_theta3 * sin_alpha
-                        + sin_theta3 * (cos_theta2 * w_5 + w_6)),
-            w_10 + cos_beta * (sin_alpha * w_8 + cos_alpha * w_9),
-            -(w_12 + cos_beta * (sin_alpha * w_11 + sin_theta3 * w_6)),
+                            * (cos_beta * (cos_theta1 * w_5 - sin_theta1 * sin_theta2)
+                                - cos_theta1 * w_4))) + self.b * w_6,
+            sin_theta2 * w_3
+                + self.a * (sin_alpha * w_7 + sin_theta3 * (cos_theta2 * w_8 + w_9)),
+            sin_beta
+                * (cos_theta1 * (cos_alpha * w_11 - sin_alpha * w_12)
+                    - sin_theta1 * (w_5 * sin_theta3 + sin_theta2 * w_10))
+                + cos_beta * (sin_alpha * w_11 + cos_alpha * w_12),
+            -(w_14 + cos_beta * (sin_alpha * w_13 + sin_theta3 * w_9)),
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 5, in SI units: what its rounding is relative to.
     ///
-    /// Operations: 43 additions, 67 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 43 additions, 62 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -956,56 +971,55 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             cos_theta3,
             ],
         ) = S::sin_cos_each([theta1, theta2, self.alpha, theta3]);
-        let w = cos_theta1 * cos_theta2 - sin_theta1 * cos_alpha * sin_theta2;
-        let w_2 = self.b * sin_alpha;
-        let beta = (w_2 / self.a).asin();
+        let w = cos_alpha * sin_theta2;
+        let w_2 = cos_theta1 * cos_theta2 - sin_theta1 * w;
+        let w_3 = self.b * sin_alpha;
+        let beta = (w_3 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_3 = sin_alpha * sin_beta;
-        let w_4 = (self.a
-            * (w * cos_theta3
-                + (sin_theta1 * w_3
-                    - cos_beta
-                        * (cos_theta1 * sin_theta2
-                            + cos_theta2 * sin_theta1 * cos_alpha)) * sin_theta3))
-            .abs();
-        let w_5 = cos_theta2 * sin_theta1 + cos_theta1 * cos_alpha * sin_theta2;
+        let w_4 = sin_alpha * sin_beta;
+        let w_5 = cos_theta2 * cos_alpha;
         let w_6 = (self.a
-            * (cos_theta3 * w_5
+            * (w_2 * cos_theta3
+                + (sin_theta1 * w_4
+                    - cos_beta * (cos_theta1 * sin_theta2 + sin_theta1 * w_5))
+                    * sin_theta3))
+            .abs();
+        let w_7 = cos_theta2 * sin_theta1 + cos_theta1 * w;
+        let w_8 = (self.a
+            * (cos_theta3 * w_7
                 + sin_theta3
-                    * (cos_beta
-                        * (cos_theta1 * cos_theta2 * cos_alpha - sin_theta1 * sin_theta2)
-                        - cos_theta1 * w_3)))
+                    * (cos_beta * (cos_theta1 * w_5 - sin_theta1 * sin_theta2)
+                        - cos_theta1 * w_4)))
             .abs();
-        let w_7 = sin_alpha * cos_beta;
-        let w_8 = cos_alpha * sin_beta;
-        let w_9 = cos_theta3 * cos_alpha * cos_beta - w_3;
-        let w_10 = cos_theta2 * w_9 - cos_alpha * sin_theta2 * sin_theta3;
-        let w_11 = cos_theta3 * w_8 + w_7;
-        let w_12 = (sin_beta
-            * (cos_theta1 * (cos_alpha * w_10 - sin_alpha * w_11)
-                - sin_theta1 * (cos_theta2 * cos_alpha * sin_theta3 + sin_theta2 * w_9)))
+        let w_9 = sin_theta2 * cos_theta3;
+        let w_10 = sin_alpha * cos_beta;
+        let w_11 = cos_alpha * sin_beta;
+        let w_12 = cos_theta3 * cos_alpha * cos_beta - w_4;
+        let w_13 = cos_theta2 * w_12 - w * sin_theta3;
+        let w_14 = cos_theta3 * w_11 + w_10;
+        let w_15 = (sin_beta
+            * (cos_theta1 * (cos_alpha * w_13 - sin_alpha * w_14)
+                - sin_theta1 * (w_5 * sin_theta3 + sin_theta2 * w_12)))
             .abs();
-        let w_13 = sin_theta2 * cos_theta3 + cos_theta2 * cos_beta * sin_theta3;
-        let w_14 = (sin_beta
+        let w_16 = w_9 + cos_theta2 * cos_beta * sin_theta3;
+        let w_17 = (sin_beta
             * (sin_theta1
                 * (cos_theta2 * cos_theta3 - sin_theta2 * cos_beta * sin_theta3)
-                + cos_theta1 * (cos_alpha * w_13 - w_3 * sin_theta3)))
+                + cos_theta1 * (cos_alpha * w_16 - w_4 * sin_theta3)))
             .abs();
         [
-            self.b.abs() + (self.a * cos_theta1).abs() + (self.b * w).abs() + w_4,
-            (self.a * sin_theta1).abs() + (self.b * w_5).abs() + w_6,
-            (sin_theta2 * w_2).abs()
-                + (self.a
-                    * (sin_theta2 * cos_theta3 * sin_alpha
-                        + sin_theta3 * (cos_theta2 * w_7 + w_8)))
+            self.b.abs() + (self.a * cos_theta1).abs() + (self.b * w_2).abs() + w_6,
+            (self.a * sin_theta1).abs() + (self.b * w_7).abs() + w_8,
+            (sin_theta2 * w_3).abs()
+                + (self.a * (sin_alpha * w_9 + sin_theta3 * (cos_theta2 * w_10 + w_11)))
                     .abs(),
-            w_12 + (cos_beta * (sin_alpha * w_10 + cos_alpha * w_11)).abs(),
-            w_14 + (cos_beta * (sin_alpha * w_13 + sin_theta3 * w_8)).abs(),
+            w_15 + (cos_beta * (sin_alpha * w_13 + cos_alpha * w_14)).abs(),
+            w_17 + (cos_beta * (sin_alpha * w_16 + sin_theta3 * w_11)).abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 5 x 3: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 54 additions, 123 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 54 additions, 105 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -1021,79 +1035,77 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             cos_theta1,
             ],
         ) = S::sin_cos_each([self.alpha, theta2, theta3, theta1]);
-        let w = cos_theta2 * sin_theta1 + cos_alpha * sin_theta2 * cos_theta1;
-        let w_2 = sin_alpha * self.b;
-        let beta = (w_2 / self.a).asin();
+        let w = cos_alpha * sin_theta2;
+        let w_2 = cos_theta2 * sin_theta1 + cos_theta1 * w;
+        let w_3 = sin_alpha * self.b;
+        let beta = (w_3 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_3 = cos_alpha * cos_theta2 * cos_theta1 - sin_theta2 * sin_theta1;
-        let w_4 = sin_alpha * sin_beta;
-        let w_5 = cos_beta * w_3 - w_4 * cos_theta1;
-        let w_6 = sin_theta2 * cos_theta1 + cos_alpha * cos_theta2 * sin_theta1;
-        let w_7 = cos_theta2 * cos_theta1 - cos_alpha * sin_theta2 * sin_theta1;
-        let w_8 = w_4 * sin_theta1 - cos_beta * w_6;
-        let w_9 = sin_alpha * cos_beta;
-        let w_10 = cos_alpha * sin_beta;
-        let w_11 = cos_alpha * cos_beta;
-        let w_12 = cos_theta3 * w_11 - w_4;
-        let w_13 = cos_alpha * cos_theta2 * sin_theta3 + sin_theta2 * w_12;
-        let w_14 = cos_theta2 * w_12 - cos_alpha * sin_theta2 * sin_theta3;
-        let w_15 = w_10 * cos_theta3;
-        let w_16 = cos_theta2 * sin_theta3 * w_11 + cos_alpha * sin_theta2 * cos_theta3;
-        let w_17 = sin_beta
+        let w_4 = cos_alpha * cos_theta2;
+        let w_5 = cos_theta1 * w_4 - sin_theta2 * sin_theta1;
+        let w_6 = sin_alpha * sin_beta;
+        let w_7 = cos_beta * w_5 - w_6 * cos_theta1;
+        let w_8 = sin_theta2 * cos_theta1 + sin_theta1 * w_4;
+        let w_9 = cos_theta2 * cos_theta1 - sin_theta1 * w;
+        let w_10 = sin_theta3 * w_9;
+        let w_11 = w_6 * sin_theta1 - cos_beta * w_8;
+        let w_12 = sin_theta3 * w_2;
+        let w_13 = cos_theta2 * cos_theta3;
+        let w_14 = sin_alpha * cos_beta;
+        let w_15 = sin_theta2 * sin_theta3;
+        let w_16 = cos_alpha * sin_beta;
+        let w_17 = cos_alpha * cos_beta;
+        let w_18 = cos_theta3 * w_17 - w_6;
+        let w_19 = sin_theta3 * w_4 + sin_theta2 * w_18;
+        let w_20 = cos_theta2 * w_18 - cos_alpha * w_15;
+        let w_21 = w_16 * cos_theta3;
+        let w_22 = cos_alpha * cos_theta1;
+        let w_23 = cos_theta2 * sin_theta3;
+        let w_24 = w_17 * w_23 + cos_theta3 * w;
+        let w_25 = sin_beta
             * (cos_theta1
-                * (cos_alpha * w_16 - sin_theta3 * cos_alpha * sin_alpha * sin_beta)
-                + sin_theta1
-                    * (cos_alpha * cos_theta2 * cos_theta3
-                        - sin_theta2 * sin_theta3 * w_11));
-        let w_18 = cos_theta2 * cos_theta3 - sin_theta2 * cos_beta * sin_theta3;
-        let w_19 = sin_theta2 * cos_theta3 + cos_theta2 * cos_beta * sin_theta3;
-        let w_20 = sin_theta2 * sin_theta3 - cos_theta2 * cos_beta * cos_theta3;
+                * (cos_alpha * w_24 - sin_theta3 * cos_alpha * sin_alpha * sin_beta)
+                + sin_theta1 * (cos_theta3 * w_4 - w_15 * w_17));
+        let w_26 = w_13 - cos_beta * w_15;
+        let w_27 = sin_theta2 * cos_theta3;
+        let w_28 = w_27 + cos_beta * w_23;
+        let w_29 = w_15 - cos_beta * w_13;
         [
             [
-                -(self.a * (sin_theta1 + (cos_theta3 * w + sin_theta3 * w_5))
-                    + self.b * w),
-                -(self.b * w_6
-                    + self.a * (cos_theta3 * w_6 + cos_beta * sin_theta3 * w_7)),
-                self.a * (cos_theta3 * w_8 - sin_theta3 * w_7),
+                -(self.a * (sin_theta1 + (cos_theta3 * w_2 + sin_theta3 * w_7))
+                    + self.b * w_2),
+                -(self.b * w_8 + self.a * (cos_theta3 * w_8 + cos_beta * w_10)),
+                self.a * (cos_theta3 * w_11 - w_10),
             ],
             [
-                self.a * (cos_theta1 + (cos_theta3 * w_7 + sin_theta3 * w_8))
-                    + self.b * w_7,
-                self.b * w_3 + self.a * (cos_theta3 * w_3 - cos_beta * sin_theta3 * w),
-                self.a * (cos_theta3 * w_5 - sin_theta3 * w),
+                self.a * (cos_theta1 + (cos_theta3 * w_9 + sin_theta3 * w_11))
+                    + self.b * w_9,
+                self.b * w_5 + self.a * (cos_theta3 * w_5 - cos_beta * w_12),
+                self.a * (cos_theta3 * w_7 - w_12),
             ],
             [
                 S::from_f64(0.0),
-                cos_theta2 * w_2
-                    + self.a
-                        * (sin_alpha * cos_theta2 * cos_theta3
-                            - sin_theta2 * w_9 * sin_theta3),
-                self.a
-                    * ((cos_theta2 * w_9 + w_10) * cos_theta3
-                        - sin_theta2 * sin_alpha * sin_theta3),
+                cos_theta2 * w_3 + self.a * (sin_alpha * w_13 - w_14 * w_15),
+                self.a * ((cos_theta2 * w_14 + w_16) * cos_theta3 - sin_alpha * w_15),
             ],
             [
                 -(sin_beta
-                    * (cos_theta1 * w_13
-                        + sin_theta1 * (cos_alpha * w_14 - sin_alpha * (w_15 + w_9)))),
-                -(sin_beta * (cos_alpha * cos_theta1 * w_13 + sin_theta1 * w_14)
-                    + w_9 * w_13),
-                -(w_17
+                    * (cos_theta1 * w_19
+                        + sin_theta1 * (cos_alpha * w_20 - sin_alpha * (w_21 + w_14)))),
+                -(sin_beta * (w_19 * w_22 + sin_theta1 * w_20) + w_14 * w_19),
+                -(w_25
                     + cos_beta
-                        * (sin_alpha * w_16
+                        * (sin_alpha * w_24
                             + sin_theta3 * cos_alpha * cos_alpha * sin_beta)),
             ],
             [
                 -(sin_beta
-                    * (cos_theta1 * w_18
-                        - sin_theta1 * (cos_alpha * w_19 - sin_theta3 * w_4))),
-                sin_beta * (sin_theta1 * w_19 - cos_alpha * cos_theta1 * w_18)
-                    - w_9 * w_18,
+                    * (cos_theta1 * w_26
+                        - sin_theta1 * (cos_alpha * w_28 - sin_theta3 * w_6))),
+                sin_beta * (sin_theta1 * w_28 - w_22 * w_26) - w_14 * w_26,
                 sin_beta
-                    * (sin_theta1
-                        * (cos_theta2 * sin_theta3 + sin_theta2 * cos_beta * cos_theta3)
-                        + cos_theta1 * (cos_alpha * w_20 + cos_theta3 * w_4))
-                    - cos_beta * (w_15 - sin_alpha * w_20),
+                    * (sin_theta1 * (w_23 + cos_beta * w_27)
+                        + cos_theta1 * (cos_alpha * w_29 + cos_theta3 * w_6))
+                    - cos_beta * (w_21 - sin_alpha * w_29),
             ],
         ]
     }
@@ -1112,7 +1124,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 5, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 109 additions, 262 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 109 additions, 210 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -1139,150 +1151,150 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_3 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
         let w_4 = self.a * S::from_f64(2.0);
         let w_5 = theta2_dot * w_4;
-        let w_6 = self.a * cos_alpha * S::from_f64(2.0);
+        let w_6 = cos_alpha * w_4;
         let w_7 = theta1_dot * w_6;
-        let w_8 = self.a * cos_beta * cos_alpha * S::from_f64(2.0);
-        let w_9 = theta1_dot * theta2_dot * w_8;
-        let w_10 = self.a * cos_beta * S::from_f64(2.0);
-        let w_11 = theta1_dot_squared + theta2_dot_squared;
-        let w_12 = self.b * w_11;
-        let w_13 = theta1_dot * theta2_dot * self.b * cos_alpha * S::from_f64(2.0);
-        let w_14 = cos_theta2
+        let w_8 = cos_beta * w_6;
+        let w_9 = theta1_dot * theta2_dot;
+        let w_10 = w_8 * w_9;
+        let w_11 = cos_beta * w_4;
+        let w_12 = theta1_dot_squared + theta2_dot_squared;
+        let w_13 = self.b * w_12;
+        let w_14 = self.b * S::from_f64(2.0);
+        let w_15 = cos_alpha * w_14 * w_9;
+        let w_16 = cos_theta2
             * (cos_theta3
-                * (self.a * w_3 + theta3_dot * (theta2_dot * w_10 + theta1_dot * w_8)
-                    + theta1_dot * theta2_dot * w_6) + w_12 + w_13);
-        let w_15 = theta3_dot * cos_theta3 * theta1_dot * self.a * sin_alpha * sin_beta
-            * S::from_f64(2.0);
-        let w_16 = self.a * theta1_dot_squared;
-        let w_17 = cos_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_3 + theta3_dot * (w_5 + w_7) + w_9)
-                - w_14 + w_15 - w_16);
-        let w_18 = self.a * cos_alpha;
-        let w_19 = self.b * cos_alpha * w_11;
-        let w_20 = theta1_dot * theta2_dot * self.b * S::from_f64(2.0);
-        let w_21 = sin_theta2
+                * (self.a * w_3 + theta3_dot * (theta2_dot * w_11 + theta1_dot * w_8)
+                    + w_6 * w_9) + w_13 + w_15);
+        let w_17 = sin_alpha * S::from_f64(2.0);
+        let w_18 = self.a * w_17;
+        let w_19 = theta3_dot * theta1_dot;
+        let w_20 = cos_theta3 * sin_beta * w_18 * w_19;
+        let w_21 = self.a * theta1_dot_squared;
+        let w_22 = cos_theta1
+            * (sin_theta2 * sin_theta3 * (w_2 * w_3 + theta3_dot * (w_5 + w_7) + w_10)
+                - w_16 + w_20 - w_21);
+        let w_23 = self.a * cos_alpha;
+        let w_24 = self.b * cos_alpha * w_12;
+        let w_25 = w_14 * w_9;
+        let w_26 = sin_theta2
             * (cos_theta3
-                * (w_18 * w_3 + theta3_dot * (theta1_dot * w_10 + theta2_dot * w_8)
-                    + theta1_dot * theta2_dot * w_4) + w_19 + w_20);
-        let w_22 = self.a * cos_beta * cos_alpha;
-        let w_23 = theta2_dot * w_6;
-        let w_24 = theta3_dot * (theta1_dot * w_4 + w_23);
-        let w_25 = theta1_dot * theta2_dot * w_10;
-        let w_26 = self.a * sin_alpha * sin_beta;
-        let w_27 = theta3_dot_squared + theta1_dot_squared;
-        let w_28 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_29 = cos_theta2
+                * (w_23 * w_3 + theta3_dot * (theta1_dot * w_11 + theta2_dot * w_8)
+                    + w_4 * w_9) + w_24 + w_25);
+        let w_27 = cos_beta * w_23;
+        let w_28 = theta2_dot * w_6;
+        let w_29 = theta3_dot * (theta1_dot * w_4 + w_28);
+        let w_30 = w_11 * w_9;
+        let w_31 = self.a * sin_alpha;
+        let w_32 = sin_beta * w_31;
+        let w_33 = theta3_dot_squared + theta1_dot_squared;
+        let w_34 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
+        let w_35 = theta3_dot * theta2_dot;
+        let w_36 = cos_theta2
             * (cos_theta3
-                * (self.a * w_28 + theta1_dot * (w_23 + theta3_dot * w_8)
-                    + theta3_dot * theta2_dot * w_10) + w_12 + w_13);
-        let w_30 = sin_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_28 + theta3_dot * (w_7 + w_5) + w_9)
-                - w_29 - w_16 + w_15);
-        let w_31 = theta1_dot_squared + theta3_dot_squared;
-        let w_32 = sin_theta2
+                * (self.a * w_34 + theta1_dot * (w_28 + theta3_dot * w_8) + w_11 * w_35)
+                + w_13 + w_15);
+        let w_37 = sin_theta1
+            * (sin_theta2 * sin_theta3 * (w_2 * w_34 + theta3_dot * (w_7 + w_5) + w_10)
+                - w_36 - w_21 + w_20);
+        let w_38 = theta1_dot_squared + theta3_dot_squared;
+        let w_39 = sin_theta2
             * (cos_theta3
-                * (w_18 * w_28 + theta1_dot * (w_5 + theta3_dot * w_10)
-                    + theta3_dot * theta2_dot * w_8) + w_19 + w_20);
-        let w_33 = theta2_dot_squared + theta3_dot_squared;
-        let w_34 = sin_theta3
-            * (cos_theta2
-                * (self.a * sin_alpha * cos_beta * w_33
-                    + theta3_dot * theta2_dot * self.a * sin_alpha * S::from_f64(2.0))
-                + theta3_dot_squared * self.a * sin_beta * cos_alpha);
-        let w_35 = sin_beta * cos_alpha;
+                * (w_23 * w_34 + theta1_dot * (w_5 + theta3_dot * w_11) + w_8 * w_35)
+                + w_24 + w_25);
+        let w_40 = theta2_dot_squared + theta3_dot_squared;
+        let w_41 = sin_theta3
+            * (cos_theta2 * (cos_beta * w_31 * w_40 + w_35 * sin_alpha * w_4)
+                + theta3_dot_squared * sin_beta * w_23);
+        let w_42 = sin_beta * cos_alpha;
+        let w_43 = sin_beta * cos_beta;
         let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_36 = sin_beta * cos_beta * S::from_f64(2.0) * cos_alpha_squared;
-        let w_37 = sin_beta * cos_beta * cos_alpha * S::from_f64(2.0);
-        let w_38 = sin_beta * S::from_f64(2.0) * cos_alpha_squared;
-        let w_39 = sin_theta1 * sin_theta3
-            * (w_28 * w_35 + theta3_dot * (theta1_dot * w_36 + theta2_dot * w_37)
-                + theta1_dot * theta2_dot * w_38);
-        let w_40 = sin_beta * cos_beta * cos_alpha_squared;
-        let w_41 = sin_beta * cos_alpha * S::from_f64(2.0);
-        let w_42 = theta1_dot * w_41;
-        let w_43 = theta1_dot * theta2_dot * w_37;
-        let w_44 = cos_theta1
-            * (w_28 * w_40 + theta3_dot * (w_42 + theta2_dot * w_38) + w_43);
+        let w_44 = S::from_f64(2.0) * cos_alpha_squared;
+        let w_45 = w_43 * w_44;
+        let w_46 = cos_alpha * S::from_f64(2.0);
+        let w_47 = w_46 * w_43;
+        let w_48 = sin_beta * w_44;
+        let w_49 = sin_theta1 * sin_theta3
+            * (w_34 * w_42 + theta3_dot * (theta1_dot * w_45 + theta2_dot * w_47)
+                + w_9 * w_48);
+        let w_50 = cos_alpha_squared * w_43;
+        let w_51 = sin_beta * w_46;
+        let w_52 = theta1_dot * w_51;
+        let w_53 = w_9 * w_47;
         let cos_beta_squared = cos_beta * cos_beta;
-        let w_45 = cos_theta3
-            * (w_44 + w_33 * sin_alpha * cos_alpha * cos_beta_squared
-                + theta3_dot * theta2_dot * sin_alpha * cos_beta * cos_alpha
-                    * S::from_f64(2.0));
+        let w_54 = sin_alpha * cos_alpha;
+        let w_55 = cos_alpha * w_17;
+        let w_56 = cos_theta3
+            * (cos_theta1
+                * (w_34 * w_50 + theta3_dot * (w_52 + theta2_dot * w_48) + w_53)
+                + w_40 * cos_beta_squared * w_54 + w_35 * cos_beta * w_55);
         let sin_beta_squared = sin_beta * sin_beta;
-        let w_46 = sin_alpha * cos_alpha * sin_beta_squared;
-        let w_47 = sin_alpha * S::from_f64(2.0) * sin_beta_squared;
-        let w_48 = sin_beta * cos_beta * sin_alpha * sin_alpha;
-        let w_49 = cos_theta2
-            * (w_39 - w_45 + cos_theta1 * (w_11 * w_46 + theta1_dot * theta2_dot * w_47)
-                + theta2_dot_squared * w_48);
-        let w_50 = cos_theta1
-            * (w_28 * sin_beta * cos_alpha_squared
-                + theta1_dot * (theta2_dot * w_41 + theta3_dot * w_37)
-                + theta3_dot * theta2_dot * w_36);
-        let w_51 = sin_beta * cos_beta * cos_alpha;
-        let w_52 = theta3_dot * theta2_dot * w_41;
-        let w_53 = sin_alpha * sin_beta_squared;
-        let w_54 = sin_alpha * cos_alpha * S::from_f64(2.0) * sin_beta_squared;
-        let w_55 = sin_theta1
-            * (cos_theta3
-                * (w_28 * w_51 + theta1_dot * (theta2_dot * w_36 + theta3_dot * w_38)
-                    + w_52) - w_11 * w_53 - theta1_dot * theta2_dot * w_54);
-        let w_56 = sin_theta2
-            * (sin_theta3
-                * (w_50 + w_33 * sin_alpha * cos_beta * cos_alpha
-                    + theta3_dot * theta2_dot * sin_alpha * cos_alpha * S::from_f64(2.0)
-                        * cos_beta_squared) + w_55);
-        let w_57 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_58 = sin_beta * cos_beta * S::from_f64(2.0);
-        let w_59 = theta2_dot * w_58;
-        let w_60 = sin_beta * S::from_f64(2.0);
+        let w_57 = sin_beta_squared * w_54;
+        let w_58 = w_17 * sin_beta_squared;
+        let w_59 = sin_alpha * sin_alpha * w_43;
+        let w_60 = cos_theta2
+            * (w_49 - w_56 + cos_theta1 * (w_12 * w_57 + w_9 * w_58)
+                + theta2_dot_squared * w_59);
         let w_61 = cos_theta1
-            * (w_51 * w_57 + theta1_dot * (w_59 + theta3_dot * w_60) + w_52)
-            + w_33 * sin_alpha * cos_beta_squared
-            + theta3_dot * theta2_dot * sin_alpha * cos_beta * S::from_f64(2.0);
-        let w_62 = theta2_dot * w_60;
-        let w_63 = cos_theta2 * w_61
-            - sin_theta1 * sin_theta2
-                * (sin_beta * cos_beta * w_57 + theta3_dot * (w_62 + w_42) + w_43)
-            - w_53 * cos_theta1 * w_27 + theta3_dot_squared * w_51;
-        let w_64 = cos_theta1
-            * (w_35 * w_57 + theta1_dot * (w_62 + theta3_dot * w_58)
-                + theta3_dot * theta2_dot * w_37);
-        let w_65 = sin_theta1
-            * (cos_theta2
-                * (sin_beta * w_57 + theta3_dot * (w_59 + theta1_dot * w_37)
-                    + theta1_dot * theta2_dot * w_41) - theta3_dot * theta1_dot * w_47);
+            * (w_34 * sin_beta * cos_alpha_squared
+                + theta1_dot * (theta2_dot * w_51 + theta3_dot * w_47) + w_35 * w_45)
+            + w_40 * cos_beta * w_54 + w_35 * cos_beta_squared * w_55;
+        let w_62 = cos_alpha * w_43;
+        let w_63 = w_35 * w_51;
+        let w_64 = sin_alpha * sin_beta_squared;
+        let w_65 = sin_beta_squared * w_55;
+        let w_66 = sin_theta3 * w_61
+            + sin_theta1
+                * (cos_theta3
+                    * (w_34 * w_62 + theta1_dot * (theta2_dot * w_45 + theta3_dot * w_48)
+                        + w_63) - w_12 * w_64 - w_9 * w_65);
+        let w_67 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
+        let w_68 = S::from_f64(2.0) * w_43;
+        let w_69 = theta2_dot * w_68;
+        let w_70 = sin_beta * S::from_f64(2.0);
+        let w_71 = cos_theta2
+            * (cos_theta1
+                * (w_62 * w_67 + theta1_dot * (w_69 + theta3_dot * w_70) + w_63)
+                + w_40 * sin_alpha * cos_beta_squared + w_35 * cos_beta * w_17);
+        let w_72 = theta2_dot * w_70;
+        let w_73 = sin_theta3
+            * (w_71
+                - sin_theta1 * sin_theta2
+                    * (w_43 * w_67 + theta3_dot * (w_72 + w_52) + w_53)
+                - w_64 * cos_theta1 * w_33 + theta3_dot_squared * w_62);
+        let w_74 = sin_theta2
+            * (cos_theta1
+                * (w_42 * w_67 + theta1_dot * (w_72 + theta3_dot * w_68) + w_35 * w_47)
+                + sin_alpha * cos_beta * w_40 + w_35 * w_17 * cos_beta_squared);
         [
-            w_17
+            w_22
                 + sin_theta1
-                    * (w_21
+                    * (w_26
                         + sin_theta3
-                            * (cos_theta2 * (w_22 * w_3 + w_24 + w_25) - w_26 * w_27)),
-            w_30
+                            * (cos_theta2 * (w_27 * w_3 + w_29 + w_30) - w_32 * w_33)),
+            w_37
                 + cos_theta1
                     * (sin_theta3
-                        * (w_26 * w_31 - cos_theta2 * (w_22 * w_28 + w_24 + w_25))
-                        - w_32),
+                        * (w_32 * w_38 - cos_theta2 * (w_27 * w_34 + w_29 + w_30))
+                        - w_39),
             -(sin_theta2
-                * (cos_theta3
-                    * (self.a * sin_alpha * w_33
-                        + theta3_dot * theta2_dot * self.a * sin_alpha * cos_beta
-                            * S::from_f64(2.0)) + w * theta2_dot_squared) + w_34),
-            w_49 + w_56
-                + cos_theta3 * (w_46 * cos_theta1 * w_31 - theta3_dot_squared * w_40)
-                + cos_theta1 * theta1_dot_squared * w_48
-                - theta3_dot * theta1_dot * sin_theta1 * sin_theta3 * w_54,
-            sin_theta3 * w_63
+                * (cos_theta3 * (w_31 * w_40 + w_35 * cos_beta * w_18)
+                    + w * theta2_dot_squared) + w_41),
+            w_60 + sin_theta2 * w_66
+                + cos_theta3 * (w_57 * cos_theta1 * w_38 - theta3_dot_squared * w_50)
+                + cos_theta1 * theta1_dot_squared * w_59
+                - sin_theta1 * sin_theta3 * w_19 * w_65,
+            w_73
                 + cos_theta3
-                    * (sin_theta2
-                        * (w_64 + sin_alpha * cos_beta * w_33
-                            + theta3_dot * theta2_dot * sin_alpha * S::from_f64(2.0)
-                                * cos_beta_squared) + w_65),
+                    * (w_74
+                        + sin_theta1
+                            * (cos_theta2
+                                * (sin_beta * w_67 + theta3_dot * (w_69 + theta1_dot * w_47)
+                                    + w_9 * w_51) - w_19 * w_58)),
         ]
     }
     /// `C` (5), `C_q` (5 x 3) and `C_t` (5) together, in SI units, for projection.
     ///
-    /// Operations: 65 additions, 141 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 65 additions, 120 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -1302,91 +1314,88 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             cos_theta3,
             ],
         ) = S::sin_cos_each([theta1, theta2, self.alpha, theta3]);
-        let w = cos_theta1 * cos_theta2 - sin_theta1 * cos_alpha * sin_theta2;
-        let w_2 = self.b * sin_alpha;
-        let beta = (w_2 / self.a).asin();
+        let w = sin_theta1 * sin_theta2;
+        let w_2 = cos_theta1 * cos_theta2 - cos_alpha * w;
+        let w_3 = self.b * sin_alpha;
+        let beta = (w_3 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_3 = sin_alpha * sin_beta;
-        let w_4 = cos_theta1 * sin_theta2 + cos_theta2 * sin_theta1 * cos_alpha;
-        let w_5 = sin_theta1 * w_3 - cos_beta * w_4;
-        let w_6 = self.a * (cos_theta1 + (w * cos_theta3 + w_5 * sin_theta3));
-        let w_7 = cos_theta2 * sin_theta1 + cos_theta1 * cos_alpha * sin_theta2;
-        let w_8 = cos_theta1 * cos_theta2 * cos_alpha - sin_theta1 * sin_theta2;
-        let w_9 = cos_beta * w_8 - cos_theta1 * w_3;
+        let w_4 = sin_alpha * sin_beta;
+        let w_5 = cos_theta2 * sin_theta1;
+        let w_6 = cos_theta1 * sin_theta2 + cos_alpha * w_5;
+        let w_7 = sin_theta1 * w_4 - cos_beta * w_6;
+        let w_8 = self.a * (cos_theta1 + (w_2 * cos_theta3 + w_7 * sin_theta3));
+        let w_9 = cos_theta1 * cos_alpha;
+        let w_10 = w_5 + sin_theta2 * w_9;
+        let w_11 = cos_theta2 * w_9 - w;
+        let w_12 = cos_beta * w_11 - cos_theta1 * w_4;
         let minus_closure_x_by_theta1 = self.a
-            * (sin_theta1 + (cos_theta3 * w_7 + sin_theta3 * w_9)) + self.b * w_7;
-        let w_10 = sin_alpha * cos_beta;
-        let w_11 = cos_alpha * sin_beta;
-        let w_12 = cos_theta2 * w_10 + w_11;
-        let w_13 = cos_alpha * cos_beta;
-        let w_14 = cos_theta3 * w_13 - w_3;
-        let w_15 = cos_theta2 * w_14 - cos_alpha * sin_theta2 * sin_theta3;
-        let w_16 = cos_theta3 * w_11;
-        let w_17 = w_16 + w_10;
-        let w_18 = cos_alpha * w_15 - sin_alpha * w_17;
-        let w_19 = cos_theta2 * cos_alpha * sin_theta3 + sin_theta2 * w_14;
-        let w_20 = cos_theta2 * cos_theta3 - sin_theta2 * cos_beta * sin_theta3;
-        let w_21 = sin_theta2 * cos_theta3 + cos_theta2 * cos_beta * sin_theta3;
-        let w_22 = cos_alpha * w_21 - w_3 * sin_theta3;
-        let w_23 = cos_theta2 * sin_theta3 * w_13 + cos_alpha * sin_theta2 * cos_theta3;
-        let w_24 = sin_beta
+            * (sin_theta1 + (cos_theta3 * w_10 + sin_theta3 * w_12)) + self.b * w_10;
+        let w_13 = sin_theta2 * cos_theta3;
+        let w_14 = sin_alpha * cos_beta;
+        let w_15 = cos_alpha * sin_beta;
+        let w_16 = cos_theta2 * w_14 + w_15;
+        let w_17 = cos_alpha * cos_beta;
+        let w_18 = cos_theta3 * w_17 - w_4;
+        let w_19 = sin_theta2 * sin_theta3;
+        let w_20 = cos_theta2 * w_18 - cos_alpha * w_19;
+        let w_21 = cos_theta3 * w_15;
+        let w_22 = w_21 + w_14;
+        let w_23 = cos_alpha * w_20 - sin_alpha * w_22;
+        let w_24 = cos_theta2 * sin_theta3;
+        let w_25 = cos_alpha * w_24 + sin_theta2 * w_18;
+        let w_26 = cos_theta2 * cos_theta3;
+        let w_27 = w_26 - cos_beta * w_19;
+        let w_28 = w_13 + cos_beta * w_24;
+        let w_29 = cos_alpha * w_28 - w_4 * sin_theta3;
+        let w_30 = w_2 * sin_theta3;
+        let w_31 = sin_theta3 * w_10;
+        let w_32 = w_17 * w_24 + cos_alpha * w_13;
+        let w_33 = sin_beta
             * (cos_theta1
-                * (cos_alpha * w_23 - sin_theta3 * cos_alpha * sin_alpha * sin_beta)
-                + sin_theta1
-                    * (cos_theta2 * cos_alpha * cos_theta3
-                        - sin_theta2 * sin_theta3 * w_13));
-        let w_25 = sin_theta2 * sin_theta3 - cos_theta2 * cos_theta3 * cos_beta;
+                * (cos_alpha * w_32 - sin_theta3 * cos_alpha * sin_alpha * sin_beta)
+                + sin_theta1 * (cos_alpha * w_26 - w_17 * w_19));
+        let w_34 = w_19 - cos_beta * w_26;
         sim_kernel::ConstraintLinearization {
             values: [
-                self.b * (S::from_f64(1.0) + w) + w_6,
+                self.b * (S::from_f64(1.0) + w_2) + w_8,
                 minus_closure_x_by_theta1,
-                sin_theta2 * w_2
-                    + self.a * (sin_theta2 * cos_theta3 * sin_alpha + sin_theta3 * w_12),
-                sin_beta * (cos_theta1 * w_18 - sin_theta1 * w_19)
-                    + cos_beta * (sin_alpha * w_15 + cos_alpha * w_17),
-                -(sin_beta * (sin_theta1 * w_20 + cos_theta1 * w_22)
-                    + cos_beta * (sin_alpha * w_21 + sin_theta3 * w_11)),
+                sin_theta2 * w_3 + self.a * (sin_alpha * w_13 + sin_theta3 * w_16),
+                sin_beta * (cos_theta1 * w_23 - sin_theta1 * w_25)
+                    + cos_beta * (sin_alpha * w_20 + cos_alpha * w_22),
+                -(sin_beta * (sin_theta1 * w_27 + cos_theta1 * w_29)
+                    + cos_beta * (sin_alpha * w_28 + sin_theta3 * w_15)),
             ],
             jacobian: [
                 [
                     -minus_closure_x_by_theta1,
-                    -(self.b * w_4
-                        + self.a * (cos_theta3 * w_4 + w * cos_beta * sin_theta3)),
-                    self.a * (cos_theta3 * w_5 - w * sin_theta3),
+                    -(self.b * w_6 + self.a * (cos_theta3 * w_6 + cos_beta * w_30)),
+                    self.a * (cos_theta3 * w_7 - w_30),
                 ],
                 [
-                    w_6 + self.b * w,
-                    self.b * w_8
-                        + self.a * (cos_theta3 * w_8 - cos_beta * sin_theta3 * w_7),
-                    self.a * (cos_theta3 * w_9 - sin_theta3 * w_7),
+                    w_8 + self.b * w_2,
+                    self.b * w_11 + self.a * (cos_theta3 * w_11 - cos_beta * w_31),
+                    self.a * (cos_theta3 * w_12 - w_31),
                 ],
                 [
                     S::from_f64(0.0),
-                    cos_theta2 * w_2
-                        + self.a
-                            * (cos_theta2 * cos_theta3 * sin_alpha
-                                - sin_theta2 * sin_theta3 * w_10),
-                    self.a * (cos_theta3 * w_12 - sin_theta2 * sin_alpha * sin_theta3),
+                    cos_theta2 * w_3 + self.a * (sin_alpha * w_26 - w_14 * w_19),
+                    self.a * (cos_theta3 * w_16 - sin_alpha * w_19),
                 ],
                 [
-                    -(sin_beta * (cos_theta1 * w_19 + sin_theta1 * w_18)),
-                    -(sin_beta * (cos_theta1 * cos_alpha * w_19 + sin_theta1 * w_15)
-                        + w_10 * w_19),
-                    -(w_24
+                    -(sin_beta * (cos_theta1 * w_25 + sin_theta1 * w_23)),
+                    -(sin_beta * (w_9 * w_25 + sin_theta1 * w_20) + w_14 * w_25),
+                    -(w_33
                         + cos_beta
-                            * (sin_alpha * w_23
+                            * (sin_alpha * w_32
                                 + sin_theta3 * sin_beta * cos_alpha * cos_alpha)),
                 ],
                 [
-                    -(sin_beta * (cos_theta1 * w_20 - sin_theta1 * w_22)),
-                    sin_beta * (sin_theta1 * w_21 - cos_theta1 * cos_alpha * w_20)
-                        - w_10 * w_20,
+                    -(sin_beta * (cos_theta1 * w_27 - sin_theta1 * w_29)),
+                    sin_beta * (sin_theta1 * w_28 - w_9 * w_27) - w_14 * w_27,
                     sin_beta
-                        * (sin_theta1
-                            * (cos_theta2 * sin_theta3
-                                + sin_theta2 * cos_theta3 * cos_beta)
-                            + cos_theta1 * (cos_alpha * w_25 + cos_theta3 * w_3))
-                        - cos_beta * (w_16 - sin_alpha * w_25),
+                        * (sin_theta1 * (w_24 + cos_beta * w_13)
+                            + cos_theta1 * (cos_alpha * w_34 + cos_theta3 * w_4))
+                        - cos_beta * (w_21 - sin_alpha * w_34),
                 ],
             ],
             time_derivative: [
@@ -1400,57 +1409,58 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 29 additions, 82 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
+    /// Operations: 29 additions, 72 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, theta2, theta3] = *q;
         let [theta1_dot, theta2_dot, theta3_dot] = *qd;
+        let w = self.m * S::from_f64(0.125);
         let ([sin_alpha, sin_theta2, sin_theta3], [cos_alpha, cos_theta2, cos_theta3]) = S::sin_cos_each([
             self.alpha,
             theta2,
             theta3,
         ]);
-        let w = theta2_dot + theta1_dot * cos_alpha;
-        let w_2 = w * self.b;
-        let w_3 = cos_alpha * self.a * S::from_f64(2.0);
-        let w_4 = w_2 + theta1_dot * cos_theta2 * w_3;
-        let w_5 = sin_alpha * self.b;
-        let w_6 = cos_theta2 * w_5;
-        let w_7 = theta1_dot * (w_6 + self.a * sin_alpha * S::from_f64(2.0));
-        let beta = (w_5 / self.a).asin();
+        let w_2 = theta2_dot + theta1_dot * cos_alpha;
+        let w_3 = w_2 * self.b;
+        let w_4 = theta1_dot * cos_theta2;
+        let w_5 = self.a * S::from_f64(2.0);
+        let w_6 = cos_alpha * w_5;
+        let w_7 = w_3 + w_4 * w_6;
+        let w_8 = sin_alpha * self.b;
+        let w_9 = cos_theta2 * w_8;
+        let w_10 = theta1_dot * (w_9 + sin_alpha * w_5);
+        let beta = (w_8 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_8 = theta3_dot + w * cos_beta
-            - theta1_dot * cos_theta2 * sin_alpha * sin_beta;
-        let w_9 = cos_alpha * self.a;
-        let w_10 = w_2 + theta1_dot * cos_theta2 * w_9;
-        let w_11 = theta1_dot * (w_6 + self.a * sin_alpha);
-        let w_12 = cos_beta * w_10 - sin_beta * w_11;
-        let w_13 = self.a * w_8 + cos_theta3 * w_12 * S::from_f64(2.0)
-            - theta1_dot * sin_theta2 * sin_theta3 * w_3;
-        let w_14 = theta1_dot * cos_theta2 * sin_alpha * cos_beta + w * sin_beta;
-        let w_15 = w_14 * cos_theta3 - theta1_dot * sin_theta2 * sin_alpha * sin_theta3;
-        let w_16 = self.a * w_15 + w_10 * sin_beta * S::from_f64(2.0)
-            + w_11 * cos_beta * S::from_f64(2.0);
-        let w_17 = self.m * S::from_f64(0.125)
-            * (w_4 * w_4 + w_7 * w_7 + w_13 * w_13 + w_16 * w_16);
-        let w_18 = S::from_f64(0.5) * self.J;
+        let w_11 = theta3_dot + w_2 * cos_beta - w_4 * sin_alpha * sin_beta;
+        let w_12 = cos_alpha * self.a;
+        let w_13 = w_3 + w_4 * w_12;
+        let w_14 = theta1_dot * (w_9 + self.a * sin_alpha);
+        let w_15 = cos_beta * w_13 - sin_beta * w_14;
+        let w_16 = theta1_dot * sin_theta2;
+        let w_17 = self.a * w_11 + cos_theta3 * w_15 * S::from_f64(2.0)
+            - sin_theta3 * w_16 * w_6;
+        let w_18 = sin_alpha * cos_beta * w_4 + w_2 * sin_beta;
+        let w_19 = w_18 * cos_theta3 - sin_alpha * sin_theta3 * w_16;
+        let w_20 = self.a * w_19 + w_13 * sin_beta * S::from_f64(2.0)
+            + w_14 * cos_beta * S::from_f64(2.0);
+        let w_21 = w * (w_7 * w_7 + w_10 * w_10 + w_17 * w_17 + w_20 * w_20);
+        let w_22 = S::from_f64(0.5) * self.J;
         let a_squared = self.a * self.a;
         let sin_alpha_squared = sin_alpha * sin_alpha;
-        let w_19 = sin_theta2 * sin_theta2
-            * (S::from_f64(0.5) * a_squared * self.m * cos_alpha * cos_alpha
-                - self.J * S::from_f64(0.49) * sin_alpha_squared);
-        let w_20 = theta1_dot * theta1_dot
-            * (w_18 + a_squared * self.m * S::from_f64(0.125)
-                + S::from_f64(0.5) * self.J * sin_alpha_squared + w_19);
-        let w_21 = theta1_dot * sin_theta2 * cos_theta3 * w_9 + sin_theta3 * w_12;
-        let w_22 = theta1_dot * sin_theta2 * sin_alpha * cos_theta3 + w_14 * sin_theta3;
-        w_17 + w_18 * (w * w + w_15 * w_15 + w_8 * w_8) + w_20
-            + w_21 * w_21 * S::from_f64(0.5) * self.m
-            + w_22 * w_22 * self.J * S::from_f64(0.01)
+        let w_23 = S::from_f64(0.5) * self.m;
+        let w_24 = theta1_dot * theta1_dot
+            * (w_22 + a_squared * w + sin_alpha_squared * w_22
+                + sin_theta2 * sin_theta2
+                    * (a_squared * cos_alpha * cos_alpha * w_23
+                        - self.J * S::from_f64(0.49) * sin_alpha_squared));
+        let w_25 = cos_theta3 * w_16 * w_12 + sin_theta3 * w_15;
+        let w_26 = sin_alpha * cos_theta3 * w_16 + w_18 * sin_theta3;
+        w_21 + w_22 * (w_2 * w_2 + w_19 * w_19 + w_11 * w_11) + w_24 + w_25 * w_25 * w_23
+            + w_26 * w_26 * self.J * S::from_f64(0.01)
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 27 additions, 87 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 27 additions, 77 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn power(
         &self,
@@ -1462,6 +1472,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     ) -> S {
         let [theta1, theta2, theta3] = *q;
         let [theta1_dot, theta2_dot, theta3_dot] = *qd;
+        let w = self.m * S::from_f64(0.5);
         let (
             [sin_alpha,
             sin_theta2,
@@ -1474,45 +1485,42 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             cos_theta3,
             ],
         ) = S::sin_cos_each([self.alpha, theta2, theta1, theta3]);
-        let w = cos_alpha * self.g;
-        let w_2 = cos_theta2 * cos_theta1 * w - sin_theta2 * self.g * sin_theta1;
-        let w_3 = theta2_dot + theta1_dot * cos_alpha;
-        let w_4 = self.b * w_3;
-        let w_5 = self.a * cos_alpha * S::from_f64(2.0);
-        let w_6 = self.b * sin_alpha;
-        let beta = (w_6 / self.a).asin();
+        let w_2 = cos_alpha * self.g;
+        let w_3 = self.g * sin_theta1;
+        let w_4 = cos_theta2 * cos_theta1 * w_2 - sin_theta2 * w_3;
+        let w_5 = theta2_dot + theta1_dot * cos_alpha;
+        let w_6 = self.b * w_5;
+        let w_7 = theta1_dot * cos_theta2;
+        let w_8 = self.a * S::from_f64(2.0);
+        let w_9 = cos_alpha * w_8;
+        let w_10 = self.b * sin_alpha;
+        let beta = (w_10 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_7 = cos_beta * w_2 - cos_theta1 * self.g * sin_alpha * sin_beta;
-        let w_8 = self.g * sin_theta1 * cos_theta2 + sin_theta2 * cos_theta1 * w;
-        let w_9 = self.a * cos_alpha;
-        let w_10 = w_4 + theta1_dot * cos_theta2 * w_9;
-        let w_11 = cos_theta2 * w_6;
-        let w_12 = theta1_dot * (w_11 + self.a * sin_alpha);
-        let w_13 = cos_beta * w_10 - sin_beta * w_12;
-        let w_14 = self.a
-            * (theta3_dot + cos_beta * w_3
-                - theta1_dot * cos_theta2 * sin_alpha * sin_beta)
-            + cos_theta3 * w_13 * S::from_f64(2.0)
-            - theta1_dot * sin_theta2 * sin_theta3 * w_5;
-        let w_15 = self.a
-            * (cos_theta3
-                * (theta1_dot * cos_theta2 * sin_alpha * cos_beta + w_3 * sin_beta)
-                - theta1_dot * sin_theta2 * sin_theta3 * sin_alpha);
-        let w_16 = (sin_beta * w_2 + cos_theta1 * self.g * sin_alpha * cos_beta)
-            * (w_15 + w_10 * sin_beta * S::from_f64(2.0)
-                + w_12 * cos_beta * S::from_f64(2.0));
-        let w_17 = self.m * S::from_f64(0.5)
-            * (w_2 * (w_4 + theta1_dot * cos_theta2 * w_5)
-                + (cos_theta3 * w_7 - w_8 * sin_theta3) * w_14 + w_16);
-        let w_18 = theta1_dot
-            * (sin_theta2 * w_8 * self.a * self.m * cos_alpha
-                + cos_theta1 * self.a * self.m * self.g * S::from_f64(0.5));
-        let w_19 = self.m
-            * (theta1_dot * sin_theta2 * cos_theta3 * w_9 + sin_theta3 * w_13)
-            * (w_8 * cos_theta3 + sin_theta3 * w_7);
-        w_17 + w_18 + w_19
-            + cos_theta1 * theta1_dot * (w_11 + self.a * sin_alpha * S::from_f64(2.0))
-                * self.m * self.g * sin_alpha * S::from_f64(0.5)
+        let w_11 = self.g * sin_alpha;
+        let w_12 = cos_beta * w_4 - cos_theta1 * sin_beta * w_11;
+        let w_13 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
+        let w_14 = self.a * cos_alpha;
+        let w_15 = w_6 + w_14 * w_7;
+        let w_16 = cos_theta2 * w_10;
+        let w_17 = theta1_dot * (w_16 + self.a * sin_alpha);
+        let w_18 = cos_beta * w_15 - sin_beta * w_17;
+        let w_19 = theta1_dot * sin_theta2;
+        let w_20 = self.a * (theta3_dot + cos_beta * w_5 - w_7 * sin_alpha * sin_beta)
+            + cos_theta3 * w_18 * S::from_f64(2.0) - sin_theta3 * w_19 * w_9;
+        let w_21 = self.a
+            * (cos_theta3 * (w_7 * sin_alpha * cos_beta + w_5 * sin_beta)
+                - sin_theta3 * sin_alpha * w_19) + w_15 * sin_beta * S::from_f64(2.0)
+            + w_17 * cos_beta * S::from_f64(2.0);
+        let w_22 = w
+            * (w_4 * (w_6 + w_7 * w_9) + (cos_theta3 * w_12 - w_13 * sin_theta3) * w_20
+                + (sin_beta * w_4 + cos_theta1 * cos_beta * w_11) * w_21);
+        let w_23 = theta1_dot
+            * (sin_theta2 * w_13 * self.a * self.m * cos_alpha
+                + cos_theta1 * self.a * self.g * w);
+        let w_24 = self.m * (cos_theta3 * w_14 * w_19 + sin_theta3 * w_18)
+            * (w_13 * cos_theta3 + sin_theta3 * w_12);
+        w_22 + w_23 + w_24
+            + cos_theta1 * theta1_dot * (w_16 + sin_alpha * w_8) * self.g * sin_alpha * w
     }
     /// Outputs, 2, in SI units.
     ///
@@ -1574,7 +1582,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 39 additions, 52 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 39 additions, 45 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 36] {
         let [theta1, theta2, theta3] = *q;
@@ -1592,31 +1600,35 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         ) = S::sin_cos_each([theta1, theta2, self.alpha, theta3]);
         let P2_x = self.a * cos_theta1;
         let P2_y = self.a * sin_theta1;
-        let w = cos_theta1 * cos_theta2 - sin_theta1 * cos_alpha * sin_theta2;
-        let w_2 = self.b * w;
-        let P3_x = P2_x + w_2;
-        let w_3 = sin_theta1 * cos_theta2 + cos_theta1 * cos_alpha * sin_theta2;
+        let w = cos_theta1 * cos_theta2;
+        let w_2 = sin_theta1 * sin_theta2;
+        let w_3 = w - cos_alpha * w_2;
         let w_4 = self.b * w_3;
-        let P3_y = P2_y + w_4;
-        let w_5 = self.b * sin_alpha;
-        let P3_z = sin_theta2 * w_5;
-        let beta = (w_5 / self.a).asin();
+        let P3_x = P2_x + w_4;
+        let w_5 = sin_theta1 * cos_theta2;
+        let w_6 = cos_theta1 * sin_theta2;
+        let w_7 = w_5 + cos_alpha * w_6;
+        let w_8 = self.b * w_7;
+        let P3_y = P2_y + w_8;
+        let w_9 = self.b * sin_alpha;
+        let P3_z = sin_theta2 * w_9;
+        let beta = (w_9 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_6 = sin_alpha * sin_beta;
-        let w_7 = cos_theta1 * sin_theta2 + sin_theta1 * cos_theta2 * cos_alpha;
-        let w_8 = cos_theta1 * cos_theta2 * cos_alpha - sin_theta1 * sin_theta2;
-        let w_9 = sin_alpha * S::from_f64(0.05);
-        let w_10 = sin_theta1 * w_9;
-        let w_11 = cos_theta1 * w_9;
-        let w_12 = cos_alpha * S::from_f64(0.05);
-        let w_13 = sin_beta * S::from_f64(0.05);
-        let w_14 = w_7 * w_13;
-        let w_15 = sin_alpha * cos_beta * S::from_f64(0.05);
-        let w_16 = sin_theta1 * w_15;
-        let w_17 = w_8 * w_13;
-        let w_18 = cos_theta1 * w_15;
-        let w_19 = cos_theta2 * sin_alpha * sin_beta * S::from_f64(0.05);
-        let w_20 = cos_alpha * cos_beta * S::from_f64(0.05);
+        let w_10 = sin_alpha * sin_beta;
+        let w_11 = w_6 + cos_alpha * w_5;
+        let w_12 = cos_alpha * w - w_2;
+        let w_13 = sin_alpha * S::from_f64(0.05);
+        let w_14 = sin_theta1 * w_13;
+        let w_15 = cos_theta1 * w_13;
+        let w_16 = cos_alpha * S::from_f64(0.05);
+        let w_17 = sin_beta * S::from_f64(0.05);
+        let w_18 = w_11 * w_17;
+        let w_19 = cos_beta * w_13;
+        let w_20 = sin_theta1 * w_19;
+        let w_21 = w_12 * w_17;
+        let w_22 = cos_theta1 * w_19;
+        let w_23 = cos_theta2 * sin_beta * w_13;
+        let w_24 = cos_beta * w_16;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1641,30 +1653,30 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             P3_z,
             self.a
                 * (cos_theta1
-                    + (w * cos_theta3
-                        + (sin_theta1 * w_6 - cos_beta * w_7) * sin_theta3)) + w_2,
+                    + (w_3 * cos_theta3
+                        + (sin_theta1 * w_10 - cos_beta * w_11) * sin_theta3)) + w_4,
             self.a
                 * (sin_theta1
-                    + (w_3 * cos_theta3
-                        + sin_theta3 * (cos_beta * w_8 - cos_theta1 * w_6))) + w_4,
+                    + (w_7 * cos_theta3
+                        + sin_theta3 * (cos_beta * w_12 - cos_theta1 * w_10))) + w_8,
             P3_z
                 + self.a
                     * (sin_theta2 * sin_alpha * cos_theta3
                         + sin_theta3
                             * (cos_theta2 * sin_alpha * cos_beta
                                 + cos_alpha * sin_beta)),
-            P2_x - w_10,
-            w_11 + P2_y,
-            -w_12,
-            w_10 + P2_x,
-            P2_y - w_11,
-            w_12,
-            P2_x - w_14 - w_16 + w_2,
-            w_17 + w_18 + P2_y + w_4,
-            w_19 - w_20 + P3_z,
-            w_14 + w_16 + P2_x + w_2,
-            P2_y - w_17 - w_18 + w_4,
-            w_20 - w_19 + P3_z,
+            P2_x - w_14,
+            w_15 + P2_y,
+            -w_16,
+            w_14 + P2_x,
+            P2_y - w_15,
+            w_16,
+            P2_x - w_18 - w_20 + w_4,
+            w_21 + w_22 + P2_y + w_8,
+            w_23 - w_24 + P3_z,
+            w_18 + w_20 + P2_x + w_4,
+            P2_y - w_21 - w_22 + w_8,
+            w_24 - w_23 + P3_z,
         ]
     }
     /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
@@ -1705,7 +1717,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 386 additions, 685 multiplications, 8 divisions, 3 sine-cosine pairs.
+    /// Operations: 386 additions, 619 multiplications, 8 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1740,196 +1752,204 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         let w_11 = self.k_6 + cos_theta2 * self.k_7;
         let w_12 = w_6 + self.k_8;
         let w_13 = self.cos_beta * w_11 - self.sin_beta * w_12;
-        let w_14 = self.a * w_10 + S::from_f64(2.0) * cos_theta3 * w_13
-            - sin_theta2 * sin_theta3 * self.k_9;
-        let w_15 = self.b
+        let w_14 = S::from_f64(2.0) * cos_theta3;
+        let w_15 = sin_theta2 * sin_theta3;
+        let w_16 = self.a * w_10 + w_13 * w_14 - w_15 * self.k_9;
+        let w_17 = self.b
             * (self.sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
                 + w_8 * w_8);
-        let w_16 = sin_theta2 * cos_theta1 * self.k_41;
-        let w_17 = w_15 + w_16 + cos_theta2 * w_4;
-        let w_18 = cos_theta2 * (cos_theta1 * self.k_41 - w_2) - sin_theta2 * w_4;
-        let w_19 = cos_theta1 * self.k_42 + w_9;
-        let w_20 = self.cos_beta * w_18 - self.sin_beta * w_19;
-        let w_21 = cos_theta2 * self.k_2 * theta1_dot + self.sin_beta * w_8;
-        let w_22 = cos_theta3 * w_21
-            - sin_theta2 * self.sin_alpha * sin_theta3 * theta1_dot;
-        let w_23 = sin_theta2 * self.sin_alpha * cos_theta3 * theta1_dot
-            + sin_theta3 * w_21;
-        let w_24 = S::from_f64(2.0) * (sin_theta3 * w_17 - cos_theta3 * w_20)
-            + self.a * (w_22 * w_23 + sin_theta2 * self.k_5 * theta1_dot * theta2_dot);
-        let w_25 = cos_theta2 * self.k_2 + self.k_3;
-        let w_26 = w_25 * cos_theta3 - sin_theta2 * self.sin_alpha * sin_theta3;
-        let closure_z_by_theta3 = self.a * w_26;
-        let w_27 = closure_z_by_theta3 + w_11 * self.k_11 + w_12 * self.k_12;
-        let w_28 = theta3_dot + self.cos_beta * w_8 - cos_theta2 * self.k_5 * theta1_dot;
-        let w_29 = theta1_dot * theta2_dot
-            * (sin_theta2 * self.k_2 * cos_theta3
-                + self.sin_alpha * cos_theta2 * sin_theta3);
-        let w_30 = self.a * (w_23 * (theta3_dot + w_28) + w_29) + self.k_12 * w_19
-            + self.k_11 * w_18;
-        let w_31 = self.k_14
-            * (w * w_5 + w_7 * (cos_theta1 * self.k_40 + w_9) - w_14 * w_24
-                + w_27 * w_30);
-        let w_32 = sin_theta2
-            * ((w_15 + sin_theta2 * cos_theta1 * self.k_38
-                + S::from_f64(2.0) * cos_theta2 * w_4) * self.k_47
-                - cos_theta2
-                    * (theta1_dot * theta2_dot * self.k_43
-                        + theta1_dot_squared * self.k_45));
-        let w_33 = w_23 * w_28 * self.k_35 + (w_29 + theta3_dot * w_23) * self.k_36;
-        let w_34 = w_22 * w_23 * self.k_35
-            + sin_theta2 * theta1_dot * theta2_dot * self.k_37;
-        let w_35 = cos_theta2 * sin_theta2 * theta1_dot
+        let w_18 = sin_theta2 * cos_theta1;
+        let w_19 = w_18 * self.k_41;
+        let w_20 = w_17 + w_19 + cos_theta2 * w_4;
+        let w_21 = cos_theta2 * (cos_theta1 * self.k_41 - w_2) - sin_theta2 * w_4;
+        let w_22 = cos_theta1 * self.k_42 + w_9;
+        let w_23 = self.cos_beta * w_21 - self.sin_beta * w_22;
+        let w_24 = cos_theta2 * self.k_2 * theta1_dot + self.sin_beta * w_8;
+        let w_25 = self.sin_alpha * theta1_dot;
+        let w_26 = cos_theta3 * w_24 - w_15 * w_25;
+        let w_27 = sin_theta2 * cos_theta3;
+        let w_28 = w_27 * w_25 + sin_theta3 * w_24;
+        let w_29 = w_26 * w_28;
+        let w_30 = theta1_dot * theta2_dot;
+        let w_31 = S::from_f64(2.0) * (sin_theta3 * w_20 - cos_theta3 * w_23)
+            + self.a * (w_29 + sin_theta2 * self.k_5 * w_30);
+        let w_32 = cos_theta2 * self.k_2 + self.k_3;
+        let w_33 = w_32 * cos_theta3 - self.sin_alpha * w_15;
+        let closure_z_by_theta3 = self.a * w_33;
+        let w_34 = closure_z_by_theta3 + w_11 * self.k_11 + w_12 * self.k_12;
+        let w_35 = theta3_dot + self.cos_beta * w_8 - cos_theta2 * self.k_5 * theta1_dot;
+        let w_36 = cos_theta2 * sin_theta3;
+        let w_37 = theta1_dot * theta2_dot * (self.k_2 * w_27 + self.sin_alpha * w_36);
+        let w_38 = self.a * (w_28 * (theta3_dot + w_35) + w_37) + self.k_12 * w_22
+            + self.k_11 * w_21;
+        let w_39 = self.k_14
+            * (w * w_5 + w_7 * (cos_theta1 * self.k_40 + w_9) - w_16 * w_31
+                + w_34 * w_38);
+        let w_40 = sin_theta2
+            * ((w_17 + w_18 * self.k_38 + S::from_f64(2.0) * cos_theta2 * w_4)
+                * self.k_47
+                - cos_theta2 * (w_30 * self.k_43 + theta1_dot_squared * self.k_45));
+        let w_41 = w_28 * w_35 * self.k_35 + (w_37 + theta3_dot * w_28) * self.k_36;
+        let w_42 = self.k_35 * w_29 + sin_theta2 * self.k_37 * w_30;
+        let w_43 = cos_theta2 * sin_theta2 * theta1_dot
             * (w_8 * self.k_33 + theta2_dot * self.k_34) * self.k_44;
-        let w_36 = sin_theta2 * self.sin_alpha * cos_theta3 + w_25 * sin_theta3;
-        let w_37 = self.sin_alpha * cos_theta2 * cos_theta3
-            - sin_theta2 * self.k_2 * sin_theta3;
-        let w_38 = theta1_dot * w_37 * theta2_dot + theta3_dot * w_22;
-        let w_39 = cos_theta1 * self.k_46;
-        let w_40 = sin_theta2 * cos_theta3 * self.k_7 + sin_theta3 * w_13;
-        let w_41 = S::from_f64(2.0) * (sin_theta3 * w_20 + cos_theta3 * w_17)
-            + self.a * (w_22 * w_22 + w_28 * w_28);
-        let rhs_theta1 = w_31 + w_32 + S::from_f64(0.02) * (w_26 * w_33 - w_10 * w_34)
-            + w_35 - w_36 * self.k_15 * w_38 + w_39 + w_40 * w_41 * self.k_48;
-        let w_42 = self.k_14 * (w * w + w_7 * w_7 + w_14 * w_14 + w_27 * w_27);
-        let mass_theta1_theta1 = w_42 + self.J * (w_26 * w_26 + w_10 * w_10) + self.k_16
-            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_40 * w_40
-            + w_36 * w_36 * self.k_15;
+        let w_44 = self.sin_alpha * w_27 + w_32 * sin_theta3;
+        let w_45 = cos_theta2 * cos_theta3;
+        let w_46 = self.sin_alpha * w_45 - self.k_2 * w_15;
+        let w_47 = theta1_dot * w_46 * theta2_dot + theta3_dot * w_26;
+        let w_48 = cos_theta1 * self.k_46;
+        let w_49 = self.k_7 * w_27 + sin_theta3 * w_13;
+        let w_50 = S::from_f64(2.0) * (sin_theta3 * w_23 + cos_theta3 * w_20)
+            + self.a * (w_26 * w_26 + w_35 * w_35);
+        let rhs_theta1 = w_39 + w_40 + S::from_f64(0.02) * (w_33 * w_41 - w_10 * w_42)
+            + w_43 - w_44 * self.k_15 * w_47 + w_48 + w_49 * w_50 * self.k_48;
+        let w_51 = cos_theta3 * self.k_20 + self.k_21;
+        let w_52 = self.k_18 + cos_theta3 * self.k_19;
+        let w_53 = self.k_14 * (w_51 * w_38 - w_52 * w_31);
+        let w_54 = sin_theta3 * (w_50 * self.k_51 - self.k_27 * w_47) + w_53
+            - sin_theta2 * cos_theta2 * self.k_13 * theta1_dot_squared
+            + cos_theta3 * w_41 * self.k_49 - w_42 * self.k_50 + self.k_26 * w_5;
+        let mass_theta2_theta1 = sin_theta3 * (w_49 * self.k_25 + w_44 * self.k_27)
+            + self.k_14 * (w_16 * w_52 + w_34 * w_51) + self.k_22
+            + cos_theta3 * w_33 * self.k_23 + w_10 * self.k_24 + w * self.k_26;
+        let w_55 = self.k_14 * (w * w + w_7 * w_7 + w_16 * w_16 + w_34 * w_34);
+        let mass_theta1_theta1 = w_55 + self.J * (w_33 * w_33 + w_10 * w_10) + self.k_16
+            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_49 * w_49
+            + w_44 * w_44 * self.k_15;
         let inverse_theta1 = S::from_f64(1.0) / mass_theta1_theta1;
-        let w_43 = self.k_18 + cos_theta3 * self.k_19;
-        let w_44 = cos_theta3 * self.k_20 + self.k_21;
-        let mass_theta2_theta1 = sin_theta3 * (w_40 * self.k_25 + w_36 * self.k_27)
-            + self.k_14 * (w_14 * w_43 + w_27 * w_44) + self.k_22
-            + cos_theta3 * w_26 * self.k_23 + w_10 * self.k_24 + w * self.k_26;
         let l_theta2_theta1 = mass_theta2_theta1 * inverse_theta1;
-        let mass_theta2_theta2 = self.k_14 * (w_43 * w_43 + w_44 * w_44) + self.k_28
+        let rhs_theta2 = w_54 - rhs_theta1 * l_theta2_theta1;
+        let w_56 = cos_theta2 * sin_theta1;
+        let w_57 = self.cos_alpha * cos_theta1;
+        let w_58 = w_56 + sin_theta2 * w_57;
+        let w_59 = sin_theta2 * sin_theta1;
+        let w_60 = cos_theta2 * w_57 - w_59;
+        let w_61 = self.cos_beta * w_60 - self.k_5 * cos_theta1;
+        let minus_closure_x_by_theta1 = self.a
+            * (sin_theta1 + (cos_theta3 * w_58 + sin_theta3 * w_61)) + self.b * w_58;
+        let minus_l_lambda_closure_x_theta1 = minus_closure_x_by_theta1 * inverse_theta1;
+        let theta3_dot_squared = theta3_dot * theta3_dot;
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let w_62 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
+        let w_63 = theta3_dot * self.k_59;
+        let w_64 = theta1_dot * theta3_dot;
+        let w_65 = theta3_dot * self.k_55;
+        let w_66 = self.k_9 * theta1_dot;
+        let w_67 = theta1_dot_squared + theta2_dot_squared;
+        let w_68 = self.b * w_67;
+        let w_69 = w_30 * self.k_61;
+        let w_70 = cos_theta2
+            * (cos_theta3
+                * (self.a * w_62 + theta2_dot * (w_65 + w_66) + self.k_56 * w_64) + w_68
+                + w_69);
+        let w_71 = cos_theta3 * self.k_54 * w_64;
+        let w_72 = cos_theta1
+            * (sin_theta2 * sin_theta3
+                * (self.k_18 * w_62 + theta2_dot * (w_63 + theta1_dot * self.k_56)
+                    + self.k_9 * w_64) - w_70 + w_71 - w_3);
+        let w_73 = theta2_dot * self.k_59;
+        let w_74 = theta2_dot * theta3_dot;
+        let w_75 = self.k_56 * w_74;
+        let w_76 = self.k_6 * w_67;
+        let w_77 = w_30 * self.k_60;
+        let w_78 = sin_theta2
+            * (cos_theta3 * (self.k_7 * w_62 + theta1_dot * (w_65 + w_73) + w_75) + w_76
+                + w_77);
+        let w_79 = theta1_dot * (w_63 + theta2_dot * self.k_55);
+        let w_80 = self.k_9 * w_74;
+        let w_81 = theta3_dot_squared + theta1_dot_squared;
+        let mass_theta2_theta2 = self.k_14 * (w_52 * w_52 + w_51 * w_51) + self.k_28
             + sin_theta3 * sin_theta3 * self.k_29;
         let pivot_theta2 = mass_theta2_theta2 - mass_theta2_theta1 * l_theta2_theta1;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let w_45 = self.k_14 * (w_44 * w_30 - w_43 * w_24);
-        let w_46 = sin_theta3 * (w_41 * self.k_51 - self.k_27 * w_38) + w_45
-            - sin_theta2 * cos_theta2 * self.k_13 * theta1_dot_squared
-            + cos_theta3 * w_33 * self.k_49 - w_34 * self.k_50 + self.k_26 * w_5;
-        let rhs_theta2 = w_46 - rhs_theta1 * l_theta2_theta1;
-        let mass_theta3_theta1 = self.J * w_10 + w_14 * self.k_30;
+        let w_82 = w_18 + self.cos_alpha * w_56;
+        let w_83 = cos_theta2 * cos_theta1;
+        let w_84 = w_83 - self.cos_alpha * w_59;
+        let w_85 = self.cos_beta * sin_theta3;
+        let k_lambda_closure_x_theta2 = mass_theta2_theta1
+            * minus_l_lambda_closure_x_theta1
+            - (self.b * w_82 + self.a * (cos_theta3 * w_82 + w_84 * w_85));
+        let l_lambda_closure_x_theta2 = inverse_theta2 * k_lambda_closure_x_theta2;
+        let mass_theta3_theta1 = self.J * w_10 + w_16 * self.k_30;
         let l_theta3_theta1 = mass_theta3_theta1 * inverse_theta1;
-        let k_theta3_theta2 = self.k_24 + w_43 * self.k_30
+        let k_theta3_theta2 = self.k_24 + w_52 * self.k_30
             - mass_theta2_theta1 * l_theta3_theta1;
         let l_theta3_theta2 = inverse_theta2 * k_theta3_theta2;
         let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta1 * l_theta3_theta1
             - k_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let minus_rhs_theta3 = w_22 * w_23 * self.k_52
-            + sin_theta2 * theta1_dot * theta2_dot * self.k_53 + self.k_30 * w_24
-            + rhs_theta1 * l_theta3_theta1 + l_theta3_theta2 * rhs_theta2;
-        let w_47 = sin_theta2 * cos_theta1 + self.cos_alpha * cos_theta2 * sin_theta1;
-        let w_48 = self.k_5 * sin_theta1 - self.cos_beta * w_47;
-        let w_49 = cos_theta2 * cos_theta1 - self.cos_alpha * sin_theta2 * sin_theta1;
-        let w_50 = cos_theta2 * sin_theta1 + self.cos_alpha * sin_theta2 * cos_theta1;
-        let w_51 = self.cos_alpha * cos_theta2 * cos_theta1 - sin_theta2 * sin_theta1;
-        let w_52 = self.cos_beta * w_51 - self.k_5 * cos_theta1;
-        let minus_closure_x_by_theta1 = self.a
-            * (sin_theta1 + (cos_theta3 * w_50 + sin_theta3 * w_52)) + self.b * w_50;
-        let minus_l_lambda_closure_x_theta1 = minus_closure_x_by_theta1 * inverse_theta1;
-        let k_lambda_closure_x_theta2 = mass_theta2_theta1
-            * minus_l_lambda_closure_x_theta1
-            - (self.b * w_47
-                + self.a * (cos_theta3 * w_47 + self.cos_beta * sin_theta3 * w_49));
-        let l_lambda_closure_x_theta2 = inverse_theta2 * k_lambda_closure_x_theta2;
-        let k_lambda_closure_x_theta3 = self.a * (cos_theta3 * w_48 - sin_theta3 * w_49)
+        let w_86 = self.k_5 * sin_theta1 - self.cos_beta * w_82;
+        let k_lambda_closure_x_theta3 = self.a * (cos_theta3 * w_86 - sin_theta3 * w_84)
             + mass_theta3_theta1 * minus_l_lambda_closure_x_theta1
             - k_theta3_theta2 * l_lambda_closure_x_theta2;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
+        let minus_rhs_theta3 = w_29 * self.k_52 + sin_theta2 * w_30 * self.k_53
+            + self.k_30 * w_31 + rhs_theta1 * l_theta3_theta1
+            + l_theta3_theta2 * rhs_theta2;
+        let rhs_lambda_closure_x = rhs_theta1 * minus_l_lambda_closure_x_theta1
+            - (w_72
+                + sin_theta1
+                    * (w_78
+                        + sin_theta3
+                            * (cos_theta2 * (self.k_58 * w_62 + w_79 + w_80)
+                                - self.k_57 * w_81)))
+            - l_lambda_closure_x_theta2 * rhs_theta2
+            + l_lambda_closure_x_theta3 * minus_rhs_theta3;
+        let closure_y_by_theta1 = self.a
+            * (cos_theta1 + (cos_theta3 * w_84 + sin_theta3 * w_86)) + self.b * w_84;
+        let l_lambda_closure_y_theta1 = closure_y_by_theta1 * inverse_theta1;
+        let k_lambda_closure_y_theta2 = self.b * w_60
+            + self.a * (cos_theta3 * w_60 - w_58 * w_85)
+            - mass_theta2_theta1 * l_lambda_closure_y_theta1;
+        let l_lambda_closure_y_theta2 = inverse_theta2 * k_lambda_closure_y_theta2;
+        let k_lambda_closure_y_theta3 = self.a * (cos_theta3 * w_61 - sin_theta3 * w_58)
+            - mass_theta3_theta1 * l_lambda_closure_y_theta1
+            - k_theta3_theta2 * l_lambda_closure_y_theta2;
+        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
+        let w_87 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
+        let w_88 = cos_theta2
+            * (cos_theta3
+                * (self.a * w_87
+                    + theta1_dot * (self.k_9 * theta2_dot + theta3_dot * self.k_56)
+                    + self.k_55 * w_74) + w_68 + w_69);
+        let w_89 = sin_theta1
+            * (sin_theta2 * sin_theta3
+                * (self.k_18 * w_87
+                    + theta1_dot * (self.k_9 * theta3_dot + theta2_dot * self.k_56)
+                    + self.k_59 * w_74) - w_88 - w_3 + w_71);
+        let w_90 = theta1_dot_squared + theta3_dot_squared;
+        let w_91 = sin_theta2
+            * (cos_theta3 * (self.k_7 * w_87 + theta1_dot * (w_73 + w_65) + w_75) + w_76
+                + w_77);
         let minus_pivot_lambda_closure_x = minus_closure_x_by_theta1
             * minus_l_lambda_closure_x_theta1
             + k_lambda_closure_x_theta2 * l_lambda_closure_x_theta2
             + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
-        let closure_y_by_theta1 = self.a
-            * (cos_theta1 + (cos_theta3 * w_49 + sin_theta3 * w_48)) + self.b * w_49;
-        let l_lambda_closure_y_theta1 = closure_y_by_theta1 * inverse_theta1;
-        let k_lambda_closure_y_theta2 = self.b * w_51
-            + self.a * (cos_theta3 * w_51 - self.cos_beta * sin_theta3 * w_50)
-            - mass_theta2_theta1 * l_lambda_closure_y_theta1;
-        let l_lambda_closure_y_theta2 = inverse_theta2 * k_lambda_closure_y_theta2;
-        let k_lambda_closure_y_theta3 = self.a * (cos_theta3 * w_52 - sin_theta3 * w_50)
-            - mass_theta3_theta1 * l_lambda_closure_y_theta1
-            - k_theta3_theta2 * l_lambda_closure_y_theta2;
-        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
         let k_lambda_closure_y_lambda_closure_x = minus_closure_x_by_theta1
             * l_lambda_closure_y_theta1
             - k_lambda_closure_x_theta2 * l_lambda_closure_y_theta2
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_53 = closure_y_by_theta1 * l_lambda_closure_y_theta1
-            + k_lambda_closure_y_theta2 * l_lambda_closure_y_theta2
-            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_53;
-        let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_54 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_55 = theta1_dot_squared + theta2_dot_squared;
-        let w_56 = self.b * w_55;
-        let w_57 = theta1_dot * theta2_dot * self.k_61;
-        let w_58 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_54
-                    + theta1_dot * (self.k_9 * theta2_dot + theta3_dot * self.k_56)
-                    + theta2_dot * theta3_dot * self.k_55) + w_56 + w_57);
-        let w_59 = cos_theta3 * theta1_dot * theta3_dot * self.k_54;
-        let w_60 = sin_theta1
-            * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_54
-                    + theta1_dot * (self.k_9 * theta3_dot + theta2_dot * self.k_56)
-                    + theta2_dot * theta3_dot * self.k_59) - w_58 - w_3 + w_59);
-        let w_61 = theta1_dot_squared + theta3_dot_squared;
-        let w_62 = theta3_dot * self.k_59;
-        let w_63 = theta1_dot * (w_62 + theta2_dot * self.k_55);
-        let w_64 = self.k_9 * theta2_dot * theta3_dot;
-        let w_65 = theta2_dot * self.k_59;
-        let w_66 = theta3_dot * self.k_55;
-        let w_67 = theta2_dot * theta3_dot * self.k_56;
-        let w_68 = self.k_6 * w_55;
-        let w_69 = theta1_dot * theta2_dot * self.k_60;
-        let w_70 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_54 + theta1_dot * (w_65 + w_66) + w_67) + w_68
-                + w_69);
-        let w_71 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
-        let w_72 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_71 + theta2_dot * (w_66 + self.k_9 * theta1_dot)
-                    + theta1_dot * theta3_dot * self.k_56) + w_56 + w_57);
-        let w_73 = cos_theta1
-            * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_71 + theta2_dot * (w_62 + theta1_dot * self.k_56)
-                    + self.k_9 * theta1_dot * theta3_dot) - w_72 + w_59 - w_3);
-        let w_74 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_71 + theta1_dot * (w_66 + w_65) + w_67) + w_68
-                + w_69);
-        let w_75 = theta3_dot_squared + theta1_dot_squared;
-        let rhs_lambda_closure_x = rhs_theta1 * minus_l_lambda_closure_x_theta1
-            - (w_73
-                + sin_theta1
-                    * (w_74
-                        + sin_theta3
-                            * (cos_theta2 * (self.k_58 * w_71 + w_63 + w_64)
-                                - self.k_57 * w_75)))
-            - l_lambda_closure_x_theta2 * rhs_theta2
-            + l_lambda_closure_x_theta3 * minus_rhs_theta3;
         let rhs_lambda_closure_y = l_lambda_closure_y_theta3 * minus_rhs_theta3
-            - (w_60
+            - (w_89
                 + cos_theta1
                     * (sin_theta3
-                        * (self.k_57 * w_61
-                            - cos_theta2 * (self.k_58 * w_54 + w_63 + w_64)) - w_70))
+                        * (self.k_57 * w_90
+                            - cos_theta2 * (self.k_58 * w_87 + w_79 + w_80)) - w_91))
             - rhs_theta1 * l_lambda_closure_y_theta1
             - l_lambda_closure_y_theta2 * rhs_theta2
             + minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x;
-        let closure_z_by_theta2 = w_6 + self.a * w_37;
+        let w_92 = theta2_dot_squared + theta3_dot_squared;
+        let w_93 = sin_theta2
+            * (cos_theta3 * (self.k_8 * w_92 + w_74 * self.k_63)
+                + self.k * theta2_dot_squared)
+            + sin_theta3
+                * (cos_theta2 * (self.k_62 * w_92 + self.k_10 * w_74)
+                    + theta3_dot_squared * self.k_64);
+        let closure_z_by_theta2 = w_6 + self.a * w_46;
         let l_lambda_closure_z_theta2 = closure_z_by_theta2 * inverse_theta2;
         let k_lambda_closure_z_theta3 = closure_z_by_theta3
             - k_theta3_theta2 * l_lambda_closure_z_theta2;
@@ -1939,55 +1959,73 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_x_theta3 * l_lambda_closure_z_theta3;
         let l_lambda_closure_z_lambda_closure_x = minus_inverse_lambda_closure_x
             * minus_k_lambda_closure_z_lambda_closure_x;
+        let w_94 = closure_y_by_theta1 * l_lambda_closure_y_theta1
+            + k_lambda_closure_y_theta2 * l_lambda_closure_y_theta2
+            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
+        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
+            * minus_l_lambda_closure_y_lambda_closure_x - w_94;
+        let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let minus_k_lambda_closure_z_lambda_closure_y = k_lambda_closure_y_theta2
             * l_lambda_closure_z_theta2
             + k_lambda_closure_y_theta3 * l_lambda_closure_z_theta3
             + k_lambda_closure_y_lambda_closure_x * l_lambda_closure_z_lambda_closure_x;
         let minus_l_lambda_closure_z_lambda_closure_y = inverse_lambda_closure_y
             * minus_k_lambda_closure_z_lambda_closure_y;
-        let w_76 = closure_z_by_theta2 * l_lambda_closure_z_theta2
-            + k_lambda_closure_z_theta3 * l_lambda_closure_z_theta3;
-        let pivot_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
-            * l_lambda_closure_z_lambda_closure_x - w_76
-            - minus_k_lambda_closure_z_lambda_closure_y
-                * minus_l_lambda_closure_z_lambda_closure_y;
-        let inverse_lambda_closure_z = S::from_f64(1.0) / pivot_lambda_closure_z;
-        let w_77 = theta2_dot_squared + theta3_dot_squared;
-        let w_78 = sin_theta3
-            * (cos_theta2 * (self.k_62 * w_77 + self.k_10 * theta2_dot * theta3_dot)
-                + theta3_dot_squared * self.k_64);
-        let rhs_lambda_closure_z = sin_theta2
-            * (cos_theta3 * (self.k_8 * w_77 + theta2_dot * theta3_dot * self.k_63)
-                + self.k * theta2_dot_squared) + w_78
-            - l_lambda_closure_z_theta2 * rhs_theta2
+        let rhs_lambda_closure_z = w_93 - l_lambda_closure_z_theta2 * rhs_theta2
             + l_lambda_closure_z_theta3 * minus_rhs_theta3
             - l_lambda_closure_z_lambda_closure_x * rhs_lambda_closure_x
             + minus_l_lambda_closure_z_lambda_closure_y * rhs_lambda_closure_y;
-        let w_79 = cos_theta3 * self.k_4 - self.k_5;
-        let w_80 = self.cos_alpha * cos_theta2 * sin_theta3 + sin_theta2 * w_79;
-        let w_81 = cos_theta2 * w_79 - self.cos_alpha * sin_theta2 * sin_theta3;
-        let w_82 = self.k_3 * cos_theta3;
+        let w_95 = cos_theta3 * self.k_4 - self.k_5;
+        let w_96 = self.cos_alpha * w_36 + sin_theta2 * w_95;
+        let w_97 = cos_theta2 * w_95 - self.cos_alpha * w_15;
+        let w_98 = self.k_3 * cos_theta3;
         let minus_closure_m1_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_80
+            * (cos_theta1 * w_96
                 + sin_theta1
-                    * (self.cos_alpha * w_81 - self.sin_alpha * (w_82 + self.k_2)));
+                    * (self.cos_alpha * w_97 - self.sin_alpha * (w_98 + self.k_2)));
         let minus_l_lambda_closure_m1_theta1 = minus_closure_m1_by_theta1
             * inverse_theta1;
+        let w_99 = w_74 * self.k_66;
+        let w_100 = cos_theta3
+            * (cos_theta1
+                * (w_87 * self.k_70
+                    + theta1_dot * (theta3_dot * self.k_65 + theta2_dot * self.k_66)
+                    + w_74 * self.k_75) + w_92 * self.k_78 + w_74 * self.k_76);
+        let w_101 = sin_theta3 * sin_theta1
+            * (self.k_3 * w_87
+                + theta1_dot * (theta3_dot * self.k_73 + theta2_dot * self.k_75) + w_99)
+            - w_100 + cos_theta1 * (w_67 * self.k_71 + w_30 * self.k_67)
+            + theta2_dot_squared * self.k_72;
+        let w_102 = sin_theta3
+            * (cos_theta1
+                * (self.k_32 * w_87
+                    + theta1_dot * (theta2_dot * self.k_65 + theta3_dot * self.k_66)
+                    + w_74 * self.k_73) + w_92 * self.k_77 + w_74 * self.k_79);
+        let w_103 = w_74 * self.k_65;
+        let w_104 = sin_theta2
+            * (w_102
+                + sin_theta1
+                    * (cos_theta3
+                        * (w_87 * self.k_68
+                            + theta1_dot
+                                * (theta2_dot * self.k_73 + theta3_dot * self.k_75) + w_103)
+                        - w_67 * self.k_69 - w_30 * self.k_74));
+        let w_105 = cos_theta2 * w_101 + w_104
+            + cos_theta3
+                * (self.k_71 * cos_theta1 * w_90 - theta3_dot_squared * self.k_70)
+            + cos_theta1 * theta1_dot_squared * self.k_72
+            - sin_theta3 * sin_theta1 * w_64 * self.k_74;
         let k_lambda_closure_m1_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_m1_theta1
-            - (self.sin_beta * (self.cos_alpha * cos_theta1 * w_80 + sin_theta1 * w_81)
-                + self.k_2 * w_80);
+            - (self.sin_beta * (w_57 * w_96 + sin_theta1 * w_97) + self.k_2 * w_96);
         let l_lambda_closure_m1_theta2 = inverse_theta2 * k_lambda_closure_m1_theta2;
-        let w_83 = cos_theta2 * sin_theta3 * self.k_4
-            + self.cos_alpha * sin_theta2 * cos_theta3;
-        let w_84 = self.sin_beta
-            * (cos_theta1 * (self.cos_alpha * w_83 - sin_theta3 * self.k_31)
-                + sin_theta1
-                    * (self.cos_alpha * cos_theta2 * cos_theta3
-                        - sin_theta2 * sin_theta3 * self.k_4));
+        let w_106 = self.k_4 * w_36 + self.cos_alpha * w_27;
+        let minus_closure_m1_by_theta3 = self.sin_beta
+            * (cos_theta1 * (self.cos_alpha * w_106 - sin_theta3 * self.k_31)
+                + sin_theta1 * (self.cos_alpha * w_45 - w_15 * self.k_4))
+            + self.cos_beta * (self.sin_alpha * w_106 + sin_theta3 * self.k_32);
         let k_lambda_closure_m1_theta3 = mass_theta3_theta1
-            * minus_l_lambda_closure_m1_theta1
-            - (w_84 + self.cos_beta * (self.sin_alpha * w_83 + sin_theta3 * self.k_32))
+            * minus_l_lambda_closure_m1_theta1 - minus_closure_m1_by_theta3
             - k_theta3_theta2 * l_lambda_closure_m1_theta2;
         let l_lambda_closure_m1_theta3 = inverse_theta3 * k_lambda_closure_m1_theta3;
         let minus_k_lambda_closure_m1_lambda_closure_x = minus_closure_x_by_theta1
@@ -2003,6 +2041,13 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_y_lambda_closure_x * l_lambda_closure_m1_lambda_closure_x;
         let l_lambda_closure_m1_lambda_closure_y = inverse_lambda_closure_y
             * k_lambda_closure_m1_lambda_closure_y;
+        let w_107 = closure_z_by_theta2 * l_lambda_closure_z_theta2
+            + k_lambda_closure_z_theta3 * l_lambda_closure_z_theta3;
+        let pivot_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
+            * l_lambda_closure_z_lambda_closure_x - w_107
+            - minus_k_lambda_closure_z_lambda_closure_y
+                * minus_l_lambda_closure_z_lambda_closure_y;
+        let inverse_lambda_closure_z = S::from_f64(1.0) / pivot_lambda_closure_z;
         let k_lambda_closure_m1_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
             * l_lambda_closure_m1_lambda_closure_x
             - closure_z_by_theta2 * l_lambda_closure_m1_theta2
@@ -2011,67 +2056,52 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m1_lambda_closure_y;
         let l_lambda_closure_m1_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m1_lambda_closure_z;
-        let w_85 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
-            + k_lambda_closure_m1_theta2 * l_lambda_closure_m1_theta2
-            + k_lambda_closure_m1_theta3 * l_lambda_closure_m1_theta3;
-        let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
-            * l_lambda_closure_m1_lambda_closure_x - w_85
-            - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
-            - k_lambda_closure_m1_lambda_closure_z
-                * l_lambda_closure_m1_lambda_closure_z;
-        let inverse_lambda_closure_m1 = S::from_f64(1.0) / pivot_lambda_closure_m1;
-        let w_86 = theta2_dot * theta3_dot * self.k_66;
-        let w_87 = sin_theta3 * sin_theta1
-            * (self.k_3 * w_54
-                + theta1_dot * (theta3_dot * self.k_73 + theta2_dot * self.k_75) + w_86);
-        let w_88 = cos_theta1
-            * (w_54 * self.k_70
-                + theta1_dot * (theta3_dot * self.k_65 + theta2_dot * self.k_66)
-                + theta2_dot * theta3_dot * self.k_75) + w_77 * self.k_78
-            + theta2_dot * theta3_dot * self.k_76;
-        let w_89 = cos_theta2
-            * (w_87 - cos_theta3 * w_88
-                + cos_theta1 * (w_55 * self.k_71 + theta1_dot * theta2_dot * self.k_67)
-                + theta2_dot_squared * self.k_72);
-        let w_90 = cos_theta1
-            * (self.k_32 * w_54
-                + theta1_dot * (theta2_dot * self.k_65 + theta3_dot * self.k_66)
-                + theta2_dot * theta3_dot * self.k_73) + w_77 * self.k_77
-            + theta2_dot * theta3_dot * self.k_79;
-        let w_91 = theta2_dot * theta3_dot * self.k_65;
-        let w_92 = sin_theta1
-            * (cos_theta3
-                * (w_54 * self.k_68
-                    + theta1_dot * (theta2_dot * self.k_73 + theta3_dot * self.k_75)
-                    + w_91) - w_55 * self.k_69 - theta1_dot * theta2_dot * self.k_74);
-        let w_93 = w_89 + sin_theta2 * (sin_theta3 * w_90 + w_92)
-            + cos_theta3
-                * (self.k_71 * cos_theta1 * w_61 - theta3_dot_squared * self.k_70)
-            + cos_theta1 * theta1_dot_squared * self.k_72
-            - sin_theta3 * sin_theta1 * theta1_dot * theta3_dot * self.k_74;
-        let rhs_lambda_closure_m1 = rhs_theta1 * minus_l_lambda_closure_m1_theta1 - w_93
+        let rhs_lambda_closure_m1 = rhs_theta1 * minus_l_lambda_closure_m1_theta1 - w_105
             - l_lambda_closure_m1_theta2 * rhs_theta2
             + l_lambda_closure_m1_theta3 * minus_rhs_theta3
             - l_lambda_closure_m1_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m1_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m1_lambda_closure_z * rhs_lambda_closure_z;
-        let w_94 = cos_theta2 * cos_theta3 - sin_theta2 * self.cos_beta * sin_theta3;
-        let w_95 = sin_theta2 * cos_theta3 + cos_theta2 * self.cos_beta * sin_theta3;
+        let w_108 = w_45 - self.cos_beta * w_15;
+        let w_109 = w_27 + self.cos_beta * w_36;
         let minus_closure_m2_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_94
-                - sin_theta1 * (self.cos_alpha * w_95 - sin_theta3 * self.k_5));
+            * (cos_theta1 * w_108
+                - sin_theta1 * (self.cos_alpha * w_109 - sin_theta3 * self.k_5));
         let minus_l_lambda_closure_m2_theta1 = minus_closure_m2_by_theta1
             * inverse_theta1;
+        let w_110 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
+        let w_111 = self.k_11 * theta3_dot;
+        let w_112 = cos_theta2
+            * (cos_theta1
+                * (self.k_68 * w_110 + theta1_dot * (theta2_dot * self.k_80 + w_111)
+                    + w_103) + w_92 * self.k_83 + w_74 * self.k_82);
+        let w_113 = w_112
+            - sin_theta2 * sin_theta1
+                * (self.k_81 * w_110 + theta2_dot * (w_111 + theta1_dot * self.k_66)
+                    + w_64 * self.k_65) - self.k_69 * cos_theta1 * w_81
+            + theta3_dot_squared * self.k_68;
+        let w_114 = theta3_dot * self.k_80;
+        let w_115 = sin_theta2
+            * (cos_theta1
+                * (self.k_3 * w_110 + theta1_dot * (self.k_11 * theta2_dot + w_114)
+                    + w_99) + self.k_2 * w_92 + w_74 * self.k_84);
+        let w_116 = sin_theta3 * w_113
+            + cos_theta3
+                * (w_115
+                    + sin_theta1
+                        * (cos_theta2
+                            * (self.sin_beta * w_110
+                                + theta2_dot * (w_114 + theta1_dot * self.k_65)
+                                + w_64 * self.k_66) - w_64 * self.k_67));
         let k_lambda_closure_m2_theta2 = self.sin_beta
-            * (sin_theta1 * w_95 - self.cos_alpha * cos_theta1 * w_94) - self.k_2 * w_94
+            * (sin_theta1 * w_109 - w_57 * w_108) - self.k_2 * w_108
             + mass_theta2_theta1 * minus_l_lambda_closure_m2_theta1;
         let l_lambda_closure_m2_theta2 = inverse_theta2 * k_lambda_closure_m2_theta2;
-        let w_96 = sin_theta2 * sin_theta3 - cos_theta2 * self.cos_beta * cos_theta3;
+        let w_117 = w_15 - self.cos_beta * w_45;
         let closure_m2_by_theta3 = self.sin_beta
-            * (sin_theta1
-                * (cos_theta2 * sin_theta3 + sin_theta2 * self.cos_beta * cos_theta3)
-                + cos_theta1 * (self.cos_alpha * w_96 + cos_theta3 * self.k_5))
-            - self.cos_beta * (w_82 - self.sin_alpha * w_96);
+            * (sin_theta1 * (w_36 + self.cos_beta * w_27)
+                + cos_theta1 * (self.cos_alpha * w_117 + cos_theta3 * self.k_5))
+            - self.cos_beta * (w_98 - self.sin_alpha * w_117);
         let k_lambda_closure_m2_theta3 = closure_m2_by_theta3
             + mass_theta3_theta1 * minus_l_lambda_closure_m2_theta1
             - k_theta3_theta2 * l_lambda_closure_m2_theta2;
@@ -2097,6 +2127,15 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_y;
         let l_lambda_closure_m2_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m2_lambda_closure_z;
+        let w_118 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
+            + k_lambda_closure_m1_theta2 * l_lambda_closure_m1_theta2
+            + k_lambda_closure_m1_theta3 * l_lambda_closure_m1_theta3;
+        let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
+            * l_lambda_closure_m1_lambda_closure_x - w_118
+            - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
+            - k_lambda_closure_m1_lambda_closure_z
+                * l_lambda_closure_m1_lambda_closure_z;
+        let inverse_lambda_closure_m1 = S::from_f64(1.0) / pivot_lambda_closure_m1;
         let k_lambda_closure_m2_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
             * l_lambda_closure_m2_lambda_closure_x
             - minus_closure_m1_by_theta1 * minus_l_lambda_closure_m2_theta1
@@ -2107,45 +2146,22 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_z;
         let l_lambda_closure_m2_lambda_closure_m1 = inverse_lambda_closure_m1
             * k_lambda_closure_m2_lambda_closure_m1;
-        let w_97 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
-            + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
-            + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
-        let pivot_lambda_closure_m2 = minus_k_lambda_closure_m2_lambda_closure_x
-            * l_lambda_closure_m2_lambda_closure_x - w_97
-            - k_lambda_closure_m2_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
-            - k_lambda_closure_m2_lambda_closure_z * l_lambda_closure_m2_lambda_closure_z
-            - k_lambda_closure_m2_lambda_closure_m1
-                * l_lambda_closure_m2_lambda_closure_m1;
-        let w_98 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_99 = self.k_11 * theta3_dot;
-        let w_100 = cos_theta2
-            * (cos_theta1
-                * (self.k_68 * w_98 + theta1_dot * (theta2_dot * self.k_80 + w_99)
-                    + w_91) + w_77 * self.k_83 + theta2_dot * theta3_dot * self.k_82);
-        let w_101 = w_100
-            - sin_theta2 * sin_theta1
-                * (self.k_81 * w_98 + theta2_dot * (w_99 + theta1_dot * self.k_66)
-                    + theta1_dot * theta3_dot * self.k_65)
-            - self.k_69 * cos_theta1 * w_75 + theta3_dot_squared * self.k_68;
-        let w_102 = theta3_dot * self.k_80;
-        let w_103 = sin_theta1
-            * (cos_theta2
-                * (self.sin_beta * w_98 + theta2_dot * (w_102 + theta1_dot * self.k_65)
-                    + theta1_dot * theta3_dot * self.k_66)
-                - theta1_dot * theta3_dot * self.k_67);
-        let w_104 = cos_theta3
-            * (sin_theta2
-                * (cos_theta1
-                    * (self.k_3 * w_98 + theta1_dot * (self.k_11 * theta2_dot + w_102)
-                        + w_86) + self.k_2 * w_77 + theta2_dot * theta3_dot * self.k_84)
-                + w_103);
-        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1
-            - (sin_theta3 * w_101 + w_104) - l_lambda_closure_m2_theta2 * rhs_theta2
+        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_116
+            - l_lambda_closure_m2_theta2 * rhs_theta2
             + l_lambda_closure_m2_theta3 * minus_rhs_theta3
             - l_lambda_closure_m2_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m2_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m2_lambda_closure_z * rhs_lambda_closure_z
             - l_lambda_closure_m2_lambda_closure_m1 * rhs_lambda_closure_m1;
+        let w_119 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
+            + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
+            + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
+        let pivot_lambda_closure_m2 = minus_k_lambda_closure_m2_lambda_closure_x
+            * l_lambda_closure_m2_lambda_closure_x - w_119
+            - k_lambda_closure_m2_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
+            - k_lambda_closure_m2_lambda_closure_z * l_lambda_closure_m2_lambda_closure_z
+            - k_lambda_closure_m2_lambda_closure_m1
+                * l_lambda_closure_m2_lambda_closure_m1;
         let lambda_closure_m2 = S::from_f64(1.0) / pivot_lambda_closure_m2
             * rhs_lambda_closure_m2;
         let lambda_closure_m1 = inverse_lambda_closure_m1 * rhs_lambda_closure_m1
@@ -2175,23 +2191,22 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - l_lambda_closure_z_theta2 * lambda_closure_z
             - l_lambda_closure_m1_theta2 * lambda_closure_m1
             - l_lambda_closure_m2_theta2 * lambda_closure_m2;
-        let w_105 = cos_theta2 * cos_theta1 * self.k_41
-            - sin_theta2 * sin_theta1 * self.g;
-        let w_106 = self.b * w_8;
-        let w_107 = self.cos_beta * w_105 - cos_theta1 * self.k_85;
-        let w_108 = cos_theta2 * sin_theta1 * self.g + w_16;
-        let w_109 = w_106 + cos_theta2 * self.k_7 * theta1_dot;
-        let w_110 = w_12 * theta1_dot;
-        let w_111 = self.cos_beta * w_109 - self.sin_beta * w_110;
-        let w_112 = (cos_theta3 * w_107 - sin_theta3 * w_108)
-            * (self.a * w_28 + S::from_f64(2.0) * cos_theta3 * w_111
-                - sin_theta2 * sin_theta3 * self.k_9 * theta1_dot);
-        let w_113 = w_105 * (w_106 + cos_theta2 * self.k_9 * theta1_dot) + w_112
-            + (self.sin_beta * w_105 + cos_theta1 * self.k_86)
-                * (self.a * w_22 + self.k_11 * w_109 + self.k_12 * w_110);
-        let w_114 = self.m
-            * (sin_theta2 * cos_theta3 * self.k_7 * theta1_dot + sin_theta3 * w_111)
-            * (cos_theta3 * w_108 + sin_theta3 * w_107);
+        let w_120 = w_83 * self.k_41 - w_59 * self.g;
+        let w_121 = self.b * w_8;
+        let w_122 = self.cos_beta * w_120 - cos_theta1 * self.k_85;
+        let w_123 = w_56 * self.g + w_19;
+        let w_124 = self.k_7 * theta1_dot;
+        let w_125 = w_121 + cos_theta2 * w_124;
+        let w_126 = w_12 * theta1_dot;
+        let w_127 = self.cos_beta * w_125 - self.sin_beta * w_126;
+        let w_128 = (self.sin_beta * w_120 + cos_theta1 * self.k_86)
+            * (self.a * w_26 + self.k_11 * w_125 + self.k_12 * w_126);
+        let w_129 = self.k_48
+            * (w_120 * (w_121 + cos_theta2 * w_66)
+                + (cos_theta3 * w_122 - sin_theta3 * w_123)
+                    * (self.a * w_35 + w_14 * w_127 - w_15 * w_66) + w_128);
+        let w_130 = self.m * (w_27 * w_124 + sin_theta3 * w_127)
+            * (cos_theta3 * w_123 + sin_theta3 * w_122);
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta1 * inverse_theta1 - l_theta2_theta1 * theta2_ddot
@@ -2210,8 +2225,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 lambda_closure_m1,
                 lambda_closure_m2,
             ],
-            power: self.k_48 * w_113
-                + theta1_dot * (sin_theta2 * w_108 * self.k_87 + w_39) + w_114
+            power: w_129 + theta1_dot * (sin_theta2 * w_123 * self.k_87 + w_48) + w_130
                 + cos_theta1 * w_7 * theta1_dot * self.k_88,
             refused: sim_kernel::pivot_is_refused(mass_theta1_theta1, mass_theta1_theta1)
                 | sim_kernel::pivot_is_refused(pivot_theta2, mass_theta2_theta2)
@@ -2219,10 +2233,10 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_53)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_76)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_85)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_97),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_94)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_107)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_118)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_119),
         }
     }
 }

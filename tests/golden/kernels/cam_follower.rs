@@ -171,10 +171,10 @@ pub struct CamFollowerPrepared<S = ::core::primitive::f64> {
     k: S,
     r: S,
     k_2: S,
+    inverse_alpha: S,
     inverse_y: S,
     minus_l_lambda_contact_y: S,
     k_3: S,
-    inverse_alpha: S,
     pivot_lambda_drive: S,
     minus_inverse_lambda_drive: S,
     w: S,
@@ -840,22 +840,22 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
     /// Operations: 2 additions, 6 multiplications, 3 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn prepare(&self) -> CamFollowerPrepared<S> {
+        let inverse_J = S::from_f64(1.0) / self.J;
         let inverse_m = S::from_f64(1.0) / self.m;
         let ([minus_contact_by_y], [_]) = S::sin_cos_each([
             S::from_f64(0.5) * S::from_f64(::core::f64::consts::PI),
         ]);
         let w = minus_contact_by_y * inverse_m;
-        let inverse_J = S::from_f64(1.0) / self.J;
         CamFollowerPrepared {
             J: self.J,
             m: self.m,
             k: self.k,
             r: self.r,
             k_2: self.F0 + self.m * self.g,
+            inverse_alpha: inverse_J,
             inverse_y: inverse_m,
             minus_l_lambda_contact_y: w,
             k_3: minus_contact_by_y * w,
-            inverse_alpha: inverse_J,
             pivot_lambda_drive: -inverse_J,
             minus_inverse_lambda_drive: S::from_f64(1.0) / inverse_J,
             w: self.w,
@@ -1642,7 +1642,7 @@ impl<S: sim_kernel::Scalar> CamFollowerPrepared<S> {
         let l_lambda_contact_alpha = contact_by_alpha * self.inverse_alpha;
         let l_lambda_contact_lambda_drive = l_lambda_contact_alpha
             * self.minus_inverse_lambda_drive;
-        let w = self.k_3 + contact_by_alpha * l_lambda_contact_alpha;
+        let w = contact_by_alpha * l_lambda_contact_alpha + self.k_3;
         let pivot_lambda_contact = l_lambda_contact_alpha * l_lambda_contact_lambda_drive
             - w;
         let minus_rhs_y = self.k_2 + self.k * (y - self.r);
@@ -1659,8 +1659,8 @@ impl<S: sim_kernel::Scalar> CamFollowerPrepared<S> {
             ],
             multipliers: [lambda_drive, -minus_lambda_contact],
             power: -(minus_rhs_y * y_dot + lambda_drive * self.w),
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.J, self.J)
+            refused: sim_kernel::pivot_is_refused(self.J, self.J)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     self.pivot_lambda_drive,
                     self.inverse_alpha,
@@ -1686,7 +1686,7 @@ impl<S: sim_kernel::Scalar> CamFollowerPrepared<S> {
         let l_lambda_contact_alpha = contact_by_alpha * self.inverse_alpha;
         let l_lambda_contact_lambda_drive = l_lambda_contact_alpha
             * self.minus_inverse_lambda_drive;
-        let w = self.k_3 + contact_by_alpha * l_lambda_contact_alpha;
+        let w = contact_by_alpha * l_lambda_contact_alpha + self.k_3;
         let pivot_lambda_contact = l_lambda_contact_alpha * l_lambda_contact_lambda_drive
             - w;
         let inverse_lambda_contact = S::from_f64(1.0) / pivot_lambda_contact;
@@ -1729,8 +1729,8 @@ impl<S: sim_kernel::Scalar> CamFollowerPrepared<S> {
             ],
             multipliers_by_positions: [[w_5, w_7], [w_4, -w_6]],
             multipliers_by_speeds: [[w_9, S::from_f64(0.0)], [-w_8, S::from_f64(0.0)]],
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.J, self.J)
+            refused: sim_kernel::pivot_is_refused(self.J, self.J)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     self.pivot_lambda_drive,
                     self.inverse_alpha,

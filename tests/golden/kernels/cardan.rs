@@ -234,7 +234,7 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
     }
     /// Constraint Jacobian `C_q`, 1 x 2: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 3 additions, 6 multiplications, 3 sine-cosine pairs.
+    /// Operations: 3 additions, 4 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 2]) -> [[S; 2]; 1] {
         let [alpha, gamma] = *q;
@@ -243,12 +243,9 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             gamma,
             self.beta,
         ]);
-        [
-            [
-                cos_alpha * cos_gamma + sin_alpha * cos_beta * sin_gamma,
-                -(sin_alpha * sin_gamma + cos_alpha * cos_gamma * cos_beta),
-            ],
-        ]
+        let w = cos_alpha * cos_gamma;
+        let w_2 = sin_alpha * sin_gamma;
+        [[w + cos_beta * w_2, -(w_2 + cos_beta * w)]]
     }
     /// `C_t`, 1, units of `C` per second: the speeds obey `C_q q' + C_t = 0`.
     ///
@@ -259,7 +256,7 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 1, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 5 additions, 12 multiplications, 3 sine-cosine pairs.
+    /// Operations: 5 additions, 11 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
         let [alpha, gamma] = *q;
@@ -269,20 +266,21 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             gamma,
             self.beta,
         ]);
+        let w = alpha_dot * gamma_dot;
         let alpha_dot_squared = alpha_dot * alpha_dot;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         [
             sin_alpha * cos_gamma
-                * (alpha_dot * gamma_dot * cos_beta * S::from_f64(2.0)
-                    - alpha_dot_squared - gamma_dot_squared)
+                * (cos_beta * S::from_f64(2.0) * w - alpha_dot_squared
+                    - gamma_dot_squared)
                 + cos_alpha * sin_gamma
                     * (cos_beta * (alpha_dot_squared + gamma_dot_squared)
-                        - alpha_dot * gamma_dot * S::from_f64(2.0)),
+                        - S::from_f64(2.0) * w),
         ]
     }
     /// `C` (1), `C_q` (1 x 2) and `C_t` (1) together, in SI units, for projection.
     ///
-    /// Operations: 4 additions, 9 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 7 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -295,14 +293,11 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             gamma,
             self.beta,
         ]);
+        let w = cos_gamma * cos_alpha;
+        let w_2 = sin_alpha * sin_gamma;
         sim_kernel::ConstraintLinearization {
             values: [sin_alpha * cos_gamma - cos_alpha * cos_beta * sin_gamma],
-            jacobian: [
-                [
-                    cos_gamma * cos_alpha + sin_alpha * cos_beta * sin_gamma,
-                    -(sin_alpha * sin_gamma + cos_gamma * cos_alpha * cos_beta),
-                ],
-            ],
+            jacobian: [[w + cos_beta * w_2, -(w_2 + cos_beta * w)]],
             time_derivative: [S::from_f64(0.0)],
         }
     }
@@ -486,7 +481,7 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 13 additions, 28 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 13 additions, 25 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -500,24 +495,26 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
             alpha,
             gamma,
         ]);
-        let cross_by_alpha = cos_alpha * cos_gamma
-            + sin_alpha * self.cos_beta * sin_gamma;
+        let w = cos_alpha * cos_gamma;
+        let w_2 = sin_alpha * sin_gamma;
+        let cross_by_alpha = w + self.cos_beta * w_2;
         let l_lambda_cross_alpha = cross_by_alpha * self.inverse_alpha;
-        let minus_cross_by_gamma = sin_alpha * sin_gamma
-            + cos_alpha * cos_gamma * self.cos_beta;
+        let minus_cross_by_gamma = w_2 + self.cos_beta * w;
         let minus_l_lambda_cross_gamma = minus_cross_by_gamma * self.inverse_alpha;
         let minus_pivot_lambda_cross = cross_by_alpha * l_lambda_cross_alpha
             + minus_cross_by_gamma * minus_l_lambda_cross_gamma;
+        let w_3 = gamma_dot * alpha_dot;
         let alpha_dot_squared = alpha_dot * alpha_dot;
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w = cos_gamma * sin_alpha
-            * (gamma_dot * alpha_dot * self.k - alpha_dot_squared - gamma_dot_squared)
+        let minus_rhs_gamma = gamma_dot * self.c;
+        let minus_rhs_lambda_cross = cos_gamma * sin_alpha
+            * (self.k * w_3 - alpha_dot_squared - gamma_dot_squared)
             + cos_alpha * sin_gamma
                 * (self.cos_beta * (alpha_dot_squared + gamma_dot_squared)
-                    - gamma_dot * alpha_dot * S::from_f64(2.0));
-        let minus_rhs_gamma = gamma_dot * self.c;
+                    - S::from_f64(2.0) * w_3)
+            + minus_rhs_gamma * minus_l_lambda_cross_gamma;
         let lambda_cross = S::from_f64(1.0) / minus_pivot_lambda_cross
-            * (w + minus_rhs_gamma * minus_l_lambda_cross_gamma);
+            * minus_rhs_lambda_cross;
         sim_kernel::Dynamics {
             accelerations: [
                 -(l_lambda_cross_alpha * lambda_cross),
@@ -536,7 +533,7 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 45 additions, 76 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 45 additions, 71 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -550,73 +547,74 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
             alpha,
             gamma,
         ]);
-        let cross_by_alpha = cos_alpha * cos_gamma
-            + sin_alpha * self.cos_beta * sin_gamma;
+        let w = cos_alpha * cos_gamma;
+        let w_2 = sin_alpha * sin_gamma;
+        let cross_by_alpha = w + self.cos_beta * w_2;
         let l_lambda_cross_alpha = cross_by_alpha * self.inverse_alpha;
-        let minus_cross_by_gamma = sin_alpha * sin_gamma
-            + cos_alpha * cos_gamma * self.cos_beta;
+        let minus_cross_by_gamma = w_2 + self.cos_beta * w;
         let minus_l_lambda_cross_gamma = minus_cross_by_gamma * self.inverse_alpha;
         let minus_pivot_lambda_cross = cross_by_alpha * l_lambda_cross_alpha
             + minus_cross_by_gamma * minus_l_lambda_cross_gamma;
         let minus_inverse_lambda_cross = S::from_f64(1.0) / minus_pivot_lambda_cross;
+        let w_3 = gamma_dot * alpha_dot;
         let alpha_dot_squared = alpha_dot * alpha_dot;
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w = cos_gamma * sin_alpha
-            * (gamma_dot * alpha_dot * self.k - alpha_dot_squared - gamma_dot_squared)
-            + cos_alpha * sin_gamma
-                * (self.cos_beta * (alpha_dot_squared + gamma_dot_squared)
-                    - gamma_dot * alpha_dot * S::from_f64(2.0));
         let minus_rhs_gamma = gamma_dot * self.c;
         let lambda_cross = minus_inverse_lambda_cross
-            * (w + minus_rhs_gamma * minus_l_lambda_cross_gamma);
-        let w_2 = cos_gamma * sin_alpha;
-        let w_3 = cos_alpha * self.cos_beta * sin_gamma;
-        let w_4 = w_2 - w_3;
-        let w_5 = lambda_cross * w_4;
-        let w_6 = self.inverse_alpha * w_5;
-        let w_7 = alpha_dot - self.cos_beta * gamma_dot;
-        let w_8 = self.cos_beta * alpha_dot - gamma_dot;
-        let w_9 = cos_alpha * cos_gamma * w_7 + sin_alpha * sin_gamma * w_8;
-        let w_10 = sin_alpha * sin_gamma * w_7 + cos_alpha * cos_gamma * w_8;
+            * (cos_gamma * sin_alpha
+                * (self.k * w_3 - alpha_dot_squared - gamma_dot_squared)
+                + cos_alpha * sin_gamma
+                    * (self.cos_beta * (alpha_dot_squared + gamma_dot_squared)
+                        - S::from_f64(2.0) * w_3)
+                + minus_rhs_gamma * minus_l_lambda_cross_gamma);
+        let w_4 = cos_gamma * sin_alpha;
+        let w_5 = cos_alpha * sin_gamma;
+        let w_6 = self.cos_beta * w_5;
+        let w_7 = w_4 - w_6;
+        let w_8 = lambda_cross * w_7;
+        let w_9 = self.inverse_alpha * w_8;
+        let w_10 = alpha_dot - self.cos_beta * gamma_dot;
+        let w_11 = self.cos_beta * alpha_dot - gamma_dot;
+        let w_12 = cos_alpha * cos_gamma * w_10 + sin_alpha * sin_gamma * w_11;
+        let w_13 = sin_alpha * sin_gamma * w_10 + cos_alpha * cos_gamma * w_11;
         let minus_alpha_ddot = l_lambda_cross_alpha * lambda_cross;
         let gamma_ddot = minus_l_lambda_cross_gamma * lambda_cross
             - minus_rhs_gamma * self.inverse_alpha;
-        let w_11 = cos_alpha * sin_gamma;
-        let w_12 = cos_gamma * sin_alpha * self.cos_beta;
-        let w_13 = w_11 - w_12;
-        let w_14 = lambda_cross * w_13;
-        let w_15 = minus_inverse_lambda_cross
-            * (alpha_dot * w_9 - gamma_dot * w_10 - minus_alpha_ddot * w_4
-                + gamma_ddot * w_13 - l_lambda_cross_alpha * w_5
-                + minus_l_lambda_cross_gamma * w_14);
-        let w_16 = self.inverse_alpha * w_14;
+        let w_14 = self.cos_beta * w_4;
+        let w_15 = w_5 - w_14;
+        let w_16 = lambda_cross * w_15;
         let w_17 = minus_inverse_lambda_cross
-            * (gamma_dot * w_9 - alpha_dot * w_10 - minus_alpha_ddot * w_13
-                + gamma_ddot * w_4 - l_lambda_cross_alpha * w_14
-                + minus_l_lambda_cross_gamma * w_5);
-        let w_18 = w_2 - w_3 + w_4;
-        let w_19 = w_11 - w_12 + w_13;
-        let w_20 = minus_inverse_lambda_cross * (alpha_dot * w_18 + gamma_dot * w_19);
-        let w_21 = minus_inverse_lambda_cross
-            * (alpha_dot * w_19 + gamma_dot * w_18
+            * (alpha_dot * w_12 - gamma_dot * w_13 - minus_alpha_ddot * w_7
+                + gamma_ddot * w_15 - l_lambda_cross_alpha * w_8
+                + minus_l_lambda_cross_gamma * w_16);
+        let w_18 = self.inverse_alpha * w_16;
+        let w_19 = minus_inverse_lambda_cross
+            * (gamma_dot * w_12 - alpha_dot * w_13 - minus_alpha_ddot * w_15
+                + gamma_ddot * w_7 - l_lambda_cross_alpha * w_16
+                + minus_l_lambda_cross_gamma * w_8);
+        let w_20 = w_4 - w_6 + w_7;
+        let w_21 = w_5 - w_14 + w_15;
+        let w_22 = minus_inverse_lambda_cross * (alpha_dot * w_20 + gamma_dot * w_21);
+        let w_23 = minus_inverse_lambda_cross
+            * (alpha_dot * w_21 + gamma_dot * w_20
                 - self.c * minus_l_lambda_cross_gamma);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [w_6 + l_lambda_cross_alpha * w_15, w_16 + l_lambda_cross_alpha * w_17],
+                [w_9 + l_lambda_cross_alpha * w_17, w_18 + l_lambda_cross_alpha * w_19],
                 [
-                    w_16 - minus_l_lambda_cross_gamma * w_15,
-                    w_6 - minus_l_lambda_cross_gamma * w_17,
+                    w_18 - minus_l_lambda_cross_gamma * w_17,
+                    w_9 - minus_l_lambda_cross_gamma * w_19,
                 ],
             ],
             accelerations_by_speeds: [
-                [l_lambda_cross_alpha * w_20, l_lambda_cross_alpha * w_21],
+                [l_lambda_cross_alpha * w_22, l_lambda_cross_alpha * w_23],
                 [
-                    -(minus_l_lambda_cross_gamma * w_20),
-                    -(self.k_2 + minus_l_lambda_cross_gamma * w_21),
+                    -(minus_l_lambda_cross_gamma * w_22),
+                    -(self.k_2 + minus_l_lambda_cross_gamma * w_23),
                 ],
             ],
-            multipliers_by_positions: [[-w_15, -w_17]],
-            multipliers_by_speeds: [[-w_20, -w_21]],
+            multipliers_by_positions: [[-w_17, -w_19]],
+            multipliers_by_speeds: [[-w_22, -w_23]],
             refused: sim_kernel::pivot_is_refused(self.J, self.J)
                 | sim_kernel::pivot_is_refused(self.J, self.J)
                 | sim_kernel::pivot_is_refused(

@@ -140,29 +140,31 @@ pub struct ChainPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Chain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 19 multiplications, 1 division.
+    /// Operations: 15 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> ChainPrepared<S> {
         let l_squared = self.l * self.l;
+        let w = self.m * S::from_f64(0.5);
         let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        let w_2 = self.m * self.g;
         ChainPrepared {
             m: self.m,
             l: self.l,
             mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * self.m * l_squared,
-            k: self.m * l_squared * S::from_f64(0.5),
+            k: l_squared * w,
             mass_phi_2_phi_2: mass_phi_2_phi_2,
-            k_2: self.m * self.l * S::from_f64(0.5),
+            k_2: self.l * w,
             k_3: self.l * S::from_f64(2.0),
-            k_4: self.m * self.l * S::from_f64(1.5) * self.g,
-            k_5: self.m * self.l * S::from_f64(0.5) * self.g,
-            k_6: self.m * self.g,
+            k_4: self.l * S::from_f64(1.5) * w_2,
+            k_5: self.l * w * self.g,
+            k_6: w_2,
             inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
-            k_7: self.m * S::from_f64(0.5) * self.g,
+            k_7: w * self.g,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 62 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 61 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -185,60 +187,62 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let w = self.m + self.m;
         let w_2 = self.m + w;
         let w_3 = self.l * cos_phi_1;
+        let w_4 = self.m * S::from_f64(0.5);
         let u2_x = self.l * sin_phi_2;
-        let w_4 = u2_x * w_2;
-        let w_5 = self.l * cos_phi_2;
-        let w_6 = w_5 * w_2;
-        let w_7 = self.m * l_squared * S::from_f64(0.5)
-            * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2) + u1_x * w_4 + w_3 * w_6;
-        let w_8 = self.m * self.l * S::from_f64(0.5);
+        let w_5 = u2_x * w_2;
+        let w_6 = self.l * cos_phi_2;
+        let w_7 = w_6 * w_2;
+        let w_8 = l_squared * w_4 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
+            + u1_x * w_5 + w_3 * w_7;
+        let w_9 = self.l * w_4;
         let u3_x = self.l * sin_phi_3;
-        let w_9 = u3_x * w;
-        let w_10 = w_8 * sin_phi_3 + w_9;
-        let w_11 = self.l * cos_phi_3;
-        let w_12 = w_11 * w;
-        let w_13 = cos_phi_3 * w_8 + w_12;
-        let w_14 = u1_x * w_10 + w_3 * w_13;
+        let w_10 = u3_x * w;
+        let w_11 = w_9 * sin_phi_3 + w_10;
+        let w_12 = self.l * cos_phi_3;
+        let w_13 = w_12 * w;
+        let w_14 = cos_phi_3 * w_9 + w_13;
+        let w_15 = u1_x * w_11 + w_3 * w_14;
         let u4_x = self.l * sin_phi_4;
-        let w_15 = self.m * u4_x;
-        let w_16 = w_8 * sin_phi_4 + w_15;
-        let w_17 = self.l * cos_phi_4;
-        let w_18 = self.m * w_17;
-        let w_19 = w_8 * cos_phi_4 + w_18;
-        let w_20 = u1_x * w_16 + w_3 * w_19;
-        let mass_P4_y_phi_5 = w_8 * sin_phi_5;
-        let mass_P4_x_phi_5 = w_8 * cos_phi_5;
-        let w_21 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_3;
+        let w_16 = self.m * u4_x;
+        let w_17 = w_9 * sin_phi_4 + w_16;
+        let w_18 = self.l * cos_phi_4;
+        let w_19 = self.m * w_18;
+        let w_20 = w_9 * cos_phi_4 + w_19;
+        let w_21 = u1_x * w_17 + w_3 * w_20;
+        let mass_P4_y_phi_5 = w_9 * sin_phi_5;
+        let mass_P4_x_phi_5 = w_9 * cos_phi_5;
+        let w_22 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_3;
         let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
-        let w_22 = u2_x * w_10 + w_5 * w_13;
-        let w_23 = u2_x * w_16 + w_5 * w_19;
-        let w_24 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_5;
-        let w_25 = u3_x * w_16 + w_11 * w_19;
-        let w_26 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_11;
-        let w_27 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_17;
+        let w_23 = u2_x * w_11 + w_6 * w_14;
+        let w_24 = u2_x * w_17 + w_6 * w_20;
+        let w_25 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_6;
+        let w_26 = u3_x * w_17 + w_12 * w_20;
+        let w_27 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_12;
+        let w_28 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_18;
         [
             [
                 S::from_f64(1.3333333333333333) * self.m * l_squared + u1_x * u1_x * w_2
                     + w_3 * w_3 * w_2,
-                w_7,
-                w_14,
-                w_20,
+                w_8,
+                w_15,
                 w_21,
+                w_22,
             ],
-            [w_7, mass_phi_2_phi_2 + u2_x * w_4 + w_5 * w_6, w_22, w_23, w_24],
-            [w_14, w_22, mass_phi_2_phi_2 + u3_x * w_9 + w_11 * w_12, w_25, w_26],
-            [w_20, w_23, w_25, mass_phi_2_phi_2 + u4_x * w_15 + w_17 * w_18, w_27],
-            [w_21, w_24, w_26, w_27, mass_phi_2_phi_2],
+            [w_8, mass_phi_2_phi_2 + u2_x * w_5 + w_6 * w_7, w_23, w_24, w_25],
+            [w_15, w_23, mass_phi_2_phi_2 + u3_x * w_10 + w_12 * w_13, w_26, w_27],
+            [w_21, w_24, w_26, mass_phi_2_phi_2 + u4_x * w_16 + w_18 * w_19, w_28],
+            [w_22, w_25, w_27, w_28, mass_phi_2_phi_2],
         ]
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 29 additions, 76 multiplications, 5 sine-cosine pairs.
+    /// Operations: 29 additions, 70 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
-        let w = S::from_f64(0.5) * self.m * self.l * self.l;
+        let w = S::from_f64(0.5) * self.m;
+        let w_2 = w * self.l * self.l;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let (
             [sin_phi_1,
@@ -254,43 +258,46 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w_2 = sin_phi_1 * cos_phi_2;
-        let w_3 = cos_phi_1 * sin_phi_2;
-        let w_4 = S::from_f64(0.5) * self.m * self.l;
+        let w_3 = sin_phi_1 * cos_phi_2;
+        let w_4 = cos_phi_1 * sin_phi_2;
+        let w_5 = self.l * w;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        let w_6 = w_5 * phi_3_dot_squared;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
         let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_5 = self.l * phi_3_dot_squared * cos_phi_3 + P2_y_convective;
-        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let w_6 = self.l * phi_4_dot_squared * cos_phi_4 + w_5;
-        let w_7 = w_4 * phi_5_dot_squared * cos_phi_5 + self.m * w_6;
-        let w_8 = w_4 * phi_4_dot_squared * cos_phi_4 + self.m * w_5 + w_7;
-        let w_9 = w_4 * phi_3_dot_squared * cos_phi_3 + self.m * P2_y_convective + w_8;
+        let w_7 = w_5 * phi_4_dot_squared;
+        let w_8 = self.l * phi_3_dot_squared;
+        let w_9 = cos_phi_3 * w_8 + P2_y_convective;
+        let w_10 = w_5 * phi_5_dot * phi_5_dot;
+        let w_11 = self.l * phi_4_dot_squared;
+        let w_12 = cos_phi_4 * w_11 + w_9;
+        let w_13 = w_10 * cos_phi_5 + self.m * w_12;
+        let w_14 = w_7 * cos_phi_4 + self.m * w_9 + w_13;
+        let w_15 = w_6 * cos_phi_3 + self.m * P2_y_convective + w_14;
         let minus_P2_x_convective = self.l
             * (phi_1_dot_squared * sin_phi_1 + phi_2_dot_squared * sin_phi_2);
-        let w_10 = self.l * phi_3_dot_squared * sin_phi_3 + minus_P2_x_convective;
-        let w_11 = self.l * phi_4_dot_squared * sin_phi_4 + w_10;
-        let w_12 = w_4 * phi_5_dot_squared * sin_phi_5 + self.m * w_11;
-        let w_13 = w_4 * phi_4_dot_squared * sin_phi_4 + self.m * w_10 + w_12;
-        let w_14 = w_4 * phi_3_dot_squared * sin_phi_3 + self.m * minus_P2_x_convective
-            + w_13;
+        let w_16 = sin_phi_3 * w_8 + minus_P2_x_convective;
+        let w_17 = sin_phi_4 * w_11 + w_16;
+        let w_18 = sin_phi_5 * w_10 + self.m * w_17;
+        let w_19 = sin_phi_4 * w_7 + self.m * w_16 + w_18;
+        let w_20 = sin_phi_3 * w_6 + self.m * minus_P2_x_convective + w_19;
         [
-            w * phi_2_dot_squared * (w_2 - w_3) + w_9 * self.l * sin_phi_1
-                - w_14 * self.l * cos_phi_1,
-            w * phi_1_dot_squared * (w_3 - w_2) + w_9 * self.l * sin_phi_2
-                - w_14 * self.l * cos_phi_2,
-            P2_y_convective * w_4 * sin_phi_3 - minus_P2_x_convective * w_4 * cos_phi_3
-                + w_8 * self.l * sin_phi_3 - w_13 * self.l * cos_phi_3,
-            w_5 * w_4 * sin_phi_4 - w_10 * w_4 * cos_phi_4 + w_7 * self.l * sin_phi_4
-                - w_12 * self.l * cos_phi_4,
-            w_6 * w_4 * sin_phi_5 - w_11 * w_4 * cos_phi_5,
+            w_2 * phi_2_dot_squared * (w_3 - w_4) + w_15 * self.l * sin_phi_1
+                - w_20 * self.l * cos_phi_1,
+            w_2 * phi_1_dot_squared * (w_4 - w_3) + w_15 * self.l * sin_phi_2
+                - w_20 * self.l * cos_phi_2,
+            P2_y_convective * w_5 * sin_phi_3 - minus_P2_x_convective * w_5 * cos_phi_3
+                + w_14 * self.l * sin_phi_3 - w_19 * self.l * cos_phi_3,
+            w_9 * w_5 * sin_phi_4 - w_16 * w_5 * cos_phi_4 + w_13 * self.l * sin_phi_4
+                - w_18 * self.l * cos_phi_4,
+            w_12 * w_5 * sin_phi_5 - w_17 * w_5 * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
     ///
-    /// Operations: 11 additions, 20 multiplications, 5 sine-cosine pairs.
+    /// Operations: 11 additions, 18 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -304,10 +311,9 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let w = self.m * self.g;
         let w_2 = w + w;
         let w_3 = w + w_2;
-        let w_4 = self.m * self.l * self.g * S::from_f64(0.5);
+        let w_4 = self.l * w * S::from_f64(0.5);
         [
-            -(sin_phi_1 * S::from_f64(1.5) * self.m * self.l * self.g
-                + w_3 * self.l * sin_phi_1),
+            -(sin_phi_1 * S::from_f64(1.5) * self.l * w + w_3 * self.l * sin_phi_1),
             -(sin_phi_2 * w_4 + w_3 * self.l * sin_phi_2),
             -(w_4 * sin_phi_3 + w_2 * self.l * sin_phi_3),
             -(w_4 * sin_phi_4 + w * self.l * sin_phi_4),
@@ -366,7 +372,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 26 additions, 55 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 50 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -385,36 +391,40 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w = self.l * S::from_f64(2.0);
-        let w_2 = phi_1_dot * cos_phi_1 * w + self.l * phi_2_dot * cos_phi_2;
-        let w_3 = phi_1_dot * w * sin_phi_1 + self.l * phi_2_dot * sin_phi_2;
+        let w = phi_1_dot * self.l * S::from_f64(2.0);
+        let w_2 = self.l * phi_2_dot;
+        let w_3 = cos_phi_1 * w + cos_phi_2 * w_2;
+        let w_4 = w * sin_phi_1 + w_2 * sin_phi_2;
         let P2_x_dot = self.l * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2);
-        let w_4 = self.l * phi_3_dot * cos_phi_3;
-        let w_5 = S::from_f64(2.0) * P2_x_dot + w_4;
+        let w_5 = self.l * phi_3_dot;
+        let w_6 = cos_phi_3 * w_5;
+        let w_7 = S::from_f64(2.0) * P2_x_dot + w_6;
         let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
-        let w_6 = self.l * phi_3_dot * sin_phi_3;
-        let w_7 = S::from_f64(2.0) * P2_y_dot + w_6;
-        let P3_x_dot = P2_x_dot + w_4;
-        let w_8 = self.l * phi_4_dot * cos_phi_4;
-        let w_9 = S::from_f64(2.0) * P3_x_dot + w_8;
-        let P3_y_dot = P2_y_dot + w_6;
-        let w_10 = self.l * phi_4_dot * sin_phi_4;
-        let w_11 = S::from_f64(2.0) * P3_y_dot + w_10;
-        let w_12 = S::from_f64(2.0) * (P3_x_dot + w_8) + self.l * phi_5_dot * cos_phi_5;
-        let w_13 = S::from_f64(2.0) * (P3_y_dot + w_10) + self.l * phi_5_dot * sin_phi_5;
-        let w_14 = w_2 * w_2 + w_3 * w_3 + w_5 * w_5 + w_7 * w_7 + w_9 * w_9
-            + w_11 * w_11 + w_12 * w_12 + w_13 * w_13;
+        let w_8 = w_5 * sin_phi_3;
+        let w_9 = S::from_f64(2.0) * P2_y_dot + w_8;
+        let P3_x_dot = P2_x_dot + w_6;
+        let w_10 = self.l * phi_4_dot;
+        let w_11 = cos_phi_4 * w_10;
+        let w_12 = S::from_f64(2.0) * P3_x_dot + w_11;
+        let P3_y_dot = P2_y_dot + w_8;
+        let w_13 = w_10 * sin_phi_4;
+        let w_14 = S::from_f64(2.0) * P3_y_dot + w_13;
+        let w_15 = self.l * phi_5_dot;
+        let w_16 = S::from_f64(2.0) * (P3_x_dot + w_11) + cos_phi_5 * w_15;
+        let w_17 = S::from_f64(2.0) * (P3_y_dot + w_13) + w_15 * sin_phi_5;
+        let w_18 = w_3 * w_3 + w_4 * w_4 + w_7 * w_7 + w_9 * w_9 + w_12 * w_12
+            + w_14 * w_14 + w_16 * w_16 + w_17 * w_17;
         let l_squared = self.l * self.l;
-        let w_15 = self.m * l_squared * S::from_f64(0.041666666666666664)
+        let w_19 = self.m * l_squared * S::from_f64(0.041666666666666664)
             * (phi_2_dot * phi_2_dot + phi_3_dot * phi_3_dot + phi_4_dot * phi_4_dot
                 + phi_5_dot * phi_5_dot);
-        self.m * S::from_f64(0.125) * w_14 + w_15
+        self.m * S::from_f64(0.125) * w_18 + w_19
             + phi_1_dot * phi_1_dot * S::from_f64(0.16666666666666666) * self.m
                 * l_squared
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 12 additions, 25 multiplications, 5 sine-cosine pairs.
+    /// Operations: 12 additions, 24 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -426,6 +436,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     ) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m;
         let ([sin_phi_1, sin_phi_2, sin_phi_3, sin_phi_4, sin_phi_5], [_, _, _, _, _]) = S::sin_cos_each([
             phi_1,
             phi_2,
@@ -433,18 +444,18 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             phi_4,
             phi_5,
         ]);
-        let w = phi_1_dot * sin_phi_1 * self.l * S::from_f64(2.0)
+        let w_2 = phi_1_dot * sin_phi_1 * self.l * S::from_f64(2.0)
             + self.l * phi_2_dot * sin_phi_2;
         let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
-        let w_2 = self.l * phi_3_dot * sin_phi_3;
-        let P3_y_dot = P2_y_dot + w_2;
-        let w_3 = self.l * phi_4_dot * sin_phi_4;
-        let w_4 = S::from_f64(0.5) * self.m * self.g
-            * (w + (S::from_f64(2.0) * P2_y_dot + w_2)
-                + (S::from_f64(2.0) * P3_y_dot + w_3)
-                + (S::from_f64(2.0) * (P3_y_dot + w_3)
+        let w_3 = self.l * phi_3_dot * sin_phi_3;
+        let P3_y_dot = P2_y_dot + w_3;
+        let w_4 = self.l * phi_4_dot * sin_phi_4;
+        let w_5 = self.g * w
+            * (w_2 + (S::from_f64(2.0) * P2_y_dot + w_3)
+                + (S::from_f64(2.0) * P3_y_dot + w_4)
+                + (S::from_f64(2.0) * (P3_y_dot + w_4)
                     + self.l * phi_5_dot * sin_phi_5));
-        -(w_4 + phi_1_dot * sin_phi_1 * S::from_f64(0.5) * self.m * self.l * self.g)
+        -(w_5 + phi_1_dot * sin_phi_1 * self.l * self.g * w)
     }
     /// Outputs, 2, in SI units.
     ///
@@ -611,7 +622,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 137 additions, 179 multiplications, 4 divisions, 5 sine-cosine pairs.
+    /// Operations: 137 additions, 172 multiplications, 4 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -635,132 +646,131 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let u1_x = self.l * sin_phi_1;
+        let u4_x = self.l * sin_phi_4;
+        let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
         let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
         let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
-        let w = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
-        let u4_x = self.l * sin_phi_4;
-        let w_2 = u4_x * w;
-        let w_3 = self.l * cos_phi_4;
+        let w = self.k_2 * phi_5_dot * phi_5_dot;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let w_2 = self.l * phi_4_dot_squared;
+        let P4_y_convective = cos_phi_4 * w_2;
+        let w_3 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
+        let w_4 = minus_rhs_phi_5 * l_P4_y_phi_5 - (self.k_6 + cos_phi_5 * w)
+            - P4_y_convective * w_3;
+        let minus_P4_x_convective = sin_phi_4 * w_2;
         let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
-        let w_4 = mass_P4_x_phi_5 * l_P4_y_phi_5;
-        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_2 - w_3 * w_4;
-        let w_5 = u4_x * w_2;
-        let w_6 = u4_x * w_4;
-        let w_7 = w_3 * w_6;
+        let w_5 = mass_P4_x_phi_5 * l_P4_y_phi_5;
+        let w_6 = u4_x * w_5;
+        let w_7 = self.l * cos_phi_4;
         let l_P4_x_phi_5 = mass_P4_x_phi_5 * self.inverse_phi_5;
         let w_8 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
-        let w_9 = w_3 * w_8;
-        let w_10 = w_3 * w_9;
-        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_5 - w_7 - w_7 + w_10;
-        let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
-        let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
-        let w_11 = self.m + w - k_P3_y_phi_4 * l_P3_y_phi_4;
-        let u3_x = self.l * sin_phi_3;
-        let w_12 = u3_x * w_11;
-        let w_13 = self.l * cos_phi_3;
-        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_6 + w_9;
-        let w_14 = w_4 + k_P3_x_phi_4 * l_P3_y_phi_4;
-        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_12 - w_13 * w_14;
-        let w_15 = u3_x * w_12;
-        let w_16 = u3_x * w_14;
-        let w_17 = w_13 * w_16;
-        let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
-        let w_18 = self.m + w_8 - k_P3_x_phi_4 * l_P3_x_phi_4;
-        let w_19 = w_13 * w_18;
-        let w_20 = w_13 * w_19;
-        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_15 - w_17 - w_17 + w_20;
-        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
-        let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
-        let w_21 = self.m + w_11 - k_P2_y_phi_3 * l_P2_y_phi_3;
-        let w_22 = u1_x * u1_x * w_21;
-        let w_23 = self.l * cos_phi_1;
-        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_16 + w_19;
-        let w_24 = w_14 + k_P2_x_phi_3 * l_P2_y_phi_3;
-        let w_25 = u1_x * w_24;
-        let w_26 = w_23 * w_25;
-        let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
-        let w_27 = self.m + w_18 - k_P2_x_phi_3 * l_P2_x_phi_3;
-        let w_28 = w_23 * w_23 * w_27;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_22 - w_26 - w_26 + w_28;
-        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
-        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let P4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
-        let w_29 = minus_rhs_phi_5 * l_P4_y_phi_5
-            - (self.k_6 + self.k_2 * cos_phi_5 * phi_5_dot_squared)
-            - P4_y_convective * w;
-        let minus_P4_x_convective = self.l * sin_phi_4 * phi_4_dot_squared;
-        let w_30 = self.k_2 * sin_phi_5 * phi_5_dot_squared
-            + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_4
+        let w_9 = sin_phi_5 * w + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_5
             + minus_P4_x_convective * w_8;
-        let rhs_phi_4 = u4_x * w_29 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_6
-            + w_3 * w_30;
+        let rhs_phi_4 = u4_x * w_4 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_6
+            + w_7 * w_9;
+        let u3_x = self.l * sin_phi_3;
+        let w_10 = self.k_2 * phi_4_dot_squared;
+        let w_11 = u4_x * w_3;
+        let w_12 = u4_x * w_11;
+        let w_13 = w_7 * w_6;
+        let w_14 = w_7 * w_8;
+        let w_15 = w_7 * w_14;
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_12 - w_13 - w_13 + w_15;
+        let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
+        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_11 - w_7 * w_5;
+        let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let P3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
-        let w_31 = w_29 - (self.k_6 + self.k_2 * cos_phi_4 * phi_4_dot_squared)
-            - minus_P4_x_convective * w_4 - l_P3_y_phi_4 * rhs_phi_4
-            - P3_y_convective * w_11;
-        let minus_P3_x_convective = self.l * sin_phi_3 * phi_3_dot_squared;
-        let w_32 = self.k_2 * sin_phi_4 * phi_4_dot_squared + w_30
-            - l_P3_x_phi_4 * rhs_phi_4 + P3_y_convective * w_14
-            + minus_P3_x_convective * w_18;
-        let rhs_phi_3 = u3_x * w_31 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_16
-            + w_13 * w_32;
+        let w_16 = self.l * phi_3_dot_squared;
+        let P3_y_convective = cos_phi_3 * w_16;
+        let w_17 = self.m + w_3 - k_P3_y_phi_4 * l_P3_y_phi_4;
+        let w_18 = w_4 - (self.k_6 + cos_phi_4 * w_10) - minus_P4_x_convective * w_5
+            - l_P3_y_phi_4 * rhs_phi_4 - P3_y_convective * w_17;
+        let minus_P3_x_convective = sin_phi_3 * w_16;
+        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_6 + w_14;
+        let w_19 = w_5 + k_P3_x_phi_4 * l_P3_y_phi_4;
+        let w_20 = u3_x * w_19;
+        let w_21 = self.l * cos_phi_3;
+        let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
+        let w_22 = self.m + w_8 - k_P3_x_phi_4 * l_P3_x_phi_4;
+        let w_23 = sin_phi_4 * w_10 + w_9 - l_P3_x_phi_4 * rhs_phi_4
+            + P3_y_convective * w_19 + minus_P3_x_convective * w_22;
+        let rhs_phi_3 = u3_x * w_18 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_20
+            + w_21 * w_23;
+        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        let w_24 = sin_phi_2 * phi_2_dot_squared;
+        let u1_x = self.l * sin_phi_1;
+        let w_25 = self.k_2 * phi_3_dot_squared;
+        let w_26 = u3_x * w_17;
+        let w_27 = u3_x * w_26;
+        let w_28 = w_21 * w_20;
+        let w_29 = w_21 * w_22;
+        let w_30 = w_21 * w_29;
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_27 - w_28 - w_28 + w_30;
+        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
+        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_26 - w_21 * w_19;
+        let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_33 = w_31 - (self.k_6 + cos_phi_3 * self.k_2 * phi_3_dot_squared)
-            - minus_P3_x_convective * w_14 - l_P2_y_phi_3 * rhs_phi_3
-            - P2_y_convective * w_21;
-        let minus_P2_x_convective = self.l
-            * (sin_phi_1 * phi_1_dot_squared + sin_phi_2 * phi_2_dot_squared);
-        let w_34 = self.k_2 * sin_phi_3 * phi_3_dot_squared + w_32
-            - l_P2_x_phi_3 * rhs_phi_3 + P2_y_convective * w_24
-            + minus_P2_x_convective * w_27;
-        let rhs_phi_1 = cos_phi_1 * sin_phi_2 * self.k * phi_2_dot_squared
+        let w_31 = self.m + w_17 - k_P2_y_phi_3 * l_P2_y_phi_3;
+        let w_32 = w_18 - (self.k_6 + cos_phi_3 * w_25) - minus_P3_x_convective * w_19
+            - l_P2_y_phi_3 * rhs_phi_3 - P2_y_convective * w_31;
+        let w_33 = sin_phi_1 * phi_1_dot_squared;
+        let minus_P2_x_convective = self.l * (w_33 + w_24);
+        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_20 + w_29;
+        let w_34 = w_19 + k_P2_x_phi_3 * l_P2_y_phi_3;
+        let w_35 = u1_x * w_34;
+        let w_36 = self.l * cos_phi_1;
+        let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
+        let w_37 = self.m + w_22 - k_P2_x_phi_3 * l_P2_x_phi_3;
+        let w_38 = sin_phi_3 * w_25 + w_23 - l_P2_x_phi_3 * rhs_phi_3
+            + P2_y_convective * w_34 + minus_P2_x_convective * w_37;
+        let rhs_phi_1 = cos_phi_1 * self.k * w_24
             - sin_phi_1 * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared)
-            + u1_x * w_33 - minus_P2_x_convective * w_25 + w_23 * w_34;
+            + u1_x * w_32 - minus_P2_x_convective * w_35 + w_36 * w_38;
         let u2_x = self.l * sin_phi_2;
-        let w_35 = u2_x * w_21;
-        let w_36 = self.l * cos_phi_2;
-        let w_37 = u2_x * w_24;
-        let w_38 = w_36 * w_27;
+        let w_39 = u2_x * w_34;
+        let w_40 = self.l * cos_phi_2;
+        let w_41 = u1_x * u1_x * w_31;
+        let w_42 = w_36 * w_35;
+        let w_43 = w_36 * w_36 * w_37;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_41 - w_42 - w_42 + w_43;
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
+        let w_44 = u2_x * w_31;
+        let w_45 = w_40 * w_37;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
-            + u1_x * w_35 - w_36 * w_25 - w_23 * w_37 + w_23 * w_38;
+            + u1_x * w_44 - w_40 * w_35 - w_36 * w_39 + w_36 * w_45;
         let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
-        let w_39 = u2_x * w_35;
-        let w_40 = w_36 * w_37;
-        let w_41 = w_36 * w_38;
-        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_39 - w_40 - w_40 + w_41
-            - k_phi_2_phi_1 * l_phi_2_phi_1;
-        let rhs_phi_2 = cos_phi_2 * sin_phi_1 * self.k * phi_1_dot_squared
+        let rhs_phi_2 = cos_phi_2 * self.k * w_33
             - sin_phi_2 * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared)
-            + u2_x * w_33 - minus_P2_x_convective * w_37 + w_36 * w_34
+            + u2_x * w_32 - minus_P2_x_convective * w_39 + w_40 * w_38
             - l_phi_2_phi_1 * rhs_phi_1;
+        let w_46 = u2_x * w_44;
+        let w_47 = w_40 * w_39;
+        let w_48 = w_40 * w_45;
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_46 - w_47 - w_47 + w_48
+            - k_phi_2_phi_1 * l_phi_2_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
-        let P2_x_ddot = w_23 * phi_1_ddot - minus_P2_x_convective + w_36 * phi_2_ddot;
+        let P2_x_ddot = w_36 * phi_1_ddot - minus_P2_x_convective + w_40 * phi_2_ddot;
         let P2_y_ddot = P2_y_convective + u1_x * phi_1_ddot + u2_x * phi_2_ddot;
         let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P2_x_phi_3 * P2_x_ddot
             - l_P2_y_phi_3 * P2_y_ddot;
-        let P3_x_ddot = w_13 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
+        let P3_x_ddot = w_21 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
         let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
             - l_P3_y_phi_4 * P3_y_ddot;
         let P2_y_dot = self.l * (sin_phi_1 * phi_1_dot + sin_phi_2 * phi_2_dot);
-        let w_42 = self.l * sin_phi_3 * phi_3_dot;
-        let P3_y_dot = P2_y_dot + w_42;
-        let w_43 = self.l * sin_phi_4 * phi_4_dot;
-        let w_44 = sin_phi_1 * phi_1_dot * self.k_3 + self.l * sin_phi_2 * phi_2_dot
-            + (S::from_f64(2.0) * P2_y_dot + w_42) + (S::from_f64(2.0) * P3_y_dot + w_43)
-            + (S::from_f64(2.0) * (P3_y_dot + w_43) + self.l * sin_phi_5 * phi_5_dot);
-        let abs_w_7 = w_7.abs();
-        let abs_w_17 = w_17.abs();
-        let abs_w_26 = w_26.abs();
-        let abs_w_40 = w_40.abs();
+        let w_49 = self.l * sin_phi_3 * phi_3_dot;
+        let P3_y_dot = P2_y_dot + w_49;
+        let w_50 = self.l * sin_phi_4 * phi_4_dot;
+        let w_51 = sin_phi_1 * phi_1_dot * self.k_3 + self.l * sin_phi_2 * phi_2_dot
+            + (S::from_f64(2.0) * P2_y_dot + w_49) + (S::from_f64(2.0) * P3_y_dot + w_50)
+            + (S::from_f64(2.0) * (P3_y_dot + w_50) + self.l * sin_phi_5 * phi_5_dot);
+        let abs_w_13 = w_13.abs();
+        let abs_w_28 = w_28.abs();
+        let abs_w_42 = w_42.abs();
+        let abs_w_47 = w_47.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -769,30 +779,30 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
                 phi_4_ddot,
                 -(minus_rhs_phi_5 * self.inverse_phi_5
                     + l_P4_x_phi_5
-                        * (w_3 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
+                        * (w_7 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
                     + l_P4_y_phi_5 * (P4_y_convective + u4_x * phi_4_ddot + P3_y_ddot)),
             ],
             multipliers: [],
-            power: -(self.k_7 * w_44 + sin_phi_1 * phi_1_dot * self.k_5),
+            power: -(self.k_7 * w_51 + sin_phi_1 * phi_1_dot * self.k_5),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi_2_phi_2,
                 self.mass_phi_2_phi_2,
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_4,
-                    self.mass_phi_2_phi_2 + w_5 + abs_w_7 + abs_w_7 + w_10,
+                    self.mass_phi_2_phi_2 + w_12 + abs_w_13 + abs_w_13 + w_15,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_3,
-                    self.mass_phi_2_phi_2 + w_15 + abs_w_17 + abs_w_17 + w_20,
+                    self.mass_phi_2_phi_2 + w_27 + abs_w_28 + abs_w_28 + w_30,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_1,
-                    self.mass_phi_1_phi_1 + w_22 + abs_w_26 + abs_w_26 + w_28,
+                    self.mass_phi_1_phi_1 + w_41 + abs_w_42 + abs_w_42 + w_43,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_2,
-                    self.mass_phi_2_phi_2 + w_39 + abs_w_40 + abs_w_40 + w_41,
+                    self.mass_phi_2_phi_2 + w_46 + abs_w_47 + abs_w_47 + w_48,
                 ),
         }
     }

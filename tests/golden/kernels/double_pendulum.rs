@@ -185,54 +185,45 @@ pub struct DoublePendulumPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 45 multiplications, 1 division.
+    /// Operations: 30 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> DoublePendulumPrepared<S> {
         let l_squared = self.l * self.l;
         let w = self.l * l_squared;
-        let mass_phi1_phi1 = S::from_f64(1.3333333333333333) * w * self.rho * self.width
-            * self.thickness;
+        let w_2 = self.rho * self.width;
+        let mass_phi1_phi1 = S::from_f64(1.3333333333333333) * w * self.thickness * w_2;
+        let w_3 = self.thickness * w_2;
+        let w_4 = S::from_f64(0.5) * self.g;
         DoublePendulumPrepared {
             l: self.l,
             mass_phi1_phi1: mass_phi1_phi1,
-            k: w * self.rho * self.width * self.thickness * S::from_f64(0.5),
-            mass_phi2_phi2: w * self.rho * self.width * self.thickness
-                * S::from_f64(0.3333333333333333),
+            k: w * self.thickness * w_2 * S::from_f64(0.5),
+            mass_phi2_phi2: w * self.thickness * w_2 * S::from_f64(0.3333333333333333),
             k_2: self.l * S::from_f64(2.0),
-            k_3: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.5),
-            k_4: l_squared * self.rho * self.width * self.thickness * S::from_f64(1.5)
-                * self.g,
-            k_5: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.25),
-            k_6: l_squared * self.rho * self.width * self.thickness * S::from_f64(0.5)
-                * self.g,
+            k_3: l_squared * S::from_f64(0.5) * w_3,
+            k_4: l_squared * S::from_f64(1.5) * self.g * w_3,
+            k_5: l_squared * w_3 * S::from_f64(0.25),
+            k_6: l_squared * w_3 * w_4,
             inverse_phi1: S::from_f64(1.0) / mass_phi1_phi1,
-            k_7: self.l * self.rho * self.width * self.thickness * S::from_f64(0.5)
-                * self.g,
-            k_8: w * self.rho * self.width * self.thickness,
-            k_9: w * self.rho * self.width * self.thickness * S::from_f64(0.25),
+            k_7: self.l * w_3 * w_4,
+            k_8: w * w_3,
+            k_9: w * self.thickness * w_2 * S::from_f64(0.25),
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
     ///
-    /// Operations: 1 addition, 17 multiplications, 2 sine-cosine pairs.
+    /// Operations: 1 addition, 13 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
         let [phi1, phi2] = *q;
-        let w = self.l * self.l * self.l;
+        let w = self.l * self.l * self.l * self.rho;
+        let w_2 = self.width * self.thickness;
         let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let mass_phi2_phi1 = w * self.rho * self.width * self.thickness
-            * S::from_f64(0.5) * (cos_phi1 * cos_phi2 + u_x * v_x);
+        let mass_phi2_phi1 = w * w_2 * S::from_f64(0.5)
+            * (cos_phi1 * cos_phi2 + u_x * v_x);
         [
-            [
-                S::from_f64(1.3333333333333333) * w * self.rho * self.width
-                    * self.thickness,
-                mass_phi2_phi1,
-            ],
-            [
-                mass_phi2_phi1,
-                w * self.rho * self.width * self.thickness
-                    * S::from_f64(0.3333333333333333),
-            ],
+            [S::from_f64(1.3333333333333333) * w * w_2, mass_phi2_phi1],
+            [mass_phi2_phi1, w * w_2 * S::from_f64(0.3333333333333333)],
         ]
     }
     /// Convective forces `T_q' M g`, 2, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
@@ -251,17 +242,16 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     }
     /// Generalised forces `T_q' F`, 2: joules per unit of each coordinate.
     ///
-    /// Operations: 2 additions, 13 multiplications, 2 sine-cosine pairs.
+    /// Operations: 2 additions, 11 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [phi1, phi2] = *q;
         let ([u_x, v_x], [_, _]) = S::sin_cos_each([phi1, phi2]);
-        let l_squared = self.l * self.l;
+        let w = self.l * self.l * self.rho;
+        let w_2 = self.width * self.thickness;
         [
-            -(u_x * S::from_f64(1.5) * l_squared * self.rho * self.width * self.thickness
-                * self.g),
-            -(v_x * l_squared * self.rho * self.width * self.thickness * self.g
-                * S::from_f64(0.5)),
+            -(u_x * S::from_f64(1.5) * self.g * w * w_2),
+            -(v_x * self.g * w * w_2 * S::from_f64(0.5)),
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -316,27 +306,29 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 5 additions, 30 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 26 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
+        let w = self.rho * self.width;
         let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let w = self.l * S::from_f64(2.0);
-        let w_2 = phi1_dot * cos_phi1 * w + self.l * phi2_dot * cos_phi2;
-        let w_3 = phi1_dot * w * u_x + self.l * phi2_dot * v_x;
-        let w_4 = self.l * self.rho * self.width * self.thickness * S::from_f64(0.125)
-            * (w_2 * w_2 + w_3 * w_3);
-        let w_5 = self.l * self.l * self.l;
-        w_4
-            + phi1_dot * phi1_dot * S::from_f64(0.16666666666666666) * w_5 * self.rho
-                * self.width * self.thickness
-            + phi2_dot * phi2_dot * w_5 * self.rho * self.width * self.thickness
-                * S::from_f64(0.041666666666666664)
+        let w_2 = phi1_dot * self.l * S::from_f64(2.0);
+        let w_3 = self.l * phi2_dot;
+        let w_4 = cos_phi1 * w_2 + cos_phi2 * w_3;
+        let w_5 = w_2 * u_x + w_3 * v_x;
+        let w_6 = self.l * self.thickness * S::from_f64(0.125) * w
+            * (w_4 * w_4 + w_5 * w_5);
+        let w_7 = self.l * self.l * self.l;
+        w_6
+            + phi1_dot * phi1_dot * S::from_f64(0.16666666666666666) * w_7
+                * self.thickness * w
+            + phi2_dot * phi2_dot * w_7 * self.thickness
+                * S::from_f64(0.041666666666666664) * w
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 3 additions, 19 multiplications, 2 sine-cosine pairs.
+    /// Operations: 3 additions, 16 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -349,11 +341,12 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
         let ([u_x, v_x], [_, _]) = S::sin_cos_each([phi1, phi2]);
-        let w = (phi1_dot * u_x * self.l * S::from_f64(2.0) + self.l * phi2_dot * v_x)
-            * S::from_f64(0.5) * self.l * self.rho * self.width * self.thickness
-            * self.g;
-        -(phi1_dot * u_x * S::from_f64(0.5) * self.l * self.l * self.rho * self.width
-            * self.thickness * self.g + w)
+        let w = self.width * self.thickness;
+        let w_2 = self.g * S::from_f64(0.5) * self.rho;
+        let w_3 = phi1_dot * u_x * self.l * self.l * w * w_2
+            + (phi1_dot * u_x * self.l * S::from_f64(2.0) + self.l * phi2_dot * v_x)
+                * self.l * w * w_2;
+        -w_3
     }
     /// Outputs, 4, in SI units.
     ///
@@ -496,7 +489,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 11 additions, 30 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 11 additions, 28 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -507,16 +500,14 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
         let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
-        let phi2_dot_squared = phi2_dot * phi2_dot;
-        let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
-            - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
+        let w = self.k * phi2_dot * phi2_dot;
+        let rhs_phi1 = cos_phi1 * v_x * w - u_x * (self.k_4 + cos_phi2 * w);
+        let w_2 = self.k * phi1_dot * phi1_dot;
         let mass_phi2_phi1 = self.k * (cos_phi1 * cos_phi2 + u_x * v_x);
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
         let pivot_phi2 = self.mass_phi2_phi2 - mass_phi2_phi1 * l_phi2_phi1;
-        let phi1_dot_squared = phi1_dot * phi1_dot;
         let phi2_ddot = S::from_f64(1.0) / pivot_phi2
-            * (cos_phi2 * u_x * self.k * phi1_dot_squared
-                - v_x * (self.k_6 + cos_phi1 * self.k * phi1_dot_squared)
+            * (cos_phi2 * u_x * w_2 - v_x * (self.k_6 + cos_phi1 * w_2)
                 - rhs_phi1 * l_phi2_phi1);
         sim_kernel::Dynamics {
             accelerations: [
@@ -534,7 +525,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (0 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 29 additions, 70 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 29 additions, 63 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -544,52 +535,51 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 0]> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
-        let phi1_dot_squared = phi1_dot * phi1_dot;
-        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
         let phi2_dot_squared = phi2_dot * phi2_dot;
-        let w = u_x * phi1_dot_squared * self.k_2 + self.l * v_x * phi2_dot_squared;
-        let w_2 = cos_phi1 * phi1_dot_squared * self.k_2
-            + self.l * cos_phi2 * phi2_dot_squared;
-        let w_3 = cos_phi1 * cos_phi2 + u_x * v_x;
-        let mass_phi2_phi1 = self.k * w_3;
+        let w = self.k * phi2_dot_squared;
+        let ([u_x, v_x], [cos_phi1, cos_phi2]) = S::sin_cos_each([phi1, phi2]);
+        let w_2 = cos_phi1 * v_x;
+        let rhs_phi1 = w * w_2 - u_x * (self.k_4 + cos_phi2 * w);
+        let phi1_dot_squared = phi1_dot * phi1_dot;
+        let w_3 = self.k * phi1_dot_squared;
+        let w_4 = cos_phi2 * u_x;
+        let w_5 = cos_phi1 * cos_phi2 + u_x * v_x;
+        let mass_phi2_phi1 = self.k * w_5;
         let l_phi2_phi1 = mass_phi2_phi1 * self.inverse_phi1;
+        let w_6 = phi1_dot_squared * self.k_2;
+        let w_7 = self.l * phi2_dot_squared;
+        let w_8 = u_x * w_6 + v_x * w_7;
+        let w_9 = cos_phi1 * w_6 + cos_phi2 * w_7;
         let pivot_phi2 = self.mass_phi2_phi2 - mass_phi2_phi1 * l_phi2_phi1;
         let inverse_phi2 = S::from_f64(1.0) / pivot_phi2;
-        let rhs_phi1 = cos_phi1 * v_x * self.k * phi2_dot_squared
-            - u_x * (self.k_4 + cos_phi2 * self.k * phi2_dot_squared);
         let phi2_ddot = inverse_phi2
-            * (cos_phi2 * u_x * self.k * phi1_dot_squared
-                - v_x * (self.k_6 + cos_phi1 * self.k * phi1_dot_squared)
-                - rhs_phi1 * l_phi2_phi1);
-        let w_4 = cos_phi2 * u_x;
-        let w_5 = cos_phi1 * v_x;
-        let w_6 = w_4 - w_5;
-        let w_7 = self.k_8 * w_6;
-        let w_8 = S::from_f64(0.5) * phi2_ddot * w_7;
-        let w_9 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w + cos_phi1 * w_2)
-            - cos_phi1 * self.k_4 + w_8;
-        let w_10 = S::from_f64(0.5)
-            * (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_7;
-        let w_11 = inverse_phi2
-            * (self.k * w_3 * phi1_dot_squared + w_10 - l_phi2_phi1 * w_9);
-        let w_12 = self.k * w_3 * phi2_dot_squared - w_8;
-        let w_13 = inverse_phi2
-            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w + cos_phi2 * w_2) - w_10
-                - cos_phi2 * self.k_6 - l_phi2_phi1 * w_12);
-        let w_14 = inverse_phi2 * self.k_8 * phi1_dot * w_6;
-        let w_15 = self.k_8 * phi2_dot * (w_5 - w_4);
-        let w_16 = inverse_phi2 * l_phi2_phi1 * w_15;
+            * (w_3 * w_4 - v_x * (self.k_6 + cos_phi1 * w_3) - rhs_phi1 * l_phi2_phi1);
+        let w_10 = w_4 - w_2;
+        let w_11 = S::from_f64(0.5) * self.k_8 * w_10;
+        let w_12 = phi2_ddot * w_11;
+        let w_13 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w_8 + cos_phi1 * w_9)
+            - cos_phi1 * self.k_4 + w_12;
+        let w_14 = (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_11;
+        let w_15 = inverse_phi2
+            * (self.k * w_5 * phi1_dot_squared + w_14 - l_phi2_phi1 * w_13);
+        let w_16 = self.k * w_5 * phi2_dot_squared - w_12;
+        let w_17 = inverse_phi2
+            * (phi2_dot_squared * self.k_9 - self.k_5 * (v_x * w_8 + cos_phi2 * w_9)
+                - w_14 - cos_phi2 * self.k_6 - l_phi2_phi1 * w_16);
+        let w_18 = inverse_phi2 * self.k_8 * phi1_dot * w_10;
+        let w_19 = self.k_8 * phi2_dot * (w_2 - w_4);
+        let w_20 = inverse_phi2 * l_phi2_phi1 * w_19;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_phi1 * w_9 - l_phi2_phi1 * w_11,
-                    self.inverse_phi1 * w_12 - l_phi2_phi1 * w_13,
+                    self.inverse_phi1 * w_13 - l_phi2_phi1 * w_15,
+                    self.inverse_phi1 * w_16 - l_phi2_phi1 * w_17,
                 ],
-                [w_11, w_13],
+                [w_15, w_17],
             ],
             accelerations_by_speeds: [
-                [-(l_phi2_phi1 * w_14), self.inverse_phi1 * w_15 + l_phi2_phi1 * w_16],
-                [w_14, -w_16],
+                [-(l_phi2_phi1 * w_18), self.inverse_phi1 * w_19 + l_phi2_phi1 * w_20],
+                [w_18, -w_20],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],

@@ -269,8 +269,8 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
     k_7: S,
     k_8: S,
     k_9: S,
-    inverse_theta4: S,
     inverse_theta2: S,
+    inverse_theta4: S,
     k_10: S,
     k_11: S,
     k_12: S,
@@ -281,38 +281,41 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> FourBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 additions, 37 multiplications, 2 divisions.
+    /// Operations: 2 additions, 30 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarPrepared<S> {
         let a_squared = self.a * self.a;
         let w = a_squared * self.m3;
         let mass_theta2_theta2 = S::from_f64(0.3333333333333333) * a_squared * self.m2
             + w;
+        let w_2 = self.a * self.m3;
         let b_squared = self.b * self.b;
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
-        let w_2 = self.a * self.m2 * S::from_f64(0.5) * self.g;
+        let w_3 = S::from_f64(0.5) * self.g;
+        let w_4 = self.a * self.m2 * w_3;
+        let w_5 = self.m3 * self.b;
         FourBarPrepared {
             a: self.a,
             k: w,
             mass_theta2_theta2: mass_theta2_theta2,
             b: self.b,
-            k_2: self.a * self.m3 * S::from_f64(0.5) * self.b,
+            k_2: S::from_f64(0.5) * self.b * w_2,
             mass_theta3_theta3: S::from_f64(0.3333333333333333) * self.m3 * b_squared,
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             T: self.T,
             k_3: self.a * S::from_f64(2.0),
-            k_4: self.a * self.m3 * S::from_f64(0.5),
-            k_5: w_2,
-            k_6: w_2 + self.a * self.m3 * self.g,
-            k_7: self.m3 * self.b * S::from_f64(0.25),
-            k_8: self.m3 * S::from_f64(0.5) * self.b * self.g,
-            k_9: S::from_f64(0.5) * self.c * self.m4 * self.g,
-            inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
+            k_4: S::from_f64(0.5) * w_2,
+            k_5: w_4,
+            k_6: w_4 + w_2 * self.g,
+            k_7: S::from_f64(0.25) * w_5,
+            k_8: w_3 * w_5,
+            k_9: self.c * self.m4 * w_3,
             inverse_theta2: S::from_f64(1.0) / mass_theta2_theta2,
-            k_10: self.m3 * S::from_f64(0.5) * self.g,
-            k_11: self.a * self.m3 * self.b,
+            inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
+            k_10: self.m3 * w_3,
+            k_11: self.b * w_2,
             k_12: self.m3 * b_squared * S::from_f64(0.25),
             k_13: self.b * S::from_f64(2.0),
             k_14: self.c * S::from_f64(2.0),
@@ -366,18 +369,16 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
     ///
-    /// Operations: 4 additions, 14 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 12 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [theta2, theta3, theta4] = *q;
         let ([_, _, _], [u2_x, u3_x, u4_x]) = S::sin_cos_each([theta2, theta3, theta4]);
+        let w = S::from_f64(0.5) * self.g;
         [
-            self.T
-                - u2_x
-                    * (S::from_f64(0.5) * self.a * self.m2 * self.g
-                        + self.a * self.g * self.m3),
-            -(u3_x * S::from_f64(0.5) * self.g * self.m3 * self.b),
-            -(u4_x * S::from_f64(0.5) * self.g * self.c * self.m4),
+            self.T - u2_x * (self.a * self.m2 * w + self.a * self.g * self.m3),
+            -(u3_x * self.m3 * w * self.b),
+            -(u4_x * w * self.c * self.m4),
         ]
     }
     /// Constraints `C`, 2, in SI units; zero throughout the motion.
@@ -438,25 +439,20 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 4 additions, 15 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 12 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
         let [theta2, theta3, theta4] = *q;
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
         let ([u2_y, u3_y, u4_y], [u2_x, u3_x, u4_x]) = S::sin_cos_each([
             theta2,
             theta3,
             theta4,
         ]);
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        [
-            theta4_dot_squared * self.c * u4_x - theta2_dot_squared * self.a * u2_x
-                - theta3_dot_squared * self.b * u3_x,
-            theta4_dot_squared * self.c * u4_y - theta2_dot_squared * self.a * u2_y
-                - theta3_dot_squared * self.b * u3_y,
-        ]
+        let w = theta4_dot * theta4_dot * self.c;
+        let w_2 = theta2_dot * theta2_dot * self.a;
+        let w_3 = theta3_dot * theta3_dot * self.b;
+        [u4_x * w - u2_x * w_2 - u3_x * w_3, w * u4_y - w_2 * u2_y - w_3 * u3_y]
     }
     /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
     ///
@@ -493,26 +489,27 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 6 additions, 28 multiplications, 2 sine-cosine pairs.
+    /// Operations: 6 additions, 26 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [theta2, theta3, _] = *q;
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
         let ([u2_y, u3_y], [u2_x, u3_x]) = S::sin_cos_each([theta2, theta3]);
-        let w = self.a * S::from_f64(2.0);
-        let w_2 = theta2_dot * u2_y * w + theta3_dot * self.b * u3_y;
-        let w_3 = theta2_dot * w * u2_x + theta3_dot * self.b * u3_x;
-        let w_4 = theta3_dot * theta3_dot * S::from_f64(0.041666666666666664) * self.b
+        let w = theta2_dot * self.a * S::from_f64(2.0);
+        let w_2 = theta3_dot * self.b;
+        let w_3 = u2_y * w + u3_y * w_2;
+        let w_4 = w * u2_x + w_2 * u3_x;
+        let w_5 = theta3_dot * theta3_dot * S::from_f64(0.041666666666666664) * self.b
             * self.b * self.m3;
-        let w_5 = theta4_dot * theta4_dot * S::from_f64(0.16666666666666666) * self.c
+        let w_6 = theta4_dot * theta4_dot * S::from_f64(0.16666666666666666) * self.c
             * self.c * self.m4;
-        self.m3 * S::from_f64(0.125) * (w_2 * w_2 + w_3 * w_3)
+        self.m3 * S::from_f64(0.125) * (w_3 * w_3 + w_4 * w_4)
             + theta2_dot * theta2_dot * S::from_f64(0.16666666666666666) * self.a
-                * self.a * self.m2 + w_4 + w_5
+                * self.a * self.m2 + w_5 + w_6
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 4 additions, 18 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 16 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -525,10 +522,11 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let [theta2, theta3, theta4] = *q;
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
         let ([_, _, _], [u2_x, u3_x, u4_x]) = S::sin_cos_each([theta2, theta3, theta4]);
-        let w = (theta2_dot * u2_x * self.a * S::from_f64(2.0)
-            + theta3_dot * self.b * u3_x) * S::from_f64(0.5) * self.g * self.m3;
-        theta2_dot * (self.T - u2_x * S::from_f64(0.5) * self.a * self.m2 * self.g) - w
-            - theta4_dot * u4_x * S::from_f64(0.5) * self.g * self.c * self.m4
+        let w = S::from_f64(0.5) * self.g;
+        let w_2 = (theta2_dot * u2_x * self.a * S::from_f64(2.0)
+            + theta3_dot * self.b * u3_x) * self.m3 * w;
+        theta2_dot * (self.T - u2_x * self.a * self.m2 * w) - w_2
+            - theta4_dot * u4_x * self.c * self.m4 * w
     }
     /// Outputs, 12, in SI units.
     ///
@@ -693,7 +691,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 41 additions, 88 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 41 additions, 83 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -709,63 +707,62 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta4,
         ]);
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
-            + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
+        let w = self.k_2 * theta3_dot_squared;
+        let rhs_theta2 = u2_x * (u3_y * w - self.k_6) + self.T - u2_y * u3_x * w;
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let w_2 = self.k_2 * theta2_dot_squared;
         let mass_theta3_theta2 = self.k_2 * (u2_y * u3_y + u2_x * u3_x);
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let pivot_theta3 = self.mass_theta3_theta3
-            - mass_theta3_theta2 * l_theta3_theta2;
-        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
-            - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
+        let rhs_theta3 = u3_x * (u2_y * w_2 - self.k_8) - u3_y * u2_x * w_2
+            - rhs_theta2 * l_theta3_theta2;
         let minus_closure_x_by_theta2 = self.a * u2_y;
         let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
             * self.inverse_theta2;
+        let w_3 = self.c * theta4_dot * theta4_dot;
+        let w_4 = self.a * theta2_dot_squared;
+        let w_5 = self.b * theta3_dot_squared;
+        let minus_rhs_theta4 = u4_x * self.k_9;
+        let B_y = self.c * u4_y;
+        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
+        let pivot_theta3 = self.mass_theta3_theta3
+            - mass_theta3_theta2 * l_theta3_theta2;
+        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let k_lambda_closure_x_theta3 = mass_theta3_theta2
             * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let B_y = self.c * u4_y;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let minus_pivot_lambda_closure_x = B_y * l_lambda_closure_x_theta4
-            + minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2
+        let rhs_lambda_closure_x = rhs_theta2 * minus_l_lambda_closure_x_theta2
+            - (u4_x * w_3 - u2_x * w_4 - u3_x * w_5)
+            + minus_rhs_theta4 * l_lambda_closure_x_theta4
+            - l_lambda_closure_x_theta3 * rhs_theta3;
+        let minus_pivot_lambda_closure_x = minus_closure_x_by_theta2
+            * minus_l_lambda_closure_x_theta2 + B_y * l_lambda_closure_x_theta4
             + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
+        let A_x = self.a * u2_x;
+        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
         let minus_closure_y_by_theta4 = self.c * u4_x;
         let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
             * self.inverse_theta4;
-        let A_x = self.a * u2_x;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
         let k_lambda_closure_y_theta3 = self.b * u3_x
             - mass_theta3_theta2 * l_lambda_closure_y_theta2;
         let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let k_lambda_closure_y_lambda_closure_x = B_y * minus_l_lambda_closure_y_theta4
-            + minus_closure_x_by_theta2 * l_lambda_closure_y_theta2
+        let k_lambda_closure_y_lambda_closure_x = minus_closure_x_by_theta2
+            * l_lambda_closure_y_theta2 + B_y * minus_l_lambda_closure_y_theta4
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
-            + A_x * l_lambda_closure_y_theta2
+        let w_6 = A_x * l_lambda_closure_y_theta2
+            + minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
-            - (self.c * u4_x * theta4_dot_squared - self.a * u2_x * theta2_dot_squared
-                - self.b * u3_x * theta3_dot_squared)
-            + rhs_theta2 * minus_l_lambda_closure_x_theta2
-            - l_lambda_closure_x_theta3 * rhs_theta3;
-        let rhs_lambda_closure_y = minus_l_lambda_closure_y_lambda_closure_x
-            * rhs_lambda_closure_x
-            - (self.c * u4_y * theta4_dot_squared - self.a * u2_y * theta2_dot_squared
-                - self.b * u3_y * theta3_dot_squared)
-            - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
-            - rhs_theta2 * l_lambda_closure_y_theta2
-            - l_lambda_closure_y_theta3 * rhs_theta3;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_6;
         let lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y
-            * rhs_lambda_closure_y;
+            * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
+                - (u4_y * w_3 - u2_y * w_4 - u3_y * w_5)
+                - rhs_theta2 * l_lambda_closure_y_theta2
+                - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
+                - l_lambda_closure_y_theta3 * rhs_theta3);
         let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
             * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
         let theta3_ddot = inverse_theta3 * rhs_theta3
@@ -786,22 +783,22 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 - (u2_x * theta2_dot * self.k_3 + self.b * u3_x * theta3_dot) * self.k_10
                 - u4_x * self.k_9 * theta4_dot,
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta4_theta4,
-                self.mass_theta4_theta4,
+                self.mass_theta2_theta2,
+                self.mass_theta2_theta2,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta2_theta2,
-                    self.mass_theta2_theta2,
+                    self.mass_theta4_theta4,
+                    self.mass_theta4_theta4,
                 ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_6),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 129 additions, 239 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 129 additions, 226 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -816,208 +813,214 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta3,
             theta4,
         ]);
-        let theta2_dot_squared = theta2_dot * theta2_dot;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = self.b * u3_y * theta3_dot_squared;
-        let w_2 = u2_y * theta2_dot_squared * self.k_3 + w;
-        let B_y = self.c * u4_y;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
-        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
-            * self.inverse_theta4;
+        let w = self.k_2 * theta3_dot_squared;
+        let w_2 = u2_y * u3_x;
+        let rhs_theta2 = u2_x * (u3_y * w - self.k_6) + self.T - w * w_2;
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let w_3 = self.k_2 * theta2_dot_squared;
+        let w_4 = u3_y * u2_x;
+        let w_5 = u2_y * u3_y + u2_x * u3_x;
+        let mass_theta3_theta2 = self.k_2 * w_5;
+        let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
+        let rhs_theta3 = u3_x * (u2_y * w_3 - self.k_8) - w_3 * w_4
+            - rhs_theta2 * l_theta3_theta2;
         let minus_closure_x_by_theta2 = self.a * u2_y;
-        let A_x = self.a * u2_x;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let w_3 = u2_y * u3_y + u2_x * u3_x;
-        let mass_theta3_theta2 = self.k_2 * w_3;
         let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
             * self.inverse_theta2;
-        let k_lambda_closure_x_theta3 = mass_theta3_theta2
-            * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
-        let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
+        let w_6 = self.c * theta4_dot_squared;
+        let w_7 = self.a * theta2_dot_squared;
+        let w_8 = self.b * theta3_dot_squared;
+        let w_9 = u3_x * w_8;
+        let minus_rhs_theta4 = u4_x * self.k_9;
+        let B_y = self.c * u4_y;
+        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
         let pivot_theta3 = self.mass_theta3_theta3
             - mass_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let k_lambda_closure_y_theta3 = self.b * u3_x
-            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
-        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let k_lambda_closure_y_lambda_closure_x = B_y * minus_l_lambda_closure_y_theta4
-            + minus_closure_x_by_theta2 * l_lambda_closure_y_theta2
-            - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
+        let k_lambda_closure_x_theta3 = mass_theta3_theta2
+            * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let minus_pivot_lambda_closure_x = B_y * l_lambda_closure_x_theta4
-            + minus_closure_x_by_theta2 * minus_l_lambda_closure_x_theta2
+        let rhs_lambda_closure_x = rhs_theta2 * minus_l_lambda_closure_x_theta2
+            - (u4_x * w_6 - u2_x * w_7 - w_9)
+            + minus_rhs_theta4 * l_lambda_closure_x_theta4
+            - l_lambda_closure_x_theta3 * rhs_theta3;
+        let minus_pivot_lambda_closure_x = minus_closure_x_by_theta2
+            * minus_l_lambda_closure_x_theta2 + B_y * l_lambda_closure_x_theta4
             + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
         let minus_inverse_lambda_closure_x = S::from_f64(1.0)
             / minus_pivot_lambda_closure_x;
+        let A_x = self.a * u2_x;
+        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
+        let minus_closure_y_by_theta4 = self.c * u4_x;
+        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
+            * self.inverse_theta4;
+        let k_lambda_closure_y_theta3 = self.b * u3_x
+            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
+        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
+        let k_lambda_closure_y_lambda_closure_x = minus_closure_x_by_theta2
+            * l_lambda_closure_y_theta2 + B_y * minus_l_lambda_closure_y_theta4
+            - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_4 = minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
-            + A_x * l_lambda_closure_y_theta2
+        let w_10 = u3_y * w_8;
+        let w_11 = theta2_dot_squared * self.k_3;
+        let w_12 = u2_y * w_11 + w_10;
+        let w_13 = A_x * l_lambda_closure_y_theta2
+            + minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_4;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_13;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_5 = self.b * u3_x * theta3_dot_squared;
-        let rhs_theta2 = u2_x * (u3_y * self.k_2 * theta3_dot_squared - self.k_6)
-            + self.T - u2_y * u3_x * self.k_2 * theta3_dot_squared;
-        let rhs_theta3 = u3_x * (u2_y * self.k_2 * theta2_dot_squared - self.k_8)
-            - u3_y * u2_x * self.k_2 * theta2_dot_squared - rhs_theta2 * l_theta3_theta2;
-        let rhs_lambda_closure_x = minus_rhs_theta4 * l_lambda_closure_x_theta4
-            - (self.c * u4_x * theta4_dot_squared - self.a * u2_x * theta2_dot_squared
-                - w_5) + rhs_theta2 * minus_l_lambda_closure_x_theta2
-            - l_lambda_closure_x_theta3 * rhs_theta3;
         let lambda_closure_y = inverse_lambda_closure_y
             * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
-                - (self.c * u4_y * theta4_dot_squared
-                    - self.a * u2_y * theta2_dot_squared - w)
-                - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
+                - (u4_y * w_6 - u2_y * w_7 - w_10)
                 - rhs_theta2 * l_lambda_closure_y_theta2
+                - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
                 - l_lambda_closure_y_theta3 * rhs_theta3);
         let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
             * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
-        let w_6 = u2_x * theta2_dot_squared * self.k_3 + w_5;
+        let w_14 = u2_x * w_11 + w_9;
         let theta3_ddot = inverse_theta3 * rhs_theta3
             - l_lambda_closure_x_theta3 * lambda_closure_x
             - l_lambda_closure_y_theta3 * lambda_closure_y;
-        let w_7 = u3_y * u2_x;
-        let w_8 = u2_y * u3_x;
-        let w_9 = w_7 - w_8;
-        let w_10 = self.k_11 * w_9;
-        let w_11 = S::from_f64(0.5) * theta3_ddot * w_10;
-        let w_12 = u2_y * (self.k_6 - w_2 * self.k_4 + self.a * lambda_closure_y)
-            + u2_x * (self.a * lambda_closure_x - w_6 * self.k_4) - w_11
+        let w_15 = w_4 - w_2;
+        let w_16 = S::from_f64(0.5) * self.k_11 * w_15;
+        let w_17 = theta3_ddot * w_16;
+        let w_18 = u2_y * (self.k_6 - w_12 * self.k_4 + self.a * lambda_closure_y)
+            + u2_x * (self.a * lambda_closure_x - w_14 * self.k_4) - w_17
             + self.k * theta2_dot_squared;
         let theta2_ddot = rhs_theta2 * self.inverse_theta2
             - l_theta3_theta2 * theta3_ddot
             + minus_l_lambda_closure_x_theta2 * lambda_closure_x
             - l_lambda_closure_y_theta2 * lambda_closure_y;
-        let w_13 = S::from_f64(0.5) * theta2_ddot * w_10;
-        let w_14 = self.k_2 * w_3 * theta2_dot_squared - w_13 - l_theta3_theta2 * w_12;
-        let w_15 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_12 - l_lambda_closure_x_theta3 * w_14;
-        let w_16 = inverse_lambda_closure_y
-            * (self.a * (u2_y * theta2_ddot + u2_x * theta2_dot_squared)
-                - l_lambda_closure_y_theta2 * w_12 - l_lambda_closure_y_theta3 * w_14
-                + minus_l_lambda_closure_y_lambda_closure_x * w_15);
-        let w_17 = minus_l_lambda_closure_y_lambda_closure_x * w_16
-            - minus_inverse_lambda_closure_x * w_15;
-        let w_18 = inverse_theta3 * w_14 - l_lambda_closure_x_theta3 * w_17
-            - l_lambda_closure_y_theta3 * w_16;
-        let w_19 = self.k_2 * w_3 * theta3_dot_squared + w_11;
-        let w_20 = u3_y * (self.k_8 - w_2 * self.k_7 + self.b * lambda_closure_y)
-            + u3_x * (self.b * lambda_closure_x - w_6 * self.k_7)
-            + theta3_dot_squared * self.k_12 + w_13 - l_theta3_theta2 * w_19;
-        let w_21 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_19 - l_lambda_closure_x_theta3 * w_20;
+        let w_19 = theta2_ddot * w_16;
+        let w_20 = self.k_2 * w_5 * theta2_dot_squared - w_19 - l_theta3_theta2 * w_18;
+        let w_21 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
+            + minus_l_lambda_closure_x_theta2 * w_18 - l_lambda_closure_x_theta3 * w_20;
         let w_22 = inverse_lambda_closure_y
-            * (self.b * (u3_y * theta3_ddot + u3_x * theta3_dot_squared)
-                - l_lambda_closure_y_theta2 * w_19 - l_lambda_closure_y_theta3 * w_20
+            * (self.a * (u2_y * theta2_ddot + u2_x * theta2_dot_squared)
+                - l_lambda_closure_y_theta2 * w_18 - l_lambda_closure_y_theta3 * w_20
                 + minus_l_lambda_closure_y_lambda_closure_x * w_21);
         let w_23 = minus_l_lambda_closure_y_lambda_closure_x * w_22
             - minus_inverse_lambda_closure_x * w_21;
         let w_24 = inverse_theta3 * w_20 - l_lambda_closure_x_theta3 * w_23
             - l_lambda_closure_y_theta3 * w_22;
-        let w_25 = u4_y * (self.k_9 - self.c * lambda_closure_y)
-            - self.c * u4_x * lambda_closure_x;
+        let w_25 = self.k_2 * w_5 * theta3_dot_squared + w_17;
+        let w_26 = u3_y * (self.k_8 - w_12 * self.k_7 + self.b * lambda_closure_y)
+            + u3_x * (self.b * lambda_closure_x - w_14 * self.k_7)
+            + theta3_dot_squared * self.k_12 + w_19 - l_theta3_theta2 * w_25;
+        let w_27 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
+            + minus_l_lambda_closure_x_theta2 * w_25 - l_lambda_closure_x_theta3 * w_26;
+        let w_28 = inverse_lambda_closure_y
+            * (self.b * (u3_y * theta3_ddot + u3_x * theta3_dot_squared)
+                - l_lambda_closure_y_theta2 * w_25 - l_lambda_closure_y_theta3 * w_26
+                + minus_l_lambda_closure_y_lambda_closure_x * w_27);
+        let w_29 = minus_l_lambda_closure_y_lambda_closure_x * w_28
+            - minus_inverse_lambda_closure_x * w_27;
+        let w_30 = inverse_theta3 * w_26 - l_lambda_closure_x_theta3 * w_29
+            - l_lambda_closure_y_theta3 * w_28;
+        let w_31 = u4_y * (self.k_9 - self.c * lambda_closure_y)
+            - minus_closure_y_by_theta4 * lambda_closure_x;
         let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
             - minus_rhs_theta4 * self.inverse_theta4
             - l_lambda_closure_x_theta4 * lambda_closure_x;
-        let w_26 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_closure_x_theta4 * w_25;
-        let w_27 = inverse_lambda_closure_y
-            * (minus_l_lambda_closure_y_theta4 * w_25
+        let w_32 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
+            - l_lambda_closure_x_theta4 * w_31;
+        let w_33 = inverse_lambda_closure_y
+            * (minus_l_lambda_closure_y_theta4 * w_31
                 - self.c * (u4_y * theta4_ddot + u4_x * theta4_dot_squared)
-                + minus_l_lambda_closure_y_lambda_closure_x * w_26);
-        let w_28 = minus_l_lambda_closure_y_lambda_closure_x * w_27
-            - minus_inverse_lambda_closure_x * w_26;
-        let w_29 = l_lambda_closure_x_theta3 * w_28 + l_lambda_closure_y_theta3 * w_27;
-        let w_30 = self.k_11 * theta2_dot * (w_8 - w_7);
-        let w_31 = u2_x * theta2_dot * self.k_3 - l_lambda_closure_x_theta3 * w_30;
-        let w_32 = inverse_lambda_closure_y
-            * (u2_y * theta2_dot * self.k_3 - l_lambda_closure_y_theta3 * w_30
-                + minus_l_lambda_closure_y_lambda_closure_x * w_31);
-        let w_33 = minus_l_lambda_closure_y_lambda_closure_x * w_32
-            - minus_inverse_lambda_closure_x * w_31;
-        let w_34 = inverse_theta3 * w_30 - l_lambda_closure_x_theta3 * w_33
-            - l_lambda_closure_y_theta3 * w_32;
-        let w_35 = self.k_11 * theta3_dot * w_9;
-        let w_36 = l_theta3_theta2 * w_35;
-        let w_37 = u3_x * theta3_dot * self.k_13 + minus_l_lambda_closure_x_theta2 * w_35
-            + l_lambda_closure_x_theta3 * w_36;
-        let w_38 = inverse_lambda_closure_y
-            * (u3_y * theta3_dot * self.k_13 - l_lambda_closure_y_theta2 * w_35
-                + l_lambda_closure_y_theta3 * w_36
-                + minus_l_lambda_closure_y_lambda_closure_x * w_37);
-        let w_39 = minus_l_lambda_closure_y_lambda_closure_x * w_38
-            - minus_inverse_lambda_closure_x * w_37;
-        let w_40 = inverse_theta3 * w_36 + l_lambda_closure_x_theta3 * w_39
-            + l_lambda_closure_y_theta3 * w_38;
-        let w_41 = u4_x * theta4_dot * self.k_14;
-        let w_42 = inverse_lambda_closure_y
-            * (u4_y * theta4_dot * self.k_14
-                + minus_l_lambda_closure_y_lambda_closure_x * w_41);
-        let w_43 = minus_inverse_lambda_closure_x * w_41
-            - minus_l_lambda_closure_y_lambda_closure_x * w_42;
-        let w_44 = l_lambda_closure_y_theta3 * w_42 - l_lambda_closure_x_theta3 * w_43;
+                + minus_l_lambda_closure_y_lambda_closure_x * w_32);
+        let w_34 = minus_l_lambda_closure_y_lambda_closure_x * w_33
+            - minus_inverse_lambda_closure_x * w_32;
+        let w_35 = l_lambda_closure_x_theta3 * w_34 + l_lambda_closure_y_theta3 * w_33;
+        let w_36 = theta2_dot * self.k_3;
+        let w_37 = self.k_11 * theta2_dot * (w_2 - w_4);
+        let w_38 = u2_x * w_36 - l_lambda_closure_x_theta3 * w_37;
+        let w_39 = inverse_lambda_closure_y
+            * (u2_y * w_36 - l_lambda_closure_y_theta3 * w_37
+                + minus_l_lambda_closure_y_lambda_closure_x * w_38);
+        let w_40 = minus_l_lambda_closure_y_lambda_closure_x * w_39
+            - minus_inverse_lambda_closure_x * w_38;
+        let w_41 = inverse_theta3 * w_37 - l_lambda_closure_x_theta3 * w_40
+            - l_lambda_closure_y_theta3 * w_39;
+        let w_42 = self.k_11 * theta3_dot * w_15;
+        let w_43 = l_theta3_theta2 * w_42;
+        let w_44 = theta3_dot * self.k_13;
+        let w_45 = u3_x * w_44 + minus_l_lambda_closure_x_theta2 * w_42
+            + l_lambda_closure_x_theta3 * w_43;
+        let w_46 = inverse_lambda_closure_y
+            * (u3_y * w_44 - l_lambda_closure_y_theta2 * w_42
+                + l_lambda_closure_y_theta3 * w_43
+                + minus_l_lambda_closure_y_lambda_closure_x * w_45);
+        let w_47 = minus_l_lambda_closure_y_lambda_closure_x * w_46
+            - minus_inverse_lambda_closure_x * w_45;
+        let w_48 = inverse_theta3 * w_43 + l_lambda_closure_x_theta3 * w_47
+            + l_lambda_closure_y_theta3 * w_46;
+        let w_49 = theta4_dot * self.k_14;
+        let w_50 = u4_x * w_49;
+        let w_51 = inverse_lambda_closure_y
+            * (u4_y * w_49 + minus_l_lambda_closure_y_lambda_closure_x * w_50);
+        let w_52 = minus_inverse_lambda_closure_x * w_50
+            - minus_l_lambda_closure_y_lambda_closure_x * w_51;
+        let w_53 = l_lambda_closure_y_theta3 * w_51 - l_lambda_closure_x_theta3 * w_52;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta2 * w_12 - l_theta3_theta2 * w_18
-                        + minus_l_lambda_closure_x_theta2 * w_17
-                        - l_lambda_closure_y_theta2 * w_16,
-                    self.inverse_theta2 * w_19 - l_theta3_theta2 * w_24
+                    self.inverse_theta2 * w_18 - l_theta3_theta2 * w_24
                         + minus_l_lambda_closure_x_theta2 * w_23
                         - l_lambda_closure_y_theta2 * w_22,
-                    l_theta3_theta2 * w_29 + minus_l_lambda_closure_x_theta2 * w_28
-                        - l_lambda_closure_y_theta2 * w_27,
+                    self.inverse_theta2 * w_25 - l_theta3_theta2 * w_30
+                        + minus_l_lambda_closure_x_theta2 * w_29
+                        - l_lambda_closure_y_theta2 * w_28,
+                    l_theta3_theta2 * w_35 + minus_l_lambda_closure_x_theta2 * w_34
+                        - l_lambda_closure_y_theta2 * w_33,
                 ],
-                [w_18, w_24, -w_29],
+                [w_24, w_30, -w_35],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_16
-                        - l_lambda_closure_x_theta4 * w_17,
                     minus_l_lambda_closure_y_theta4 * w_22
                         - l_lambda_closure_x_theta4 * w_23,
-                    self.inverse_theta4 * w_25 - l_lambda_closure_x_theta4 * w_28
-                        + minus_l_lambda_closure_y_theta4 * w_27,
+                    minus_l_lambda_closure_y_theta4 * w_28
+                        - l_lambda_closure_x_theta4 * w_29,
+                    self.inverse_theta4 * w_31 - l_lambda_closure_x_theta4 * w_34
+                        + minus_l_lambda_closure_y_theta4 * w_33,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_closure_x_theta2 * w_33 - l_theta3_theta2 * w_34
-                        - l_lambda_closure_y_theta2 * w_32,
-                    self.inverse_theta2 * w_35 + l_theta3_theta2 * w_40
-                        + minus_l_lambda_closure_x_theta2 * w_39
-                        - l_lambda_closure_y_theta2 * w_38,
-                    minus_l_lambda_closure_x_theta2 * w_43 - l_theta3_theta2 * w_44
-                        + l_lambda_closure_y_theta2 * w_42,
+                    minus_l_lambda_closure_x_theta2 * w_40 - l_theta3_theta2 * w_41
+                        - l_lambda_closure_y_theta2 * w_39,
+                    self.inverse_theta2 * w_42 + l_theta3_theta2 * w_48
+                        + minus_l_lambda_closure_x_theta2 * w_47
+                        - l_lambda_closure_y_theta2 * w_46,
+                    minus_l_lambda_closure_x_theta2 * w_52 - l_theta3_theta2 * w_53
+                        + l_lambda_closure_y_theta2 * w_51,
                 ],
-                [w_34, -w_40, w_44],
+                [w_41, -w_48, w_53],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_32
-                        - l_lambda_closure_x_theta4 * w_33,
-                    minus_l_lambda_closure_y_theta4 * w_38
-                        - l_lambda_closure_x_theta4 * w_39,
-                    -(l_lambda_closure_x_theta4 * w_43
-                        + minus_l_lambda_closure_y_theta4 * w_42),
+                    minus_l_lambda_closure_y_theta4 * w_39
+                        - l_lambda_closure_x_theta4 * w_40,
+                    minus_l_lambda_closure_y_theta4 * w_46
+                        - l_lambda_closure_x_theta4 * w_47,
+                    -(l_lambda_closure_x_theta4 * w_52
+                        + minus_l_lambda_closure_y_theta4 * w_51),
                 ],
             ],
-            multipliers_by_positions: [[w_17, w_23, w_28], [w_16, w_22, w_27]],
-            multipliers_by_speeds: [[w_33, w_39, w_43], [w_32, w_38, -w_42]],
+            multipliers_by_positions: [[w_23, w_29, w_34], [w_22, w_28, w_33]],
+            multipliers_by_speeds: [[w_40, w_47, w_52], [w_39, w_46, -w_51]],
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta4_theta4,
-                self.mass_theta4_theta4,
+                self.mass_theta2_theta2,
+                self.mass_theta2_theta2,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta2_theta2,
-                    self.mass_theta2_theta2,
+                    self.mass_theta4_theta4,
+                    self.mass_theta4_theta4,
                 ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_4),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_13),
         }
     }
 }

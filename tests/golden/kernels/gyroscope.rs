@@ -236,7 +236,7 @@ pub struct GyroscopePrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Gyroscope<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 13 additions, 28 multiplications, 1 division.
+    /// Operations: 13 additions, 26 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> GyroscopePrepared<S> {
         let inner_radius_squared = self.inner_radius * self.inner_radius;
@@ -249,8 +249,9 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
         let N_less_B = w_4 + w_3 + w_2;
         let C_ = self.M * r_squared * S::from_f64(0.5);
         let w_5 = self.M * r_squared;
-        let w_6 = self.m * l_squared * S::from_f64(2.0);
-        let w_7 = self.inner_mass * inner_radius_squared * S::from_f64(2.0);
+        let w_6 = self.m * self.l;
+        let w_7 = self.m * l_squared * S::from_f64(2.0);
+        let w_8 = self.inner_mass * inner_radius_squared * S::from_f64(2.0);
         GyroscopePrepared {
             l: self.l,
             k: w,
@@ -264,17 +265,17 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
             C_: C_,
             k_6: self.l * S::from_f64(2.0),
             k_7: w_5,
-            k_8: self.m * self.l,
+            k_8: w_6,
             k_9: w - C_,
-            k_10: w_6,
-            k_11: w - C_ + w_6,
+            k_10: w_7,
+            k_11: w - C_ + w_7,
             k_12: self.m * self.g,
-            k_13: self.m * self.l * self.g,
+            k_13: w_6 * self.g,
             k_14: w_4 - w_3 - w_2,
             inverse_rise: S::from_f64(1.0) / N_less_B,
-            k_15: self.m * l_squared * S::from_f64(4.0) + w_7 - w_5,
-            k_16: w_5 - w_7,
-            k_17: self.m * self.l * S::from_f64(2.0),
+            k_15: self.m * l_squared * S::from_f64(4.0) + w_8 - w_5,
+            k_16: w_5 - w_8,
+            k_17: S::from_f64(2.0) * w_6,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -390,35 +391,36 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 14 additions, 50 multiplications, 3 sine-cosine pairs.
+    /// Operations: 14 additions, 45 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [turn, rise, spin] = *q;
         let [turn_dot, rise_dot, spin_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m;
         let ([sin_turn, sin_rise, sin_spin], [cos_turn, cos_rise, cos_spin]) = S::sin_cos_each([
             turn,
             rise,
             spin,
         ]);
-        let w = self.l
-            * (rise_dot * sin_turn * sin_rise - turn_dot * cos_turn * cos_rise);
-        let w_2 = self.l
-            * (sin_turn * turn_dot * cos_rise + rise_dot * sin_rise * cos_turn);
+        let w_2 = rise_dot * sin_rise;
+        let w_3 = turn_dot * cos_rise;
+        let w_4 = self.l * (sin_turn * w_2 - cos_turn * w_3);
+        let w_5 = self.l * (sin_turn * w_3 + cos_turn * w_2);
         let inner_radius_squared = self.inner_radius * self.inner_radius;
-        let w_3 = S::from_f64(0.25) * self.inner_mass * inner_radius_squared;
-        let w_4 = rise_dot * rise_dot
-            * (cos_rise * cos_rise * S::from_f64(0.5) * self.m * self.l * self.l + w_3);
-        let w_5 = turn_dot * turn_dot
+        let w_6 = S::from_f64(0.25) * self.inner_mass * inner_radius_squared;
+        let w_7 = rise_dot * rise_dot
+            * (cos_rise * cos_rise * self.l * self.l * w + w_6);
+        let w_8 = turn_dot * turn_dot
             * (S::from_f64(0.25) * self.outer_mass * self.outer_radius
                 * self.outer_radius
                 + S::from_f64(0.5) * self.inner_mass * inner_radius_squared
-                - sin_rise * sin_rise * w_3);
+                - sin_rise * sin_rise * w_6);
         let r_squared = self.r * self.r;
-        let w_x = rise_dot * cos_spin - turn_dot * cos_rise * sin_spin;
-        let w_z = rise_dot * sin_spin + turn_dot * cos_rise * cos_spin;
-        let w_6 = S::from_f64(0.125) * self.M * r_squared * (w_x * w_x + w_z * w_z);
+        let w_x = rise_dot * cos_spin - w_3 * sin_spin;
+        let w_z = rise_dot * sin_spin + w_3 * cos_spin;
         let w_y = spin_dot + sin_rise * turn_dot;
-        S::from_f64(0.5) * self.m * (w * w + w_2 * w_2) + w_4 + w_5 + w_6
+        w * (w_4 * w_4 + w_5 * w_5) + w_7 + w_8
+            + S::from_f64(0.125) * self.M * r_squared * (w_x * w_x + w_z * w_z)
             + w_y * w_y * S::from_f64(0.25) * self.M * r_squared
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -440,7 +442,7 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
     }
     /// Outputs, 5, in SI units.
     ///
-    /// Operations: 16 additions, 34 multiplications, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 16 additions, 33 multiplications, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn outputs(
         &self,
@@ -460,20 +462,21 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
         let w_2 = self.M * r_squared;
         let w_3 = turn_ddot * cos_rise;
         let w_4 = rise_ddot - turn_dot * spin_dot * cos_rise;
-        let w_5 = w_2
-            * (sin_spin * (rise_dot * (w - spin_dot) - w_3) + cos_spin * w_4
-                - w_y * (rise_dot * sin_spin + turn_dot * cos_spin * cos_rise));
+        let w_5 = turn_dot * cos_rise;
         let w_6 = w_2
+            * (sin_spin * (rise_dot * (w - spin_dot) - w_3) + cos_spin * w_4
+                - w_y * (rise_dot * sin_spin + cos_spin * w_5));
+        let w_7 = w_2
             * (cos_spin * (rise_dot * (spin_dot - w) + w_3) + sin_spin * w_4
-                + w_y * (cos_spin * rise_dot - turn_dot * sin_spin * cos_rise));
-        let w_7 = spin_ddot + turn_dot * rise_dot * cos_rise + sin_rise * turn_ddot;
+                + w_y * (cos_spin * rise_dot - sin_spin * w_5));
+        let w_8 = spin_ddot + turn_dot * rise_dot * cos_rise + sin_rise * turn_ddot;
         [
             turn_dot,
             rise,
             w_y,
             spin_dot,
-            (S::from_f64(0.0625) * (w_5 * w_5 + w_6 * w_6)
-                + w_7 * w_7 * S::from_f64(0.25) * self.M * self.M * r_squared
+            (S::from_f64(0.0625) * (w_6 * w_6 + w_7 * w_7)
+                + w_8 * w_8 * S::from_f64(0.25) * self.M * self.M * r_squared
                     * r_squared)
                 .sqrt(),
         ]
@@ -521,7 +524,7 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 17 additions, 29 multiplications, 3 sine-cosine pairs.
+    /// Operations: 17 additions, 23 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 57] {
         let [turn, rise, spin] = *q;
@@ -535,12 +538,16 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
         let w_3 = self.outer_radius * sin_turn;
         let w_4 = cos_turn * self.inner_radius;
         let w_5 = sin_turn * self.inner_radius;
-        let w_6 = -(sin_turn * cos_rise * self.l);
-        let w_7 = cos_turn * cos_rise * self.l;
-        let w_8 = sin_rise * self.l;
-        let w_9 = self.r * (cos_turn * cos_spin - sin_turn * sin_rise * sin_spin);
-        let w_10 = self.r * (sin_turn * cos_spin + cos_turn * sin_rise * sin_spin);
-        let w_11 = cos_rise * self.r * sin_spin;
+        let w_6 = sin_turn * sin_rise;
+        let w_7 = cos_turn * sin_rise;
+        let w_8 = sin_turn * cos_rise;
+        let w_9 = cos_turn * cos_rise;
+        let w_10 = -(w_8 * self.l);
+        let w_11 = w_9 * self.l;
+        let w_12 = sin_rise * self.l;
+        let w_13 = self.r * (cos_turn * cos_spin - w_6 * sin_spin);
+        let w_14 = self.r * (sin_turn * cos_spin + w_7 * sin_spin);
+        let w_15 = cos_rise * self.r * sin_spin;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -574,57 +581,54 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
             S::from_f64(0.0),
             S::from_f64(0.0),
             self.inner_radius,
-            sin_turn * sin_rise,
-            -(cos_turn * sin_rise),
-            cos_rise,
-            sin_turn * self.inner_radius * cos_rise,
-            -(cos_turn * self.inner_radius * cos_rise),
-            -(self.inner_radius * sin_rise),
             w_6,
-            w_7,
-            w_8,
+            -w_7,
+            cos_rise,
+            self.inner_radius * w_8,
+            -(self.inner_radius * w_9),
+            -(self.inner_radius * sin_rise),
+            w_10,
+            w_11,
+            w_12,
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
             self.r,
-            -(sin_turn * cos_rise),
-            cos_turn * cos_rise,
-            sin_rise,
-            -w_9,
-            -w_10,
-            w_11,
+            -w_8,
             w_9,
+            sin_rise,
+            -w_13,
+            -w_14,
+            w_15,
+            w_13,
+            w_14,
+            -w_15,
             w_10,
-            -w_11,
-            w_6,
-            w_7,
-            w_8,
+            w_11,
+            w_12,
         ]
     }
     /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
     ///
-    /// Operations: 5 additions, 28 multiplications, 2 divisions, 1 sine-cosine pair, 1 square root.
+    /// Operations: 5 additions, 23 multiplications, 2 divisions, 1 sine-cosine pair, 1 square root.
     #[inline]
     pub fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        let w = S::from_f64(4.0) * self.m;
+        let w_2 = self.l * self.g;
+        let w_3 = w * w_2;
         let r_squared = self.r * self.r;
         let ([sin_rise0], [_]) = S::sin_cos_each([self.rise0]);
-        let w = self.m * self.l * self.g
+        let w_4 = self.m
             * (self.M * r_squared
                 + S::from_f64(2.0) * self.inner_mass * self.inner_radius
-                    * self.inner_radius + S::from_f64(4.0) * self.m * self.l * self.l)
-            * sin_rise0;
-        let w_2 = S::from_f64(2.0)
+                    * self.inner_radius + self.l * self.l * w) * sin_rise0 * w_2;
+        let w_5 = S::from_f64(2.0)
             * (S::from_f64(0.25) * self.M * self.M * r_squared * r_squared
-                * self.own_spin * self.own_spin - w)
+                * self.own_spin * self.own_spin - w_4)
                 .sqrt() + self.M * r_squared * self.own_spin;
         sim_kernel::Initial {
             positions: [S::from_f64(0.0), self.rise0, S::from_f64(0.0)],
-            speeds: [
-                S::from_f64(4.0) * self.m * self.l * self.g / w_2,
-                self.blow,
-                self.own_spin
-                    - S::from_f64(4.0) * self.m * self.l * self.g * sin_rise0 / w_2,
-            ],
+            speeds: [w_3 / w_5, self.blow, self.own_spin - sin_rise0 * w_3 / w_5],
         }
     }
     /// [`GyroscopePrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
@@ -659,7 +663,7 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 10 additions, 28 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 10 additions, 27 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -672,6 +676,7 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
         let ([sin_rise], [cos_rise]) = S::sin_cos_each([rise]);
         let rhs_turn = cos_rise * rise_dot
             * (sin_rise * turn_dot * self.k_11 - self.C_ * spin_dot);
+        let w = self.C_ * turn_dot;
         let mass_turn_turn = self.k_4 + cos_rise * cos_rise * self.k_2
             + sin_rise * sin_rise * self.k_5;
         let inverse_turn = S::from_f64(1.0) / mass_turn_turn;
@@ -679,25 +684,25 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
         let l_spin_turn = mass_spin_turn * inverse_turn;
         let pivot_spin = self.C_ - mass_spin_turn * l_spin_turn;
         let minus_spin_ddot = S::from_f64(1.0) / pivot_spin
-            * (cos_rise * self.C_ * turn_dot * rise_dot + rhs_turn * l_spin_turn);
+            * (cos_rise * rise_dot * w + rhs_turn * l_spin_turn);
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_turn * inverse_turn + l_spin_turn * minus_spin_ddot,
                 cos_rise
                     * (sin_rise * turn_dot * turn_dot * self.k_14 - self.k_13
-                        + self.C_ * turn_dot * spin_dot) * self.inverse_rise,
+                        + spin_dot * w) * self.inverse_rise,
                 -minus_spin_ddot,
             ],
             multipliers: [],
             power: -(cos_rise * rise_dot * self.k_13),
-            refused: sim_kernel::pivot_is_refused(self.N_less_B, self.N_less_B)
-                | sim_kernel::pivot_is_refused(mass_turn_turn, mass_turn_turn)
+            refused: sim_kernel::pivot_is_refused(mass_turn_turn, mass_turn_turn)
+                | sim_kernel::pivot_is_refused(self.N_less_B, self.N_less_B)
                 | sim_kernel::pivot_is_refused(pivot_spin, self.C_),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 89 additions, 239 multiplications, 2 divisions, 3 sine-cosine pairs.
+    /// Operations: 89 additions, 215 multiplications, 2 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -712,6 +717,8 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
             turn,
             spin,
         ]);
+        let rhs_turn = cos_rise * rise_dot
+            * (sin_rise * turn_dot * self.k_11 - self.C_ * spin_dot);
         let cos_rise_squared = cos_rise * cos_rise;
         let sin_rise_squared = sin_rise * sin_rise;
         let mass_turn_turn = self.k_4 + cos_rise_squared * self.k_2
@@ -720,124 +727,119 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
         let turn_dot_squared = turn_dot * turn_dot;
         let rise_dot_squared = rise_dot * rise_dot;
         let w = cos_turn * (turn_dot_squared + rise_dot_squared);
-        let w_2 = self.l * sin_rise * w
-            + cos_rise * sin_turn * turn_dot * rise_dot * self.k_6;
-        let w_3 = sin_turn * (rise_dot_squared + turn_dot_squared);
-        let w_4 = cos_rise * turn_dot * cos_turn * rise_dot * self.k_6
-            - self.l * sin_rise * w_3;
-        let w_z = rise_dot * sin_spin + cos_rise * turn_dot * cos_spin;
-        let w_5 = sin_rise * turn_dot;
-        let w_y = spin_dot + w_5;
-        let w_6 = self.k_7
-            * (turn_dot * (cos_rise * w_z - sin_rise * cos_spin * w_y)
-                - turn_dot
-                    * (sin_rise * cos_spin * spin_dot + cos_rise * rise_dot * sin_spin));
-        let w_x = rise_dot * cos_spin - cos_rise * turn_dot * sin_spin;
-        let w_7 = self.k_7
-            * (turn_dot * (sin_rise * sin_spin * w_y + cos_rise * w_x)
-                + turn_dot
-                    * (sin_rise * sin_spin * spin_dot - cos_rise * rise_dot * cos_spin));
+        let w_2 = cos_rise * turn_dot;
+        let w_3 = rise_dot * self.k_6;
+        let w_4 = self.l * sin_rise * w + sin_turn * w_2 * w_3;
+        let w_5 = sin_turn * (rise_dot_squared + turn_dot_squared);
+        let w_6 = cos_turn * w_2 * w_3 - self.l * sin_rise * w_5;
+        let w_z = rise_dot * sin_spin + cos_spin * w_2;
+        let w_7 = sin_rise * turn_dot;
+        let w_y = spin_dot + w_7;
+        let w_8 = sin_rise * cos_spin;
+        let w_9 = cos_rise * rise_dot;
+        let w_10 = self.k_7
+            * (turn_dot * (cos_rise * w_z - w_y * w_8)
+                - turn_dot * (spin_dot * w_8 + sin_spin * w_9));
+        let w_11 = sin_rise * sin_spin;
+        let w_x = rise_dot * cos_spin - sin_spin * w_2;
+        let w_12 = self.k_7
+            * (turn_dot * (w_y * w_11 + cos_rise * w_x)
+                + turn_dot * (spin_dot * w_11 - cos_spin * w_9));
         let mass_spin_turn = sin_rise * self.C_;
         let l_spin_turn = mass_spin_turn * inverse_turn;
         let pivot_spin = self.C_ - mass_spin_turn * l_spin_turn;
         let inverse_spin = S::from_f64(1.0) / pivot_spin;
-        let rhs_turn = cos_rise * rise_dot
-            * (sin_rise * turn_dot * self.k_11 - self.C_ * spin_dot);
+        let w_13 = self.C_ * turn_dot;
         let minus_spin_ddot = inverse_spin
-            * (cos_rise * self.C_ * turn_dot * rise_dot + rhs_turn * l_spin_turn);
-        let w_8 = cos_rise
-            * (self.k_8 * (sin_turn * w_2 + cos_turn * w_4)
-                - S::from_f64(0.25) * (sin_spin * w_6 + cos_spin * w_7)
+            * (cos_rise * rise_dot * w_13 + rhs_turn * l_spin_turn);
+        let w_14 = cos_rise
+            * (self.k_8 * (sin_turn * w_4 + cos_turn * w_6)
+                - S::from_f64(0.25) * (sin_spin * w_10 + cos_spin * w_12)
                 + self.C_ * minus_spin_ddot);
-        let w_9 = self.l * cos_rise * w
-            - sin_rise * sin_turn * turn_dot * rise_dot * self.k_6;
-        let w_10 = self.l * cos_rise * w_3
-            + sin_rise * turn_dot * cos_turn * rise_dot * self.k_6;
-        let w_11 = cos_spin * self.k_7
-            * (w_y * w_x + (spin_dot * w_x - sin_rise * turn_dot * rise_dot * cos_spin));
-        let w_12 = S::from_f64(0.25)
-            * (sin_spin * self.k_7
-                * (w_z * w_y
-                    + (w_z * spin_dot - sin_rise * turn_dot * rise_dot * sin_spin))
-                + w_11);
+        let w_15 = sin_rise * rise_dot;
+        let w_16 = turn_dot * self.k_6;
+        let w_17 = self.l * cos_rise * w - sin_turn * w_15 * w_16;
+        let w_18 = self.l * cos_rise * w_5 + cos_turn * w_15 * w_16;
+        let w_19 = cos_spin * self.k_7
+            * (w_y * w_x + (spin_dot * w_x - turn_dot * w_15 * cos_spin));
+        let w_20 = self.k_8 * (sin_turn * w_17 - cos_turn * w_18)
+            + S::from_f64(0.25)
+                * (sin_spin * self.k_7
+                    * (w_z * w_y + (w_z * spin_dot - turn_dot * w_15 * sin_spin))
+                    + w_19);
         let turn_ddot = rhs_turn * inverse_turn + l_spin_turn * minus_spin_ddot;
-        let w_13 = w_8
-            + sin_rise * (self.k_8 * (sin_turn * w_9 - cos_turn * w_10) + w_12)
+        let w_21 = w_14 + sin_rise * w_20
             + turn_dot * rise_dot * (sin_rise_squared * self.k_16 + self.k_9)
             + S::from_f64(0.5) * turn_ddot * cos_rise * sin_rise * self.k_15;
-        let w_14 = inverse_spin
+        let w_22 = inverse_spin
             * (self.C_ * (sin_rise * turn_dot * rise_dot - cos_rise * turn_ddot)
-                - l_spin_turn * w_13);
-        let w_15 = self.k_8
-            * (sin_rise * (cos_turn * w_2 - sin_turn * w_4)
-                - cos_rise * (cos_turn * w_9 + sin_turn * w_10));
-        let w_16 = w_15 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
-            + S::from_f64(0.25) * (cos_spin * w_6 - sin_spin * w_7)
+                - l_spin_turn * w_21);
+        let w_23 = self.k_8
+            * (sin_rise * (cos_turn * w_4 - sin_turn * w_6)
+                - cos_rise * (cos_turn * w_17 + sin_turn * w_18));
+        let w_24 = w_23 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
+            + S::from_f64(0.25) * (cos_spin * w_10 - sin_spin * w_12)
             + cos_rise_squared * self.k_2 * rise_dot_squared
             + self.l * sin_rise * (self.k_12 - sin_rise * rise_dot_squared * self.k_8);
-        let w_17 = self.l
-            * (sin_rise * sin_turn * rise_dot - cos_rise * turn_dot * cos_turn);
-        let w_18 = self.l
-            * (cos_rise * sin_turn * turn_dot + sin_rise * cos_turn * rise_dot);
-        let w_19 = self.k_7
-            * (cos_rise * cos_spin * w_y + sin_rise * w_z
-                + (cos_rise * cos_spin * spin_dot - sin_rise * rise_dot * sin_spin));
-        let w_20 = self.k_7
-            * (sin_rise * w_x - cos_rise * sin_spin * w_y
-                - (cos_rise * sin_spin * spin_dot + sin_rise * rise_dot * cos_spin));
-        let w_21 = cos_rise
-            * (self.k_17 * (sin_turn * w_17 + cos_turn * w_18)
-                - S::from_f64(0.25) * (sin_spin * w_19 + cos_spin * w_20)
+        let w_25 = self.l * (sin_turn * w_15 - cos_turn * w_2);
+        let w_26 = self.l * (sin_turn * w_2 + cos_turn * w_15);
+        let w_27 = cos_rise * cos_spin;
+        let w_28 = self.k_7
+            * (w_y * w_27 + sin_rise * w_z + (spin_dot * w_27 - w_15 * sin_spin));
+        let w_29 = cos_rise * sin_spin;
+        let w_30 = self.k_7
+            * (sin_rise * w_x - w_y * w_29 - (spin_dot * w_29 + w_15 * cos_spin));
+        let w_31 = cos_rise
+            * (self.k_17 * (sin_turn * w_25 + cos_turn * w_26)
+                - S::from_f64(0.25) * (sin_spin * w_28 + cos_spin * w_30)
                 + sin_rise * rise_dot * self.k_9);
-        let w_22 = inverse_spin * (cos_rise * self.C_ * rise_dot + l_spin_turn * w_21);
-        let w_23 = self.l
-            * (sin_rise * sin_turn * turn_dot - cos_rise * cos_turn * rise_dot);
-        let w_24 = self.l
-            * (sin_rise * turn_dot * cos_turn + cos_rise * sin_turn * rise_dot);
-        let w_25 = self.k_7 * (sin_spin * w_y - sin_spin * (w_5 - spin_dot));
-        let w_26 = self.k_7 * (cos_spin * w_y + cos_spin * (spin_dot - w_5));
-        let w_27 = cos_rise
-            * (self.k_17 * (sin_turn * w_23 + cos_turn * w_24)
-                - S::from_f64(0.25) * (sin_spin * w_25 + cos_spin * w_26)
+        let w_32 = inverse_spin * (cos_rise * self.C_ * rise_dot + l_spin_turn * w_31);
+        let w_33 = self.l * (sin_turn * w_7 - cos_turn * w_9);
+        let w_34 = self.l * (cos_turn * w_7 + sin_turn * w_9);
+        let w_35 = self.k_7 * (sin_spin * w_y - sin_spin * (w_7 - spin_dot));
+        let w_36 = self.k_7 * (cos_spin * w_y + cos_spin * (spin_dot - w_7));
+        let w_37 = cos_rise
+            * (self.k_17 * (sin_turn * w_33 + cos_turn * w_34)
+                - S::from_f64(0.25) * (sin_spin * w_35 + cos_spin * w_36)
                 + sin_rise * turn_dot * self.k_9);
-        let w_28 = inverse_spin * (cos_rise * self.C_ * turn_dot + l_spin_turn * w_27);
-        let w_29 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
-        let w_30 = inverse_spin * l_spin_turn * w_29;
+        let w_38 = inverse_spin * (cos_rise * w_13 + l_spin_turn * w_37);
+        let w_39 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
+        let w_40 = inverse_spin * l_spin_turn * w_39;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
-                    inverse_turn * w_13 - l_spin_turn * w_14,
+                    inverse_turn * w_21 - l_spin_turn * w_22,
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), self.inverse_rise * w_16, S::from_f64(0.0)],
-                [S::from_f64(0.0), w_14, S::from_f64(0.0)],
+                [S::from_f64(0.0), self.inverse_rise * w_24, S::from_f64(0.0)],
+                [S::from_f64(0.0), w_22, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
-                    inverse_turn * w_21 + l_spin_turn * w_22,
-                    inverse_turn * w_27 + l_spin_turn * w_28,
-                    -(inverse_turn * w_29 + l_spin_turn * w_30),
+                    inverse_turn * w_31 + l_spin_turn * w_32,
+                    inverse_turn * w_37 + l_spin_turn * w_38,
+                    -(inverse_turn * w_39 + l_spin_turn * w_40),
                 ],
                 [
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_17 - sin_turn * w_18)
+                            * (self.k_17 * (cos_turn * w_25 - sin_turn * w_26)
                                 - cos_rise * self.k * turn_dot)
-                            + S::from_f64(0.25) * (cos_spin * w_19 - sin_spin * w_20)),
+                            + S::from_f64(0.25) * (cos_spin * w_28 - sin_spin * w_30)),
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_23 - sin_turn * w_24)
+                            * (self.k_17 * (cos_turn * w_33 - sin_turn * w_34)
                                 + cos_rise * rise_dot * self.k_10)
-                            + S::from_f64(0.25) * (cos_spin * w_25 - sin_spin * w_26)),
+                            + S::from_f64(0.25) * (cos_spin * w_35 - sin_spin * w_36)),
                     self.inverse_rise * self.C_ * (cos_spin * w_z - sin_spin * w_x),
                 ],
-                [-w_22, -w_28, w_30],
+                [-w_32, -w_38, w_40],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],
-            refused: sim_kernel::pivot_is_refused(self.N_less_B, self.N_less_B)
-                | sim_kernel::pivot_is_refused(mass_turn_turn, mass_turn_turn)
+            refused: sim_kernel::pivot_is_refused(mass_turn_turn, mass_turn_turn)
+                | sim_kernel::pivot_is_refused(self.N_less_B, self.N_less_B)
                 | sim_kernel::pivot_is_refused(pivot_spin, self.C_),
         }
     }

@@ -415,7 +415,7 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 5, in SI units per second.
     ///
-    /// Operations: 21 additions, 34 multiplications, 3 divisions, 2 other functions.
+    /// Operations: 21 additions, 33 multiplications, 3 divisions, 2 other functions.
     #[inline]
     pub fn output_rates(
         &self,
@@ -432,28 +432,29 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_2 = self.lf - self.s0 + w;
         let w_2_squared = w_2 * w_2;
         let w_3 = (-(w_2_squared * inverse_w_squared)).exp();
-        let w_4 = S::from_f64(2.0) * self.v * self.H;
-        let w_5 = inverse_w_squared * w_2 * w_3 * w_4;
+        let w_4 = S::from_f64(2.0) * self.H;
+        let w_5 = self.v * w_4;
+        let w_6 = inverse_w_squared * w_2 * w_3 * w_5;
         let v_squared = self.v * self.v;
-        let w_6 = S::from_f64(2.0) * self.H * v_squared / w_squared;
-        let w_7 = self.H * v_squared * S::from_f64(4.0);
-        let w_8 = S::from_f64(1.0) / (w_squared * w_squared);
-        let w_9 = self.lr + self.s0 - w;
-        let w_9_squared = w_9 * w_9;
-        let w_10 = (-(inverse_w_squared * w_9_squared)).exp();
-        let w_11 = self.cr
-            * (w_10 * (w_6 - w_8 * w_7 * w_9_squared) + y_ddot - phi_ddot * self.lr);
+        let w_7 = w_4 * v_squared / w_squared;
+        let w_8 = self.H * v_squared * S::from_f64(4.0);
+        let w_9 = S::from_f64(1.0) / (w_squared * w_squared);
+        let w_10 = self.lr + self.s0 - w;
+        let w_10_squared = w_10 * w_10;
+        let w_11 = (-(inverse_w_squared * w_10_squared)).exp();
+        let w_12 = self.cr
+            * (w_11 * (w_7 - w_9 * w_8 * w_10_squared) + y_ddot - phi_ddot * self.lr);
         [
             y_dot,
-            -w_5,
+            -w_6,
             phi_dot,
-            -(self.kf * (y_dot + w_5 + self.lf * phi_dot)
+            -(self.kf * (y_dot + w_6 + self.lf * phi_dot)
                 + self.cf
-                    * (w_3 * (w_6 - w_2_squared * w_7 * w_8) + y_ddot
+                    * (w_3 * (w_7 - w_2_squared * w_8 * w_9) + y_ddot
                         + self.lf * phi_ddot)),
             -(self.kr
-                * (y_dot - inverse_w_squared * w_4 * w_9 * w_10 - phi_dot * self.lr)
-                + w_11),
+                * (y_dot - inverse_w_squared * w_5 * w_10 * w_11 - phi_dot * self.lr)
+                + w_12),
         ]
             .into()
     }
@@ -854,27 +855,27 @@ impl<S: sim_kernel::Scalar> HalfCarPrepared<S> {
         let [y, phi] = *q;
         let [y_dot, phi_dot] = *qd;
         let w = t * self.v;
-        let w_2 = self.k + w;
-        let w_3 = (-(w_2 * w_2 * self.k_2)).exp();
-        let w_4 = self.kf * (y - self.H * w_3 + self.lf * phi);
-        let w_5 = self.k_3 - w;
-        let w_6 = (-(self.k_2 * w_5 * w_5)).exp();
-        let w_7 = self.kr * (y - self.H * w_6 - phi * self.lr);
-        let w_8 = self.k_2 * w_2 * w_3 * self.k_4;
-        let w_9 = y_dot + w_8 + self.lf * phi_dot;
-        let w_10 = self.cf * w_9;
-        let w_11 = self.k_2 * w_5 * w_6 * self.k_4;
-        let w_12 = y_dot - w_11 - self.lr * phi_dot;
-        let w_13 = self.cr * w_12;
-        let w_14 = w_7 + w_13;
-        let w_15 = w_4 + w_10;
+        let w_2 = self.k_3 - w;
+        let w_3 = (-(self.k_2 * w_2 * w_2)).exp();
+        let w_4 = self.kr * (y - self.H * w_3 - phi * self.lr);
+        let w_5 = self.k_2 * w_2 * w_3 * self.k_4;
+        let w_6 = y_dot - w_5 - self.lr * phi_dot;
+        let w_7 = self.cr * w_6;
+        let w_8 = w_4 + w_7;
+        let w_9 = self.k + w;
+        let w_10 = (-(w_9 * w_9 * self.k_2)).exp();
+        let w_11 = self.kf * (y - self.H * w_10 + self.lf * phi);
+        let w_12 = self.k_2 * w_9 * w_10 * self.k_4;
+        let w_13 = y_dot + w_12 + self.lf * phi_dot;
+        let w_14 = self.cf * w_13;
+        let w_15 = w_11 + w_14;
         sim_kernel::Dynamics {
             accelerations: [
-                -((w_4 + w_7 + w_10 + w_13) * self.inverse_y),
-                (self.lr * w_14 - self.lf * w_15) * self.inverse_phi,
+                -((w_11 + w_4 + w_14 + w_7) * self.inverse_y),
+                (self.lr * w_8 - self.lf * w_15) * self.inverse_phi,
             ],
             multipliers: [],
-            power: w_15 * (w_8 - w_9) - w_14 * (w_12 + w_11),
+            power: w_15 * (w_12 - w_13) - w_8 * (w_6 + w_5),
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(self.J, self.J),
         }

@@ -192,29 +192,31 @@ pub struct HangingChainPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> HangingChain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 19 multiplications, 1 division.
+    /// Operations: 15 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> HangingChainPrepared<S> {
         let l_squared = self.l * self.l;
+        let w = self.m * S::from_f64(0.5);
         let mass_phi_2_phi_2 = l_squared * self.m * S::from_f64(0.3333333333333333);
+        let w_2 = self.l * self.g;
         HangingChainPrepared {
             l: self.l,
             m: self.m,
             mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * l_squared * self.m,
-            k: l_squared * self.m * S::from_f64(0.5),
+            k: l_squared * w,
             mass_phi_2_phi_2: mass_phi_2_phi_2,
-            k_2: self.l * self.m * S::from_f64(0.5),
+            k_2: self.l * w,
             k_3: self.l * S::from_f64(2.0),
-            k_4: self.l * self.m * S::from_f64(1.5) * self.g,
-            k_5: self.l * self.m * S::from_f64(0.5) * self.g,
+            k_4: self.m * S::from_f64(1.5) * w_2,
+            k_5: w * w_2,
             k_6: self.m * self.g,
             inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
-            k_7: self.m * S::from_f64(0.5) * self.g,
+            k_7: w * self.g,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 62 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 61 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -237,60 +239,62 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w = self.m + self.m;
         let w_2 = self.m + w;
         let w_3 = self.l * cos_phi_1;
-        let w_4 = self.l * u_2_x;
-        let w_5 = w_4 * w_2;
-        let w_6 = self.l * cos_phi_2;
-        let w_7 = w_6 * w_2;
-        let w_8 = l_squared * self.m * S::from_f64(0.5)
-            * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x) + P_1_x * w_5 + w_3 * w_7;
-        let w_9 = self.l * self.m * S::from_f64(0.5);
-        let w_10 = self.l * u_3_x;
-        let w_11 = w_10 * w;
-        let w_12 = w_9 * u_3_x + w_11;
-        let w_13 = self.l * cos_phi_3;
-        let w_14 = w_13 * w;
-        let w_15 = cos_phi_3 * w_9 + w_14;
-        let w_16 = P_1_x * w_12 + w_3 * w_15;
-        let w_17 = self.l * u_4_x;
-        let w_18 = self.m * w_17;
-        let w_19 = w_9 * u_4_x + w_18;
-        let w_20 = self.l * cos_phi_4;
-        let w_21 = self.m * w_20;
-        let w_22 = w_9 * cos_phi_4 + w_21;
-        let w_23 = P_1_x * w_19 + w_3 * w_22;
-        let mass_P_4_y_phi_5 = w_9 * u_5_x;
-        let mass_P_4_x_phi_5 = w_9 * cos_phi_5;
-        let w_24 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_3;
+        let w_4 = self.m * S::from_f64(0.5);
+        let w_5 = self.l * u_2_x;
+        let w_6 = w_5 * w_2;
+        let w_7 = self.l * cos_phi_2;
+        let w_8 = w_7 * w_2;
+        let w_9 = l_squared * w_4 * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x) + P_1_x * w_6
+            + w_3 * w_8;
+        let w_10 = self.l * w_4;
+        let w_11 = self.l * u_3_x;
+        let w_12 = w_11 * w;
+        let w_13 = w_10 * u_3_x + w_12;
+        let w_14 = self.l * cos_phi_3;
+        let w_15 = w_14 * w;
+        let w_16 = cos_phi_3 * w_10 + w_15;
+        let w_17 = P_1_x * w_13 + w_3 * w_16;
+        let w_18 = self.l * u_4_x;
+        let w_19 = self.m * w_18;
+        let w_20 = w_10 * u_4_x + w_19;
+        let w_21 = self.l * cos_phi_4;
+        let w_22 = self.m * w_21;
+        let w_23 = w_10 * cos_phi_4 + w_22;
+        let w_24 = P_1_x * w_20 + w_3 * w_23;
+        let mass_P_4_y_phi_5 = w_10 * u_5_x;
+        let mass_P_4_x_phi_5 = w_10 * cos_phi_5;
+        let w_25 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_3;
         let mass_phi_2_phi_2 = l_squared * self.m * S::from_f64(0.3333333333333333);
-        let w_25 = w_4 * w_12 + w_6 * w_15;
-        let w_26 = w_4 * w_19 + w_6 * w_22;
-        let w_27 = mass_P_4_y_phi_5 * w_4 + mass_P_4_x_phi_5 * w_6;
-        let w_28 = w_10 * w_19 + w_13 * w_22;
-        let w_29 = mass_P_4_y_phi_5 * w_10 + mass_P_4_x_phi_5 * w_13;
-        let w_30 = mass_P_4_y_phi_5 * w_17 + mass_P_4_x_phi_5 * w_20;
+        let w_26 = w_5 * w_13 + w_7 * w_16;
+        let w_27 = w_5 * w_20 + w_7 * w_23;
+        let w_28 = mass_P_4_y_phi_5 * w_5 + mass_P_4_x_phi_5 * w_7;
+        let w_29 = w_11 * w_20 + w_14 * w_23;
+        let w_30 = mass_P_4_y_phi_5 * w_11 + mass_P_4_x_phi_5 * w_14;
+        let w_31 = mass_P_4_y_phi_5 * w_18 + mass_P_4_x_phi_5 * w_21;
         [
             [
                 S::from_f64(1.3333333333333333) * l_squared * self.m
                     + P_1_x * P_1_x * w_2 + w_3 * w_3 * w_2,
-                w_8,
-                w_16,
-                w_23,
+                w_9,
+                w_17,
                 w_24,
+                w_25,
             ],
-            [w_8, mass_phi_2_phi_2 + w_4 * w_5 + w_6 * w_7, w_25, w_26, w_27],
-            [w_16, w_25, mass_phi_2_phi_2 + w_10 * w_11 + w_13 * w_14, w_28, w_29],
-            [w_23, w_26, w_28, mass_phi_2_phi_2 + w_17 * w_18 + w_20 * w_21, w_30],
-            [w_24, w_27, w_29, w_30, mass_phi_2_phi_2],
+            [w_9, mass_phi_2_phi_2 + w_5 * w_6 + w_7 * w_8, w_26, w_27, w_28],
+            [w_17, w_26, mass_phi_2_phi_2 + w_11 * w_12 + w_14 * w_15, w_29, w_30],
+            [w_24, w_27, w_29, mass_phi_2_phi_2 + w_18 * w_19 + w_21 * w_22, w_31],
+            [w_25, w_28, w_30, w_31, mass_phi_2_phi_2],
         ]
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 29 additions, 76 multiplications, 5 sine-cosine pairs.
+    /// Operations: 29 additions, 70 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
-        let w = S::from_f64(0.5) * self.m * self.l * self.l;
+        let w = S::from_f64(0.5) * self.m;
+        let w_2 = w * self.l * self.l;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let (
             [u_1_x,
@@ -306,43 +310,46 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w_2 = u_1_x * cos_phi_2;
-        let w_3 = cos_phi_1 * u_2_x;
-        let w_4 = S::from_f64(0.5) * self.l * self.m;
+        let w_3 = u_1_x * cos_phi_2;
+        let w_4 = cos_phi_1 * u_2_x;
+        let w_5 = self.l * w;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
+        let w_6 = w_5 * phi_3_dot_squared;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P_2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
         let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_5 = self.l * phi_3_dot_squared * cos_phi_3 + P_2_y_convective;
-        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let w_6 = self.l * phi_4_dot_squared * cos_phi_4 + w_5;
-        let w_7 = w_4 * phi_5_dot_squared * cos_phi_5 + self.m * w_6;
-        let w_8 = w_4 * phi_4_dot_squared * cos_phi_4 + self.m * w_5 + w_7;
-        let w_9 = w_4 * phi_3_dot_squared * cos_phi_3 + self.m * P_2_y_convective + w_8;
+        let w_7 = w_5 * phi_4_dot_squared;
+        let w_8 = self.l * phi_3_dot_squared;
+        let w_9 = cos_phi_3 * w_8 + P_2_y_convective;
+        let w_10 = w_5 * phi_5_dot * phi_5_dot;
+        let w_11 = self.l * phi_4_dot_squared;
+        let w_12 = cos_phi_4 * w_11 + w_9;
+        let w_13 = w_10 * cos_phi_5 + self.m * w_12;
+        let w_14 = w_7 * cos_phi_4 + self.m * w_9 + w_13;
+        let w_15 = w_6 * cos_phi_3 + self.m * P_2_y_convective + w_14;
         let minus_P_2_x_convective = self.l
             * (phi_1_dot_squared * u_1_x + phi_2_dot_squared * u_2_x);
-        let w_10 = self.l * phi_3_dot_squared * u_3_x + minus_P_2_x_convective;
-        let w_11 = self.l * phi_4_dot_squared * u_4_x + w_10;
-        let w_12 = w_4 * phi_5_dot_squared * u_5_x + self.m * w_11;
-        let w_13 = w_4 * phi_4_dot_squared * u_4_x + self.m * w_10 + w_12;
-        let w_14 = w_4 * phi_3_dot_squared * u_3_x + self.m * minus_P_2_x_convective
-            + w_13;
+        let w_16 = u_3_x * w_8 + minus_P_2_x_convective;
+        let w_17 = u_4_x * w_11 + w_16;
+        let w_18 = u_5_x * w_10 + self.m * w_17;
+        let w_19 = u_4_x * w_7 + self.m * w_16 + w_18;
+        let w_20 = u_3_x * w_6 + self.m * minus_P_2_x_convective + w_19;
         [
-            w * phi_2_dot_squared * (w_2 - w_3) + w_9 * self.l * u_1_x
-                - w_14 * self.l * cos_phi_1,
-            w * phi_1_dot_squared * (w_3 - w_2) + w_9 * self.l * u_2_x
-                - w_14 * self.l * cos_phi_2,
-            P_2_y_convective * w_4 * u_3_x - minus_P_2_x_convective * w_4 * cos_phi_3
-                + w_8 * self.l * u_3_x - w_13 * self.l * cos_phi_3,
-            w_5 * w_4 * u_4_x - w_10 * w_4 * cos_phi_4 + w_7 * self.l * u_4_x
-                - w_12 * self.l * cos_phi_4,
-            w_6 * w_4 * u_5_x - w_11 * w_4 * cos_phi_5,
+            w_2 * phi_2_dot_squared * (w_3 - w_4) + w_15 * self.l * u_1_x
+                - w_20 * self.l * cos_phi_1,
+            w_2 * phi_1_dot_squared * (w_4 - w_3) + w_15 * self.l * u_2_x
+                - w_20 * self.l * cos_phi_2,
+            P_2_y_convective * w_5 * u_3_x - minus_P_2_x_convective * w_5 * cos_phi_3
+                + w_14 * self.l * u_3_x - w_19 * self.l * cos_phi_3,
+            w_9 * w_5 * u_4_x - w_16 * w_5 * cos_phi_4 + w_13 * self.l * u_4_x
+                - w_18 * self.l * cos_phi_4,
+            w_12 * w_5 * u_5_x - w_17 * w_5 * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
     ///
-    /// Operations: 11 additions, 20 multiplications, 5 sine-cosine pairs.
+    /// Operations: 11 additions, 18 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -356,10 +363,9 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w = self.m * self.g;
         let w_2 = w + w;
         let w_3 = w + w_2;
-        let w_4 = self.l * self.m * self.g * S::from_f64(0.5);
+        let w_4 = self.l * w * S::from_f64(0.5);
         [
-            -(u_1_x * S::from_f64(1.5) * self.l * self.m * self.g
-                + w_3 * self.l * u_1_x),
+            -(u_1_x * S::from_f64(1.5) * self.l * w + w_3 * self.l * u_1_x),
             -(u_2_x * w_4 + w_3 * self.l * u_2_x),
             -(w_4 * u_3_x + w_2 * self.l * u_3_x),
             -(w_4 * u_4_x + w * self.l * u_4_x),
@@ -418,7 +424,7 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 26 additions, 55 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 50 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -437,36 +443,40 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w = self.l * S::from_f64(2.0);
-        let w_2 = phi_1_dot * cos_phi_1 * w + self.l * phi_2_dot * cos_phi_2;
-        let w_3 = phi_1_dot * w * u_1_x + self.l * phi_2_dot * u_2_x;
-        let w_4 = self.l * phi_3_dot * cos_phi_3;
+        let w = phi_1_dot * self.l * S::from_f64(2.0);
+        let w_2 = self.l * phi_2_dot;
+        let w_3 = cos_phi_1 * w + cos_phi_2 * w_2;
+        let w_4 = w * u_1_x + w_2 * u_2_x;
+        let w_5 = self.l * phi_3_dot;
+        let w_6 = cos_phi_3 * w_5;
         let P_2_x_dot = self.l * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2);
-        let w_5 = w_4 + S::from_f64(2.0) * P_2_x_dot;
-        let w_6 = self.l * phi_3_dot * u_3_x;
+        let w_7 = w_6 + S::from_f64(2.0) * P_2_x_dot;
+        let w_8 = w_5 * u_3_x;
         let P_2_y_dot = self.l * (phi_1_dot * u_1_x + phi_2_dot * u_2_x);
-        let w_7 = w_6 + S::from_f64(2.0) * P_2_y_dot;
-        let w_8 = self.l * phi_4_dot * cos_phi_4;
-        let P_3_x_dot = w_4 + P_2_x_dot;
-        let w_9 = w_8 + S::from_f64(2.0) * P_3_x_dot;
-        let w_10 = self.l * phi_4_dot * u_4_x;
-        let P_3_y_dot = w_6 + P_2_y_dot;
-        let w_11 = w_10 + S::from_f64(2.0) * P_3_y_dot;
-        let w_12 = self.l * phi_5_dot * cos_phi_5 + S::from_f64(2.0) * (w_8 + P_3_x_dot);
-        let w_13 = self.l * phi_5_dot * u_5_x + S::from_f64(2.0) * (w_10 + P_3_y_dot);
-        let w_14 = w_2 * w_2 + w_3 * w_3 + w_5 * w_5 + w_7 * w_7 + w_9 * w_9
-            + w_11 * w_11 + w_12 * w_12 + w_13 * w_13;
+        let w_9 = w_8 + S::from_f64(2.0) * P_2_y_dot;
+        let w_10 = self.l * phi_4_dot;
+        let w_11 = cos_phi_4 * w_10;
+        let P_3_x_dot = w_6 + P_2_x_dot;
+        let w_12 = w_11 + S::from_f64(2.0) * P_3_x_dot;
+        let w_13 = w_10 * u_4_x;
+        let P_3_y_dot = w_8 + P_2_y_dot;
+        let w_14 = w_13 + S::from_f64(2.0) * P_3_y_dot;
+        let w_15 = self.l * phi_5_dot;
+        let w_16 = cos_phi_5 * w_15 + S::from_f64(2.0) * (w_11 + P_3_x_dot);
+        let w_17 = w_15 * u_5_x + S::from_f64(2.0) * (w_13 + P_3_y_dot);
+        let w_18 = w_3 * w_3 + w_4 * w_4 + w_7 * w_7 + w_9 * w_9 + w_12 * w_12
+            + w_14 * w_14 + w_16 * w_16 + w_17 * w_17;
         let l_squared = self.l * self.l;
-        let w_15 = l_squared * self.m * S::from_f64(0.041666666666666664)
+        let w_19 = l_squared * self.m * S::from_f64(0.041666666666666664)
             * (phi_2_dot * phi_2_dot + phi_3_dot * phi_3_dot + phi_4_dot * phi_4_dot
                 + phi_5_dot * phi_5_dot);
-        self.m * S::from_f64(0.125) * w_14 + w_15
+        self.m * S::from_f64(0.125) * w_18 + w_19
             + phi_1_dot * phi_1_dot * S::from_f64(0.16666666666666666) * l_squared
                 * self.m
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 12 additions, 25 multiplications, 5 sine-cosine pairs.
+    /// Operations: 12 additions, 24 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -478,6 +488,7 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
     ) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m;
         let ([u_1_x, u_2_x, u_3_x, u_4_x, u_5_x], [_, _, _, _, _]) = S::sin_cos_each([
             phi_1,
             phi_2,
@@ -485,17 +496,17 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             phi_4,
             phi_5,
         ]);
-        let w = phi_1_dot * u_1_x * self.l * S::from_f64(2.0)
+        let w_2 = phi_1_dot * u_1_x * self.l * S::from_f64(2.0)
             + self.l * phi_2_dot * u_2_x;
-        let w_2 = self.l * phi_3_dot * u_3_x;
+        let w_3 = self.l * phi_3_dot * u_3_x;
         let P_2_y_dot = self.l * (phi_1_dot * u_1_x + phi_2_dot * u_2_x);
-        let w_3 = self.l * phi_4_dot * u_4_x;
-        let P_3_y_dot = w_2 + P_2_y_dot;
-        let w_4 = S::from_f64(0.5) * self.m * self.g
-            * (w + (w_2 + S::from_f64(2.0) * P_2_y_dot)
-                + (w_3 + S::from_f64(2.0) * P_3_y_dot)
-                + (self.l * phi_5_dot * u_5_x + S::from_f64(2.0) * (w_3 + P_3_y_dot)));
-        -(w_4 + phi_1_dot * u_1_x * S::from_f64(0.5) * self.l * self.m * self.g)
+        let w_4 = self.l * phi_4_dot * u_4_x;
+        let P_3_y_dot = w_3 + P_2_y_dot;
+        let w_5 = self.g * w
+            * (w_2 + (w_3 + S::from_f64(2.0) * P_2_y_dot)
+                + (w_4 + S::from_f64(2.0) * P_3_y_dot)
+                + (self.l * phi_5_dot * u_5_x + S::from_f64(2.0) * (w_4 + P_3_y_dot)));
+        -(w_5 + phi_1_dot * u_1_x * self.l * self.g * w)
     }
     /// Outputs, 7, in SI units.
     ///
@@ -722,7 +733,7 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 137 additions, 179 multiplications, 4 divisions, 5 sine-cosine pairs.
+    /// Operations: 137 additions, 172 multiplications, 4 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -746,131 +757,131 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let P_1_x = self.l * u_1_x;
+        let w = self.l * u_4_x;
+        let minus_rhs_phi_5 = u_5_x * self.k_5;
         let mass_P_4_y_phi_5 = self.k_2 * u_5_x;
         let l_P_4_y_phi_5 = mass_P_4_y_phi_5 * self.inverse_phi_5;
-        let w = self.m - mass_P_4_y_phi_5 * l_P_4_y_phi_5;
-        let w_2 = self.l * u_4_x;
-        let w_3 = w_2 * w;
-        let w_4 = self.l * cos_phi_4;
+        let w_2 = self.k_2 * phi_5_dot * phi_5_dot;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let w_3 = self.l * phi_4_dot_squared;
+        let P_4_y_convective = cos_phi_4 * w_3;
+        let w_4 = self.m - mass_P_4_y_phi_5 * l_P_4_y_phi_5;
+        let w_5 = minus_rhs_phi_5 * l_P_4_y_phi_5 - (self.k_6 + cos_phi_5 * w_2)
+            - P_4_y_convective * w_4;
+        let minus_P_4_x_convective = u_4_x * w_3;
         let mass_P_4_x_phi_5 = self.k_2 * cos_phi_5;
-        let w_5 = mass_P_4_x_phi_5 * l_P_4_y_phi_5;
-        let k_P_3_y_phi_4 = self.k_2 * u_4_x + w_3 - w_4 * w_5;
-        let w_6 = w_2 * w_3;
-        let w_7 = w_2 * w_5;
-        let w_8 = w_4 * w_7;
+        let w_6 = mass_P_4_x_phi_5 * l_P_4_y_phi_5;
+        let w_7 = w * w_6;
+        let w_8 = self.l * cos_phi_4;
         let l_P_4_x_phi_5 = mass_P_4_x_phi_5 * self.inverse_phi_5;
         let w_9 = self.m - mass_P_4_x_phi_5 * l_P_4_x_phi_5;
-        let w_10 = w_4 * w_9;
-        let w_11 = w_4 * w_10;
-        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_6 - w_8 - w_8 + w_11;
+        let w_10 = u_5_x * w_2 + minus_rhs_phi_5 * l_P_4_x_phi_5 + P_4_y_convective * w_6
+            + minus_P_4_x_convective * w_9;
+        let rhs_phi_4 = w * w_5 - u_4_x * self.k_5 - minus_P_4_x_convective * w_7
+            + w_8 * w_10;
+        let w_11 = self.l * u_3_x;
+        let w_12 = self.k_2 * phi_4_dot_squared;
+        let w_13 = w * w_4;
+        let w_14 = w * w_13;
+        let w_15 = w_8 * w_7;
+        let w_16 = w_8 * w_9;
+        let w_17 = w_8 * w_16;
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_14 - w_15 - w_15 + w_17;
         let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
+        let k_P_3_y_phi_4 = self.k_2 * u_4_x + w_13 - w_8 * w_6;
         let l_P_3_y_phi_4 = inverse_phi_4 * k_P_3_y_phi_4;
-        let w_12 = self.m + w - k_P_3_y_phi_4 * l_P_3_y_phi_4;
-        let w_13 = self.l * u_3_x;
-        let w_14 = w_13 * w_12;
-        let w_15 = self.l * cos_phi_3;
-        let k_P_3_x_phi_4 = self.k_2 * cos_phi_4 - w_7 + w_10;
-        let w_16 = w_5 + k_P_3_x_phi_4 * l_P_3_y_phi_4;
-        let k_P_2_y_phi_3 = self.k_2 * u_3_x + w_14 - w_15 * w_16;
-        let w_17 = w_13 * w_14;
-        let w_18 = w_13 * w_16;
-        let w_19 = w_15 * w_18;
-        let l_P_3_x_phi_4 = inverse_phi_4 * k_P_3_x_phi_4;
-        let w_20 = self.m + w_9 - k_P_3_x_phi_4 * l_P_3_x_phi_4;
-        let w_21 = w_15 * w_20;
-        let w_22 = w_15 * w_21;
-        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_17 - w_19 - w_19 + w_22;
-        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
-        let l_P_2_y_phi_3 = inverse_phi_3 * k_P_2_y_phi_3;
-        let w_23 = self.m + w_12 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
-        let w_24 = P_1_x * P_1_x * w_23;
-        let w_25 = self.l * cos_phi_1;
-        let k_P_2_x_phi_3 = cos_phi_3 * self.k_2 - w_18 + w_21;
-        let w_26 = w_16 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
-        let w_27 = P_1_x * w_26;
-        let w_28 = w_25 * w_27;
-        let l_P_2_x_phi_3 = inverse_phi_3 * k_P_2_x_phi_3;
-        let w_29 = self.m + w_20 - k_P_2_x_phi_3 * l_P_2_x_phi_3;
-        let w_30 = w_25 * w_25 * w_29;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_24 - w_28 - w_28 + w_30;
-        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let minus_rhs_phi_5 = u_5_x * self.k_5;
-        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let P_4_y_convective = self.l * cos_phi_4 * phi_4_dot_squared;
-        let w_31 = minus_rhs_phi_5 * l_P_4_y_phi_5
-            - (self.k_6 + self.k_2 * cos_phi_5 * phi_5_dot_squared)
-            - P_4_y_convective * w;
-        let minus_P_4_x_convective = self.l * u_4_x * phi_4_dot_squared;
-        let w_32 = self.k_2 * u_5_x * phi_5_dot_squared + minus_rhs_phi_5 * l_P_4_x_phi_5
-            + P_4_y_convective * w_5 + minus_P_4_x_convective * w_9;
-        let rhs_phi_4 = w_2 * w_31 - u_4_x * self.k_5 - minus_P_4_x_convective * w_7
-            + w_4 * w_32;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let P_3_y_convective = self.l * cos_phi_3 * phi_3_dot_squared;
-        let w_33 = w_31 - (self.k_6 + self.k_2 * cos_phi_4 * phi_4_dot_squared)
-            - minus_P_4_x_convective * w_5 - l_P_3_y_phi_4 * rhs_phi_4
-            - P_3_y_convective * w_12;
-        let minus_P_3_x_convective = self.l * u_3_x * phi_3_dot_squared;
-        let w_34 = self.k_2 * u_4_x * phi_4_dot_squared + w_32
-            - l_P_3_x_phi_4 * rhs_phi_4 + P_3_y_convective * w_16
-            + minus_P_3_x_convective * w_20;
-        let rhs_phi_3 = w_13 * w_33 - u_3_x * self.k_5 - minus_P_3_x_convective * w_18
-            + w_15 * w_34;
+        let w_18 = self.l * phi_3_dot_squared;
+        let P_3_y_convective = cos_phi_3 * w_18;
+        let w_19 = self.m + w_4 - k_P_3_y_phi_4 * l_P_3_y_phi_4;
+        let w_20 = w_5 - (self.k_6 + cos_phi_4 * w_12) - minus_P_4_x_convective * w_6
+            - l_P_3_y_phi_4 * rhs_phi_4 - P_3_y_convective * w_19;
+        let minus_P_3_x_convective = u_3_x * w_18;
+        let k_P_3_x_phi_4 = self.k_2 * cos_phi_4 - w_7 + w_16;
+        let w_21 = w_6 + k_P_3_x_phi_4 * l_P_3_y_phi_4;
+        let w_22 = w_11 * w_21;
+        let w_23 = self.l * cos_phi_3;
+        let l_P_3_x_phi_4 = inverse_phi_4 * k_P_3_x_phi_4;
+        let w_24 = self.m + w_9 - k_P_3_x_phi_4 * l_P_3_x_phi_4;
+        let w_25 = u_4_x * w_12 + w_10 - l_P_3_x_phi_4 * rhs_phi_4
+            + P_3_y_convective * w_21 + minus_P_3_x_convective * w_24;
+        let rhs_phi_3 = w_11 * w_20 - u_3_x * self.k_5 - minus_P_3_x_convective * w_22
+            + w_23 * w_25;
+        let phi_2_dot_squared = phi_2_dot * phi_2_dot;
+        let w_26 = u_2_x * phi_2_dot_squared;
+        let P_1_x = self.l * u_1_x;
+        let w_27 = self.k_2 * phi_3_dot_squared;
+        let w_28 = w_11 * w_19;
+        let w_29 = w_11 * w_28;
+        let w_30 = w_23 * w_22;
+        let w_31 = w_23 * w_24;
+        let w_32 = w_23 * w_31;
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_29 - w_30 - w_30 + w_32;
+        let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
+        let k_P_2_y_phi_3 = self.k_2 * u_3_x + w_28 - w_23 * w_21;
+        let l_P_2_y_phi_3 = inverse_phi_3 * k_P_2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P_2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_35 = w_33 - (self.k_6 + cos_phi_3 * self.k_2 * phi_3_dot_squared)
-            - minus_P_3_x_convective * w_16 - l_P_2_y_phi_3 * rhs_phi_3
-            - P_2_y_convective * w_23;
-        let minus_P_2_x_convective = self.l
-            * (u_1_x * phi_1_dot_squared + u_2_x * phi_2_dot_squared);
-        let w_36 = self.k_2 * u_3_x * phi_3_dot_squared + w_34
-            - l_P_2_x_phi_3 * rhs_phi_3 + P_2_y_convective * w_26
-            + minus_P_2_x_convective * w_29;
-        let rhs_phi_1 = cos_phi_1 * u_2_x * self.k * phi_2_dot_squared
-            - u_1_x * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared) + P_1_x * w_35
-            - minus_P_2_x_convective * w_27 + w_25 * w_36;
-        let w_37 = self.l * u_2_x;
-        let w_38 = w_37 * w_23;
-        let w_39 = self.l * cos_phi_2;
-        let w_40 = w_37 * w_26;
-        let w_41 = w_39 * w_29;
+        let w_33 = self.m + w_19 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
+        let w_34 = w_20 - (self.k_6 + cos_phi_3 * w_27) - minus_P_3_x_convective * w_21
+            - l_P_2_y_phi_3 * rhs_phi_3 - P_2_y_convective * w_33;
+        let w_35 = u_1_x * phi_1_dot_squared;
+        let minus_P_2_x_convective = self.l * (w_35 + w_26);
+        let k_P_2_x_phi_3 = cos_phi_3 * self.k_2 - w_22 + w_31;
+        let w_36 = w_21 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
+        let w_37 = P_1_x * w_36;
+        let w_38 = self.l * cos_phi_1;
+        let l_P_2_x_phi_3 = inverse_phi_3 * k_P_2_x_phi_3;
+        let w_39 = self.m + w_24 - k_P_2_x_phi_3 * l_P_2_x_phi_3;
+        let w_40 = u_3_x * w_27 + w_25 - l_P_2_x_phi_3 * rhs_phi_3
+            + P_2_y_convective * w_36 + minus_P_2_x_convective * w_39;
+        let rhs_phi_1 = cos_phi_1 * self.k * w_26
+            - u_1_x * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared) + P_1_x * w_34
+            - minus_P_2_x_convective * w_37 + w_38 * w_40;
+        let w_41 = self.l * u_2_x;
+        let w_42 = w_41 * w_36;
+        let w_43 = self.l * cos_phi_2;
+        let w_44 = P_1_x * P_1_x * w_33;
+        let w_45 = w_38 * w_37;
+        let w_46 = w_38 * w_38 * w_39;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_44 - w_45 - w_45 + w_46;
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
+        let w_47 = w_41 * w_33;
+        let w_48 = w_43 * w_39;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x)
-            + P_1_x * w_38 - w_39 * w_27 - w_25 * w_40 + w_25 * w_41;
+            + P_1_x * w_47 - w_43 * w_37 - w_38 * w_42 + w_38 * w_48;
         let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
-        let w_42 = w_37 * w_38;
-        let w_43 = w_39 * w_40;
-        let w_44 = w_39 * w_41;
-        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_42 - w_43 - w_43 + w_44
+        let rhs_phi_2 = cos_phi_2 * self.k * w_35
+            - u_2_x * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared) + w_41 * w_34
+            - minus_P_2_x_convective * w_42 + w_43 * w_40 - l_phi_2_phi_1 * rhs_phi_1;
+        let w_49 = w_41 * w_47;
+        let w_50 = w_43 * w_42;
+        let w_51 = w_43 * w_48;
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_49 - w_50 - w_50 + w_51
             - k_phi_2_phi_1 * l_phi_2_phi_1;
-        let rhs_phi_2 = cos_phi_2 * u_1_x * self.k * phi_1_dot_squared
-            - u_2_x * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared) + w_37 * w_35
-            - minus_P_2_x_convective * w_40 + w_39 * w_36 - l_phi_2_phi_1 * rhs_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
-        let P_2_x_ddot = w_25 * phi_1_ddot - minus_P_2_x_convective + w_39 * phi_2_ddot;
-        let P_2_y_ddot = P_2_y_convective + P_1_x * phi_1_ddot + w_37 * phi_2_ddot;
+        let P_2_x_ddot = w_38 * phi_1_ddot - minus_P_2_x_convective + w_43 * phi_2_ddot;
+        let P_2_y_ddot = P_2_y_convective + P_1_x * phi_1_ddot + w_41 * phi_2_ddot;
         let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P_2_x_phi_3 * P_2_x_ddot
             - l_P_2_y_phi_3 * P_2_y_ddot;
-        let P_3_x_ddot = w_15 * phi_3_ddot - minus_P_3_x_convective + P_2_x_ddot;
-        let P_3_y_ddot = P_3_y_convective + w_13 * phi_3_ddot + P_2_y_ddot;
+        let P_3_x_ddot = w_23 * phi_3_ddot - minus_P_3_x_convective + P_2_x_ddot;
+        let P_3_y_ddot = P_3_y_convective + w_11 * phi_3_ddot + P_2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P_3_x_phi_4 * P_3_x_ddot
             - l_P_3_y_phi_4 * P_3_y_ddot;
-        let w_45 = self.l * u_3_x * phi_3_dot;
+        let w_52 = self.l * u_3_x * phi_3_dot;
         let P_2_y_dot = self.l * (u_1_x * phi_1_dot + u_2_x * phi_2_dot);
-        let w_46 = self.l * u_4_x * phi_4_dot;
-        let P_3_y_dot = w_45 + P_2_y_dot;
-        let w_47 = u_1_x * phi_1_dot * self.k_3 + self.l * u_2_x * phi_2_dot
-            + (w_45 + S::from_f64(2.0) * P_2_y_dot)
-            + (w_46 + S::from_f64(2.0) * P_3_y_dot)
-            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (w_46 + P_3_y_dot));
-        let abs_w_8 = w_8.abs();
-        let abs_w_19 = w_19.abs();
-        let abs_w_28 = w_28.abs();
-        let abs_w_43 = w_43.abs();
+        let w_53 = self.l * u_4_x * phi_4_dot;
+        let P_3_y_dot = w_52 + P_2_y_dot;
+        let w_54 = u_1_x * phi_1_dot * self.k_3 + self.l * u_2_x * phi_2_dot
+            + (w_52 + S::from_f64(2.0) * P_2_y_dot)
+            + (w_53 + S::from_f64(2.0) * P_3_y_dot)
+            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (w_53 + P_3_y_dot));
+        let abs_w_15 = w_15.abs();
+        let abs_w_30 = w_30.abs();
+        let abs_w_45 = w_45.abs();
+        let abs_w_50 = w_50.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -879,30 +890,30 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
                 phi_4_ddot,
                 -(minus_rhs_phi_5 * self.inverse_phi_5
                     + l_P_4_x_phi_5
-                        * (w_4 * phi_4_ddot - minus_P_4_x_convective + P_3_x_ddot)
-                    + l_P_4_y_phi_5 * (P_4_y_convective + w_2 * phi_4_ddot + P_3_y_ddot)),
+                        * (w_8 * phi_4_ddot - minus_P_4_x_convective + P_3_x_ddot)
+                    + l_P_4_y_phi_5 * (P_4_y_convective + w * phi_4_ddot + P_3_y_ddot)),
             ],
             multipliers: [],
-            power: -(self.k_7 * w_47 + u_1_x * phi_1_dot * self.k_5),
+            power: -(self.k_7 * w_54 + u_1_x * phi_1_dot * self.k_5),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi_2_phi_2,
                 self.mass_phi_2_phi_2,
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_4,
-                    self.mass_phi_2_phi_2 + w_6 + abs_w_8 + abs_w_8 + w_11,
+                    self.mass_phi_2_phi_2 + w_14 + abs_w_15 + abs_w_15 + w_17,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_3,
-                    self.mass_phi_2_phi_2 + w_17 + abs_w_19 + abs_w_19 + w_22,
+                    self.mass_phi_2_phi_2 + w_29 + abs_w_30 + abs_w_30 + w_32,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_1,
-                    self.mass_phi_1_phi_1 + w_24 + abs_w_28 + abs_w_28 + w_30,
+                    self.mass_phi_1_phi_1 + w_44 + abs_w_45 + abs_w_45 + w_46,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_2,
-                    self.mass_phi_2_phi_2 + w_42 + abs_w_43 + abs_w_43 + w_44,
+                    self.mass_phi_2_phi_2 + w_49 + abs_w_50 + abs_w_50 + w_51,
                 ),
         }
     }

@@ -299,8 +299,8 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     k_6: S,
     k_7: S,
     k_8: S,
-    inverse_alpha: S,
     inverse_gamma: S,
+    inverse_alpha: S,
     k_9: S,
     k_10: S,
     k_11: S,
@@ -312,17 +312,20 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 11 additions, 31 multiplications, 2 divisions.
+    /// Operations: 11 additions, 26 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
         let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let w_3 = self.m5 * self.BG5 * self.BG5;
-        let w_4 = self.m6 * self.BC * self.BC;
-        let mass_gamma_gamma = self.J5 + w_3 + w_4;
+        let w_3 = self.O4B * self.m5;
+        let w_4 = self.O4B * self.m6;
+        let w_5 = self.m5 * self.BG5 * self.BG5;
+        let w_6 = self.m6 * self.BC * self.BC;
+        let mass_gamma_gamma = self.J5 + w_5 + w_6;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
+        let w_7 = self.BC * S::from_f64(2.0);
         QuickReturnPrepared {
             O2A: self.O2A,
             mass_alpha_alpha: mass_alpha_alpha,
@@ -331,27 +334,26 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 + w_2,
             BG5: self.BG5,
             BC: self.BC,
-            k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
+            k: self.BG5 * w_3 + self.BC * w_4,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             T: self.T,
             F: self.F,
-            k_2: self.O4B * self.m5,
-            k_3: self.O4B * self.m6,
+            k_2: w_3,
+            k_3: w_4,
             k_4: self.O4B * self.F,
             k_5: self.m5 * self.BG5,
             k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
             k_8: self.O2A * S::from_f64(2.0),
-            inverse_alpha: inverse_mass_alpha_alpha,
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
+            inverse_alpha: inverse_mass_alpha_alpha,
             k_9: self.T * inverse_mass_alpha_alpha,
             k_10: w + w_2,
-            k_11: w_3 + w_4,
-            k_12: self.O4B * self.m5 * self.BG5 * S::from_f64(2.0)
-                + self.O4B * self.m6 * self.BC * S::from_f64(2.0),
+            k_11: w_5 + w_6,
+            k_12: self.BG5 * w_3 * S::from_f64(2.0) + w_4 * w_7,
             k_13: self.O4B * S::from_f64(2.0),
-            k_14: self.BC * S::from_f64(2.0),
+            k_14: w_7,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -452,7 +454,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// Constraint Jacobian `C_q`, 2 x 3: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 4 additions, 9 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 8 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
         let [alpha, beta, gamma] = *q;
@@ -461,12 +463,12 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             gamma,
             alpha,
         ]);
+        let w = cos_beta * cos_alpha;
         [
             [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
             [
-                self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha),
-                -(self.O2A * cos_beta * cos_alpha
-                    + sin_beta * (self.O4O2 + self.O2A * sin_alpha)),
+                self.O2A * (w + sin_beta * sin_alpha),
+                -(self.O2A * w + sin_beta * (self.O4O2 + self.O2A * sin_alpha)),
                 S::from_f64(0.0),
             ],
         ]
@@ -503,7 +505,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// `C` (2), `C_q` (2 x 3) and `C_t` (2) together, in SI units, for projection.
     ///
-    /// Operations: 7 additions, 14 multiplications, 3 sine-cosine pairs.
+    /// Operations: 7 additions, 13 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -517,16 +519,17 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             alpha,
         ]);
         let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let w = self.O2A * cos_alpha;
         sim_kernel::ConstraintLinearization {
             values: [
                 self.O4B * sin_beta - self.yc + self.BC * sin_gamma,
-                A_y * cos_beta - sin_beta * self.O2A * cos_alpha,
+                A_y * cos_beta - sin_beta * w,
             ],
             jacobian: [
                 [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
                 [
                     self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha),
-                    -(self.O2A * cos_beta * cos_alpha + sin_beta * A_y),
+                    -(cos_beta * w + sin_beta * A_y),
                     S::from_f64(0.0),
                 ],
             ],
@@ -535,7 +538,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 13 additions, 36 multiplications, 2 sine-cosine pairs.
+    /// Operations: 13 additions, 33 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, beta, gamma] = *q;
@@ -544,20 +547,23 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             beta,
             gamma,
         ]);
-        let w = beta_dot * self.O4B * sin_beta;
-        let w_2 = w + gamma_dot * self.BG5 * sin_gamma;
-        let w_3 = beta_dot * self.O4B * cos_beta;
-        let w_4 = w_3 + gamma_dot * self.BG5 * cos_gamma;
-        let w_5 = w + gamma_dot * sin_gamma * self.BC;
-        let w_6 = w_3 + gamma_dot * cos_gamma * self.BC;
-        let w_7 = alpha_dot * alpha_dot
+        let w = beta_dot * self.O4B;
+        let w_2 = sin_beta * w;
+        let w_3 = gamma_dot * self.BG5;
+        let w_4 = w_2 + sin_gamma * w_3;
+        let w_5 = w * cos_beta;
+        let w_6 = w_5 + w_3 * cos_gamma;
+        let w_7 = gamma_dot * self.BC;
+        let w_8 = w_2 + sin_gamma * w_7;
+        let w_9 = w_5 + cos_gamma * w_7;
+        let w_10 = alpha_dot * alpha_dot
             * (S::from_f64(0.5) * self.J2
                 + S::from_f64(0.5) * self.O2A * self.O2A * self.m3);
-        let w_8 = beta_dot * beta_dot
+        let w_11 = beta_dot * beta_dot
             * (S::from_f64(0.5) * self.J3 + S::from_f64(0.5) * self.J4
                 + S::from_f64(0.5) * self.O4G4 * self.O4G4 * self.m4);
-        S::from_f64(0.5) * self.m5 * (w_2 * w_2 + w_4 * w_4)
-            + S::from_f64(0.5) * self.m6 * (w_5 * w_5 + w_6 * w_6) + w_7 + w_8
+        S::from_f64(0.5) * self.m5 * (w_4 * w_4 + w_6 * w_6)
+            + S::from_f64(0.5) * self.m6 * (w_8 * w_8 + w_9 * w_9) + w_10 + w_11
             + gamma_dot * gamma_dot * S::from_f64(0.5) * self.J5
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -623,7 +629,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 14 additions, 43 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    /// Operations: 14 additions, 42 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
     pub fn output_rates(
         &self,
@@ -644,23 +650,23 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_2 = (O2A_squared
-            * (alpha_dot_squared * sin_alpha * sin_alpha
-                - alpha_ddot * cos_alpha * sin_alpha)
-            + self.O2A * A_y * (alpha_ddot * cos_alpha - sin_alpha * alpha_dot_squared))
-            / w;
+        let w_2 = alpha_ddot * cos_alpha;
         let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
-        let w_4 = O2A_squared * alpha_dot_squared;
+        let w_4 = (O2A_squared
+            * (alpha_dot_squared * sin_alpha * sin_alpha - sin_alpha * w_2)
+            + self.O2A * A_y * (w_2 - sin_alpha * alpha_dot_squared)) / w
+            - w_3 * w_3 / (w * w);
+        let w_5 = O2A_squared * alpha_dot_squared;
         let O4G4_squared = self.O4G4 * self.O4G4;
         let beta_dot_squared = beta_dot * beta_dot;
-        let w_5 = beta_dot_squared * O4G4_squared;
+        let w_6 = beta_dot_squared * O4G4_squared;
         [
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * (w_2 - w_3 * w_3 / (w * w)),
-            alpha_ddot * O2A_squared * alpha_dot * w_4.sqrt() / w_4
-                - beta_ddot * beta_dot * O4G4_squared * w_5.sqrt() / w_5,
+            w.sqrt() * w_4,
+            alpha_ddot * O2A_squared * alpha_dot * w_5.sqrt() / w_5
+                - beta_ddot * beta_dot * O4G4_squared * w_6.sqrt() / w_6,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
             -(self.O4B * (beta_ddot * sin_beta + beta_dot_squared * cos_beta)
                 + self.BC * (gamma_ddot * sin_gamma + gamma_dot * gamma_dot * cos_gamma)),
@@ -772,7 +778,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 34 additions, 79 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 34 additions, 76 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -787,47 +793,48 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             gamma,
             alpha,
         ]);
-        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w = self.k * beta_dot_squared;
+        let rhs_gamma = sin_beta * cos_gamma * w - sin_gamma * (self.k_7 + cos_beta * w);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_2 = self.k * gamma_dot_squared;
         let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let rhs_beta = sin_gamma * cos_beta * w_2
+            - sin_beta * (self.k_4 + cos_gamma * w_2) - rhs_gamma * l_beta_gamma;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha
-            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
+            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let w_3 = cos_beta * cos_alpha;
+        let minus_slot_by_beta = self.O2A * w_3
+            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
+        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
+        let w_4 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_5 = self.O2A * (sin_beta * cos_alpha * w_4 - cos_beta * sin_alpha * w_4)
+            + self.k_8 * beta_dot * alpha_dot
+                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
+            - cos_beta * self.O4O2 * beta_dot_squared;
+        let slot_by_alpha = self.O2A * (w_3 + sin_beta * sin_alpha);
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
+        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w = slot_by_alpha * l_lambda_slot_alpha
-            + minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let w_6 = minus_slot_by_beta * minus_l_lambda_slot_beta
+            + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let w_2 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_3 = self.O2A * (sin_beta * cos_alpha * w_2 - cos_beta * sin_alpha * w_2)
-            + self.k_8 * beta_dot * alpha_dot
-                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
-            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
+            * minus_l_lambda_slot_lambda_guide - w_6;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_3 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_5 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
@@ -845,22 +852,22 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 - self.F
                     * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
             refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.mass_alpha_alpha,
-            )
+                self.mass_gamma_gamma,
+                self.mass_gamma_gamma,
+            ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.mass_gamma_gamma,
-                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
+                    self.mass_alpha_alpha,
+                    self.mass_alpha_alpha,
+                )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_6),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 128 additions, 231 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 128 additions, 220 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -870,198 +877,202 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w = self.k * beta_dot_squared;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w;
+        let w_2 = sin_beta * cos_gamma;
+        let rhs_gamma = w * w_2 - sin_gamma * (self.k_7 + cos_beta * w);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_3 = self.k * gamma_dot_squared;
+        let w_4 = sin_gamma * cos_beta;
+        let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
+        let mass_gamma_beta = self.k * w_5;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let rhs_beta = w_3 * w_4 - sin_beta * (self.k_4 + cos_gamma * w_3)
+            - rhs_gamma * l_beta_gamma;
+        let w_6 = self.O4B * beta_dot_squared;
+        let w_7 = sin_beta * w_6;
+        let w_8 = self.BC * gamma_dot_squared;
+        let w_9 = w_7 + sin_gamma * w_8;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let k_lambda_guide_beta = self.O4B * cos_beta
-            - mass_gamma_beta * l_lambda_guide_gamma;
-        let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let minus_slot_by_beta = self.O2A * cos_beta * cos_alpha + sin_beta * A_y;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
+        let k_lambda_guide_beta = self.O4B * cos_beta
+            - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let rhs_lambda_guide = w_9 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let w_10 = cos_beta * cos_alpha;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let minus_slot_by_beta = self.O2A * w_10 + sin_beta * A_y;
+        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
+        let w_11 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_12 = cos_beta * sin_alpha;
+        let w_13 = sin_beta * cos_alpha;
+        let w_14 = self.O2A * (sin_beta * cos_alpha * w_11 - cos_beta * sin_alpha * w_11)
+            + self.k_8 * beta_dot * alpha_dot * (w_12 - w_13)
+            - cos_beta * self.O4O2 * beta_dot_squared;
+        let w_15 = sin_beta * sin_alpha;
+        let slot_by_alpha = self.O2A * (w_10 + w_15);
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
+        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let slot_by_alpha = self.O2A * (cos_beta * cos_alpha + sin_beta * sin_alpha);
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_2 = slot_by_alpha * l_lambda_slot_alpha
-            + minus_slot_by_beta * minus_l_lambda_slot_beta;
+        let w_16 = minus_slot_by_beta * minus_l_lambda_slot_beta
+            + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w_2;
+            * minus_l_lambda_slot_lambda_guide - w_16;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let w_3 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_4 = cos_beta * sin_alpha;
-        let w_5 = sin_beta * cos_alpha;
-        let w_6 = self.O2A * (sin_beta * cos_alpha * w_3 - cos_beta * sin_alpha * w_3)
-            + self.k_8 * beta_dot * alpha_dot * (w_4 - w_5)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let w_7 = self.O4B * sin_beta * beta_dot_squared;
-        let w_8 = w_7 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_lambda_guide = w_8 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_6 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_14 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_9 = w_5 - w_4;
-        let w_10 = self.O2A * w_9;
-        let w_11 = lambda_slot * w_10;
-        let w_12 = self.inverse_alpha * w_11;
-        let w_13 = alpha_dot - beta_dot;
-        let w_14 = cos_beta * cos_alpha * w_13;
-        let w_15 = sin_alpha * w_13;
-        let w_16 = self.O2A * (w_14 + sin_beta * w_15);
+        let w_17 = w_13 - w_12;
+        let w_18 = self.O2A * w_17;
+        let w_19 = lambda_slot * w_18;
+        let w_20 = self.inverse_alpha * w_19;
+        let w_21 = alpha_dot - beta_dot;
+        let w_22 = cos_beta * cos_alpha * w_21;
+        let w_23 = sin_alpha * w_21;
+        let w_24 = self.O2A * (w_22 + sin_beta * w_23);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
         let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
             + minus_l_lambda_slot_beta * lambda_slot;
         let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_17 = l_lambda_slot_alpha * w_11;
-        let w_18 = l_lambda_guide_beta * w_11;
-        let w_19 = inverse_lambda_slot
-            * (w_13 * w_16 + w_10 * (beta_ddot - alpha_ddot) + w_17
-                + minus_l_lambda_slot_beta * w_11
-                - minus_l_lambda_slot_lambda_guide * w_18);
-        let w_20 = cos_beta * A_y;
-        let w_21 = w_20 - self.O2A * sin_beta * cos_alpha;
-        let w_22 = alpha_ddot * w_10 - alpha_dot * w_16
+        let w_25 = l_lambda_slot_alpha * w_19;
+        let w_26 = l_lambda_guide_beta * w_19;
+        let w_27 = inverse_lambda_slot
+            * (w_21 * w_24 + w_18 * (beta_ddot - alpha_ddot)
+                + minus_l_lambda_slot_beta * w_19 + w_25
+                - minus_l_lambda_slot_lambda_guide * w_26);
+        let w_28 = cos_beta * A_y;
+        let w_29 = w_28 - self.O2A * w_13;
+        let w_30 = alpha_ddot * w_18 - alpha_dot * w_24
             + beta_dot
-                * (self.O2A * (w_14 + sin_beta * sin_alpha * alpha_dot)
-                    - sin_beta * A_y * beta_dot) + beta_ddot * w_21;
-        let w_23 = w_7 + self.BG5 * sin_gamma * gamma_dot_squared;
-        let w_24 = self.O4B * cos_beta * beta_dot_squared;
-        let w_25 = w_24 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_26 = w_24 + cos_gamma * self.BC * gamma_dot_squared;
+                * (self.O2A * (w_22 + w_15 * alpha_dot) - sin_beta * A_y * beta_dot)
+            + beta_ddot * w_29;
+        let w_31 = self.BG5 * gamma_dot_squared;
+        let w_32 = w_7 + sin_gamma * w_31;
+        let w_33 = cos_beta * w_6;
+        let w_34 = w_33 + cos_gamma * w_31;
+        let w_35 = w_33 + cos_gamma * w_8;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             - l_lambda_guide_gamma * lambda_guide;
-        let w_27 = sin_gamma * cos_beta;
-        let w_28 = sin_beta * cos_gamma;
-        let w_29 = w_27 - w_28;
-        let w_30 = self.k * w_29;
-        let w_31 = gamma_ddot * w_30;
-        let w_32 = sin_beta
-            * (self.O4B * lambda_guide - w_23 * self.k_2 - w_8 * self.k_3)
-            - cos_beta * (w_25 * self.k_2 + w_26 * self.k_3 + self.k_4) - w_31
-            + lambda_slot * w_21 + beta_dot_squared * self.k_10;
-        let w_33 = beta_ddot * w_30;
-        let w_34 = self.k * w * beta_dot_squared - w_33;
-        let w_35 = w_32 - l_beta_gamma * w_34;
-        let w_36 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_34 - l_lambda_guide_beta * w_35;
-        let w_37 = inverse_lambda_slot
-            * (w_22 - w_17 + minus_l_lambda_slot_beta * w_35
-                + minus_l_lambda_slot_lambda_guide * w_36);
-        let w_38 = sin_gamma
-            * (self.BC * lambda_guide - w_23 * self.k_5 - w_8 * self.k_6)
-            - cos_gamma * (w_25 * self.k_5 + w_26 * self.k_6 + self.k_7) + w_33
+        let w_36 = w_4 - w_2;
+        let w_37 = self.k * w_36;
+        let w_38 = gamma_ddot * w_37;
+        let w_39 = sin_beta
+            * (self.O4B * lambda_guide - w_32 * self.k_2 - w_9 * self.k_3)
+            - cos_beta * (w_34 * self.k_2 + w_35 * self.k_3 + self.k_4) - w_38
+            + lambda_slot * w_29 + beta_dot_squared * self.k_10;
+        let w_40 = beta_ddot * w_37;
+        let w_41 = self.k * w_5 * beta_dot_squared - w_40;
+        let w_42 = w_39 - l_beta_gamma * w_41;
+        let w_43 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_41 - l_lambda_guide_beta * w_42;
+        let w_44 = inverse_lambda_slot
+            * (w_30 + minus_l_lambda_slot_beta * w_42 - w_25
+                + minus_l_lambda_slot_lambda_guide * w_43);
+        let w_45 = sin_gamma
+            * (self.BC * lambda_guide - w_32 * self.k_5 - w_9 * self.k_6)
+            - cos_gamma * (w_34 * self.k_5 + w_35 * self.k_6 + self.k_7) + w_40
             + gamma_dot_squared * self.k_11;
-        let w_39 = self.k * w * gamma_dot_squared + w_31 - l_beta_gamma * w_38;
-        let w_40 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
-        let w_41 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_39
-                + minus_l_lambda_slot_lambda_guide * w_40);
-        let w_42 = minus_inverse_lambda_guide * w_18
-            + minus_l_lambda_slot_lambda_guide * w_19;
-        let w_43 = inverse_beta * w_11 - l_lambda_guide_beta * w_42
-            + minus_l_lambda_slot_beta * w_19;
-        let w_44 = minus_l_lambda_slot_lambda_guide * w_37
-            - minus_inverse_lambda_guide * w_36;
-        let w_45 = inverse_beta * w_35 - l_lambda_guide_beta * w_44
-            + minus_l_lambda_slot_beta * w_37;
-        let w_46 = minus_l_lambda_slot_lambda_guide * w_41
-            - minus_inverse_lambda_guide * w_40;
-        let w_47 = inverse_beta * w_39 - l_lambda_guide_beta * w_46
-            + minus_l_lambda_slot_beta * w_41;
-        let w_48 = beta_dot - alpha_dot;
-        let w_49 = inverse_lambda_slot
-            * (self.O2A * (cos_beta * w_15 + sin_beta * cos_alpha * w_48) + w_48 * w_10);
-        let w_50 = self.k_12 * beta_dot * (w_28 - w_27);
-        let w_51 = l_beta_gamma * w_50;
-        let w_52 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_50
-            + l_lambda_guide_beta * w_51;
-        let w_53 = inverse_lambda_slot
-            * (self.O2A * (alpha_dot * w_9 - sin_beta * cos_alpha * beta_dot)
-                + beta_dot * (w_20 + w_21) + alpha_dot * w_10
-                - minus_l_lambda_slot_beta * w_51
-                + minus_l_lambda_slot_lambda_guide * w_52);
-        let w_54 = self.k_12 * gamma_dot * w_29;
-        let w_55 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_54;
+        let w_46 = self.k * w_5 * gamma_dot_squared + w_38 - l_beta_gamma * w_45;
+        let w_47 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_45 - l_lambda_guide_beta * w_46;
+        let w_48 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_46
+                + minus_l_lambda_slot_lambda_guide * w_47);
+        let w_49 = minus_inverse_lambda_guide * w_26
+            + minus_l_lambda_slot_lambda_guide * w_27;
+        let w_50 = inverse_beta * w_19 - l_lambda_guide_beta * w_49
+            + minus_l_lambda_slot_beta * w_27;
+        let w_51 = minus_l_lambda_slot_lambda_guide * w_44
+            - minus_inverse_lambda_guide * w_43;
+        let w_52 = inverse_beta * w_42 - l_lambda_guide_beta * w_51
+            + minus_l_lambda_slot_beta * w_44;
+        let w_53 = minus_l_lambda_slot_lambda_guide * w_48
+            - minus_inverse_lambda_guide * w_47;
+        let w_54 = inverse_beta * w_46 - l_lambda_guide_beta * w_53
+            + minus_l_lambda_slot_beta * w_48;
+        let w_55 = beta_dot - alpha_dot;
         let w_56 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_54
-                + minus_l_lambda_slot_lambda_guide * w_55);
-        let w_57 = minus_l_lambda_slot_lambda_guide * w_49;
-        let w_58 = minus_l_lambda_slot_beta * w_49 - l_lambda_guide_beta * w_57;
-        let w_59 = minus_l_lambda_slot_lambda_guide * w_53
-            - minus_inverse_lambda_guide * w_52;
-        let w_60 = minus_l_lambda_slot_beta * w_53 - inverse_beta * w_51
-            - l_lambda_guide_beta * w_59;
-        let w_61 = minus_l_lambda_slot_lambda_guide * w_56
-            - minus_inverse_lambda_guide * w_55;
-        let w_62 = inverse_beta * w_54 - l_lambda_guide_beta * w_61
-            + minus_l_lambda_slot_beta * w_56;
+            * (self.O2A * (cos_beta * w_23 + sin_beta * cos_alpha * w_55) + w_55 * w_18);
+        let w_57 = self.k_12 * beta_dot * (w_2 - w_4);
+        let w_58 = l_beta_gamma * w_57;
+        let w_59 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_57
+            + l_lambda_guide_beta * w_58;
+        let w_60 = inverse_lambda_slot
+            * (self.O2A * (alpha_dot * w_17 - beta_dot * w_13) + beta_dot * (w_28 + w_29)
+                + alpha_dot * w_18 - minus_l_lambda_slot_beta * w_58
+                + minus_l_lambda_slot_lambda_guide * w_59);
+        let w_61 = self.k_12 * gamma_dot * w_36;
+        let w_62 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_61;
+        let w_63 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_61
+                + minus_l_lambda_slot_lambda_guide * w_62);
+        let w_64 = minus_l_lambda_slot_lambda_guide * w_56;
+        let w_65 = minus_l_lambda_slot_beta * w_56 - l_lambda_guide_beta * w_64;
+        let w_66 = minus_l_lambda_slot_lambda_guide * w_60
+            - minus_inverse_lambda_guide * w_59;
+        let w_67 = minus_l_lambda_slot_beta * w_60 - inverse_beta * w_58
+            - l_lambda_guide_beta * w_66;
+        let w_68 = minus_l_lambda_slot_lambda_guide * w_63
+            - minus_inverse_lambda_guide * w_62;
+        let w_69 = inverse_beta * w_61 - l_lambda_guide_beta * w_68
+            + minus_l_lambda_slot_beta * w_63;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    -(w_12 + l_lambda_slot_alpha * w_19),
-                    w_12 - l_lambda_slot_alpha * w_37,
-                    -(l_lambda_slot_alpha * w_41),
+                    -(w_20 + l_lambda_slot_alpha * w_27),
+                    w_20 - l_lambda_slot_alpha * w_44,
+                    -(l_lambda_slot_alpha * w_48),
                 ],
-                [w_43, w_45, w_47],
+                [w_50, w_52, w_54],
                 [
-                    -(l_beta_gamma * w_43 + l_lambda_guide_gamma * w_42),
-                    self.inverse_gamma * w_34 - l_beta_gamma * w_45
-                        - l_lambda_guide_gamma * w_44,
-                    self.inverse_gamma * w_38 - l_beta_gamma * w_47
-                        - l_lambda_guide_gamma * w_46,
+                    -(l_beta_gamma * w_50 + l_lambda_guide_gamma * w_49),
+                    self.inverse_gamma * w_41 - l_beta_gamma * w_52
+                        - l_lambda_guide_gamma * w_51,
+                    self.inverse_gamma * w_45 - l_beta_gamma * w_54
+                        - l_lambda_guide_gamma * w_53,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    -(l_lambda_slot_alpha * w_49),
-                    -(l_lambda_slot_alpha * w_53),
                     -(l_lambda_slot_alpha * w_56),
+                    -(l_lambda_slot_alpha * w_60),
+                    -(l_lambda_slot_alpha * w_63),
                 ],
-                [w_58, w_60, w_62],
+                [w_65, w_67, w_69],
                 [
-                    -(l_beta_gamma * w_58 + l_lambda_guide_gamma * w_57),
-                    self.inverse_gamma * w_50 - l_beta_gamma * w_60
-                        - l_lambda_guide_gamma * w_59,
-                    -(l_beta_gamma * w_62 + l_lambda_guide_gamma * w_61),
+                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
+                    self.inverse_gamma * w_57 - l_beta_gamma * w_67
+                        - l_lambda_guide_gamma * w_66,
+                    -(l_beta_gamma * w_69 + l_lambda_guide_gamma * w_68),
                 ],
             ],
-            multipliers_by_positions: [[w_42, w_44, w_46], [w_19, w_37, w_41]],
-            multipliers_by_speeds: [[w_57, w_59, w_61], [w_49, w_53, w_56]],
+            multipliers_by_positions: [[w_49, w_51, w_53], [w_27, w_44, w_48]],
+            multipliers_by_speeds: [[w_64, w_66, w_68], [w_56, w_60, w_63]],
             refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.mass_alpha_alpha,
-            )
+                self.mass_gamma_gamma,
+                self.mass_gamma_gamma,
+            ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.mass_gamma_gamma,
-                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
+                    self.mass_alpha_alpha,
+                    self.mass_alpha_alpha,
+                )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_2),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_16),
         }
     }
 }

@@ -315,8 +315,8 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
     k_9: S,
     k_10: S,
     k_11: S,
-    inverse_alpha: S,
     inverse_gamma: S,
+    inverse_alpha: S,
     k_12: S,
     k_13: S,
     k_14: S,
@@ -336,7 +336,7 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 11 additions, 44 multiplications, 3 divisions.
+    /// Operations: 11 additions, 39 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnRatioPrepared<S> {
         let O2A_squared = self.O2A * self.O2A;
@@ -344,11 +344,14 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let O4B_squared = self.O4B * self.O4B;
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
-        let w_3 = self.m5 * self.BG5 * self.BG5;
-        let w_4 = self.m6 * self.BC * self.BC;
-        let mass_gamma_gamma = self.J5 + w_3 + w_4;
-        let w_5 = self.O2A * O2A_squared;
+        let w_3 = self.O4B * self.m5;
+        let w_4 = self.O4B * self.m6;
+        let w_5 = self.m5 * self.BG5 * self.BG5;
+        let w_6 = self.m6 * self.BC * self.BC;
+        let mass_gamma_gamma = self.J5 + w_5 + w_6;
+        let w_7 = self.O2A * O2A_squared;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
+        let w_8 = self.BC * S::from_f64(2.0);
         QuickReturnRatioPrepared {
             O2A: self.O2A,
             O2A_squared: O2A_squared,
@@ -359,27 +362,27 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
                 + w_2,
             BG5: self.BG5,
             BC: self.BC,
-            k: self.O4B * self.m5 * self.BG5 + self.O4B * self.m6 * self.BC,
+            k: self.BG5 * w_3 + self.BC * w_4,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             inverse_O4G4: S::from_f64(1.0) / self.O4G4,
             T: self.T,
             F: self.F,
-            k_2: self.O4B * self.m5,
-            k_3: self.O4B * self.m6,
+            k_2: w_3,
+            k_3: w_4,
             k_4: self.O4B * self.F,
             k_5: self.m5 * self.BG5,
             k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
             k_8: self.O4G4 * S::from_f64(2.0),
             k_9: self.O4G4 * S::from_f64(3.0),
-            k_10: S::from_f64(2.0) * w_5,
+            k_10: S::from_f64(2.0) * w_7,
             k_11: O2A_squared * S::from_f64(3.0),
-            inverse_alpha: inverse_mass_alpha_alpha,
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
+            inverse_alpha: inverse_mass_alpha_alpha,
             k_12: self.T * inverse_mass_alpha_alpha,
             k_13: S::from_f64(6.0) * O2A_squared * O2A_squared,
-            k_14: w_5 * S::from_f64(12.0),
+            k_14: w_7 * S::from_f64(12.0),
             k_15: O2A_squared * S::from_f64(7.0),
             k_16: O2A_squared * S::from_f64(4.0),
             k_17: w + w_2,
@@ -387,11 +390,10 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             k_19: self.O4G4 * S::from_f64(12.0),
             k_20: self.O4G4 * S::from_f64(7.0),
             k_21: self.O4G4 * S::from_f64(4.0),
-            k_22: w_3 + w_4,
-            k_23: self.O4B * self.m5 * self.BG5 * S::from_f64(2.0)
-                + self.O4B * self.m6 * self.BC * S::from_f64(2.0),
+            k_22: w_5 + w_6,
+            k_23: self.BG5 * w_3 * S::from_f64(2.0) + w_4 * w_8,
             k_24: self.O4B * S::from_f64(2.0),
-            k_25: self.BC * S::from_f64(2.0),
+            k_25: w_8,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -593,7 +595,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 13 additions, 36 multiplications, 2 sine-cosine pairs.
+    /// Operations: 13 additions, 33 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, beta, gamma] = *q;
@@ -602,20 +604,23 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             beta,
             gamma,
         ]);
-        let w = beta_dot * self.O4B * sin_beta;
-        let w_2 = w + gamma_dot * self.BG5 * sin_gamma;
-        let w_3 = beta_dot * self.O4B * cos_beta;
-        let w_4 = w_3 + gamma_dot * self.BG5 * cos_gamma;
-        let w_5 = w + gamma_dot * sin_gamma * self.BC;
-        let w_6 = w_3 + gamma_dot * cos_gamma * self.BC;
-        let w_7 = alpha_dot * alpha_dot
+        let w = beta_dot * self.O4B;
+        let w_2 = sin_beta * w;
+        let w_3 = gamma_dot * self.BG5;
+        let w_4 = w_2 + sin_gamma * w_3;
+        let w_5 = w * cos_beta;
+        let w_6 = w_5 + w_3 * cos_gamma;
+        let w_7 = gamma_dot * self.BC;
+        let w_8 = w_2 + sin_gamma * w_7;
+        let w_9 = w_5 + cos_gamma * w_7;
+        let w_10 = alpha_dot * alpha_dot
             * (S::from_f64(0.5) * self.J2
                 + S::from_f64(0.5) * self.O2A * self.O2A * self.m3);
-        let w_8 = beta_dot * beta_dot
+        let w_11 = beta_dot * beta_dot
             * (S::from_f64(0.5) * self.J3 + S::from_f64(0.5) * self.J4
                 + S::from_f64(0.5) * self.O4G4 * self.O4G4 * self.m4);
-        S::from_f64(0.5) * self.m5 * (w_2 * w_2 + w_4 * w_4)
-            + S::from_f64(0.5) * self.m6 * (w_5 * w_5 + w_6 * w_6) + w_7 + w_8
+        S::from_f64(0.5) * self.m5 * (w_4 * w_4 + w_6 * w_6)
+            + S::from_f64(0.5) * self.m6 * (w_8 * w_8 + w_9 * w_9) + w_10 + w_11
             + gamma_dot * gamma_dot * S::from_f64(0.5) * self.J5
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -683,7 +688,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 14 additions, 43 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    /// Operations: 14 additions, 42 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
     pub fn output_rates(
         &self,
@@ -704,23 +709,23 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_2 = (O2A_squared
-            * (alpha_dot_squared * sin_alpha * sin_alpha
-                - alpha_ddot * cos_alpha * sin_alpha)
-            + self.O2A * A_y * (alpha_ddot * cos_alpha - sin_alpha * alpha_dot_squared))
-            / w;
+        let w_2 = alpha_ddot * cos_alpha;
         let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
-        let w_4 = O2A_squared * alpha_dot_squared;
+        let w_4 = (O2A_squared
+            * (alpha_dot_squared * sin_alpha * sin_alpha - sin_alpha * w_2)
+            + self.O2A * A_y * (w_2 - sin_alpha * alpha_dot_squared)) / w
+            - w_3 * w_3 / (w * w);
+        let w_5 = O2A_squared * alpha_dot_squared;
         let O4G4_squared = self.O4G4 * self.O4G4;
         let beta_dot_squared = beta_dot * beta_dot;
-        let w_5 = beta_dot_squared * O4G4_squared;
+        let w_6 = beta_dot_squared * O4G4_squared;
         [
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * (w_2 - w_3 * w_3 / (w * w)),
-            alpha_ddot * O2A_squared * alpha_dot * w_4.sqrt() / w_4
-                - beta_ddot * beta_dot * O4G4_squared * w_5.sqrt() / w_5,
+            w.sqrt() * w_4,
+            alpha_ddot * O2A_squared * alpha_dot * w_5.sqrt() / w_5
+                - beta_ddot * beta_dot * O4G4_squared * w_6.sqrt() / w_6,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
             -(self.O4B * (beta_ddot * sin_beta + beta_dot_squared * cos_beta)
                 + self.BC * (gamma_ddot * sin_gamma + gamma_dot * gamma_dot * cos_gamma)),
@@ -832,7 +837,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 35 additions, 82 multiplications, 13 divisions, 3 sine-cosine pairs.
+    /// Operations: 35 additions, 80 multiplications, 13 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -847,57 +852,57 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             gamma,
             alpha,
         ]);
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w;
-        let A_y_squared = A_y * A_y;
-        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w / A_y;
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w = self.k * beta_dot_squared;
+        let rhs_gamma = sin_beta * cos_gamma * w - sin_gamma * (self.k_7 + cos_beta * w);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_2 = self.k * gamma_dot_squared;
         let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let rhs_beta = sin_gamma * cos_beta * w_2
+            - sin_beta * (self.k_4 + cos_gamma * w_2) - rhs_gamma * l_beta_gamma;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
-        let cos_beta_squared = cos_beta * cos_beta;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
+            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_3 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_3;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_3 / A_y;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
         let sin_beta_squared = sin_beta * sin_beta;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let w_4 = beta_dot * beta_dot * self.inverse_O4G4
+            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
+                + cos_beta * cos_beta_squared * self.k_8
+                    / (sin_beta * sin_beta_squared));
+        let w_5 = alpha_dot * alpha_dot
+            * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
+                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_4;
         let slot_by_beta = self.O4G4
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_2 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
-            + slot_by_beta * l_lambda_slot_beta;
+        let w_6 = slot_by_beta * l_lambda_slot_beta
+            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
-            * l_lambda_slot_lambda_guide - w_2;
-        let w_3 = beta_dot * beta_dot * self.inverse_O4G4
-            * (cos_beta * (sin_beta * self.k_9 / sin_beta_squared - self.O4G4 / sin_beta)
-                + cos_beta * cos_beta_squared * self.k_8
-                    / (sin_beta * sin_beta_squared));
-        let w_4 = alpha_dot * alpha_dot
-            * (cos_alpha * (sin_alpha * self.k_11 / A_y_squared - self.O2A / A_y)
-                + cos_alpha * cos_alpha_squared * self.k_10 / (A_y * A_y_squared)) - w_3;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
-            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
+            * l_lambda_slot_lambda_guide - w_6;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (self.T * minus_l_lambda_slot_alpha - w_4 - l_lambda_slot_beta * rhs_beta
+            * (self.T * minus_l_lambda_slot_alpha - w_5 - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
             + l_lambda_slot_lambda_guide * lambda_slot;
@@ -916,22 +921,22 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 - self.F
                     * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
             refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.mass_alpha_alpha,
-            )
+                self.mass_gamma_gamma,
+                self.mass_gamma_gamma,
+            ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.mass_gamma_gamma,
-                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
+                    self.mass_alpha_alpha,
+                    self.mass_alpha_alpha,
+                )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_2),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_6),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 123 additions, 223 multiplications, 19 divisions, 3 sine-cosine pairs.
+    /// Operations: 123 additions, 216 multiplications, 19 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -941,84 +946,88 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w = self.k * beta_dot_squared;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let w = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w;
+        let w_2 = sin_beta * cos_gamma;
+        let rhs_gamma = w * w_2 - sin_gamma * (self.k_7 + cos_beta * w);
+        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w_3 = self.k * gamma_dot_squared;
+        let w_4 = sin_gamma * cos_beta;
+        let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
+        let mass_gamma_beta = self.k * w_5;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let rhs_beta = w_3 * w_4 - sin_beta * (self.k_4 + cos_gamma * w_3)
+            - rhs_gamma * l_beta_gamma;
+        let w_6 = self.O4B * beta_dot_squared;
+        let w_7 = sin_beta * w_6;
+        let w_8 = self.BC * gamma_dot_squared;
+        let w_9 = w_7 + sin_gamma * w_8;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
-        let cos_beta_squared = cos_beta * cos_beta;
+        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let rhs_lambda_guide = w_9 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_10 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_10;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_10 / A_y;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_11 = sin_alpha * self.k_11 / A_y_squared;
+        let w_12 = self.O2A / A_y;
+        let w_13 = A_y * A_y_squared;
+        let w_14 = cos_alpha * cos_alpha_squared * self.k_10 / w_13;
         let sin_beta_squared = sin_beta * sin_beta;
+        let w_15 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_16 = self.O4G4 / sin_beta;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let w_17 = sin_beta * sin_beta_squared;
+        let w_18 = cos_beta * cos_beta_squared * self.k_8 / w_17;
+        let w_19 = self.inverse_O4G4 * (cos_beta * (w_15 - w_16) + w_18);
         let slot_by_beta = self.O4G4
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_2 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_2;
-        let A_y_squared = A_y * A_y;
-        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_2 / A_y;
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_3 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
-            + slot_by_beta * l_lambda_slot_beta;
+        let w_20 = slot_by_beta * l_lambda_slot_beta
+            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
-            * l_lambda_slot_lambda_guide - w_3;
+            * l_lambda_slot_lambda_guide - w_20;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let w_4 = sin_alpha * self.k_11 / A_y_squared;
-        let w_5 = self.O2A / A_y;
-        let w_6 = A_y * A_y_squared;
-        let w_7 = cos_alpha * cos_alpha_squared * self.k_10 / w_6;
-        let w_8 = sin_beta * self.k_9 / sin_beta_squared;
-        let w_9 = self.O4G4 / sin_beta;
-        let w_10 = sin_beta * sin_beta_squared;
-        let w_11 = cos_beta * cos_beta_squared * self.k_8 / w_10;
-        let w_12 = self.inverse_O4G4 * (cos_beta * (w_8 - w_9) + w_11);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let rhs_gamma = sin_beta * cos_gamma * self.k * beta_dot_squared
-            - sin_gamma * (self.k_7 + cos_beta * self.k * beta_dot_squared);
-        let rhs_beta = sin_gamma * cos_beta * self.k * gamma_dot_squared
-            - sin_beta * (self.k_4 + cos_gamma * self.k * gamma_dot_squared)
-            - rhs_gamma * l_beta_gamma;
-        let w_13 = self.O4B * sin_beta * beta_dot_squared;
-        let w_14 = w_13 + sin_gamma * self.BC * gamma_dot_squared;
-        let rhs_lambda_guide = w_14 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
         let lambda_slot = inverse_lambda_slot
             * (self.T * minus_l_lambda_slot_alpha
-                - (alpha_dot * alpha_dot * (cos_alpha * (w_4 - w_5) + w_7)
-                    - beta_dot * beta_dot * w_12) - l_lambda_slot_beta * rhs_beta
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_11 - w_12) + w_14)
+                    - beta_dot * beta_dot * w_19) - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_15 = cos_alpha * (w_5 - w_4);
-        let w_16 = w_15 - w_7;
-        let w_17 = lambda_slot * w_16;
-        let w_18 = alpha_dot
-            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_6 - w_5)
+        let w_21 = cos_alpha * (w_12 - w_11);
+        let w_22 = w_21 - w_14;
+        let w_23 = lambda_slot * w_22;
+        let w_24 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_13 - w_12)
                 + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
                 + cos_alpha_squared * cos_alpha_squared * self.k_13
                     / (A_y_squared * A_y_squared));
-        let w_19 = inverse_lambda_slot
-            * (alpha_dot * w_18
-                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_16
-                + minus_l_lambda_slot_alpha * w_17);
-        let w_20 = beta_dot * self.inverse_O4G4
-            * (sin_beta * (cos_beta_squared * self.k_19 / w_10 - w_9)
+        let w_25 = inverse_lambda_slot
+            * (alpha_dot * w_24
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_22
+                + minus_l_lambda_slot_alpha * w_23);
+        let w_26 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_17 - w_16)
                 + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
                 + cos_beta_squared * cos_beta_squared * self.k_18
                     / (sin_beta_squared * sin_beta_squared));
@@ -1027,112 +1036,111 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let beta_ddot = inverse_beta * rhs_beta
             + l_lambda_guide_beta * minus_lambda_guide
             - l_lambda_slot_beta * lambda_slot;
-        let w_21 = self.inverse_O4G4 * (cos_beta * (w_9 - w_8) - w_11);
-        let w_22 = self.O4B * cos_beta * beta_dot_squared;
-        let w_23 = w_22 + self.BG5 * cos_gamma * gamma_dot_squared;
-        let w_24 = w_22 + cos_gamma * self.BC * gamma_dot_squared;
-        let w_25 = w_13 + self.BG5 * sin_gamma * gamma_dot_squared;
+        let w_27 = self.inverse_O4G4 * (cos_beta * (w_16 - w_15) - w_18);
+        let w_28 = cos_beta * w_6;
+        let w_29 = self.BG5 * gamma_dot_squared;
+        let w_30 = w_28 + cos_gamma * w_29;
+        let w_31 = w_28 + cos_gamma * w_8;
+        let w_32 = w_7 + sin_gamma * w_29;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             + l_lambda_guide_gamma * minus_lambda_guide;
-        let w_26 = sin_gamma * cos_beta;
-        let w_27 = sin_beta * cos_gamma;
-        let w_28 = w_26 - w_27;
-        let w_29 = self.k * w_28;
-        let w_30 = gamma_ddot * w_29;
-        let w_31 = beta_dot_squared * self.k_17
-            - cos_beta * (w_23 * self.k_2 + w_24 * self.k_3 + self.k_4)
+        let w_33 = w_4 - w_2;
+        let w_34 = self.k * w_33;
+        let w_35 = gamma_ddot * w_34;
+        let w_36 = beta_dot_squared * self.k_17
+            - cos_beta * (w_30 * self.k_2 + w_31 * self.k_3 + self.k_4)
             - sin_beta
-                * (w_25 * self.k_2 + w_14 * self.k_3 + self.O4B * minus_lambda_guide)
-            - w_30 - lambda_slot * w_21;
-        let w_32 = beta_ddot * w_29;
-        let w_33 = self.k * w * beta_dot_squared - w_32;
-        let w_34 = w_31 - l_beta_gamma * w_33;
-        let w_35 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_33 - l_lambda_guide_beta * w_34;
-        let w_36 = inverse_lambda_slot
-            * (beta_dot * w_20 + beta_ddot * w_21 + l_lambda_slot_beta * w_34
-                + l_lambda_slot_lambda_guide * w_35);
-        let w_37 = w_32 - cos_gamma * (w_23 * self.k_5 + w_24 * self.k_6 + self.k_7)
+                * (w_32 * self.k_2 + w_9 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_35 - lambda_slot * w_27;
+        let w_37 = beta_ddot * w_34;
+        let w_38 = self.k * w_5 * beta_dot_squared - w_37;
+        let w_39 = w_36 - l_beta_gamma * w_38;
+        let w_40 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
+            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
+        let w_41 = inverse_lambda_slot
+            * (beta_dot * w_26 + beta_ddot * w_27 + l_lambda_slot_beta * w_39
+                + l_lambda_slot_lambda_guide * w_40);
+        let w_42 = w_37 - cos_gamma * (w_30 * self.k_5 + w_31 * self.k_6 + self.k_7)
             - sin_gamma
-                * (w_25 * self.k_5 + w_14 * self.k_6 + self.BC * minus_lambda_guide)
+                * (w_32 * self.k_5 + w_9 * self.k_6 + self.BC * minus_lambda_guide)
             + gamma_dot_squared * self.k_22;
-        let w_38 = self.k * w * gamma_dot_squared + w_30 - l_beta_gamma * w_37;
-        let w_39 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_37 - l_lambda_guide_beta * w_38;
-        let w_40 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_38 + l_lambda_slot_lambda_guide * w_39);
-        let w_41 = l_lambda_slot_lambda_guide * w_19;
-        let w_42 = l_lambda_guide_beta * w_41 - l_lambda_slot_beta * w_19;
-        let w_43 = l_lambda_slot_lambda_guide * w_36 - minus_inverse_lambda_guide * w_35;
-        let w_44 = inverse_beta * w_34 - l_lambda_guide_beta * w_43
-            + l_lambda_slot_beta * w_36;
-        let w_45 = l_lambda_slot_lambda_guide * w_40 - minus_inverse_lambda_guide * w_39;
-        let w_46 = inverse_beta * w_38 - l_lambda_guide_beta * w_45
-            + l_lambda_slot_beta * w_40;
-        let w_47 = inverse_lambda_slot * alpha_dot * (w_15 - w_7 + w_16);
-        let w_48 = self.k_23 * beta_dot * (w_27 - w_26);
-        let w_49 = l_beta_gamma * w_48;
-        let w_50 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_48
-            + l_lambda_guide_beta * w_49;
-        let w_51 = inverse_lambda_slot
-            * (beta_dot * (w_12 - w_21) + l_lambda_slot_beta * w_49
-                - l_lambda_slot_lambda_guide * w_50);
-        let w_52 = self.k_23 * gamma_dot * w_28;
-        let w_53 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_52;
-        let w_54 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_52 + l_lambda_slot_lambda_guide * w_53);
-        let w_55 = l_lambda_slot_lambda_guide * w_47;
-        let w_56 = l_lambda_guide_beta * w_55 - l_lambda_slot_beta * w_47;
-        let w_57 = minus_inverse_lambda_guide * w_50 + l_lambda_slot_lambda_guide * w_51;
-        let w_58 = l_lambda_guide_beta * w_57 - inverse_beta * w_49
-            - l_lambda_slot_beta * w_51;
-        let w_59 = l_lambda_slot_lambda_guide * w_54 - minus_inverse_lambda_guide * w_53;
-        let w_60 = inverse_beta * w_52 - l_lambda_guide_beta * w_59
-            + l_lambda_slot_beta * w_54;
+        let w_43 = self.k * w_5 * gamma_dot_squared + w_35 - l_beta_gamma * w_42;
+        let w_44 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
+            - l_lambda_guide_gamma * w_42 - l_lambda_guide_beta * w_43;
+        let w_45 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_43 + l_lambda_slot_lambda_guide * w_44);
+        let w_46 = l_lambda_slot_lambda_guide * w_25;
+        let w_47 = l_lambda_guide_beta * w_46 - l_lambda_slot_beta * w_25;
+        let w_48 = l_lambda_slot_lambda_guide * w_41 - minus_inverse_lambda_guide * w_40;
+        let w_49 = inverse_beta * w_39 - l_lambda_guide_beta * w_48
+            + l_lambda_slot_beta * w_41;
+        let w_50 = l_lambda_slot_lambda_guide * w_45 - minus_inverse_lambda_guide * w_44;
+        let w_51 = inverse_beta * w_43 - l_lambda_guide_beta * w_50
+            + l_lambda_slot_beta * w_45;
+        let w_52 = inverse_lambda_slot * alpha_dot * (w_21 - w_14 + w_22);
+        let w_53 = self.k_23 * beta_dot * (w_2 - w_4);
+        let w_54 = l_beta_gamma * w_53;
+        let w_55 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_53
+            + l_lambda_guide_beta * w_54;
+        let w_56 = inverse_lambda_slot
+            * (beta_dot * (w_19 - w_27) + l_lambda_slot_beta * w_54
+                - l_lambda_slot_lambda_guide * w_55);
+        let w_57 = self.k_23 * gamma_dot * w_33;
+        let w_58 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_57;
+        let w_59 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_57 + l_lambda_slot_lambda_guide * w_58);
+        let w_60 = l_lambda_slot_lambda_guide * w_52;
+        let w_61 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_52;
+        let w_62 = minus_inverse_lambda_guide * w_55 + l_lambda_slot_lambda_guide * w_56;
+        let w_63 = l_lambda_guide_beta * w_62 - inverse_beta * w_54
+            - l_lambda_slot_beta * w_56;
+        let w_64 = l_lambda_slot_lambda_guide * w_59 - minus_inverse_lambda_guide * w_58;
+        let w_65 = inverse_beta * w_57 - l_lambda_guide_beta * w_64
+            + l_lambda_slot_beta * w_59;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_alpha * w_17 + minus_l_lambda_slot_alpha * w_19,
-                    -(minus_l_lambda_slot_alpha * w_36),
-                    -(minus_l_lambda_slot_alpha * w_40),
+                    self.inverse_alpha * w_23 + minus_l_lambda_slot_alpha * w_25,
+                    -(minus_l_lambda_slot_alpha * w_41),
+                    -(minus_l_lambda_slot_alpha * w_45),
                 ],
-                [w_42, w_44, w_46],
+                [w_47, w_49, w_51],
                 [
-                    l_lambda_guide_gamma * w_41 - l_beta_gamma * w_42,
-                    self.inverse_gamma * w_33 - l_beta_gamma * w_44
-                        - l_lambda_guide_gamma * w_43,
-                    self.inverse_gamma * w_37 - l_beta_gamma * w_46
-                        - l_lambda_guide_gamma * w_45,
+                    l_lambda_guide_gamma * w_46 - l_beta_gamma * w_47,
+                    self.inverse_gamma * w_38 - l_beta_gamma * w_49
+                        - l_lambda_guide_gamma * w_48,
+                    self.inverse_gamma * w_42 - l_beta_gamma * w_51
+                        - l_lambda_guide_gamma * w_50,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_47,
-                    minus_l_lambda_slot_alpha * w_51,
-                    -(minus_l_lambda_slot_alpha * w_54),
+                    minus_l_lambda_slot_alpha * w_52,
+                    minus_l_lambda_slot_alpha * w_56,
+                    -(minus_l_lambda_slot_alpha * w_59),
                 ],
-                [w_56, w_58, w_60],
+                [w_61, w_63, w_65],
                 [
-                    l_lambda_guide_gamma * w_55 - l_beta_gamma * w_56,
-                    self.inverse_gamma * w_48 - l_beta_gamma * w_58
-                        + l_lambda_guide_gamma * w_57,
-                    -(l_beta_gamma * w_60 + l_lambda_guide_gamma * w_59),
+                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_61,
+                    self.inverse_gamma * w_53 - l_beta_gamma * w_63
+                        + l_lambda_guide_gamma * w_62,
+                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
                 ],
             ],
-            multipliers_by_positions: [[-w_41, w_43, w_45], [w_19, -w_36, -w_40]],
-            multipliers_by_speeds: [[-w_55, -w_57, w_59], [w_47, w_51, -w_54]],
+            multipliers_by_positions: [[-w_46, w_48, w_50], [w_25, -w_41, -w_45]],
+            multipliers_by_speeds: [[-w_60, -w_62, w_64], [w_52, w_56, -w_59]],
             refused: sim_kernel::pivot_is_refused(
-                self.mass_alpha_alpha,
-                self.mass_alpha_alpha,
-            )
+                self.mass_gamma_gamma,
+                self.mass_gamma_gamma,
+            ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
                 | sim_kernel::pivot_is_refused(
-                    self.mass_gamma_gamma,
-                    self.mass_gamma_gamma,
-                ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
+                    self.mass_alpha_alpha,
+                    self.mass_alpha_alpha,
+                )
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_3),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_20),
         }
     }
 }

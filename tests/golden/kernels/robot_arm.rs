@@ -500,17 +500,25 @@ pub struct RobotArmPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> RobotArm<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 18 additions, 100 multiplications, 1 division.
+    /// Operations: 18 additions, 84 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> RobotArmPrepared<S> {
-        let w = S::from_f64(0.16) * self.a1 * self.a1 * self.m1;
+        let w = self.m5 * S::from_f64(0.04);
+        let w_2 = S::from_f64(0.16) * self.a1 * self.a1 * self.m1;
         let a2_squared = self.a2 * self.a2;
-        let w_2 = self.d4 * self.m6;
+        let w_3 = self.m3 * S::from_f64(0.04);
+        let w_4 = self.d4 * self.m6;
+        let w_5 = self.d4 * self.m4;
         let d4_squared = self.d4 * self.d4;
+        let w_6 = self.m6 * self.d6;
         let d6_squared = self.d6 * self.d6;
-        let w_3 = self.m5 * S::from_f64(0.04) * d6_squared;
-        let w_4 = self.m6 * d6_squared;
-        let mass_q5_q5 = w_3 + w_4 + S::from_f64(0.0075);
+        let w_7 = w * d6_squared;
+        let w_8 = self.m6 * d6_squared;
+        let w_9 = self.m5 * S::from_f64(0.2);
+        let mass_q5_q5 = w_7 + w_8 + S::from_f64(0.0075);
+        let w_10 = self.a2 * self.m2;
+        let w_11 = self.a2 * self.m4;
+        let w_12 = self.d4 * S::from_f64(0.002);
         RobotArmPrepared {
             m5: self.m5,
             a1: self.a1,
@@ -529,51 +537,47 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_7: S::from_f64(0.0025) * self.m2,
             k_8: S::from_f64(0.0001) * self.m3,
             k_9: S::from_f64(0.01) * self.m4,
-            k_10: self.m5 * S::from_f64(0.04),
+            k_10: w,
             k_11: self.m5 + self.m6,
-            k_12: w + S::from_f64(0.8),
+            k_12: w_2 + S::from_f64(0.8),
             k_13: self.a2 * S::from_f64(5.0),
             k_14: self.m4 * a2_squared,
-            k_15: self.m3 * S::from_f64(0.04),
+            k_15: w_3,
             k_16: self.m2 * a2_squared * S::from_f64(0.2025) + S::from_f64(1.116),
             k_17: self.d4 * S::from_f64(5.0),
-            k_18: w_2,
-            k_19: self.d4 * self.m4 * S::from_f64(0.07),
-            k_20: self.m5 * self.d4 + w_2,
+            k_18: w_4,
+            k_19: S::from_f64(0.07) * w_5,
+            k_20: self.m5 * self.d4 + w_4,
             k_21: self.m3 * S::from_f64(0.0003),
-            k_22: self.d4 * self.m3 * S::from_f64(0.04),
-            k_23: self.m3 * S::from_f64(0.0009)
-                + self.m3 * S::from_f64(0.04) * d4_squared
+            k_22: self.d4 * w_3,
+            k_23: self.m3 * S::from_f64(0.0009) + w_3 * d4_squared
                 + self.m4 * d4_squared * S::from_f64(0.49) + S::from_f64(0.316),
             k_24: self.m5 * d4_squared + self.m6 * d4_squared,
-            k_25: self.m6 * self.d6,
-            k_26: self.m5 * self.d6 * S::from_f64(0.04),
-            k_27: S::from_f64(0.0015) + w_3 + w_4,
-            k_28: self.m5 * self.a1 * self.d6 * S::from_f64(0.2)
-                + self.a1 * self.m6 * self.d6,
-            k_29: self.m5 * self.a2 * self.d6 * S::from_f64(0.2)
-                + self.a2 * self.m6 * self.d6,
-            k_30: self.m5 * self.d4 * self.d6 * S::from_f64(0.2)
-                + self.d4 * self.m6 * self.d6,
-            k_31: S::from_f64(0.0075) + w_3 + w_4,
+            k_25: w_6,
+            k_26: self.d6 * w,
+            k_27: S::from_f64(0.0015) + w_7 + w_8,
+            k_28: self.a1 * self.d6 * w_9 + self.a1 * w_6,
+            k_29: self.a2 * self.d6 * w_9 + self.a2 * w_6,
+            k_30: self.d4 * self.d6 * w_9 + self.d4 * w_6,
+            k_31: S::from_f64(0.0075) + w_7 + w_8,
             mass_q5_q5: mass_q5_q5,
             c: self.c,
             k_32: self.a2 * S::from_f64(200.0),
             k_33: self.a2 * S::from_f64(2.0),
             g: self.g,
-            k_34: self.a2 * self.m2 * S::from_f64(0.045),
-            k_35: self.m5 * S::from_f64(0.2),
+            k_34: S::from_f64(0.045) * w_10,
+            k_35: w_9,
             k_36: S::from_f64(20.0) * self.g,
             k_37: self.d4 * S::from_f64(10.0),
-            k_38: self.a2 * self.m2 * S::from_f64(0.0225),
+            k_38: w_10 * S::from_f64(0.0225),
             k_39: self.m3 * S::from_f64(0.002),
-            k_40: self.a2 * S::from_f64(0.1) * self.m4,
-            k_41: self.d4 * self.m3 * S::from_f64(0.002),
-            k_42: self.m5 * self.d4 * S::from_f64(0.2),
+            k_40: S::from_f64(0.1) * w_11,
+            k_41: self.m3 * w_12,
+            k_42: self.d4 * w_9,
             k_43: self.c * S::from_f64(0.025),
             inverse_q5: S::from_f64(1.0) / mass_q5_q5,
-            k_44: self.a2 * self.m4,
-            k_45: self.a2 * self.m2 * self.g * S::from_f64(0.45),
+            k_44: w_11,
+            k_45: self.g * w_10 * S::from_f64(0.45),
             k_46: self.m3 * S::from_f64(0.01),
             k_47: self.m3 * S::from_f64(0.2),
             k_48: S::from_f64(0.1) * self.m4,
@@ -585,14 +589,14 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_54: self.m2 * S::from_f64(5.0),
             k_55: self.m6 * S::from_f64(25.0),
             k_56: self.d6 * S::from_f64(80.0),
-            k_57: self.d4 * self.m4 * S::from_f64(60.0),
+            k_57: w_5 * S::from_f64(60.0),
             k_58: self.d4 * S::from_f64(4.0),
             k_59: self.m3 * S::from_f64(3.0),
             k_60: self.a2 * S::from_f64(0.0025),
             k_61: self.a1 * S::from_f64(0.01),
-            k_62: S::from_f64(0.7) + w,
+            k_62: S::from_f64(0.7) + w_2,
             k_63: self.m4 * S::from_f64(10.0),
-            k_64: self.d4 * S::from_f64(0.002),
+            k_64: w_12,
             k_65: self.a2 * S::from_f64(0.2),
             k_66: self.a2 * S::from_f64(0.01),
             k_67: self.d6 * S::from_f64(0.04),
@@ -606,7 +610,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Mass matrix `T_q' M T_q`, 6 x 6, symmetric, in SI units.
     ///
-    /// Operations: 145 additions, 284 multiplications, 5 sine-cosine pairs.
+    /// Operations: 145 additions, 270 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 6]) -> [[S; 6]; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -626,131 +630,133 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
         let sin_q4_squared = sin_q4 * sin_q4;
         let sin_q5_squared = sin_q5 * sin_q5;
-        let w = cos_q2 * cos_q3 - sin_q2 * sin_q3;
-        let w_2 = self.a1 + self.a2 * sin_q2 + self.d4 * w;
-        let w_3 = self.m5 + self.m6;
-        let w_squared = w * w;
-        let w_4 = sin_q4_squared
-            * (sin_q5_squared * w_2 * w_2 * w_3 + w_squared * S::from_f64(0.006));
-        let w_5 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
-        let w_6 = w * cos_q4 * cos_q5 - sin_q5 * w_5;
-        let w_7 = self.d6 * w_6;
-        let w_8 = w_2 * cos_q4 + w_7;
-        let w_9 = w * self.d6;
-        let w_10 = sin_q4 * (w_9 + w_2 * cos_q5);
-        let w_11 = cos_q6 * w_8 - sin_q6 * w_10;
-        let w_12 = w_8 * sin_q6 + cos_q6 * w_10;
-        let w_13 = S::from_f64(0.01) * self.m4;
-        let w_14 = self.d4 * S::from_f64(3.0);
-        let w_15 = w * w_14 - w_2 * S::from_f64(10.0);
-        let w_16 = cos_q4 * w_15;
-        let w_17 = sin_q4 * w_15;
-        let w_18 = w_13 * (w_16 * w_16 + w_17 * w_17);
-        let w_19 = cos_q5 * w_5 + sin_q5 * w * cos_q4;
-        let w_20 = S::from_f64(0.007) * (w_19 * w_19 + w_6 * w_6);
-        let w_21 = self.m5 * S::from_f64(0.04);
-        let w_22 = w_2 * cos_q4 * S::from_f64(5.0) + w_7;
-        let w_23 = sin_q4 * (w_9 + w_2 * cos_q5 * S::from_f64(5.0));
-        let w_24 = w_21 * (w_22 * w_22 + w_23 * w_23);
-        let w_25 = sin_q4 * w * cos_q6 + w_6 * sin_q6;
-        let w_26 = cos_q6 * w_6 - sin_q4 * w * sin_q6;
-        let w_27 = S::from_f64(0.0015) * (w_25 * w_25 + w_26 * w_26);
-        let w_28 = S::from_f64(0.16) * self.a1 * self.a1 * self.m1 + S::from_f64(0.8);
-        let w_29 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
-        let w_30 = self.a2 * S::from_f64(100.0);
-        let w_31 = w_5 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_30
-            + w * self.d4 * S::from_f64(20.0);
-        let w_32 = S::from_f64(0.0001) * self.m3;
-        let w_33 = self.d4 - self.a2 * sin_q3;
-        let w_34 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_33;
-        let w_35 = sin_q4
-            * (sin_q5 * (w_2 * w_3 * w_34 - S::from_f64(0.007) * w_19)
-                + w * cos_q4 * S::from_f64(0.006) - cos_q5 * w_6 * S::from_f64(0.007));
-        let w_36 = w_14 - S::from_f64(10.0) * w_33;
-        let w_37 = cos_q4 * w_36;
-        let w_38 = sin_q4 * w_36;
-        let w_39 = self.d6 * cos_q5;
-        let w_40 = sin_q4 * (S::from_f64(5.0) * w_33 + w_39);
-        let w_41 = self.a2 * S::from_f64(5.0);
-        let w_42 = sin_q5 * cos_q3 * w_41
-            - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_33);
-        let w_43 = cos_q6 * cos_q4 - sin_q4 * cos_q5 * sin_q6;
-        let w_44 = sin_q4 * cos_q6 * cos_q5 + cos_q4 * sin_q6;
-        let w_45 = S::from_f64(0.0015) * (w_25 * w_43 - w_26 * w_44);
-        let w_46 = sin_q4 * (w_33 + w_39);
-        let w_47 = sin_q5 * self.a2 * cos_q3 - cos_q4 * (self.d6 + cos_q5 * w_33);
-        let w_48 = cos_q6 * w_46 - sin_q6 * w_47;
-        let w_49 = sin_q6 * w_46 + cos_q6 * w_47;
-        let mass_q2_q1 = w_35 + w_13 * (w_17 * w_37 - w_16 * w_38)
-            - w_21 * (w_22 * w_40 + w_23 * w_42) + w_45
-            - self.m6 * (w_11 * w_48 + w_12 * w_49);
-        let w_50 = self.m5 * self.d4 + self.d4 * self.m6;
-        let w_51 = self.d4 * self.m4 * S::from_f64(0.07);
-        let w_52 = sin_q4
-            * (cos_q4 * (sin_q5_squared * w_2 * w_50 + w * S::from_f64(0.006))
-                - S::from_f64(0.007) * (sin_q5 * w_19 + cos_q5 * w_6) + w_16 * w_51);
-        let w_53 = self.d4 * S::from_f64(5.0);
-        let w_54 = cos_q4 * (self.d6 + cos_q5 * w_53);
-        let w_55 = sin_q4 * (w_53 + w_39);
-        let w_56 = sin_q4 * (self.d4 + w_39);
-        let w_57 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_58 = cos_q6 * w_56 + sin_q6 * w_57;
-        let w_59 = sin_q6 * w_56 - cos_q6 * w_57;
-        let mass_q3_q1 = w_52 + w_45 + w_21 * (w_23 * w_54 - w_22 * w_55)
-            - self.m6 * (w_11 * w_58 + w_12 * w_59) - cos_q4 * w_17 * w_51;
-        let w_60 = self.m5 * self.a2 * self.d6 * S::from_f64(0.2)
-            + self.a2 * self.m6 * self.d6;
+        let w = cos_q2 * cos_q3;
+        let w_2 = w - sin_q2 * sin_q3;
+        let w_3 = self.a1 + self.a2 * sin_q2 + self.d4 * w_2;
+        let w_4 = self.m5 + self.m6;
+        let w_2_squared = w_2 * w_2;
+        let w_5 = sin_q4_squared
+            * (sin_q5_squared * w_3 * w_3 * w_4 + w_2_squared * S::from_f64(0.006));
+        let w_6 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_7 = w_2 * cos_q4 * cos_q5 - sin_q5 * w_6;
+        let w_8 = self.d6 * w_7;
+        let w_9 = w_3 * cos_q4 + w_8;
+        let w_10 = w_2 * self.d6;
+        let w_11 = sin_q4 * (w_10 + w_3 * cos_q5);
+        let w_12 = cos_q6 * w_9 - sin_q6 * w_11;
+        let w_13 = w_9 * sin_q6 + cos_q6 * w_11;
+        let w_14 = S::from_f64(0.01) * self.m4;
+        let w_15 = self.d4 * S::from_f64(3.0);
+        let w_16 = w_2 * w_15 - w_3 * S::from_f64(10.0);
+        let w_17 = cos_q4 * w_16;
+        let w_18 = sin_q4 * w_16;
+        let w_19 = w_14 * (w_17 * w_17 + w_18 * w_18);
+        let w_20 = sin_q5 * cos_q4;
+        let w_21 = cos_q5 * w_6 + w_2 * w_20;
+        let w_22 = S::from_f64(0.007) * (w_21 * w_21 + w_7 * w_7);
+        let w_23 = self.m5 * S::from_f64(0.04);
+        let w_24 = w_3 * cos_q4 * S::from_f64(5.0) + w_8;
+        let w_25 = cos_q5 * S::from_f64(5.0);
+        let w_26 = sin_q4 * (w_10 + w_3 * w_25);
+        let w_27 = w_23 * (w_24 * w_24 + w_26 * w_26);
+        let w_28 = sin_q4 * cos_q6;
+        let w_29 = w_2 * w_28 + w_7 * sin_q6;
+        let w_30 = sin_q4 * sin_q6;
+        let w_31 = cos_q6 * w_7 - w_2 * w_30;
+        let w_32 = S::from_f64(0.0015) * (w_29 * w_29 + w_31 * w_31);
+        let w_33 = S::from_f64(0.16) * self.a1 * self.a1 * self.m1 + S::from_f64(0.8);
+        let w_34 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
+        let w_35 = self.a2 * S::from_f64(100.0);
+        let w_36 = w_6 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_35
+            + w_2 * self.d4 * S::from_f64(20.0);
+        let w_37 = S::from_f64(0.0001) * self.m3;
+        let w_38 = self.d4 - self.a2 * sin_q3;
+        let w_39 = self.a2 * cos_q3 * cos_q5 + w_20 * w_38;
+        let w_40 = sin_q4
+            * (sin_q5 * (w_3 * w_4 * w_39 - S::from_f64(0.007) * w_21)
+                + w_2 * cos_q4 * S::from_f64(0.006) - cos_q5 * w_7 * S::from_f64(0.007));
+        let w_41 = w_15 - S::from_f64(10.0) * w_38;
+        let w_42 = cos_q4 * w_41;
+        let w_43 = sin_q4 * w_41;
+        let w_44 = self.d6 * cos_q5;
+        let w_45 = sin_q4 * (S::from_f64(5.0) * w_38 + w_44);
+        let w_46 = self.a2 * S::from_f64(5.0);
+        let w_47 = sin_q5 * cos_q3;
+        let w_48 = w_46 * w_47 - cos_q4 * (self.d6 + w_25 * w_38);
+        let w_49 = cos_q6 * cos_q4 - cos_q5 * w_30;
+        let w_50 = cos_q5 * w_28 + cos_q4 * sin_q6;
+        let w_51 = S::from_f64(0.0015) * (w_29 * w_49 - w_31 * w_50);
+        let w_52 = sin_q4 * (w_38 + w_44);
+        let w_53 = self.a2 * w_47 - cos_q4 * (self.d6 + cos_q5 * w_38);
+        let w_54 = cos_q6 * w_52 - sin_q6 * w_53;
+        let w_55 = sin_q6 * w_52 + cos_q6 * w_53;
+        let mass_q2_q1 = w_40 + w_14 * (w_18 * w_42 - w_17 * w_43)
+            - w_23 * (w_24 * w_45 + w_26 * w_48) + w_51
+            - self.m6 * (w_12 * w_54 + w_13 * w_55);
+        let w_56 = self.m5 * self.d4 + self.d4 * self.m6;
+        let w_57 = self.d4 * self.m4 * S::from_f64(0.07);
+        let w_58 = sin_q4
+            * (cos_q4 * (sin_q5_squared * w_3 * w_56 + w_2 * S::from_f64(0.006))
+                - S::from_f64(0.007) * (sin_q5 * w_21 + cos_q5 * w_7) + w_17 * w_57);
+        let w_59 = self.d4 * S::from_f64(5.0);
+        let w_60 = cos_q4 * (self.d6 + cos_q5 * w_59);
+        let w_61 = sin_q4 * (w_59 + w_44);
+        let w_62 = sin_q4 * (self.d4 + w_44);
+        let w_63 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_64 = cos_q6 * w_62 + sin_q6 * w_63;
+        let w_65 = sin_q6 * w_62 - cos_q6 * w_63;
+        let mass_q3_q1 = w_58 + w_51 + w_23 * (w_26 * w_60 - w_24 * w_61)
+            - self.m6 * (w_12 * w_64 + w_13 * w_65) - cos_q4 * w_18 * w_57;
+        let w_66 = self.m5 * self.d6;
+        let w_67 = self.m6 * self.d6;
+        let w_68 = self.a2 * S::from_f64(0.2) * w_66 + self.a2 * w_67;
         let d6_squared = self.d6 * self.d6;
-        let w_61 = self.m5 * S::from_f64(0.04) * d6_squared;
-        let w_62 = self.m6 * d6_squared;
-        let w_63 = S::from_f64(0.0015) + w_61 + w_62;
-        let w_64 = cos_q5 * w_63;
-        let w_65 = self.m5 * self.d4 * self.d6 * S::from_f64(0.2)
-            + self.d4 * self.m6 * self.d6;
-        let w_66 = w_64 + w_65;
-        let w_67 = self.m5 * self.a1 * self.d6 * S::from_f64(0.2)
-            + self.a1 * self.m6 * self.d6;
+        let w_69 = w_23 * d6_squared;
+        let w_70 = self.m6 * d6_squared;
+        let w_71 = S::from_f64(0.0015) + w_69 + w_70;
+        let w_72 = cos_q5 * w_71;
+        let w_73 = self.d4 * S::from_f64(0.2) * w_66 + self.d4 * w_67;
+        let w_74 = w_72 + w_73;
+        let w_75 = self.a1 * S::from_f64(0.2) * w_66 + self.a1 * w_67;
         let mass_q4_q1 = sin_q5 * cos_q4
-            * (sin_q2 * (w_60 - sin_q3 * w_66) + cos_q2 * cos_q3 * w_66 + w_67)
-            - w_5 * S::from_f64(0.027) - w_63 * sin_q5_squared * w_5;
-        let w_68 = S::from_f64(0.0075) + w_61 + w_62;
+            * (sin_q2 * (w_68 - sin_q3 * w_74) + cos_q2 * cos_q3 * w_74 + w_75)
+            - w_6 * S::from_f64(0.027) - w_71 * sin_q5_squared * w_6;
+        let w_76 = S::from_f64(0.0075) + w_69 + w_70;
         let mass_q5_q1 = sin_q4
-            * (cos_q5 * (sin_q2 * (w_60 - sin_q3 * w_65) + w_67 + cos_q2 * cos_q3 * w_65)
-                + w * w_68);
-        let mass_q6_q1 = -(w_19 * S::from_f64(0.002));
-        let w_69 = self.m6 * (w_48 * w_48 + w_49 * w_49);
-        let w_70 = w_13 * (w_38 * w_38 + w_37 * w_37);
-        let w_71 = w_21 * (w_40 * w_40 + w_42 * w_42);
-        let w_72 = S::from_f64(0.0015) * (w_43 * w_43 + w_44 * w_44);
+            * (cos_q5 * (sin_q2 * (w_68 - sin_q3 * w_73) + w_75 + w * w_73)
+                + w_2 * w_76);
+        let mass_q6_q1 = -(w_21 * S::from_f64(0.002));
+        let w_77 = self.m6 * (w_54 * w_54 + w_55 * w_55);
+        let w_78 = w_14 * (w_43 * w_43 + w_42 * w_42);
+        let w_79 = w_23 * (w_45 * w_45 + w_48 * w_48);
+        let w_80 = S::from_f64(0.0015) * (w_49 * w_49 + w_50 * w_50);
         let a2_squared = self.a2 * self.a2;
-        let w_73 = cos_q3 * w_30 + S::from_f64(3.0);
-        let w_74 = self.d4 - sin_q3 * w_41;
-        let w_75 = sin_q4_squared * S::from_f64(0.001);
-        let w_76 = cos_q4 * (sin_q5 * w_34 * w_50 - w_37 * w_51);
-        let w_77 = w_21 * (w_40 * w_55 - w_42 * w_54);
-        let mass_q3_q2 = w_76 + self.m6 * (w_48 * w_58 + w_49 * w_59) + w_72 + w_77
-            + w_75 + w_73 * self.m3 * S::from_f64(0.0003)
-            + w_74 * self.d4 * self.m3 * S::from_f64(0.04) - sin_q4 * w_38 * w_51
-            + S::from_f64(0.316);
-        let w_78 = sin_q3 * w_60;
-        let mass_q4_q2 = sin_q4 * sin_q5 * (w_78 - w_64 - w_65);
-        let mass_q5_q2 = cos_q4 * (cos_q5 * (w_65 - w_78) + w_68)
-            - sin_q5 * cos_q3 * w_60;
+        let w_81 = cos_q3 * w_35 + S::from_f64(3.0);
+        let w_82 = self.d4 - sin_q3 * w_46;
+        let w_83 = self.m3 * S::from_f64(0.04);
+        let w_84 = sin_q4_squared * S::from_f64(0.001);
+        let w_85 = cos_q4 * (sin_q5 * w_39 * w_56 - w_42 * w_57);
+        let mass_q3_q2 = w_85 + self.m6 * (w_54 * w_64 + w_55 * w_65) + w_80
+            + w_23 * (w_45 * w_61 - w_48 * w_60) + w_84
+            + w_81 * self.m3 * S::from_f64(0.0003) + w_82 * self.d4 * w_83
+            - sin_q4 * w_43 * w_57 + S::from_f64(0.316);
+        let w_86 = sin_q3 * w_68;
+        let mass_q4_q2 = sin_q4 * sin_q5 * (w_86 - w_72 - w_73);
+        let mass_q5_q2 = cos_q4 * (cos_q5 * (w_73 - w_86) + w_76) - w_47 * w_68;
         let mass_q6_q2 = sin_q4 * sin_q5 * S::from_f64(0.002);
         let d4_squared = self.d4 * self.d4;
-        let w_79 = self.m3 * S::from_f64(0.0009)
-            + self.m3 * S::from_f64(0.04) * d4_squared
+        let w_87 = self.m3 * S::from_f64(0.0009) + w_83 * d4_squared
             + self.m4 * d4_squared * S::from_f64(0.49) + S::from_f64(0.316);
-        let mass_q4_q3 = -(sin_q4 * sin_q5 * w_66);
-        let mass_q5_q3 = cos_q4 * (w_68 + cos_q5 * w_65);
+        let mass_q4_q3 = -(sin_q4 * sin_q5 * w_74);
+        let mass_q5_q3 = cos_q4 * (w_76 + cos_q5 * w_73);
         let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
         [
             [
-                w_4 + self.m6 * (w_11 * w_11 + w_12 * w_12) + w_18 + w_20 + w_24 + w_27
-                    + w_28 + S::from_f64(0.65) * sin_q2 * sin_q2
-                    + w_29 * w_29 * S::from_f64(0.0025) * self.m2
-                    + S::from_f64(0.1) * w_5 * w_5 + S::from_f64(0.3) * w_squared
-                    + w_31 * w_31 * w_32,
+                w_5 + self.m6 * (w_12 * w_12 + w_13 * w_13) + w_19 + w_22 + w_27 + w_32
+                    + w_33 + S::from_f64(0.65) * sin_q2 * sin_q2
+                    + w_34 * w_34 * S::from_f64(0.0025) * self.m2
+                    + S::from_f64(0.1) * w_6 * w_6 + S::from_f64(0.3) * w_2_squared
+                    + w_36 * w_36 * w_37,
                 mass_q2_q1,
                 mass_q3_q1,
                 mass_q4_q1,
@@ -759,11 +765,10 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             ],
             [
                 mass_q2_q1,
-                w_69 + w_70 + w_71 + w_72 + cos_q3 * cos_q3 * self.m4 * a2_squared
-                    + w_3 * w_34 * w_34
+                w_77 + w_78 + w_79 + w_80 + cos_q3 * cos_q3 * self.m4 * a2_squared
+                    + w_4 * w_39 * w_39
                     + (self.m2 * a2_squared * S::from_f64(0.2025) + S::from_f64(1.116))
-                    + w_32 * w_73 * w_73 + w_74 * w_74 * self.m3 * S::from_f64(0.04)
-                    + w_75,
+                    + w_37 * w_81 * w_81 + w_82 * w_82 * w_83 + w_84,
                 mass_q3_q2,
                 mass_q4_q2,
                 mass_q5_q2,
@@ -772,10 +777,10 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             [
                 mass_q3_q1,
                 mass_q3_q2,
-                self.m6 * (w_58 * w_58 + w_59 * w_59) + w_72
-                    + w_21 * (w_55 * w_55 + w_54 * w_54) + w_79
+                self.m6 * (w_64 * w_64 + w_65 * w_65) + w_80
+                    + w_23 * (w_61 * w_61 + w_60 * w_60) + w_87
                     + sin_q5_squared * cos_q4 * cos_q4
-                        * (self.m5 * d4_squared + self.m6 * d4_squared) + w_75,
+                        * (self.m5 * d4_squared + self.m6 * d4_squared) + w_84,
                 mass_q4_q3,
                 mass_q5_q3,
                 mass_q6_q2,
@@ -784,7 +789,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 mass_q4_q1,
                 mass_q4_q2,
                 mass_q4_q3,
-                sin_q5_squared * w_63 + S::from_f64(0.027),
+                sin_q5_squared * w_71 + S::from_f64(0.027),
                 S::from_f64(0.0),
                 mass_q6_q4,
             ],
@@ -793,7 +798,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 mass_q5_q2,
                 mass_q5_q3,
                 S::from_f64(0.0),
-                w_61 + w_62 + S::from_f64(0.0075),
+                w_69 + w_70 + S::from_f64(0.0075),
                 S::from_f64(0.0),
             ],
             [
@@ -808,7 +813,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Convective forces `T_q' M g`, 6, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 200 additions, 363 multiplications, 5 sine-cosine pairs.
+    /// Operations: 200 additions, 346 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -844,202 +849,203 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_15 = w_7 - w_14;
         let w_16 = S::from_f64(3.0) * w_15;
         let w_17 = q4_dot - w_12;
-        let w_18 = w_16 - S::from_f64(2.0) * w_17 * w_6;
-        let w_19 = cos_q4 * w_5;
-        let w_20 = sin_q4 * w_4;
-        let w_21 = w_19 + w_20;
-        let w_22 = cos_q4 * w_13;
-        let w_23 = q4_dot * w_21 + w_22;
-        let w_24 = w_23 * S::from_f64(3.0) - S::from_f64(2.0) * w_17 * w_21;
-        let w_25 = w_17 * cos_q5;
-        let w_26 = w_6 * sin_q5;
-        let w_27 = w_25 - w_26;
-        let w_28 = w_17 * sin_q5 + cos_q5 * w_6;
-        let w_29 = w_27 * w_28;
-        let w_30 = w_16 - w_29;
-        let w_31 = w_3
-            * (S::from_f64(0.02) * (sin_q4 * w_18 - cos_q4 * w_24)
+        let w_18 = S::from_f64(2.0) * w_17;
+        let w_19 = w_16 - w_6 * w_18;
+        let w_20 = cos_q4 * w_5;
+        let w_21 = sin_q4 * w_4;
+        let w_22 = w_20 + w_21;
+        let w_23 = cos_q4 * w_13;
+        let w_24 = q4_dot * w_22 + w_23;
+        let w_25 = w_24 * S::from_f64(3.0) - w_22 * w_18;
+        let w_26 = w_17 * cos_q5;
+        let w_27 = w_6 * sin_q5;
+        let w_28 = w_26 - w_27;
+        let w_29 = w_17 * sin_q5 + cos_q5 * w_6;
+        let w_30 = w_28 * w_29;
+        let w_31 = w_16 - w_30;
+        let w_32 = w_3
+            * (S::from_f64(0.02) * (sin_q4 * w_19 - cos_q4 * w_25)
                 - S::from_f64(0.01)
                     * (w_13 * S::from_f64(24.0) + w_12 * w_5 * S::from_f64(17.0))
-                + sin_q4 * S::from_f64(0.002) * w_30);
-        let w_32 = q3_dot + w_5;
-        let w_33 = w_12 * w_32 + w_10;
-        let w_34 = q1_dot * q2_dot * cos_q2 * S::from_f64(2.0) * self.a2
-            - self.d4 * w_33;
-        let w_35 = cos_q4 * w_34;
+                + sin_q4 * S::from_f64(0.002) * w_31);
+        let w_33 = q1_dot * q2_dot;
+        let w_34 = q3_dot + w_5;
+        let w_35 = w_12 * w_34 + w_10;
+        let w_36 = cos_q2 * S::from_f64(2.0) * self.a2 * w_33 - self.d4 * w_35;
+        let w_37 = cos_q4 * w_36;
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_36 = self.a2 * (q2_dot * q2_dot + q1_dot_squared * sin_q2 * sin_q2)
+        let w_38 = self.a2 * (q2_dot * q2_dot + q1_dot_squared * sin_q2 * sin_q2)
             + sin_q2 * q1_dot_squared * self.a1;
-        let w_37 = cos_q3 * w_36;
-        let w_38 = self.a2 * sin_q2;
-        let w_39 = cos_q2 * q1_dot_squared * (self.a1 + w_38);
-        let w_40 = sin_q3 * w_39;
-        let w_41 = w_37 + self.d4 * w_12 * w_4 + w_40;
-        let w_42 = sin_q4 * w_41;
-        let w_43 = q5_dot + w_19 + w_20;
-        let w_44 = q1_dot * q2_dot * w_3;
-        let w_45 = q3_dot * w_4;
-        let w_46 = w_44 + w_45;
-        let w_47 = sin_q5 * w_46;
-        let w_48 = cos_q5 * w_23;
-        let w_49 = self.d6 * (w_27 * (q5_dot + w_43) - w_47 - w_48);
-        let w_50 = w_35 - w_42 + w_49;
-        let w_51 = self.d6 * (w_7 - w_29 - w_14);
+        let w_39 = cos_q3 * w_38;
+        let w_40 = w_12 * w_4;
+        let w_41 = self.a2 * sin_q2;
+        let w_42 = cos_q2 * q1_dot_squared * (self.a1 + w_41);
+        let w_43 = sin_q3 * w_42;
+        let w_44 = w_39 + self.d4 * w_40 + w_43;
+        let w_45 = sin_q4 * w_44;
+        let w_46 = q5_dot + w_20 + w_21;
+        let w_47 = q1_dot * q2_dot * w_3;
+        let w_48 = q3_dot * w_4;
+        let w_49 = w_47 + w_48;
+        let w_50 = sin_q5 * w_49;
+        let w_51 = cos_q5 * w_24;
+        let w_52 = self.d6 * (w_28 * (q5_dot + w_46) - w_50 - w_51);
+        let w_53 = w_37 - w_45 + w_52;
+        let w_54 = self.d6 * (w_7 - w_30 - w_14);
         let w_5_squared = w_5 * w_5;
-        let w_52 = w_5_squared + w_4 * w_4;
-        let w_53 = sin_q3 * w_36;
-        let w_54 = cos_q3 * w_39;
-        let w_55 = self.d4 * w_52 - w_53 + w_54;
-        let w_56 = sin_q5 * w_55;
-        let w_57 = w_34 * sin_q4 + cos_q4 * w_41;
-        let w_58 = cos_q5 * w_57;
-        let w_59 = w_51 + w_56 + w_58;
-        let w_60 = cos_q6 * w_50 - sin_q6 * w_59;
-        let w_61 = self.a1 + w_38 + self.d4 * w_3;
-        let w_62 = cos_q4 * w_3 * cos_q5 - w_11 * sin_q5;
-        let w_63 = self.d6 * w_62;
-        let w_64 = cos_q4 * w_61 + w_63;
-        let w_65 = w_3 * self.d6;
-        let w_66 = sin_q4 * (w_65 + cos_q5 * w_61);
-        let w_67 = w_50 * sin_q6 + cos_q6 * w_59;
-        let w_68 = self.d6 * (w_43 * w_43 + w_28 * w_28);
-        let w_69 = sin_q5 * w_57;
-        let w_70 = cos_q5 * w_55;
-        let w_71 = w_68 - w_69 + w_70;
-        let w_72 = self.m6
-            * (w_60 * (cos_q6 * w_64 - sin_q6 * w_66)
-                + w_67 * (sin_q6 * w_64 + cos_q6 * w_66)
-                - sin_q4 * sin_q5 * w_61 * w_71);
-        let w_73 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
-        let w_74 = q1_dot * q2_dot * cos_q2
-            * (sin_q2 * S::from_f64(1.3)
-                + w_73 * self.a2 * S::from_f64(0.045) * self.m2);
-        let w_75 = w_11
-            * (S::from_f64(0.01) * (w_46 * S::from_f64(8.0) + w_5 * w_4)
-                + w_46 * S::from_f64(0.02));
-        let w_76 = S::from_f64(0.01) * self.m4;
-        let w_77 = self.d4 * S::from_f64(3.0);
-        let w_78 = q4_dot - w_17;
-        let w_79 = w_77 * (w_6 * w_78 - w_14) - w_57 * S::from_f64(10.0);
-        let w_80 = w_3 * w_77 - w_61 * S::from_f64(10.0);
-        let w_81 = w_35 - w_42;
-        let w_82 = S::from_f64(10.0) * w_81 + (w_21 * w_78 + w_22) * w_77;
-        let w_83 = w_76 * (w_79 * sin_q4 * w_80 - w_82 * cos_q4 * w_80);
-        let w_84 = w_11 * cos_q5 + cos_q4 * w_3 * sin_q5;
-        let w_85 = q5_dot * w_28;
-        let w_86 = cos_q5 * w_46;
-        let w_87 = sin_q5 * w_23;
-        let w_88 = w_85 + w_86 - w_87;
-        let w_89 = S::from_f64(5.0) * w_88 - w_43 * w_28;
-        let w_90 = q5_dot * w_27 - w_47 - w_48;
-        let w_91 = S::from_f64(7.0) * w_90 + w_27 * w_43;
-        let w_92 = self.m5 * S::from_f64(0.04);
-        let w_93 = w_81 * S::from_f64(5.0) + w_49;
-        let w_94 = S::from_f64(5.0) * (w_56 + w_58) + w_51;
-        let w_95 = w_92
-            * (w_93 * (cos_q4 * w_61 * S::from_f64(5.0) + w_63)
-                + w_94 * sin_q4 * (w_65 + cos_q5 * w_61 * S::from_f64(5.0)));
-        let w_96 = cos_q6 * w_28 - w_43 * sin_q6;
-        let w_97 = q6_dot + w_25 - w_26;
-        let w_98 = S::from_f64(3.0) * (q6_dot * w_96 + cos_q6 * w_15 + sin_q6 * w_90)
-            + w_96 * w_97;
-        let w_99 = cos_q6 * w_43 + sin_q6 * w_28;
-        let w_100 = S::from_f64(3.0) * (q6_dot * w_99 - cos_q6 * w_90 + sin_q6 * w_15)
-            + w_97 * w_99;
-        let w_101 = S::from_f64(0.0005)
-            * ((cos_q6 * sin_q4 * w_3 + sin_q6 * w_62) * w_98
-                - (cos_q6 * w_62 - sin_q4 * w_3 * sin_q6) * w_100);
-        let w_102 = self.d4 * S::from_f64(20.0);
-        let w_103 = S::from_f64(3.0) * (w_32 * w_4 + w_44)
-            + q1_dot * q2_dot * cos_q2 * self.a2 * S::from_f64(200.0) - w_33 * w_102;
-        let w_104 = self.a2 * S::from_f64(100.0);
-        let w_105 = S::from_f64(0.0001) * self.m3;
-        let w_106 = w_103
-            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_104
-                + w_3 * w_102) * w_105;
-        let w_107 = S::from_f64(5.0) * (w_70 - w_69) + w_68;
-        let w_108 = S::from_f64(0.2) * self.m5;
-        let w_109 = S::from_f64(0.02) * w_24;
-        let w_110 = S::from_f64(0.001) * (sin_q5 * w_89 + cos_q5 * w_91);
-        let w_111 = sin_q5 * w_88 * S::from_f64(0.002);
-        let w_112 = self.d4 - self.a2 * sin_q3;
-        let w_113 = self.a2 * cos_q3 * cos_q5 + cos_q4 * sin_q5 * w_112;
-        let w_114 = self.d6 * cos_q5;
-        let w_115 = sin_q4 * (w_112 + w_114);
-        let w_116 = self.a2 * cos_q3 * sin_q5 - cos_q4 * (self.d6 + cos_q5 * w_112);
-        let w_117 = self.m6
-            * (w_71 * w_113 + w_60 * (cos_q6 * w_115 - sin_q6 * w_116)
-                + w_67 * (sin_q6 * w_115 + cos_q6 * w_116));
-        let w_118 = S::from_f64(0.02) * w_18;
-        let w_119 = S::from_f64(0.002) * w_30;
-        let w_120 = w_77 - S::from_f64(10.0) * w_112;
-        let w_121 = w_76 * (w_82 * sin_q4 * w_120 + w_79 * cos_q4 * w_120);
-        let w_122 = self.a2 * S::from_f64(5.0);
-        let w_123 = w_92
-            * (w_93 * sin_q4 * (S::from_f64(5.0) * w_112 + w_114)
-                + w_94
-                    * (cos_q3 * sin_q5 * w_122
-                        - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_112)));
-        let w_124 = S::from_f64(0.0005)
-            * (w_98 * (cos_q6 * cos_q4 - sin_q4 * cos_q5 * sin_q6)
-                + w_100 * (cos_q6 * sin_q4 * cos_q5 + cos_q4 * sin_q6));
-        let w_125 = w_12 * w_4 * S::from_f64(0.16);
-        let w_126 = cos_q2 * q1_dot_squared * w_73 * self.a2 * self.m2
-            * S::from_f64(0.0225);
-        let w_127 = w_54 - w_53;
-        let w_128 = S::from_f64(100.0) * w_127 + w_12 * w_4 * S::from_f64(3.0)
-            + w_52 * w_102;
-        let w_129 = S::from_f64(3.0) * (w_5_squared + w_12 * w_12)
-            + S::from_f64(100.0) * (w_37 + w_40) + w_12 * w_4 * w_102;
-        let w_130 = w_129 * (self.d4 - sin_q3 * w_122) * self.m3 * S::from_f64(0.002);
-        let w_131 = cos_q3
-            * (S::from_f64(10.0) * w_127 + w_52 * self.d4 * S::from_f64(10.0)
-                - w_77 * (w_21 * w_21 + w_6 * w_6)) * self.a2 * self.m4
+        let w_55 = w_5_squared + w_4 * w_4;
+        let w_56 = sin_q3 * w_38;
+        let w_57 = cos_q3 * w_42;
+        let w_58 = self.d4 * w_55 - w_56 + w_57;
+        let w_59 = sin_q5 * w_58;
+        let w_60 = w_36 * sin_q4 + cos_q4 * w_44;
+        let w_61 = cos_q5 * w_60;
+        let w_62 = w_54 + w_59 + w_61;
+        let w_63 = cos_q6 * w_53 - sin_q6 * w_62;
+        let w_64 = self.a1 + w_41 + self.d4 * w_3;
+        let w_65 = cos_q4 * w_3 * cos_q5 - w_11 * sin_q5;
+        let w_66 = self.d6 * w_65;
+        let w_67 = cos_q4 * w_64 + w_66;
+        let w_68 = w_3 * self.d6;
+        let w_69 = sin_q4 * (w_68 + cos_q5 * w_64);
+        let w_70 = w_53 * sin_q6 + cos_q6 * w_62;
+        let w_71 = self.d6 * (w_46 * w_46 + w_29 * w_29);
+        let w_72 = sin_q5 * w_60;
+        let w_73 = cos_q5 * w_58;
+        let w_74 = w_71 - w_72 + w_73;
+        let w_75 = w_64 * sin_q4 * sin_q5;
+        let w_76 = self.m6
+            * (w_63 * (cos_q6 * w_67 - sin_q6 * w_69)
+                + w_70 * (sin_q6 * w_67 + cos_q6 * w_69) - w_74 * w_75);
+        let w_77 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
+        let w_78 = self.a2 * self.m2;
+        let w_79 = q1_dot * q2_dot * cos_q2
+            * (sin_q2 * S::from_f64(1.3) + w_77 * S::from_f64(0.045) * w_78);
+        let w_80 = w_11
+            * (S::from_f64(0.01) * (w_49 * S::from_f64(8.0) + w_5 * w_4)
+                + w_49 * S::from_f64(0.02));
+        let w_81 = S::from_f64(0.01) * self.m4;
+        let w_82 = self.d4 * S::from_f64(3.0);
+        let w_83 = q4_dot - w_17;
+        let w_84 = w_82 * (w_6 * w_83 - w_14) - w_60 * S::from_f64(10.0);
+        let w_85 = w_3 * w_82 - w_64 * S::from_f64(10.0);
+        let w_86 = w_37 - w_45;
+        let w_87 = S::from_f64(10.0) * w_86 + (w_22 * w_83 + w_23) * w_82;
+        let w_88 = cos_q4 * sin_q5;
+        let w_89 = w_11 * cos_q5 + w_3 * w_88;
+        let w_90 = q5_dot * w_29;
+        let w_91 = cos_q5 * w_49;
+        let w_92 = sin_q5 * w_24;
+        let w_93 = w_90 + w_91 - w_92;
+        let w_94 = S::from_f64(5.0) * w_93 - w_46 * w_29;
+        let w_95 = q5_dot * w_28 - w_50 - w_51;
+        let w_96 = S::from_f64(7.0) * w_95 + w_28 * w_46;
+        let w_97 = self.m5 * S::from_f64(0.04);
+        let w_98 = w_86 * S::from_f64(5.0) + w_52;
+        let w_99 = S::from_f64(5.0) * (w_59 + w_61) + w_54;
+        let w_100 = cos_q5 * S::from_f64(5.0);
+        let w_101 = w_97
+            * (w_98 * (cos_q4 * w_64 * S::from_f64(5.0) + w_66)
+                + w_99 * sin_q4 * (w_68 + w_64 * w_100));
+        let w_102 = cos_q6 * sin_q4;
+        let w_103 = cos_q6 * w_29 - w_46 * sin_q6;
+        let w_104 = q6_dot + w_26 - w_27;
+        let w_105 = S::from_f64(3.0) * (q6_dot * w_103 + cos_q6 * w_15 + sin_q6 * w_95)
+            + w_103 * w_104;
+        let w_106 = sin_q4 * sin_q6;
+        let w_107 = cos_q6 * w_46 + sin_q6 * w_29;
+        let w_108 = S::from_f64(3.0) * (q6_dot * w_107 - cos_q6 * w_95 + sin_q6 * w_15)
+            + w_104 * w_107;
+        let w_109 = S::from_f64(0.0005)
+            * ((w_3 * w_102 + sin_q6 * w_65) * w_105
+                - (cos_q6 * w_65 - w_3 * w_106) * w_108);
+        let w_110 = self.d4 * S::from_f64(20.0);
+        let w_111 = S::from_f64(3.0) * (w_34 * w_4 + w_47)
+            + cos_q2 * w_33 * self.a2 * S::from_f64(200.0) - w_35 * w_110;
+        let w_112 = self.a2 * S::from_f64(100.0);
+        let w_113 = S::from_f64(0.0001) * self.m3;
+        let w_114 = w_111
+            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_112
+                + w_3 * w_110) * w_113;
+        let w_115 = S::from_f64(5.0) * (w_73 - w_72) + w_71;
+        let w_116 = S::from_f64(0.2) * self.m5;
+        let w_117 = S::from_f64(0.02) * w_25;
+        let w_118 = S::from_f64(0.001) * (sin_q5 * w_94 + cos_q5 * w_96);
+        let w_119 = sin_q5 * w_93 * S::from_f64(0.002);
+        let w_120 = self.a2 * cos_q3;
+        let w_121 = self.d4 - self.a2 * sin_q3;
+        let w_122 = cos_q5 * w_120 + w_88 * w_121;
+        let w_123 = self.d6 * cos_q5;
+        let w_124 = sin_q4 * (w_121 + w_123);
+        let w_125 = sin_q5 * w_120 - cos_q4 * (self.d6 + cos_q5 * w_121);
+        let w_126 = self.m6
+            * (w_74 * w_122 + w_63 * (cos_q6 * w_124 - sin_q6 * w_125)
+                + w_70 * (sin_q6 * w_124 + cos_q6 * w_125));
+        let w_127 = S::from_f64(0.02) * w_19;
+        let w_128 = S::from_f64(0.002) * w_31;
+        let w_129 = w_82 - S::from_f64(10.0) * w_121;
+        let w_130 = w_81 * (w_87 * sin_q4 * w_129 + w_84 * cos_q4 * w_129);
+        let w_131 = self.a2 * S::from_f64(5.0);
+        let w_132 = w_97
+            * (w_98 * sin_q4 * (S::from_f64(5.0) * w_121 + w_123)
+                + w_99 * (cos_q3 * sin_q5 * w_131 - cos_q4 * (self.d6 + w_100 * w_121)));
+        let w_133 = S::from_f64(0.0005)
+            * (w_105 * (cos_q6 * cos_q4 - cos_q5 * w_106)
+                + w_108 * (cos_q5 * w_102 + cos_q4 * sin_q6));
+        let w_134 = w_40 * S::from_f64(0.16);
+        let w_135 = w_57 - w_56;
+        let w_136 = S::from_f64(100.0) * w_135 + w_40 * S::from_f64(3.0) + w_55 * w_110;
+        let w_137 = w_113 * w_136 * (cos_q3 * w_112 + S::from_f64(3.0));
+        let w_138 = S::from_f64(3.0) * (w_5_squared + w_12 * w_12)
+            + S::from_f64(100.0) * (w_39 + w_43) + w_40 * w_110;
+        let w_139 = self.m3 * S::from_f64(0.002);
+        let w_140 = w_138 * (self.d4 - sin_q3 * w_131) * w_139;
+        let w_141 = cos_q3
+            * (S::from_f64(10.0) * w_135 + w_55 * self.d4 * S::from_f64(10.0)
+                - w_82 * (w_22 * w_22 + w_6 * w_6)) * self.a2 * self.m4
             * S::from_f64(0.1);
-        let w_132 = self.d4 * self.m4 * S::from_f64(0.07);
-        let w_133 = cos_q4
-            * (w_118
-                - sin_q5
-                    * (w_107 * self.d4 * S::from_f64(0.2) * self.m5
-                        + w_71 * self.m6 * self.d4) + w_119 - w_79 * w_132);
-        let w_134 = self.d4 * S::from_f64(5.0);
-        let w_135 = w_92
-            * (w_94 * cos_q4 * (self.d6 + cos_q5 * w_134)
-                - w_93 * sin_q4 * (w_134 + w_114));
-        let w_136 = sin_q4 * (self.d4 + w_114);
-        let w_137 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_138 = self.m6
-            * (w_60 * (cos_q6 * w_136 + sin_q6 * w_137)
-                + w_67 * (sin_q6 * w_136 - cos_q6 * w_137));
-        let w_139 = self.m6 * self.d6;
-        let w_140 = self.d6 * self.m5 * S::from_f64(0.04);
-        let w_141 = sin_q5
-            * (w_139 * (cos_q6 * w_60 + sin_q6 * w_67)
-                + S::from_f64(0.0005) * (sin_q6 * w_98 - cos_q6 * w_100)
-                + S::from_f64(0.001) * w_91 + w_93 * w_140);
+        let w_142 = self.d4 * self.m4 * S::from_f64(0.07);
+        let w_143 = cos_q4
+            * (w_127 - sin_q5 * (w_115 * self.d4 * w_116 + w_74 * self.m6 * self.d4)
+                + w_128 - w_84 * w_142);
+        let w_144 = self.d4 * S::from_f64(5.0);
+        let w_145 = w_97
+            * (w_99 * cos_q4 * (self.d6 + cos_q5 * w_144)
+                - w_98 * sin_q4 * (w_144 + w_123));
+        let w_146 = sin_q4 * (self.d4 + w_123);
+        let w_147 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_148 = self.m6
+            * (w_63 * (cos_q6 * w_146 + sin_q6 * w_147)
+                + w_70 * (sin_q6 * w_146 - cos_q6 * w_147));
+        let w_149 = self.m6 * self.d6;
+        let w_150 = self.d6 * w_97;
+        let w_151 = sin_q5
+            * (w_149 * (cos_q6 * w_63 + sin_q6 * w_70)
+                + S::from_f64(0.0005) * (sin_q6 * w_105 - cos_q6 * w_108)
+                + S::from_f64(0.001) * w_96 + w_98 * w_150);
         [
-            w_31 + w_72 + w_74 + w_75 + w_83
-                + S::from_f64(0.001) * (w_84 * w_89 + w_62 * w_91) + w_95 + w_101 + w_106
-                - sin_q4 * sin_q5 * w_61 * w_107 * w_108
-                + w_84 * w_88 * S::from_f64(0.002),
-            sin_q4 * (w_109 - w_110 - w_111) - w_117 + cos_q4 * (w_118 + w_119) + w_121
-                - w_123 + w_124 - cos_q2 * sin_q2 * q1_dot_squared * S::from_f64(0.65)
-                + w_125 - w_126 - w_105 * w_128 * (cos_q3 * w_104 + S::from_f64(3.0))
-                + w_130 - w_131 - w_107 * w_108 * w_113,
-            w_133 + sin_q4 * (w_109 - w_110 - w_111 - w_82 * w_132) + w_124 + w_135
-                - w_138 + w_125 - w_128 * self.m3 * S::from_f64(0.0003)
-                + w_129 * self.d4 * self.m3 * S::from_f64(0.002),
-            w_141 + S::from_f64(0.02) * (q1_dot * q2_dot * (w_2 - w) - w_45)
-                - cos_q5 * (S::from_f64(0.001) * w_89 + w_88 * S::from_f64(0.002)),
-            w_15 * S::from_f64(0.006) + w_139 * (cos_q6 * w_67 - sin_q6 * w_60)
-                + S::from_f64(0.0005) * (cos_q6 * w_98 + sin_q6 * w_100)
-                - w_27 * w_28 * S::from_f64(0.002) + w_94 * w_140,
-            S::from_f64(0.002) * (w_87 - w_85 - w_86),
+            w_32 + w_76 + w_79 + w_80
+                + w_81 * (w_84 * sin_q4 * w_85 - w_87 * cos_q4 * w_85)
+                + S::from_f64(0.001) * (w_89 * w_94 + w_65 * w_96) + w_101 + w_109
+                + w_114 - w_115 * w_116 * w_75 + w_89 * w_93 * S::from_f64(0.002),
+            sin_q4 * (w_117 - w_118 - w_119) - w_126 + cos_q4 * (w_127 + w_128) + w_130
+                - w_132 + w_133 - cos_q2 * sin_q2 * q1_dot_squared * S::from_f64(0.65)
+                + w_134 - cos_q2 * q1_dot_squared * w_77 * w_78 * S::from_f64(0.0225)
+                - w_137 + w_140 - w_141 - w_115 * w_116 * w_122,
+            w_143 + sin_q4 * (w_117 - w_118 - w_119 - w_87 * w_142) + w_133 + w_145
+                - w_148 + w_134 - w_136 * self.m3 * S::from_f64(0.0003)
+                + w_138 * self.d4 * w_139,
+            w_151 + S::from_f64(0.02) * (q1_dot * q2_dot * (w_2 - w) - w_48)
+                - cos_q5 * (S::from_f64(0.001) * w_94 + w_93 * S::from_f64(0.002)),
+            w_15 * S::from_f64(0.006) + w_149 * (cos_q6 * w_70 - sin_q6 * w_63)
+                + S::from_f64(0.0005) * (cos_q6 * w_105 + sin_q6 * w_108)
+                - w_30 * S::from_f64(0.002) + w_99 * w_150,
+            S::from_f64(0.002) * (w_92 - w_90 - w_91),
         ]
     }
     /// Generalised forces `T_q' F`, 6: joules per unit of each coordinate.
     ///
-    /// Operations: 76 additions, 160 multiplications, 5 sine-cosine pairs.
+    /// Operations: 76 additions, 150 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -1064,78 +1070,81 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_4 = self.g * w_3;
         let w_5 = w_2 - w;
         let w_6 = self.a1 + sin_q2 * self.a2 + self.d4 * w_5;
-        let w_7 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
-        let w_8 = sin_q5 * w_7;
-        let w_9 = self.d6 * (cos_q5 * cos_q4 * w_5 - w_8);
-        let w_10 = self.m5 * S::from_f64(0.2);
-        let w_11 = self.d4 * S::from_f64(3.0);
-        let w_12 = w_5 * w_11 - w_6 * S::from_f64(10.0);
-        let w_13 = S::from_f64(0.1) * self.m4;
-        let w_14 = self.g * w_7;
-        let w_15 = cos_q5 * w_14 - sin_q5 * cos_q4 * w_4;
-        let w_16 = self.m5 + self.m6;
-        let w_17 = sin_q4
+        let w_7 = cos_q5 * cos_q4;
+        let w_8 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_9 = sin_q5 * w_8;
+        let w_10 = self.d6 * (w_5 * w_7 - w_9);
+        let w_11 = self.m5 * S::from_f64(0.2);
+        let w_12 = self.d4 * S::from_f64(3.0);
+        let w_13 = w_5 * w_12 - w_6 * S::from_f64(10.0);
+        let w_14 = S::from_f64(0.1) * self.m4;
+        let w_15 = self.g * w_8;
+        let w_16 = sin_q5 * cos_q4;
+        let w_17 = cos_q5 * w_15 - w_4 * w_16;
+        let w_18 = self.m5 + self.m6;
+        let w_19 = sin_q4
             * (w_4
-                * ((cos_q4 * w_6 * S::from_f64(5.0) + w_9) * w_10 - cos_q4 * w_12 * w_13)
-                + sin_q5 * w_15 * w_6 * w_16);
-        let w_18 = sin_q5 * w_14 + cos_q5 * cos_q4 * w_4;
-        let w_19 = sin_q4 * w_4 * cos_q6 + sin_q6 * w_18;
-        let w_20 = cos_q4 * w_6 + w_9;
-        let w_21 = w_5 * self.d6;
-        let w_22 = sin_q4 * (w_21 + cos_q5 * w_6);
-        let w_23 = cos_q6 * w_18 - sin_q4 * w_4 * sin_q6;
-        let w_24 = self.m6
-            * (w_19 * (cos_q6 * w_20 - sin_q6 * w_22)
-                - w_23 * (sin_q6 * w_20 + cos_q6 * w_22));
-        let w_25 = self.d4 - sin_q3 * self.a2;
-        let w_26 = w_11 - S::from_f64(10.0) * w_25;
-        let w_27 = w_13 * (sin_q4 * sin_q4 * w_26 + cos_q4 * cos_q4 * w_26);
-        let w_28 = self.a2 * S::from_f64(5.0);
-        let w_29 = cos_q5 * self.d6;
-        let w_30 = w_4
-            * (w_27 - (self.d4 - sin_q3 * w_28) * S::from_f64(0.2) * self.m3
-                - sin_q4 * w_10 * sin_q4 * (S::from_f64(5.0) * w_25 + w_29));
-        let w_31 = w_14
+                * ((cos_q4 * w_6 * S::from_f64(5.0) + w_10) * w_11
+                    - cos_q4 * w_13 * w_14) + sin_q5 * w_17 * w_6 * w_18);
+        let w_20 = sin_q5 * w_15 + w_4 * w_7;
+        let w_21 = sin_q4 * w_4 * cos_q6 + sin_q6 * w_20;
+        let w_22 = cos_q4 * w_6 + w_10;
+        let w_23 = w_5 * self.d6;
+        let w_24 = sin_q4 * (w_23 + cos_q5 * w_6);
+        let w_25 = cos_q6 * w_20 - sin_q4 * w_4 * sin_q6;
+        let w_26 = self.m6
+            * (w_21 * (cos_q6 * w_22 - sin_q6 * w_24)
+                - w_25 * (sin_q6 * w_22 + cos_q6 * w_24));
+        let w_27 = cos_q5 * S::from_f64(5.0);
+        let w_28 = w_20 * w_11;
+        let w_29 = self.d4 - sin_q3 * self.a2;
+        let w_30 = w_12 - S::from_f64(10.0) * w_29;
+        let w_31 = self.a2 * S::from_f64(5.0);
+        let w_32 = S::from_f64(0.2) * self.m3;
+        let w_33 = cos_q5 * self.d6;
+        let w_34 = sin_q4 * w_11;
+        let w_35 = w_14 * (sin_q4 * sin_q4 * w_30 + cos_q4 * cos_q4 * w_30)
+            - (self.d4 - sin_q3 * w_31) * w_32
+            - sin_q4 * (S::from_f64(5.0) * w_29 + w_33) * w_34;
+        let w_36 = w_15
             * (cos_q3 * self.a2 * self.m4
                 + (cos_q3 * self.a2 * S::from_f64(100.0) + S::from_f64(3.0))
                     * S::from_f64(0.01) * self.m3);
-        let w_32 = sin_q4 * (w_25 + w_29);
-        let w_33 = sin_q5 * cos_q3 * self.a2 - cos_q4 * (self.d6 + cos_q5 * w_25);
-        let w_34 = self.m6
-            * (w_23 * (sin_q6 * w_32 + cos_q6 * w_33)
-                - w_19 * (cos_q6 * w_32 - sin_q6 * w_33));
-        let w_35 = w_18 * w_10
-            * (sin_q5 * cos_q3 * w_28
-                - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_25));
-        let w_36 = sin_q4 * (self.d4 + w_29);
-        let w_37 = cos_q4 * (self.d6 + cos_q5 * self.d4);
-        let w_38 = self.m6
-            * (w_23 * (sin_q6 * w_36 - cos_q6 * w_37)
-                - w_19 * (cos_q6 * w_36 + sin_q6 * w_37));
-        let w_39 = self.d4 * S::from_f64(5.0);
-        let w_40 = w_4
-            * (self.d4 * S::from_f64(0.2) * self.m3
-                + self.d4 * self.m4 * S::from_f64(0.7)
-                + sin_q4 * w_10 * sin_q4 * (w_39 + w_29));
-        let w_41 = sin_q5 * cos_q4 * w_15 * (self.m5 * self.d4 + self.d4 * self.m6);
-        let w_42 = self.m5 * self.g * self.d6 * S::from_f64(0.2)
-            + self.g * self.m6 * self.d6;
-        let w_43 = self.c * S::from_f64(0.025);
+        let w_37 = sin_q4 * (w_29 + w_33);
+        let w_38 = sin_q5 * cos_q3;
+        let w_39 = self.a2 * w_38 - cos_q4 * (self.d6 + cos_q5 * w_29);
+        let w_40 = self.m6
+            * (w_25 * (sin_q6 * w_37 + cos_q6 * w_39)
+                - w_21 * (cos_q6 * w_37 - sin_q6 * w_39));
+        let w_41 = w_28 * (w_38 * w_31 - cos_q4 * (self.d6 + w_27 * w_29));
+        let w_42 = sin_q4 * (self.d4 + w_33);
+        let w_43 = cos_q4 * (self.d6 + cos_q5 * self.d4);
+        let w_44 = self.m6
+            * (w_25 * (sin_q6 * w_42 - cos_q6 * w_43)
+                - w_21 * (cos_q6 * w_42 + sin_q6 * w_43));
+        let w_45 = self.d4 * S::from_f64(5.0);
+        let w_46 = w_4
+            * (self.d4 * w_32 + self.d4 * self.m4 * S::from_f64(0.7)
+                + w_34 * sin_q4 * (w_45 + w_33));
+        let w_47 = w_20 * w_11 * cos_q4 * (self.d6 + cos_q5 * w_45);
+        let w_48 = self.g * self.d6;
+        let w_49 = w_11 * w_48 + self.m6 * w_48;
+        let w_50 = self.c * S::from_f64(0.025);
         [
-            w_17 + w_24 + self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c
-                + cos_q4 * w_4 * sin_q4 * w_12 * w_13
-                - w_18 * sin_q4 * (w_21 + cos_q5 * w_6 * S::from_f64(5.0)) * w_10,
-            w_30 + w_31 + w_34 + self.tau2.or(-S::from_f64(60.0)) - self.c * q2_dot
-                + w_15 * w_16 * (cos_q5 * cos_q3 * self.a2 + sin_q5 * cos_q4 * w_25)
-                + sin_q2 * self.g * self.a2 * S::from_f64(0.45) * self.m2 + w_35,
-            w_38 - w_40 + self.tau3.or(-S::from_f64(20.0)) - self.c * q3_dot
-                + w_14 * self.m3 * S::from_f64(0.03) + w_41
-                - w_18 * w_10 * cos_q4 * (self.d6 + cos_q5 * w_39),
-            w_42 * sin_q4 * sin_q5 * w_3 + self.tau4.or(S::from_f64(0.0))
-                - q4_dot * w_43,
-            w_42 * (cos_q5 * cos_q4 * w_5 - w_8) + self.tau5.or(S::from_f64(0.0))
-                - w_43 * q5_dot,
-            self.tau6.or(S::from_f64(0.0)) - w_43 * q6_dot,
+            w_19 + w_26 + self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c
+                + cos_q4 * w_4 * sin_q4 * w_13 * w_14
+                - sin_q4 * (w_23 + w_6 * w_27) * w_28,
+            w_4 * w_35 + w_36 + w_40 + self.tau2.or(-S::from_f64(60.0)) - self.c * q2_dot
+                + w_17 * w_18 * (cos_q5 * cos_q3 * self.a2 + w_16 * w_29)
+                + sin_q2 * self.g * self.a2 * S::from_f64(0.45) * self.m2 + w_41,
+            w_44 - w_46 + self.tau3.or(-S::from_f64(20.0)) - self.c * q3_dot
+                + w_15 * self.m3 * S::from_f64(0.03)
+                + w_16 * w_17 * (self.m5 * self.d4 + self.d4 * self.m6) - w_47,
+            w_49 * sin_q4 * sin_q5 * w_3 + self.tau4.or(S::from_f64(0.0))
+                - q4_dot * w_50,
+            w_49 * (cos_q5 * cos_q4 * w_5 - w_9) + self.tau5.or(S::from_f64(0.0))
+                - w_50 * q5_dot,
+            self.tau6.or(S::from_f64(0.0)) - w_50 * q6_dot,
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -1190,7 +1199,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 67 additions, 133 multiplications, 5 sine-cosine pairs.
+    /// Operations: 67 additions, 131 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> S {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -1240,47 +1249,47 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_24 = w_14 * self.d6;
         let w_25 = w_20 - w_23 + w_24;
         let w_26 = w_10 * self.d6;
-        let w_27 = sin_q4 * w_19 + cos_q4 * w_22;
-        let w_28 = w_26 - q2_dot * cos_q3 * sin_q5 * self.a2 + cos_q5 * w_27;
-        let w_29 = cos_q6 * w_25 - sin_q6 * w_28;
-        let w_30 = sin_q6 * w_25 + cos_q6 * w_28;
-        let w_31 = w_18 * (w_29 * w_29 + w_30 * w_30);
-        let w_32 = self.a2 * S::from_f64(100.0);
-        let w_33 = w_3 * S::from_f64(3.0) + q2_dot * cos_q3 * w_32;
-        let w_34 = q1_dot
-            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_32)
+        let w_27 = q2_dot * cos_q3;
+        let w_28 = sin_q4 * w_19 + cos_q4 * w_22;
+        let w_29 = w_26 - sin_q5 * self.a2 * w_27 + cos_q5 * w_28;
+        let w_30 = cos_q6 * w_25 - sin_q6 * w_29;
+        let w_31 = sin_q6 * w_25 + cos_q6 * w_29;
+        let w_32 = w_18 * (w_30 * w_30 + w_31 * w_31);
+        let w_33 = self.a2 * S::from_f64(100.0);
+        let w_34 = w_3 * S::from_f64(3.0) + q2_dot * cos_q3 * w_33;
+        let w_35 = q1_dot
+            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_33)
             + w_5 * self.d4 * S::from_f64(20.0);
-        let w_35 = S::from_f64(5e-5) * self.m3 * (w_33 * w_33 + w_34 * w_34);
-        let w_36 = self.d4 * S::from_f64(3.0);
-        let w_37 = S::from_f64(10.0) * (w_23 - w_20) + w_8 * w_36;
-        let w_38 = w_7 * w_36 - w_27 * S::from_f64(10.0);
-        let w_39 = self.m4 * S::from_f64(0.005) * (w_37 * w_37 + w_38 * w_38);
-        let w_40 = S::from_f64(5.0) * (w_20 - w_23) + w_24;
-        let w_41 = self.a2 * S::from_f64(5.0);
-        let w_42 = w_26 - q2_dot * cos_q3 * sin_q5 * w_41
-            + cos_q5 * w_27 * S::from_f64(5.0);
-        let w_43 = self.m5 * S::from_f64(0.02) * (w_40 * w_40 + w_42 * w_42);
-        let w_44 = w_13 * cos_q5;
-        let w_45 = w_8 * sin_q5;
-        let w_46 = w_44 - w_45;
-        let w_47 = q2_dot * cos_q3 * cos_q5 * self.a2 + sin_q5 * w_27;
-        let w_48 = w_47 * w_47 * (S::from_f64(0.5) * self.m5 + w_18);
-        let w_49 = q6_dot + w_44 - w_45;
-        let w_50 = S::from_f64(0.001) * w_49 * w_49;
-        let w_51 = q1_dot
+        let w_36 = S::from_f64(5e-5) * self.m3 * (w_34 * w_34 + w_35 * w_35);
+        let w_37 = self.d4 * S::from_f64(3.0);
+        let w_38 = S::from_f64(10.0) * (w_23 - w_20) + w_8 * w_37;
+        let w_39 = w_7 * w_37 - w_28 * S::from_f64(10.0);
+        let w_40 = self.m4 * S::from_f64(0.005) * (w_38 * w_38 + w_39 * w_39);
+        let w_41 = S::from_f64(5.0) * (w_20 - w_23) + w_24;
+        let w_42 = self.a2 * S::from_f64(5.0);
+        let w_43 = w_26 - sin_q5 * w_27 * w_42 + cos_q5 * w_28 * S::from_f64(5.0);
+        let w_44 = self.m5 * S::from_f64(0.02) * (w_41 * w_41 + w_43 * w_43);
+        let w_45 = w_13 * cos_q5;
+        let w_46 = w_8 * sin_q5;
+        let w_47 = w_45 - w_46;
+        let w_48 = cos_q5 * self.a2 * w_27 + sin_q5 * w_28;
+        let w_49 = w_48 * w_48 * (S::from_f64(0.5) * self.m5 + w_18);
+        let w_50 = q6_dot + w_45 - w_46;
+        let w_51 = S::from_f64(0.001) * w_50 * w_50;
+        let w_52 = q1_dot
             * (self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0));
-        let w_52 = w_51 * w_51 * self.m2 * S::from_f64(0.00125);
-        let w_53 = w_21 - q2_dot * sin_q3 * w_41;
-        let w_54 = w_53 * w_53 * self.m3 * S::from_f64(0.02);
-        w + w_2 + w_9 + w_17 + w_31 + w_35 + w_39 + w_43 + S::from_f64(0.125) * w_3 * w_3
+        let w_53 = w_52 * w_52 * self.m2 * S::from_f64(0.00125);
+        let w_54 = w_21 - q2_dot * sin_q3 * w_42;
+        let w_55 = w_54 * w_54 * self.m3 * S::from_f64(0.02);
+        w + w_2 + w_9 + w_17 + w_32 + w_36 + w_40 + w_44 + S::from_f64(0.125) * w_3 * w_3
             + S::from_f64(0.12) * w_5 * w_5 + S::from_f64(0.04) * w_12 * w_12
             + S::from_f64(0.01) * w_13 * w_13 + S::from_f64(0.003) * w_10 * w_10
-            + S::from_f64(0.0035) * w_14 * w_14 + S::from_f64(0.0025) * w_46 * w_46
-            + w_48 + w_50 + w_52 + w_54
+            + S::from_f64(0.0035) * w_14 * w_14 + S::from_f64(0.0025) * w_47 * w_47
+            + w_49 + w_51 + w_53 + w_55
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 59 additions, 111 multiplications, 5 sine-cosine pairs.
+    /// Operations: 59 additions, 107 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -1316,58 +1325,58 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_8 = sin_q4 * w_7;
         let w_9 = q1_dot * (self.a1 + self.a2 * sin_q2) + self.d4 * w_7;
         let w_10 = self.d4 * w_5;
-        let w_11 = w_10 - q2_dot * self.a2 * sin_q3;
-        let w_12 = sin_q4 * w_9 + cos_q4 * w_11;
-        let w_13 = sin_q4 * w_11;
-        let w_14 = w_9 * cos_q4;
-        let w_15 = w_7 * cos_q4 - sin_q4 * w_5;
-        let w_16 = self.m4 * S::from_f64(0.1)
-            * (cos_q4 * (w_4 * (w_6 + w_8) - w_12 * S::from_f64(10.0))
-                - sin_q4 * (S::from_f64(10.0) * (w_13 - w_14) + w_15 * w_4));
-        let w_17 = self.a2 * S::from_f64(5.0);
-        let w_18 = cos_q3 * sin_q2 + cos_q2 * sin_q3;
-        let w_19 = self.d6 * (sin_q5 * (q4_dot - w_18 * q1_dot) + cos_q5 * w_15);
-        let w_20 = self.m5 * S::from_f64(0.2);
-        let w_21 = w_3
-            * (w_16 - (w_10 - q2_dot * sin_q3 * w_17) * self.m3 * S::from_f64(0.2)
-                + sin_q4 * (S::from_f64(5.0) * (w_14 - w_13) + w_19) * w_20);
-        let w_22 = self.g * w_18;
-        let w_23 = q2_dot
-            * (cos_q3 * w_22 * self.a2 * self.m4
+        let w_11 = q2_dot * self.a2;
+        let w_12 = w_10 - sin_q3 * w_11;
+        let w_13 = sin_q4 * w_9 + cos_q4 * w_12;
+        let w_14 = sin_q4 * w_12;
+        let w_15 = w_9 * cos_q4;
+        let w_16 = w_7 * cos_q4 - sin_q4 * w_5;
+        let w_17 = self.m4 * S::from_f64(0.1)
+            * (cos_q4 * (w_4 * (w_6 + w_8) - w_13 * S::from_f64(10.0))
+                - sin_q4 * (S::from_f64(10.0) * (w_14 - w_15) + w_16 * w_4));
+        let w_18 = q2_dot * self.a2 * S::from_f64(5.0);
+        let w_19 = cos_q3 * sin_q2 + cos_q2 * sin_q3;
+        let w_20 = self.d6 * (sin_q5 * (q4_dot - w_19 * q1_dot) + cos_q5 * w_16);
+        let w_21 = self.m5 * S::from_f64(0.2);
+        let w_22 = w_3
+            * (w_17 - (w_10 - sin_q3 * w_18) * self.m3 * S::from_f64(0.2)
+                + sin_q4 * (S::from_f64(5.0) * (w_15 - w_14) + w_20) * w_21);
+        let w_23 = self.g * w_19;
+        let w_24 = q2_dot
+            * (cos_q3 * w_23 * self.a2 * self.m4
                 + (self.tau2.or(-S::from_f64(60.0)) - q2_dot * self.c)
                 + sin_q2 * self.a2 * self.g * S::from_f64(0.45) * self.m2);
-        let w_24 = q6_dot
+        let w_25 = q6_dot
             * (S::from_f64(40.0) * self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot);
-        let w_25 = S::from_f64(0.025)
+        let w_26 = S::from_f64(0.025)
             * (q4_dot
                 * (S::from_f64(40.0) * self.tau4.or(S::from_f64(0.0)) - q4_dot * self.c)
                 + q5_dot
                     * (S::from_f64(40.0) * self.tau5.or(S::from_f64(0.0))
-                        - q5_dot * self.c) + w_24);
-        let w_26 = w_14 - w_13 + w_19;
-        let w_27 = self.d6 * (q5_dot + w_6 + w_8);
-        let w_28 = w_27 - q2_dot * self.a2 * cos_q3 * sin_q5 + cos_q5 * w_12;
-        let w_29 = w_22 * sin_q5 + cos_q5 * cos_q4 * w_3;
-        let w_30 = (cos_q6 * w_29 - sin_q4 * w_3 * sin_q6)
-            * (w_26 * sin_q6 + cos_q6 * w_28);
-        let w_31 = self.m6
-            * ((cos_q6 * w_26 - sin_q6 * w_28) * (sin_q4 * w_3 * cos_q6 + sin_q6 * w_29)
-                - w_30);
-        let w_32 = (q2_dot * self.a2 * cos_q3 * cos_q5 + sin_q5 * w_12)
-            * (w_22 * cos_q5 - sin_q5 * cos_q4 * w_3) * (self.m5 + self.m6);
-        let w_33 = w_22
+                        - q5_dot * self.c) + w_25);
+        let w_27 = w_15 - w_14 + w_20;
+        let w_28 = self.d6 * (q5_dot + w_6 + w_8);
+        let w_29 = cos_q3 * sin_q5;
+        let w_30 = w_28 - w_11 * w_29 + cos_q5 * w_13;
+        let w_31 = w_23 * sin_q5 + cos_q5 * cos_q4 * w_3;
+        let w_32 = (cos_q6 * w_31 - sin_q4 * w_3 * sin_q6)
+            * (w_27 * sin_q6 + cos_q6 * w_30);
+        let w_33 = self.m6
+            * ((cos_q6 * w_27 - sin_q6 * w_30) * (sin_q4 * w_3 * cos_q6 + sin_q6 * w_31)
+                - w_32);
+        let w_34 = (cos_q3 * cos_q5 * w_11 + sin_q5 * w_13)
+            * (w_23 * cos_q5 - sin_q5 * cos_q4 * w_3) * (self.m5 + self.m6);
+        let w_35 = w_23
             * (w_5 * S::from_f64(3.0) + q2_dot * cos_q3 * self.a2 * S::from_f64(100.0))
             * S::from_f64(0.01) * self.m3;
-        let w_34 = w_29
-            * (w_27 - q2_dot * cos_q3 * sin_q5 * w_17 + cos_q5 * w_12 * S::from_f64(5.0))
-            * w_20;
-        w_21 + w_23 + w_25 + w_31 + w_32
+        let w_36 = w_31 * (w_28 - w_29 * w_18 + cos_q5 * w_13 * S::from_f64(5.0)) * w_21;
+        w_22 + w_24 + w_26 + w_33 + w_34
             + q1_dot * (self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c)
-            + q3_dot * (self.tau3.or(-S::from_f64(20.0)) - q3_dot * self.c) + w_33 - w_34
+            + q3_dot * (self.tau3.or(-S::from_f64(20.0)) - q3_dot * self.c) + w_35 - w_36
     }
     /// Outputs, 4, in SI units.
     ///
-    /// Operations: 41 additions, 75 multiplications, 5 sine-cosine pairs, 1 square root.
+    /// Operations: 41 additions, 72 multiplications, 5 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn outputs(
         &self,
@@ -1409,15 +1418,18 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_13 = w * q1_dot + self.d4 * w_9
             + self.d6 * (cos_q4 * w_11 + cos_q5 * sin_q4 * w_12);
         let w_14 = self.d4 * w_6 * w_10;
-        let w_15 = self.a2 * cos_q2 * q2_dot;
-        let w_16 = self.d6 * (sin_q4 * w_11 - cos_q5 * cos_q4 * w_12);
-        let w_17 = sin_q3 * w_16 - cos_q3 * self.d6 * sin_q5 * w_12;
-        let w_18 = sin_q3 * self.d6 * sin_q5 * w_12 + cos_q3 * w_16;
-        let w_19 = cos_q2 * w_17 + sin_q2 * w_18;
-        let w_20 = sin_q1 * w_13 + cos_q1 * (w_14 - w_15 - w_19);
-        let w_21 = cos_q1 * w_13 + sin_q1 * (w_15 - w_14 + w_19);
-        let w_22 = sin_q2 * (self.a2 * q2_dot - self.d4 * sin_q3 * w_10 + w_17)
-            + cos_q2 * (self.d4 * cos_q3 * w_10 - w_18);
+        let w_15 = self.a2 * q2_dot;
+        let w_16 = cos_q2 * w_15;
+        let w_17 = self.d6 * (sin_q4 * w_11 - cos_q5 * cos_q4 * w_12);
+        let w_18 = self.d6 * sin_q5;
+        let w_19 = sin_q3 * w_17 - cos_q3 * w_12 * w_18;
+        let w_20 = sin_q3 * w_12 * w_18 + cos_q3 * w_17;
+        let w_21 = cos_q2 * w_19 + sin_q2 * w_20;
+        let w_22 = sin_q1 * w_13 + cos_q1 * (w_14 - w_16 - w_21);
+        let w_23 = cos_q1 * w_13 + sin_q1 * (w_16 - w_14 + w_21);
+        let w_24 = self.d4 * w_10;
+        let w_25 = sin_q2 * (w_15 - sin_q3 * w_24 + w_19)
+            + cos_q2 * (cos_q3 * w_24 - w_20);
         [
             cos_q1 * w + self.d4 * w_3
                 + self.d6
@@ -1429,13 +1441,13 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                         - sin_q5 * (cos_q4 * sin_q1 * w_6 - cos_q1 * sin_q4)),
             self.h + self.a2 * cos_q2 - self.d4 * w_8
                 - self.d6 * (cos_q5 * w_8 + w_2 * cos_q4 * sin_q5),
-            (w_20 * w_20 + w_21 * w_21 + w_22 * w_22).sqrt(),
+            (w_22 * w_22 + w_23 * w_23 + w_25 * w_25).sqrt(),
         ]
             .into()
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 4, in SI units per second.
     ///
-    /// Operations: 128 additions, 210 multiplications, 1 division, 5 sine-cosine pairs, 1 square root.
+    /// Operations: 128 additions, 200 multiplications, 1 division, 5 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn output_rates(
         &self,
@@ -1461,115 +1473,116 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             cos_q4,
             ],
         ) = S::sin_cos_each([q1, q2, q3, q5, q4]);
-        let w = self.a1 + self.a2 * sin_q2;
-        let w_2 = sin_q2 * cos_q3;
-        let w_3 = cos_q2 * sin_q3;
-        let w_4 = w_2 + w_3;
-        let w_5 = w_3 + w_2;
-        let w_6 = q3_dot * w_5;
-        let w_7 = q2_dot * w_4 + w_6;
-        let w_8 = cos_q2 * cos_q3;
-        let w_9 = sin_q2 * sin_q3;
-        let w_10 = w_8 - w_9;
-        let w_11 = sin_q1 * w_10;
-        let w_12 = cos_q1 * w_7 + q1_dot * w_11;
-        let w_13 = cos_q1 * w_5;
-        let w_14 = cos_q1 * w_10;
-        let w_15 = q3_dot + q2_dot;
-        let w_16 = q2_dot + q3_dot;
-        let w_17 = cos_q2 * cos_q3 * w_15 - sin_q2 * sin_q3 * w_16;
-        let w_18 = sin_q1 * w_5;
-        let w_19 = sin_q5
-            * (q5_dot * w_14
-                + (sin_q4 * (q1_dot * cos_q1 - q4_dot * w_13)
-                    + cos_q4 * (sin_q1 * q4_dot + (cos_q1 * w_17 - q1_dot * w_18))));
-        let w_20 = q1_dot * w_14 - sin_q1 * w_7;
+        let w = q2_dot * self.a2;
+        let w_2 = cos_q2 * w;
+        let w_3 = self.a1 + self.a2 * sin_q2;
+        let w_4 = sin_q2 * cos_q3;
+        let w_5 = cos_q2 * sin_q3;
+        let w_6 = w_4 + w_5;
+        let w_7 = w_5 + w_4;
+        let w_8 = q3_dot * w_7;
+        let w_9 = q2_dot * w_6 + w_8;
+        let w_10 = cos_q2 * cos_q3;
+        let w_11 = sin_q2 * sin_q3;
+        let w_12 = w_10 - w_11;
+        let w_13 = sin_q1 * w_12;
+        let w_14 = cos_q1 * w_9 + q1_dot * w_13;
+        let w_15 = cos_q1 * w_7;
+        let w_16 = cos_q1 * w_12;
+        let w_17 = q3_dot + q2_dot;
+        let w_18 = q2_dot + q3_dot;
+        let w_19 = cos_q2 * cos_q3 * w_17 - sin_q2 * sin_q3 * w_18;
+        let w_20 = sin_q1 * w_7;
         let w_21 = sin_q5
-            * (w_11 * q5_dot
-                + (cos_q4 * (sin_q1 * w_17 + q1_dot * w_13 - cos_q1 * q4_dot)
-                    + sin_q4 * (q1_dot * sin_q1 - q4_dot * w_18)));
-        let w_22 = q2_dot * w_10 + q3_dot * w_10;
-        let w_23 = self.d6
-            * (cos_q5 * (w_22 + w_10 * q5_dot * cos_q4)
-                - sin_q5 * (w_4 * q5_dot + w_7 * cos_q4 + w_10 * sin_q4 * q4_dot));
-        let w_24 = q1_dot * w_10;
-        let w_25 = self.d4 * w_24;
-        let w_26 = q4_dot - q1_dot * w_4;
-        let w_27 = cos_q4 * w_24 - sin_q4 * w_16;
-        let w_28 = sin_q5 * w_26 + cos_q5 * w_27;
-        let w_29 = q5_dot + cos_q4 * w_16 + sin_q4 * w_24;
-        let w_30 = self.d6 * (cos_q4 * w_28 + cos_q5 * sin_q4 * w_29);
-        let w_31 = q1_dot * w + w_25 + w_30;
-        let w_32 = self.d4 * w_5 * w_16;
-        let w_33 = q2_dot * self.a2 * cos_q2;
-        let w_34 = self.d6 * (sin_q4 * w_28 - cos_q5 * cos_q4 * w_29);
-        let w_35 = sin_q3 * w_34 - cos_q3 * self.d6 * sin_q5 * w_29;
-        let w_36 = sin_q3 * self.d6 * sin_q5 * w_29 + cos_q3 * w_34;
-        let w_37 = cos_q2 * w_35 + sin_q2 * w_36;
-        let w_38 = sin_q1 * w_31 + cos_q1 * (w_32 - w_33 - w_37);
-        let w_39 = cos_q1 * w_31 + sin_q1 * (w_33 - w_32 + w_37);
-        let w_40 = sin_q2 * (q2_dot * self.a2 - self.d4 * sin_q3 * w_16 + w_35)
-            + cos_q2 * (self.d4 * cos_q3 * w_16 - w_36);
-        let w_41 = w_38 * w_38 + w_39 * w_39 + w_40 * w_40;
+            * (q5_dot * w_16
+                + (sin_q4 * (q1_dot * cos_q1 - q4_dot * w_15)
+                    + cos_q4 * (sin_q1 * q4_dot + (cos_q1 * w_19 - q1_dot * w_20))));
+        let w_22 = q1_dot * w_16 - sin_q1 * w_9;
+        let w_23 = sin_q5
+            * (w_13 * q5_dot
+                + (cos_q4 * (sin_q1 * w_19 + q1_dot * w_15 - cos_q1 * q4_dot)
+                    + sin_q4 * (q1_dot * sin_q1 - q4_dot * w_20)));
+        let w_24 = q2_dot * w_12 + q3_dot * w_12;
+        let w_25 = self.d6
+            * (cos_q5 * (w_24 + w_12 * q5_dot * cos_q4)
+                - sin_q5 * (w_6 * q5_dot + w_9 * cos_q4 + w_12 * sin_q4 * q4_dot));
+        let w_26 = q1_dot * w_12;
+        let w_27 = self.d4 * w_26;
+        let w_28 = q4_dot - q1_dot * w_6;
+        let w_29 = cos_q4 * w_26 - sin_q4 * w_18;
+        let w_30 = sin_q5 * w_28 + cos_q5 * w_29;
+        let w_31 = q5_dot + cos_q4 * w_18 + sin_q4 * w_26;
+        let w_32 = self.d6 * (cos_q4 * w_30 + cos_q5 * sin_q4 * w_31);
+        let w_33 = q1_dot * w_3 + w_27 + w_32;
+        let w_34 = self.d4 * w_7 * w_18;
+        let w_35 = self.d6 * (sin_q4 * w_30 - cos_q5 * cos_q4 * w_31);
+        let w_36 = self.d6 * sin_q5;
+        let w_37 = sin_q3 * w_35 - cos_q3 * w_31 * w_36;
+        let w_38 = sin_q3 * w_31 * w_36 + cos_q3 * w_35;
+        let w_39 = cos_q2 * w_37 + sin_q2 * w_38;
+        let w_40 = sin_q1 * w_33 + cos_q1 * (w_34 - w_2 - w_39);
+        let w_41 = cos_q1 * w_33 + sin_q1 * (w_2 - w_34 + w_39);
+        let w_42 = self.d4 * w_18;
+        let w_43 = sin_q2 * (w - sin_q3 * w_42 + w_37) + cos_q2 * (cos_q3 * w_42 - w_38);
+        let w_44 = w_40 * w_40 + w_41 * w_41 + w_43 * w_43;
         let q2_dot_squared = q2_dot * q2_dot;
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_42 = sin_q2 * (q2_dot_squared + q1_dot_squared);
-        let w_43 = cos_q2 * q2_ddot;
-        let w_44 = q1_dot * (w_25 + w_30);
-        let w_45 = self.a1 * q1_dot_squared;
-        let w_46 = q2_ddot + q3_ddot;
-        let w_47 = self.d4 * (w_16 * w_17 + w_5 * w_46);
-        let w_48 = w_46 + q4_dot * w_24;
-        let w_49 = w_9 - w_8;
-        let w_50 = q1_dot * (q2_dot * w_5 + w_6) + q1_ddot * w_49;
-        let w_51 = q4_dot * w_16 + w_50;
-        let w_52 = cos_q4 * w_48 - sin_q4 * w_51 + q5_ddot;
-        let w_53 = q4_dot * w_28;
-        let w_54 = cos_q5 * w_52;
-        let w_55 = q5_dot * sin_q5 * w_29;
-        let w_56 = sin_q5
-            * (q1_dot * (q2_dot * w_49 + q3_dot * w_49) - w_4 * q1_ddot + q4_ddot
-                - q5_dot * w_27);
-        let w_57 = cos_q5 * (q5_dot * w_26 - (sin_q4 * w_48 + cos_q4 * w_51)) + w_56
-            + cos_q5 * q4_dot * w_29;
-        let w_58 = self.d6 * (cos_q4 * (w_53 - w_54 + w_55) + sin_q4 * w_57);
-        let w_59 = cos_q3
-            * (q3_dot * w_34 - self.d6 * (cos_q5 * q5_dot * w_29 + sin_q5 * w_52))
-            + sin_q3 * (w_58 + q3_dot * self.d6 * sin_q5 * w_29);
-        let w_60 = q2_dot * w_36;
-        let w_61 = self.d6
-            * (sin_q5 * (cos_q3 * q3_dot * w_29 + sin_q3 * w_52)
-                + sin_q3 * cos_q5 * q5_dot * w_29) + cos_q3 * w_58
-            - q3_dot * sin_q3 * w_34;
-        let w_62 = q2_dot * w_35;
-        let w_63 = cos_q2 * (w_59 + w_60) + sin_q2 * (w_61 - w_62);
-        let w_64 = q1_dot * (q2_dot * cos_q2 * self.a2 * S::from_f64(2.0) - w_32 + w_37)
-            + w * q1_ddot - self.d4 * w_50
-            + self.d6 * (sin_q4 * (w_54 - w_53 - w_55) + cos_q4 * w_57);
-        let w_65 = w_39
-            * (sin_q1 * (self.a2 * (w_43 - w_42) - w_44 - w_45 - w_47 + w_63)
-                + cos_q1 * w_64);
-        let w_66 = cos_q2
-            * (self.d4 * (cos_q3 * w_46 - sin_q3 * w_16 * w_16)
-                + self.a2 * q2_dot_squared - w_61 + w_62);
-        let w_67 = w_40
+        let w_45 = sin_q2 * (q2_dot_squared + q1_dot_squared);
+        let w_46 = cos_q2 * q2_ddot;
+        let w_47 = q1_dot * (w_27 + w_32);
+        let w_48 = self.a1 * q1_dot_squared;
+        let w_49 = q2_ddot + q3_ddot;
+        let w_50 = self.d4 * (w_18 * w_19 + w_7 * w_49);
+        let w_51 = cos_q5 * q5_dot;
+        let w_52 = w_49 + q4_dot * w_26;
+        let w_53 = w_11 - w_10;
+        let w_54 = q1_dot * (q2_dot * w_7 + w_8) + q1_ddot * w_53;
+        let w_55 = q4_dot * w_18 + w_54;
+        let w_56 = cos_q4 * w_52 - sin_q4 * w_55 + q5_ddot;
+        let w_57 = q4_dot * w_30;
+        let w_58 = cos_q5 * w_56;
+        let w_59 = q5_dot * sin_q5 * w_31;
+        let w_60 = sin_q5
+            * (q1_dot * (q2_dot * w_53 + q3_dot * w_53) - w_6 * q1_ddot + q4_ddot
+                - q5_dot * w_29);
+        let w_61 = cos_q5 * (q5_dot * w_28 - (sin_q4 * w_52 + cos_q4 * w_55)) + w_60
+            + cos_q5 * q4_dot * w_31;
+        let w_62 = self.d6 * (cos_q4 * (w_57 - w_58 + w_59) + sin_q4 * w_61);
+        let w_63 = cos_q3 * (q3_dot * w_35 - self.d6 * (w_31 * w_51 + sin_q5 * w_56))
+            + sin_q3 * (w_62 + q3_dot * w_31 * w_36);
+        let w_64 = q2_dot * w_38;
+        let w_65 = self.d6
+            * (sin_q5 * (cos_q3 * q3_dot * w_31 + sin_q3 * w_56) + sin_q3 * w_31 * w_51)
+            + cos_q3 * w_62 - q3_dot * sin_q3 * w_35;
+        let w_66 = q2_dot * w_37;
+        let w_67 = cos_q2 * (w_63 + w_64) + sin_q2 * (w_65 - w_66);
+        let w_68 = q1_dot * (q2_dot * cos_q2 * self.a2 * S::from_f64(2.0) - w_34 + w_39)
+            + w_3 * q1_ddot - self.d4 * w_54
+            + self.d6 * (sin_q4 * (w_58 - w_57 - w_59) + cos_q4 * w_61);
+        let w_69 = w_41
+            * (sin_q1 * (self.a2 * (w_46 - w_45) - w_47 - w_48 - w_50 + w_67)
+                + cos_q1 * w_68);
+        let w_70 = cos_q2
+            * (self.d4 * (cos_q3 * w_49 - sin_q3 * w_18 * w_18)
+                + self.a2 * q2_dot_squared - w_65 + w_66);
+        let w_71 = w_43
             * (sin_q2
-                * (self.a2 * q2_ddot - self.d4 * (cos_q3 * w_15 * w_16 + sin_q3 * w_46)
-                    + w_60 + w_59) + w_66);
+                * (self.a2 * q2_ddot - self.d4 * (cos_q3 * w_17 * w_18 + sin_q3 * w_49)
+                    + w_64 + w_63) + w_70);
         [
-            q2_dot * self.a2 * cos_q1 * cos_q2 - q1_dot * sin_q1 * w - self.d4 * w_12
+            cos_q1 * w_2 - q1_dot * sin_q1 * w_3 - self.d4 * w_14
                 - self.d6
-                    * (cos_q5 * (w_12 + q5_dot * (sin_q1 * sin_q4 + cos_q4 * w_13))
-                        + w_19),
-            q1_dot * cos_q1 * w + sin_q1 * q2_dot * self.a2 * cos_q2 + self.d4 * w_20
+                    * (cos_q5 * (w_14 + q5_dot * (sin_q1 * sin_q4 + cos_q4 * w_15))
+                        + w_21),
+            q1_dot * cos_q1 * w_3 + sin_q1 * w_2 + self.d4 * w_22
                 + self.d6
-                    * (cos_q5 * (w_20 - q5_dot * (cos_q4 * w_18 - cos_q1 * sin_q4))
-                        - w_21),
-            -(q2_dot * self.a2 * sin_q2 + self.d4 * w_22 + w_23),
-            w_41.sqrt()
-                * (w_38
-                    * (cos_q1 * (self.a2 * (w_42 - w_43) + w_44 + w_45 + w_47 - w_63)
-                        + sin_q1 * w_64) + w_65 + w_67) / w_41,
+                    * (cos_q5 * (w_22 - q5_dot * (cos_q4 * w_20 - cos_q1 * sin_q4))
+                        - w_23),
+            -(sin_q2 * w + self.d4 * w_24 + w_25),
+            w_44.sqrt()
+                * (w_40
+                    * (cos_q1 * (self.a2 * (w_45 - w_46) + w_47 + w_48 + w_50 - w_67)
+                        + sin_q1 * w_68) + w_69 + w_71) / w_44,
         ]
             .into()
     }
@@ -1757,7 +1770,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 398 additions, 636 multiplications, 5 divisions, 5 sine-cosine pairs.
+    /// Operations: 398 additions, 608 multiplications, 5 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1781,374 +1794,380 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
-        let sin_q4_squared = sin_q4 * sin_q4;
-        let sin_q5_squared = sin_q5 * sin_q5;
-        let w = self.a2 * sin_q2;
-        let w_2 = cos_q2 * cos_q3;
-        let w_3 = sin_q2 * sin_q3;
-        let w_4 = w_2 - w_3;
-        let w_5 = self.a1 + w + self.d4 * w_4;
-        let w_4_squared = w_4 * w_4;
-        let w_6 = sin_q4_squared
-            * (sin_q5_squared * w_5 * w_5 * self.k_11
-                + w_4_squared * S::from_f64(0.006));
-        let w_7 = sin_q2 * cos_q3;
-        let w_8 = cos_q2 * sin_q3;
-        let w_9 = w_7 + w_8;
-        let w_10 = w_4 * cos_q4 * cos_q5 - sin_q5 * w_9;
-        let w_11 = self.d6 * w_10;
-        let w_12 = w_5 * cos_q4 + w_11;
-        let w_13 = w_4 * self.d6;
-        let w_14 = sin_q4 * (w_13 + w_5 * cos_q5);
-        let w_15 = cos_q6 * w_12 - sin_q6 * w_14;
-        let w_16 = w_12 * sin_q6 + cos_q6 * w_14;
-        let w_17 = w_4 * self.k_6 - w_5 * S::from_f64(10.0);
-        let w_18 = cos_q4 * w_17;
-        let w_19 = sin_q4 * w_17;
-        let w_20 = self.k_9 * (w_18 * w_18 + w_19 * w_19);
-        let w_21 = cos_q5 * w_9 + sin_q5 * w_4 * cos_q4;
-        let w_22 = S::from_f64(0.007) * (w_21 * w_21 + w_10 * w_10);
-        let w_23 = w_5 * cos_q4 * S::from_f64(5.0) + w_11;
-        let w_24 = sin_q4 * (w_13 + w_5 * cos_q5 * S::from_f64(5.0));
-        let w_25 = self.k_10 * (w_23 * w_23 + w_24 * w_24);
-        let w_26 = sin_q4 * w_4 * cos_q6 + w_10 * sin_q6;
-        let w_27 = cos_q6 * w_10 - sin_q4 * w_4 * sin_q6;
-        let w_28 = S::from_f64(0.0015) * (w_26 * w_26 + w_27 * w_27);
+        let w = cos_q2 * sin_q3;
+        let w_2 = sin_q2 * cos_q3;
+        let w_3 = q1_dot * q2_dot * (w + w_2);
+        let w_4 = w_2 + w;
+        let w_5 = w_4 * q1_dot;
+        let w_6 = w_3 + q3_dot * w_5;
+        let w_7 = sin_q4 * w_6;
+        let w_8 = cos_q2 * cos_q3;
+        let w_9 = sin_q2 * sin_q3;
+        let w_10 = w_8 - w_9;
+        let w_11 = w_10 * q1_dot;
+        let w_12 = q2_dot + q3_dot;
+        let w_13 = cos_q4 * w_11 - sin_q4 * w_12;
+        let w_14 = q4_dot * w_13;
+        let w_15 = q4_dot - w_5;
+        let w_16 = sin_q5 * w_15 + cos_q5 * w_13;
+        let w_17 = cos_q4 * w_12;
+        let w_18 = sin_q4 * w_11;
+        let w_19 = q5_dot + w_17 + w_18;
+        let w_20 = cos_q6 * w_16 - sin_q6 * w_19;
+        let w_21 = w_14 - w_7;
+        let w_22 = cos_q5 * w_15;
+        let w_23 = sin_q5 * w_13;
+        let w_24 = w_22 - w_23;
+        let w_25 = q1_dot * w_10 * q2_dot;
+        let w_26 = w_25 + q3_dot * w_11;
+        let w_27 = sin_q5 * w_26;
+        let w_28 = w_17 + w_18;
+        let w_29 = cos_q4 * w_6;
+        let w_30 = q4_dot * w_28 + w_29;
+        let w_31 = cos_q5 * w_30;
+        let w_32 = q5_dot * w_24 - w_27 - w_31;
+        let w_33 = q6_dot + w_22 - w_23;
+        let w_34 = S::from_f64(3.0) * (q6_dot * w_20 + cos_q6 * w_21 + sin_q6 * w_32)
+            + w_20 * w_33;
+        let w_35 = cos_q6 * w_19 + sin_q6 * w_16;
+        let w_36 = S::from_f64(3.0) * (q6_dot * w_35 - cos_q6 * w_32 + sin_q6 * w_21)
+            + w_33 * w_35;
+        let w_37 = q1_dot * q2_dot;
+        let w_38 = q3_dot + w_12;
+        let w_39 = w_5 * w_38 + w_3;
+        let w_40 = cos_q2 * w_37 * self.k_33 - self.d4 * w_39;
+        let w_41 = cos_q4 * w_40;
         let sin_q2_squared = sin_q2 * sin_q2;
-        let w_29 = self.k + sin_q2 * self.k_2;
-        let w_30 = w_9 * S::from_f64(3.0) + self.k_3 + sin_q2 * self.k_4
-            + w_4 * self.k_5;
-        let mass_q1_q1 = w_6 + self.m6 * (w_15 * w_15 + w_16 * w_16) + w_20 + w_22 + w_25
-            + w_28 + self.k_12 + S::from_f64(0.65) * sin_q2_squared
-            + w_29 * w_29 * self.k_7 + S::from_f64(0.1) * w_9 * w_9
-            + S::from_f64(0.3) * w_4_squared + w_30 * w_30 * self.k_8;
+        let q1_dot_squared = q1_dot * q1_dot;
+        let w_42 = self.a2 * (q2_dot * q2_dot + sin_q2_squared * q1_dot_squared)
+            + self.a1 * sin_q2 * q1_dot_squared - cos_q2 * self.g;
+        let w_43 = cos_q3 * w_42;
+        let w_44 = w_11 * w_5;
+        let w_45 = self.a2 * sin_q2;
+        let w_46 = self.a1 + w_45;
+        let w_47 = cos_q2 * q1_dot_squared * w_46 + sin_q2 * self.g;
+        let w_48 = sin_q3 * w_47;
+        let w_49 = w_43 + self.d4 * w_44 + w_48;
+        let w_50 = sin_q4 * w_49;
+        let w_51 = self.d6 * (w_24 * (q5_dot + w_19) - w_27 - w_31);
+        let w_52 = w_41 - w_50 + w_51;
+        let w_53 = w_16 * w_24;
+        let w_54 = self.d6 * (w_14 - w_53 - w_7);
+        let w_12_squared = w_12 * w_12;
+        let w_55 = w_12_squared + w_11 * w_11;
+        let w_56 = sin_q3 * w_42;
+        let w_57 = cos_q3 * w_47;
+        let w_58 = self.d4 * w_55 - w_56 + w_57;
+        let w_59 = sin_q5 * w_58;
+        let w_60 = sin_q4 * w_40 + cos_q4 * w_49;
+        let w_61 = cos_q5 * w_60;
+        let w_62 = w_54 + w_59 + w_61;
+        let w_63 = cos_q6 * w_52 - sin_q6 * w_62;
+        let w_64 = sin_q6 * w_52 + cos_q6 * w_62;
+        let tau5 = self.tau5.or(S::from_f64(0.0));
+        let w_65 = S::from_f64(5.0) * (w_59 + w_61) + w_54;
+        let rhs_q5 = S::from_f64(0.006) * (w_7 - w_14)
+            - S::from_f64(0.0005) * (cos_q6 * w_34 + sin_q6 * w_36)
+            + self.k_25 * (sin_q6 * w_63 - cos_q6 * w_64) + tau5
+            + S::from_f64(0.002) * w_53 - q5_dot * self.k_43 - self.k_26 * w_65;
+        let w_66 = S::from_f64(7.0) * w_32 + w_19 * w_24;
+        let w_67 = w_41 - w_50;
+        let w_68 = S::from_f64(5.0) * w_67 + w_51;
+        let w_69 = sin_q5
+            * (S::from_f64(0.0005) * (cos_q6 * w_36 - sin_q6 * w_34)
+                - self.k_25 * (cos_q6 * w_63 + sin_q6 * w_64) - S::from_f64(0.001) * w_66
+                - self.k_26 * w_68);
+        let w_70 = S::from_f64(0.02) * w_26;
+        let w_71 = q5_dot * w_16 + cos_q5 * w_26 - sin_q5 * w_30;
+        let w_72 = S::from_f64(5.0) * w_71 - w_16 * w_19;
+        let w_73 = S::from_f64(0.002) * w_71;
+        let tau4 = self.tau4.or(S::from_f64(0.0));
+        let rhs_q4 = w_69 + w_70 + cos_q5 * (S::from_f64(0.001) * w_72 + w_73) + tau4
+            - q4_dot * self.k_43;
+        let w_74 = S::from_f64(2.0) * w_15;
+        let w_75 = S::from_f64(3.0) * w_30 - w_74 * w_28;
+        let w_76 = S::from_f64(3.0) * w_21;
+        let w_77 = w_76 - w_13 * w_74;
+        let w_78 = w_76 - w_53;
+        let w_79 = w_10
+            * (S::from_f64(0.02) * (cos_q4 * w_75 - sin_q4 * w_77)
+                + S::from_f64(0.01)
+                    * (S::from_f64(24.0) * w_6 + w_12 * w_5 * S::from_f64(17.0))
+                - sin_q4 * S::from_f64(0.002) * w_78);
+        let w_80 = self.k + sin_q2 * self.k_2;
+        let w_81 = q1_dot
+            * (cos_q2 * q2_dot * (sin_q2 * S::from_f64(1.3) + w_80 * self.k_34)
+                + self.c);
+        let w_82 = self.d6 * (w_19 * w_19 + w_16 * w_16);
+        let w_83 = sin_q5 * w_60;
+        let w_84 = cos_q5 * w_58;
+        let w_85 = w_82 - w_83 + w_84;
+        let w_86 = self.a1 + w_45 + self.d4 * w_10;
+        let w_87 = sin_q4 * sin_q5;
+        let w_88 = w_86 * w_87;
+        let w_89 = cos_q4 * cos_q5;
+        let w_90 = w_10 * w_89 - sin_q5 * w_4;
+        let w_91 = self.d6 * w_90;
+        let w_92 = w_86 * cos_q4 + w_91;
+        let w_93 = w_10 * self.d6;
+        let w_94 = sin_q4 * (w_93 + w_86 * cos_q5);
+        let w_95 = cos_q6 * w_92 - sin_q6 * w_94;
+        let w_96 = w_92 * sin_q6 + cos_q6 * w_94;
+        let w_97 = self.m6 * (w_85 * w_88 - w_95 * w_63 - w_96 * w_64);
+        let w_98 = w_4
+            * (S::from_f64(0.01) * (S::from_f64(8.0) * w_26 + w_11 * w_12) + w_70);
+        let w_99 = sin_q5 * cos_q4;
+        let w_100 = cos_q5 * w_4 + w_10 * w_99;
+        let w_101 = sin_q4 * sin_q6;
+        let w_102 = cos_q6 * w_90 - w_10 * w_101;
+        let w_103 = sin_q4 * cos_q6;
+        let w_104 = w_10 * w_103 + w_90 * sin_q6;
+        let w_105 = w_10 * self.k_6 - w_86 * S::from_f64(10.0);
+        let w_106 = cos_q4 * w_105;
+        let w_107 = q4_dot - w_15;
+        let w_108 = S::from_f64(10.0) * w_67 + self.k_6 * (w_28 * w_107 + w_29);
+        let w_109 = sin_q4 * w_105;
+        let w_110 = self.k_6 * (w_13 * w_107 - w_7) - S::from_f64(10.0) * w_60;
+        let w_111 = self.k_9 * (w_106 * w_108 - w_109 * w_110);
+        let w_112 = w_86 * cos_q4 * S::from_f64(5.0) + w_91;
+        let w_113 = cos_q5 * S::from_f64(5.0);
+        let w_114 = sin_q4 * (w_93 + w_86 * w_113);
+        let w_115 = self.k_10 * (w_112 * w_68 + w_114 * w_65);
+        let tau1 = self.tau1.or(S::from_f64(0.0));
+        let w_116 = w_4 * S::from_f64(3.0) + self.k_3 + sin_q2 * self.k_4
+            + w_10 * self.k_5;
+        let w_117 = w_116 * self.k_8
+            * (S::from_f64(3.0) * (w_11 * w_38 + w_25) + cos_q2 * self.k_32 * w_37
+                - self.k_5 * w_39);
+        let minus_mass_q6_q1 = w_100 * S::from_f64(0.002);
+        let w_118 = S::from_f64(5.0) * (w_84 - w_83) + w_82;
+        let w_119 = w_79 - w_81 + w_97 - w_98
+            - S::from_f64(0.001) * (w_100 * w_72 + w_90 * w_66)
+            + S::from_f64(0.0005) * (w_102 * w_36 - w_104 * w_34) + w_111 - w_115 + tau1
+            - w_117 - minus_mass_q6_q1 * w_71 + w_118 * self.k_35 * w_88;
         let mass_q5_q1 = sin_q4
             * (cos_q5
                 * (sin_q2 * (self.k_29 - sin_q3 * self.k_30) + self.k_28
-                    + cos_q2 * cos_q3 * self.k_30) + w_4 * self.k_31);
+                    + w_8 * self.k_30) + w_10 * self.k_31);
         let l_q1_q5 = mass_q5_q1 * self.inverse_q5;
-        let pivot_q1 = mass_q1_q1 - mass_q5_q1 * l_q1_q5;
-        let inverse_q1 = S::from_f64(1.0) / pivot_q1;
-        let w_31 = q2_dot + q3_dot;
-        let w_32 = cos_q4 * w_31;
-        let w_33 = w_4 * q1_dot;
-        let w_34 = sin_q4 * w_33;
-        let w_35 = w_32 + w_34;
-        let w_36 = q1_dot * q2_dot * (w_8 + w_7);
-        let w_37 = w_9 * q1_dot;
-        let w_38 = w_36 + q3_dot * w_37;
-        let w_39 = cos_q4 * w_38;
-        let w_40 = q4_dot * w_35 + w_39;
-        let w_41 = q4_dot - w_37;
-        let w_42 = S::from_f64(3.0) * w_40 - S::from_f64(2.0) * w_41 * w_35;
-        let w_43 = cos_q4 * w_33 - sin_q4 * w_31;
-        let w_44 = q4_dot * w_43;
-        let w_45 = sin_q4 * w_38;
-        let w_46 = w_44 - w_45;
-        let w_47 = S::from_f64(3.0) * w_46;
-        let w_48 = w_47 - w_43 * S::from_f64(2.0) * w_41;
-        let w_49 = sin_q5 * w_41 + cos_q5 * w_43;
-        let w_50 = cos_q5 * w_41;
-        let w_51 = sin_q5 * w_43;
-        let w_52 = w_50 - w_51;
-        let w_53 = w_49 * w_52;
-        let w_54 = w_47 - w_53;
-        let w_55 = w_4
-            * (S::from_f64(0.02) * (cos_q4 * w_42 - sin_q4 * w_48)
-                + S::from_f64(0.01)
-                    * (S::from_f64(24.0) * w_38 + w_31 * w_37 * S::from_f64(17.0))
-                - sin_q4 * S::from_f64(0.002) * w_54);
-        let w_56 = q1_dot
-            * (cos_q2 * q2_dot * (sin_q2 * S::from_f64(1.3) + w_29 * self.k_34)
-                + self.c);
-        let w_57 = q5_dot + w_32 + w_34;
-        let w_58 = self.d6 * (w_57 * w_57 + w_49 * w_49);
-        let w_59 = q3_dot + w_31;
-        let w_60 = w_37 * w_59 + w_36;
-        let w_61 = cos_q2 * q1_dot * q2_dot * self.k_33 - self.d4 * w_60;
-        let q1_dot_squared = q1_dot * q1_dot;
-        let w_62 = self.a2 * (q2_dot * q2_dot + sin_q2_squared * q1_dot_squared)
-            + self.a1 * sin_q2 * q1_dot_squared - cos_q2 * self.g;
-        let w_63 = cos_q3 * w_62;
-        let w_64 = self.a1 + w;
-        let w_65 = cos_q2 * q1_dot_squared * w_64 + sin_q2 * self.g;
-        let w_66 = sin_q3 * w_65;
-        let w_67 = w_63 + self.d4 * w_33 * w_37 + w_66;
-        let w_68 = sin_q4 * w_61 + cos_q4 * w_67;
-        let w_69 = sin_q5 * w_68;
-        let w_31_squared = w_31 * w_31;
-        let w_70 = w_31_squared + w_33 * w_33;
-        let w_71 = sin_q3 * w_62;
-        let w_72 = cos_q3 * w_65;
-        let w_73 = self.d4 * w_70 - w_71 + w_72;
-        let w_74 = cos_q5 * w_73;
-        let w_75 = w_58 - w_69 + w_74;
-        let w_76 = cos_q4 * w_61;
-        let w_77 = sin_q4 * w_67;
-        let w_78 = q1_dot * w_4 * q2_dot;
-        let w_79 = w_78 + q3_dot * w_33;
-        let w_80 = sin_q5 * w_79;
-        let w_81 = cos_q5 * w_40;
-        let w_82 = self.d6 * (w_52 * (q5_dot + w_57) - w_80 - w_81);
-        let w_83 = w_76 - w_77 + w_82;
-        let w_84 = self.d6 * (w_44 - w_53 - w_45);
-        let w_85 = sin_q5 * w_73;
-        let w_86 = cos_q5 * w_68;
-        let w_87 = w_84 + w_85 + w_86;
-        let w_88 = cos_q6 * w_83 - sin_q6 * w_87;
-        let w_89 = sin_q6 * w_83 + cos_q6 * w_87;
-        let w_90 = self.m6 * (sin_q4 * sin_q5 * w_5 * w_75 - w_15 * w_88 - w_16 * w_89);
-        let w_91 = S::from_f64(0.02) * w_79;
-        let w_92 = w_9
-            * (S::from_f64(0.01) * (S::from_f64(8.0) * w_79 + w_33 * w_31) + w_91);
-        let w_93 = q5_dot * w_49 + cos_q5 * w_79 - sin_q5 * w_40;
-        let w_94 = S::from_f64(5.0) * w_93 - w_49 * w_57;
-        let w_95 = q5_dot * w_52 - w_80 - w_81;
-        let w_96 = S::from_f64(7.0) * w_95 + w_57 * w_52;
-        let w_97 = cos_q6 * w_57 + sin_q6 * w_49;
-        let w_98 = q6_dot + w_50 - w_51;
-        let w_99 = S::from_f64(3.0) * (q6_dot * w_97 - cos_q6 * w_95 + sin_q6 * w_46)
-            + w_98 * w_97;
-        let w_100 = cos_q6 * w_49 - sin_q6 * w_57;
-        let w_101 = S::from_f64(3.0) * (q6_dot * w_100 + cos_q6 * w_46 + sin_q6 * w_95)
-            + w_100 * w_98;
-        let w_102 = w_76 - w_77;
-        let w_103 = q4_dot - w_41;
-        let w_104 = S::from_f64(10.0) * w_102 + self.k_6 * (w_35 * w_103 + w_39);
-        let w_105 = self.k_6 * (w_43 * w_103 - w_45) - S::from_f64(10.0) * w_68;
-        let w_106 = S::from_f64(5.0) * w_102 + w_82;
-        let w_107 = S::from_f64(5.0) * (w_85 + w_86) + w_84;
-        let w_108 = self.k_10 * (w_23 * w_106 + w_24 * w_107);
-        let tau1 = self.tau1.or(S::from_f64(0.0));
-        let w_109 = w_30 * self.k_8
-            * (S::from_f64(3.0) * (w_33 * w_59 + w_78)
-                + cos_q2 * q1_dot * q2_dot * self.k_32 - self.k_5 * w_60);
-        let w_110 = S::from_f64(5.0) * (w_74 - w_69) + w_58;
-        let w_111 = sin_q4 * sin_q5 * w_5 * w_110 * self.k_35;
-        let w_112 = w_55 - w_56 + w_90 - w_92
-            - S::from_f64(0.001) * (w_21 * w_94 + w_10 * w_96)
-            + S::from_f64(0.0005) * (w_27 * w_99 - w_26 * w_101)
-            + self.k_9 * (w_18 * w_104 - w_19 * w_105) - w_108 + tau1 - w_109
-            - w_21 * S::from_f64(0.002) * w_93 + w_111;
-        let tau5 = self.tau5.or(S::from_f64(0.0));
-        let rhs_q5 = S::from_f64(0.006) * (w_45 - w_44)
-            - S::from_f64(0.0005) * (cos_q6 * w_101 + sin_q6 * w_99)
-            + self.k_25 * (sin_q6 * w_88 - cos_q6 * w_89) + tau5
-            + S::from_f64(0.002) * w_49 * w_52 - q5_dot * self.k_43 - self.k_26 * w_107;
-        let rhs_q1 = w_112 - rhs_q5 * l_q1_q5;
-        let w_113 = self.d4 - self.a2 * sin_q3;
-        let w_114 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_113;
-        let w_115 = sin_q4
-            * (sin_q5 * (w_5 * self.k_11 * w_114 - S::from_f64(0.007) * w_21)
-                + w_4 * cos_q4 * S::from_f64(0.006)
-                - cos_q5 * w_10 * S::from_f64(0.007));
-        let w_116 = self.k_6 - S::from_f64(10.0) * w_113;
-        let w_117 = cos_q4 * w_116;
-        let w_118 = sin_q4 * w_116;
-        let w_119 = self.d6 * cos_q5;
-        let w_120 = sin_q4 * (S::from_f64(5.0) * w_113 + w_119);
-        let w_121 = sin_q5 * cos_q3 * self.k_13
-            - cos_q4 * (self.d6 + cos_q5 * S::from_f64(5.0) * w_113);
-        let w_122 = cos_q6 * cos_q4 - sin_q4 * cos_q5 * sin_q6;
-        let w_123 = sin_q4 * cos_q6 * cos_q5 + cos_q4 * sin_q6;
-        let w_124 = S::from_f64(0.0015) * (w_26 * w_122 - w_27 * w_123);
-        let w_125 = sin_q4 * (w_113 + w_119);
-        let w_126 = sin_q5 * self.a2 * cos_q3 - cos_q4 * (self.d6 + cos_q5 * w_113);
-        let w_127 = cos_q6 * w_125 - sin_q6 * w_126;
-        let w_128 = sin_q6 * w_125 + cos_q6 * w_126;
-        let mass_q2_q1 = w_115 + self.k_9 * (w_19 * w_117 - w_18 * w_118)
-            - self.k_10 * (w_23 * w_120 + w_24 * w_121) + w_124
-            - self.m6 * (w_15 * w_127 + w_16 * w_128);
-        let w_129 = sin_q3 * self.k_29;
-        let mass_q5_q2 = cos_q4 * (cos_q5 * (self.k_30 - w_129) + self.k_31)
-            - sin_q5 * cos_q3 * self.k_29;
-        let l_q2_q5 = mass_q5_q2 * self.inverse_q5;
-        let k_q2_q1 = mass_q2_q1 - mass_q5_q1 * l_q2_q5;
-        let l_q2_q1 = inverse_q1 * k_q2_q1;
-        let w_130 = self.k_9 * (w_118 * w_118 + w_117 * w_117);
-        let w_131 = self.k_10 * (w_120 * w_120 + w_121 * w_121);
-        let w_132 = S::from_f64(0.0015) * (w_122 * w_122 + w_123 * w_123);
-        let w_133 = cos_q3 * self.k_4 + S::from_f64(3.0);
-        let w_134 = self.d4 - sin_q3 * self.k_13;
-        let w_135 = sin_q4_squared * S::from_f64(0.001);
-        let mass_q2_q2 = self.m6 * (w_127 * w_127 + w_128 * w_128) + w_130 + w_131
-            + w_132 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_114 * w_114 + self.k_16
-            + self.k_8 * w_133 * w_133 + w_134 * w_134 * self.k_15 + w_135;
-        let pivot_q2 = mass_q2_q2 - mass_q5_q2 * l_q2_q5 - k_q2_q1 * l_q2_q1;
-        let inverse_q2 = S::from_f64(1.0) / pivot_q2;
-        let w_136 = S::from_f64(0.001) * (sin_q5 * w_94 + cos_q5 * w_96);
-        let w_137 = S::from_f64(0.02) * w_42;
-        let w_138 = sin_q5 * S::from_f64(0.002) * w_93;
-        let w_139 = self.m6 * (w_114 * w_75 + w_127 * w_88 + w_128 * w_89);
-        let w_140 = S::from_f64(0.02) * w_48;
-        let w_141 = S::from_f64(0.002) * w_54;
-        let w_142 = S::from_f64(0.0005) * (w_122 * w_101 + w_123 * w_99);
-        let w_143 = self.k_9 * (w_118 * w_104 + w_117 * w_105);
-        let w_144 = self.k_10 * (w_120 * w_106 + w_121 * w_107);
+        let w_120 = cos_q5 * self.k_27;
+        let w_121 = w_120 + self.k_30;
+        let sin_q5_squared = sin_q5 * sin_q5;
+        let mass_q4_q1 = sin_q5 * cos_q4
+            * (sin_q2 * (self.k_29 - sin_q3 * w_121) + cos_q2 * cos_q3 * w_121
+                + self.k_28) - w_4 * S::from_f64(0.027)
+            - self.k_27 * sin_q5_squared * w_4;
+        let mass_q4_q4 = sin_q5_squared * self.k_27 + S::from_f64(0.027);
+        let inverse_q4 = S::from_f64(1.0) / mass_q4_q4;
+        let l_q1_q4 = mass_q4_q1 * inverse_q4;
+        let rhs_q1 = w_119 - rhs_q5 * l_q1_q5 - rhs_q4 * l_q1_q4;
+        let w_122 = S::from_f64(0.001) * (sin_q5 * w_72 + cos_q5 * w_66);
+        let w_123 = S::from_f64(0.02) * w_75;
+        let w_124 = sin_q5 * S::from_f64(0.002) * w_71;
+        let w_125 = cos_q3 * cos_q5;
+        let w_126 = self.d4 - self.a2 * sin_q3;
+        let w_127 = self.a2 * w_125 + w_99 * w_126;
+        let w_128 = self.d6 * cos_q5;
+        let w_129 = sin_q4 * (w_126 + w_128);
+        let w_130 = sin_q5 * cos_q3;
+        let w_131 = self.a2 * w_130 - cos_q4 * (self.d6 + cos_q5 * w_126);
+        let w_132 = cos_q6 * w_129 - sin_q6 * w_131;
+        let w_133 = sin_q6 * w_129 + cos_q6 * w_131;
+        let w_134 = self.m6 * (w_127 * w_85 + w_132 * w_63 + w_133 * w_64);
+        let w_135 = S::from_f64(0.02) * w_77;
+        let w_136 = S::from_f64(0.002) * w_78;
+        let w_137 = cos_q6 * cos_q4 - cos_q5 * w_101;
+        let w_138 = cos_q5 * w_103 + cos_q4 * sin_q6;
+        let w_139 = S::from_f64(0.0005) * (w_137 * w_34 + w_138 * w_36);
+        let w_140 = self.k_6 - S::from_f64(10.0) * w_126;
+        let w_141 = sin_q4 * w_140;
+        let w_142 = cos_q4 * w_140;
+        let w_143 = self.k_9 * (w_141 * w_108 + w_142 * w_110);
+        let w_144 = sin_q4 * (S::from_f64(5.0) * w_126 + w_128);
+        let w_145 = self.k_13 * w_130 - cos_q4 * (self.d6 + w_113 * w_126);
+        let w_146 = self.k_10 * (w_144 * w_68 + w_145 * w_65);
         let tau2 = self.tau2.or(-S::from_f64(60.0));
-        let w_145 = S::from_f64(0.16) * w_33 * w_37;
-        let w_146 = self.c * q2_dot;
-        let w_147 = (cos_q2 * w_29 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
-        let w_148 = w_72 - w_71;
-        let w_149 = S::from_f64(100.0) * w_148 + S::from_f64(3.0) * w_33 * w_37
-            + self.k_5 * w_70;
-        let w_150 = S::from_f64(3.0) * (w_31_squared + w_37 * w_37)
-            + S::from_f64(100.0) * (w_63 + w_66) + self.k_5 * w_33 * w_37;
-        let w_151 = cos_q3
-            * (S::from_f64(10.0) * w_148 + w_70 * self.k_37
-                - self.k_6 * (w_35 * w_35 + w_43 * w_43)) * self.k_40;
-        let w_152 = sin_q4 * (w_136 - w_137 + w_138) + w_139 - cos_q4 * (w_140 + w_141)
-            - w_142 - w_143 + w_144 + tau2
-            + sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared - w_145 - w_146
-            + w_147 + self.k_8 * w_133 * w_149 - w_134 * w_150 * self.k_39 + w_151
-            + w_114 * w_110 * self.k_35;
-        let rhs_q2 = w_152 - rhs_q5 * l_q2_q5 - l_q2_q1 * rhs_q1;
-        let w_153 = cos_q4 * (sin_q5 * w_114 * self.k_20 - w_117 * self.k_19);
-        let w_154 = sin_q4 * (self.d4 + w_119);
-        let w_155 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_156 = cos_q6 * w_154 + sin_q6 * w_155;
-        let w_157 = sin_q6 * w_154 - cos_q6 * w_155;
-        let w_158 = sin_q4 * (self.k_17 + w_119);
-        let w_159 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
-        let mass_q3_q2 = w_153 + self.m6 * (w_127 * w_156 + w_128 * w_157) + w_132
-            + self.k_10 * (w_120 * w_158 - w_121 * w_159) + w_135 + w_133 * self.k_21
-            + w_134 * self.k_22 - sin_q4 * w_118 * self.k_19 + S::from_f64(0.316);
+        let w_147 = S::from_f64(0.16) * w_44;
+        let w_148 = self.c * q2_dot;
+        let w_149 = (cos_q2 * w_80 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
+        let w_150 = cos_q3 * self.k_4 + S::from_f64(3.0);
+        let w_151 = w_57 - w_56;
+        let w_152 = S::from_f64(100.0) * w_151 + S::from_f64(3.0) * w_44
+            + self.k_5 * w_55;
+        let w_153 = self.d4 - sin_q3 * self.k_13;
+        let w_154 = S::from_f64(3.0) * (w_12_squared + w_5 * w_5)
+            + S::from_f64(100.0) * (w_43 + w_48) + self.k_5 * w_44;
+        let w_155 = cos_q3
+            * (S::from_f64(10.0) * w_151 + w_55 * self.k_37
+                - self.k_6 * (w_28 * w_28 + w_13 * w_13)) * self.k_40;
+        let w_156 = sin_q4 * (w_122 - w_123 + w_124) + w_134 - cos_q4 * (w_135 + w_136)
+            - w_139 - w_143 + w_146 + tau2
+            + sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared - w_147 - w_148
+            + w_149 + self.k_8 * w_150 * w_152 - w_153 * w_154 * self.k_39 + w_155
+            + w_127 * w_118 * self.k_35;
+        let w_157 = sin_q3 * self.k_29;
+        let mass_q5_q2 = cos_q4 * (cos_q5 * (self.k_30 - w_157) + self.k_31)
+            - w_130 * self.k_29;
+        let l_q2_q5 = mass_q5_q2 * self.inverse_q5;
+        let mass_q4_q2 = sin_q4 * sin_q5 * (w_157 - w_120 - self.k_30);
+        let l_q2_q4 = mass_q4_q2 * inverse_q4;
+        let sin_q4_squared = sin_q4 * sin_q4;
+        let w_10_squared = w_10 * w_10;
+        let w_158 = sin_q4_squared
+            * (sin_q5_squared * w_86 * w_86 * self.k_11
+                + w_10_squared * S::from_f64(0.006));
+        let w_159 = self.k_9 * (w_106 * w_106 + w_109 * w_109);
+        let w_160 = S::from_f64(0.007) * (w_100 * w_100 + w_90 * w_90);
+        let w_161 = self.k_10 * (w_112 * w_112 + w_114 * w_114);
+        let w_162 = S::from_f64(0.0015) * (w_104 * w_104 + w_102 * w_102);
+        let mass_q1_q1 = w_158 + self.m6 * (w_95 * w_95 + w_96 * w_96) + w_159 + w_160
+            + w_161 + w_162 + self.k_12 + S::from_f64(0.65) * sin_q2_squared
+            + w_80 * w_80 * self.k_7 + S::from_f64(0.1) * w_4 * w_4
+            + S::from_f64(0.3) * w_10_squared + w_116 * w_116 * self.k_8;
+        let pivot_q1 = mass_q1_q1 - mass_q5_q1 * l_q1_q5 - mass_q4_q1 * l_q1_q4;
+        let inverse_q1 = S::from_f64(1.0) / pivot_q1;
+        let w_163 = sin_q4
+            * (sin_q5 * (w_86 * self.k_11 * w_127 - S::from_f64(0.007) * w_100)
+                + w_10 * cos_q4 * S::from_f64(0.006)
+                - cos_q5 * w_90 * S::from_f64(0.007));
+        let w_164 = S::from_f64(0.0015) * (w_104 * w_137 - w_102 * w_138);
+        let mass_q2_q1 = w_163 + self.k_9 * (w_109 * w_142 - w_106 * w_141)
+            - self.k_10 * (w_112 * w_144 + w_114 * w_145) + w_164
+            - self.m6 * (w_95 * w_132 + w_96 * w_133);
+        let k_q2_q1 = mass_q2_q1 - mass_q5_q1 * l_q2_q5 - mass_q4_q1 * l_q2_q4;
+        let l_q2_q1 = inverse_q1 * k_q2_q1;
+        let rhs_q2 = w_156 - rhs_q5 * l_q2_q5 - rhs_q4 * l_q2_q4 - l_q2_q1 * rhs_q1;
+        let w_165 = cos_q4
+            * (sin_q5 * (self.k_18 * w_85 + w_118 * self.k_42) - w_135 - w_136
+                + self.k_19 * w_110);
+        let w_166 = sin_q4 * (w_122 - w_123 + w_124 + self.k_19 * w_108);
+        let w_167 = sin_q4 * (self.d4 + w_128);
+        let w_168 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_169 = cos_q6 * w_167 + sin_q6 * w_168;
+        let w_170 = sin_q6 * w_167 - cos_q6 * w_168;
+        let w_171 = sin_q4 * (self.k_17 + w_128);
+        let w_172 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
+        let tau3 = self.tau3.or(-S::from_f64(20.0));
+        let w_173 = self.c * q3_dot;
+        let w_174 = w_165 + w_166 - w_139 + self.m6 * (w_169 * w_63 + w_170 * w_64)
+            + self.k_10 * (w_171 * w_68 - w_172 * w_65) + tau3 - w_147 - w_173
+            + self.k_21 * w_152 - w_154 * self.k_41;
         let mass_q5_q3 = cos_q4 * (self.k_31 + cos_q5 * self.k_30);
         let l_q3_q5 = mass_q5_q3 * self.inverse_q5;
-        let w_160 = sin_q4
-            * (cos_q4 * (sin_q5_squared * w_5 * self.k_20 + w_4 * S::from_f64(0.006))
-                - S::from_f64(0.007) * (sin_q5 * w_21 + cos_q5 * w_10)
-                + w_18 * self.k_19);
-        let mass_q3_q1 = w_160 + w_124 + self.k_10 * (w_24 * w_159 - w_23 * w_158)
-            - self.m6 * (w_15 * w_156 + w_16 * w_157) - cos_q4 * w_19 * self.k_19;
-        let k_q3_q1 = mass_q3_q1 - mass_q5_q1 * l_q3_q5;
+        let minus_mass_q4_q3 = sin_q4 * sin_q5 * w_121;
+        let minus_l_q3_q4 = minus_mass_q4_q3 * inverse_q4;
+        let w_175 = sin_q4
+            * (cos_q4 * (sin_q5_squared * w_86 * self.k_20 + w_10 * S::from_f64(0.006))
+                - S::from_f64(0.007) * (sin_q5 * w_100 + cos_q5 * w_90)
+                + w_106 * self.k_19);
+        let mass_q3_q1 = w_175 + w_164 + self.k_10 * (w_114 * w_172 - w_112 * w_171)
+            - self.m6 * (w_95 * w_169 + w_96 * w_170) - cos_q4 * w_109 * self.k_19;
+        let k_q3_q1 = mass_q3_q1 - mass_q5_q1 * l_q3_q5 + mass_q4_q1 * minus_l_q3_q4;
         let l_q3_q1 = inverse_q1 * k_q3_q1;
-        let k_q3_q2 = mass_q3_q2 - mass_q5_q2 * l_q3_q5 - k_q2_q1 * l_q3_q1;
+        let w_176 = self.k_9 * (w_141 * w_141 + w_142 * w_142);
+        let w_177 = self.k_10 * (w_144 * w_144 + w_145 * w_145);
+        let w_178 = S::from_f64(0.0015) * (w_137 * w_137 + w_138 * w_138);
+        let w_179 = sin_q4_squared * S::from_f64(0.001);
+        let mass_q2_q2 = self.m6 * (w_132 * w_132 + w_133 * w_133) + w_176 + w_177
+            + w_178 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_127 * w_127 + self.k_16
+            + self.k_8 * w_150 * w_150 + w_153 * w_153 * self.k_15 + w_179;
+        let pivot_q2 = mass_q2_q2 - mass_q5_q2 * l_q2_q5 - mass_q4_q2 * l_q2_q4
+            - k_q2_q1 * l_q2_q1;
+        let inverse_q2 = S::from_f64(1.0) / pivot_q2;
+        let w_180 = cos_q4 * (sin_q5 * w_127 * self.k_20 - w_142 * self.k_19);
+        let mass_q3_q2 = w_180 + self.m6 * (w_132 * w_169 + w_133 * w_170) + w_178
+            + self.k_10 * (w_144 * w_171 - w_145 * w_172) + w_179 + w_150 * self.k_21
+            + w_153 * self.k_22 - sin_q4 * w_141 * self.k_19 + S::from_f64(0.316);
+        let k_q3_q2 = mass_q3_q2 - mass_q5_q2 * l_q3_q5 + mass_q4_q2 * minus_l_q3_q4
+            - k_q2_q1 * l_q3_q1;
         let l_q3_q2 = inverse_q2 * k_q3_q2;
-        let mass_q3_q3 = self.m6 * (w_156 * w_156 + w_157 * w_157) + w_132
-            + self.k_10 * (w_158 * w_158 + w_159 * w_159) + self.k_23
-            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24 + w_135;
-        let pivot_q3 = mass_q3_q3 - mass_q5_q3 * l_q3_q5 - k_q3_q1 * l_q3_q1
-            - k_q3_q2 * l_q3_q2;
-        let inverse_q3 = S::from_f64(1.0) / pivot_q3;
-        let w_161 = cos_q4
-            * (sin_q5 * (self.k_18 * w_75 + w_110 * self.k_42) - w_140 - w_141
-                + self.k_19 * w_105);
-        let w_162 = sin_q4 * (w_136 - w_137 + w_138 + self.k_19 * w_104);
-        let tau3 = self.tau3.or(-S::from_f64(20.0));
-        let w_163 = self.c * q3_dot;
-        let w_164 = w_161 + w_162 - w_142 + self.m6 * (w_156 * w_88 + w_157 * w_89)
-            + self.k_10 * (w_158 * w_106 - w_159 * w_107) + tau3 - w_145 - w_163
-            + self.k_21 * w_149 - w_150 * self.k_41;
-        let rhs_q3 = w_164 - rhs_q5 * l_q3_q5 - l_q3_q1 * rhs_q1 - l_q3_q2 * rhs_q2;
-        let w_165 = cos_q5 * self.k_27;
-        let w_166 = w_165 + self.k_30;
-        let mass_q4_q1 = sin_q5 * cos_q4
-            * (sin_q2 * (self.k_29 - sin_q3 * w_166) + cos_q2 * cos_q3 * w_166
-                + self.k_28) - w_9 * S::from_f64(0.027)
-            - self.k_27 * sin_q5_squared * w_9;
-        let l_q4_q1 = mass_q4_q1 * inverse_q1;
-        let k_q4_q2 = sin_q4 * sin_q5 * (w_129 - w_165 - self.k_30) - k_q2_q1 * l_q4_q1;
-        let l_q4_q2 = inverse_q2 * k_q4_q2;
-        let minus_k_q4_q3 = sin_q4 * sin_q5 * w_166 + k_q3_q1 * l_q4_q1
-            + k_q3_q2 * l_q4_q2;
-        let minus_l_q4_q3 = inverse_q3 * minus_k_q4_q3;
-        let mass_q4_q4 = sin_q5_squared * self.k_27 + S::from_f64(0.027);
-        let pivot_q4 = mass_q4_q4 - mass_q4_q1 * l_q4_q1 - k_q4_q2 * l_q4_q2
-            - minus_k_q4_q3 * minus_l_q4_q3;
-        let inverse_q4 = S::from_f64(1.0) / pivot_q4;
-        let w_167 = sin_q5
-            * (S::from_f64(0.0005) * (cos_q6 * w_99 - sin_q6 * w_101)
-                - self.k_25 * (cos_q6 * w_88 + sin_q6 * w_89) - S::from_f64(0.001) * w_96
-                - self.k_26 * w_106);
-        let w_168 = S::from_f64(0.002) * w_93;
-        let tau4 = self.tau4.or(S::from_f64(0.0));
-        let rhs_q4 = w_167 + w_91 + cos_q5 * (S::from_f64(0.001) * w_94 + w_168) + tau4
-            - q4_dot * self.k_43 - l_q4_q1 * rhs_q1 - l_q4_q2 * rhs_q2
-            + minus_l_q4_q3 * rhs_q3;
-        let minus_mass_q6_q1 = w_21 * S::from_f64(0.002);
-        let minus_l_q6_q1 = minus_mass_q6_q1 * inverse_q1;
-        let mass_q6_q2 = sin_q4 * sin_q5 * S::from_f64(0.002);
-        let k_q6_q2 = mass_q6_q2 + k_q2_q1 * minus_l_q6_q1;
-        let l_q6_q2 = inverse_q2 * k_q6_q2;
-        let k_q6_q3 = mass_q6_q2 + k_q3_q1 * minus_l_q6_q1 - k_q3_q2 * l_q6_q2;
-        let l_q6_q3 = inverse_q3 * k_q6_q3;
-        let k_q6_q4 = cos_q5 * S::from_f64(0.002) + mass_q4_q1 * minus_l_q6_q1
-            - k_q4_q2 * l_q6_q2 + minus_k_q4_q3 * l_q6_q3;
-        let l_q6_q4 = inverse_q4 * k_q6_q4;
-        let pivot_q6 = S::from_f64(0.002) - minus_mass_q6_q1 * minus_l_q6_q1
-            - k_q6_q2 * l_q6_q2 - k_q6_q3 * l_q6_q3 - k_q6_q4 * l_q6_q4;
+        let rhs_q3 = w_174 - rhs_q5 * l_q3_q5 + rhs_q4 * minus_l_q3_q4 - l_q3_q1 * rhs_q1
+            - l_q3_q2 * rhs_q2;
         let tau6 = self.tau6.or(S::from_f64(0.0));
+        let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
+        let l_q6_q4 = mass_q6_q4 * inverse_q4;
+        let minus_k_q6_q1 = minus_mass_q6_q1 + mass_q4_q1 * l_q6_q4;
+        let minus_l_q6_q1 = inverse_q1 * minus_k_q6_q1;
+        let mass_q6_q2 = S::from_f64(0.002) * w_87;
+        let k_q6_q2 = mass_q6_q2 - mass_q4_q2 * l_q6_q4 + k_q2_q1 * minus_l_q6_q1;
+        let l_q6_q2 = inverse_q2 * k_q6_q2;
+        let mass_q3_q3 = self.m6 * (w_169 * w_169 + w_170 * w_170) + w_178
+            + self.k_10 * (w_171 * w_171 + w_172 * w_172) + self.k_23
+            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24 + w_179;
+        let pivot_q3 = mass_q3_q3 - mass_q5_q3 * l_q3_q5
+            - minus_mass_q4_q3 * minus_l_q3_q4 - k_q3_q1 * l_q3_q1 - k_q3_q2 * l_q3_q2;
+        let inverse_q3 = S::from_f64(1.0) / pivot_q3;
+        let k_q6_q3 = mass_q6_q2 + minus_mass_q4_q3 * l_q6_q4 + k_q3_q1 * minus_l_q6_q1
+            - k_q3_q2 * l_q6_q2;
+        let l_q6_q3 = inverse_q3 * k_q6_q3;
+        let pivot_q6 = S::from_f64(0.002) - mass_q6_q4 * l_q6_q4
+            - minus_k_q6_q1 * minus_l_q6_q1 - k_q6_q2 * l_q6_q2 - k_q6_q3 * l_q6_q3;
         let q6_ddot = S::from_f64(1.0) / pivot_q6
-            * (w_168 + tau6 - q6_dot * self.k_43 + minus_l_q6_q1 * rhs_q1
-                - l_q6_q2 * rhs_q2 - l_q6_q3 * rhs_q3 - l_q6_q4 * rhs_q4);
-        let q4_ddot = inverse_q4 * rhs_q4 - l_q6_q4 * q6_ddot;
-        let q3_ddot = inverse_q3 * rhs_q3 + minus_l_q4_q3 * q4_ddot - l_q6_q3 * q6_ddot;
-        let q2_ddot = inverse_q2 * rhs_q2 - l_q3_q2 * q3_ddot - l_q4_q2 * q4_ddot
-            - l_q6_q2 * q6_ddot;
+            * (w_73 + tau6 - q6_dot * self.k_43 - rhs_q4 * l_q6_q4
+                + minus_l_q6_q1 * rhs_q1 - l_q6_q2 * rhs_q2 - l_q6_q3 * rhs_q3);
+        let q3_ddot = inverse_q3 * rhs_q3 - l_q6_q3 * q6_ddot;
+        let q2_ddot = inverse_q2 * rhs_q2 - l_q3_q2 * q3_ddot - l_q6_q2 * q6_ddot;
         let q1_ddot = inverse_q1 * rhs_q1 - l_q2_q1 * q2_ddot - l_q3_q1 * q3_ddot
-            - l_q4_q1 * q4_ddot + minus_l_q6_q1 * q6_ddot;
-        let w_169 = self.g * (w_3 - w_2);
-        let w_170 = q1_dot * w_64 + self.d4 * w_33;
-        let w_171 = self.d4 * w_31;
-        let w_172 = w_171 - self.a2 * sin_q3 * q2_dot;
-        let w_173 = sin_q4 * w_170 + cos_q4 * w_172;
-        let w_174 = sin_q4 * w_172;
-        let w_175 = cos_q4 * w_170;
-        let w_176 = self.k_48
-            * (cos_q4 * (self.k_6 * w_35 - S::from_f64(10.0) * w_173)
-                - sin_q4 * (S::from_f64(10.0) * (w_174 - w_175) + self.k_6 * w_43));
-        let w_177 = self.d6 * w_49;
-        let w_178 = w_169
-            * (w_176 - (w_171 - sin_q3 * self.k_13 * q2_dot) * self.k_47
-                + sin_q4 * self.k_35 * (S::from_f64(5.0) * (w_175 - w_174) + w_177));
-        let w_179 = w_9 * self.g;
-        let w_180 = q2_dot
-            * (cos_q3 * w_179 * self.k_44 + (tau2 - w_146) + sin_q2 * self.k_45);
-        let w_181 = S::from_f64(0.025)
+            + minus_l_q6_q1 * q6_ddot;
+        let w_181 = self.g * (w_9 - w_8);
+        let w_182 = q1_dot * w_46 + self.d4 * w_11;
+        let w_183 = self.d4 * w_12;
+        let w_184 = self.a2 * q2_dot;
+        let w_185 = w_183 - sin_q3 * w_184;
+        let w_186 = sin_q4 * w_182 + cos_q4 * w_185;
+        let w_187 = sin_q4 * w_185;
+        let w_188 = cos_q4 * w_182;
+        let w_189 = self.k_48
+            * (cos_q4 * (self.k_6 * w_28 - S::from_f64(10.0) * w_186)
+                - sin_q4 * (S::from_f64(10.0) * (w_187 - w_188) + self.k_6 * w_13));
+        let w_190 = self.k_13 * q2_dot;
+        let w_191 = self.d6 * w_16;
+        let w_192 = w_181
+            * (w_189 - (w_183 - sin_q3 * w_190) * self.k_47
+                + sin_q4 * self.k_35 * (S::from_f64(5.0) * (w_188 - w_187) + w_191));
+        let w_193 = w_4 * self.g;
+        let w_194 = q2_dot
+            * (cos_q3 * w_193 * self.k_44 + (tau2 - w_148) + sin_q2 * self.k_45);
+        let w_195 = S::from_f64(0.025)
             * (q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
                 + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot)
                 + q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot));
-        let w_182 = w_175 - w_174 + w_177;
-        let w_183 = self.d6 * w_57;
-        let w_184 = w_183 - sin_q5 * self.a2 * cos_q3 * q2_dot + cos_q5 * w_173;
-        let w_185 = sin_q5 * w_179 + cos_q4 * cos_q5 * w_169;
-        let w_186 = (cos_q6 * w_185 - sin_q4 * sin_q6 * w_169)
-            * (sin_q6 * w_182 + cos_q6 * w_184);
-        let w_187 = self.m6
-            * ((cos_q6 * w_182 - sin_q6 * w_184)
-                * (sin_q4 * cos_q6 * w_169 + sin_q6 * w_185) - w_186);
-        let w_188 = self.k_11 * (self.a2 * cos_q3 * cos_q5 * q2_dot + sin_q5 * w_173)
-            * (cos_q5 * w_179 - sin_q5 * cos_q4 * w_169);
-        let w_189 = self.k_35 * w_185
-            * (w_183 - sin_q5 * cos_q3 * self.k_13 * q2_dot
-                + cos_q5 * S::from_f64(5.0) * w_173);
+        let w_196 = w_188 - w_187 + w_191;
+        let w_197 = self.d6 * w_19;
+        let w_198 = w_197 - w_130 * w_184 + cos_q5 * w_186;
+        let w_199 = sin_q5 * w_193 + w_89 * w_181;
+        let w_200 = (cos_q6 * w_196 - sin_q6 * w_198) * (w_103 * w_181 + sin_q6 * w_199)
+            - (cos_q6 * w_199 - w_101 * w_181) * (sin_q6 * w_196 + cos_q6 * w_198);
+        let w_201 = self.k_11 * (w_125 * w_184 + sin_q5 * w_186)
+            * (cos_q5 * w_193 - w_99 * w_181);
+        let w_202 = self.k_35 * w_199 * (w_197 - w_130 * w_190 + w_113 * w_186);
         sim_kernel::Dynamics {
             accelerations: [
                 q1_ddot,
                 q2_ddot,
                 q3_ddot,
-                q4_ddot,
+                rhs_q4 * inverse_q4 - l_q1_q4 * q1_ddot - l_q2_q4 * q2_ddot
+                    + minus_l_q3_q4 * q3_ddot - l_q6_q4 * q6_ddot,
                 rhs_q5 * self.inverse_q5 - l_q1_q5 * q1_ddot - l_q2_q5 * q2_ddot
                     - l_q3_q5 * q3_ddot,
                 q6_ddot,
             ],
             multipliers: [],
-            power: w_178 + w_180 + w_181 + w_187 + w_188
-                + q1_dot * (tau1 - q1_dot * self.c) + q3_dot * (tau3 - w_163)
-                + w_179 * (S::from_f64(3.0) * w_31 + cos_q3 * self.k_4 * q2_dot)
-                    * self.k_46 - w_189,
+            power: w_192 + w_194 + w_195 + self.m6 * w_200 + w_201
+                + q1_dot * (tau1 - q1_dot * self.c) + q3_dot * (tau3 - w_173)
+                + w_193 * (S::from_f64(3.0) * w_12 + cos_q3 * self.k_4 * q2_dot)
+                    * self.k_46 - w_202,
             refused: sim_kernel::pivot_is_refused(self.mass_q5_q5, self.mass_q5_q5)
+                | sim_kernel::pivot_is_refused(mass_q4_q4, mass_q4_q4)
                 | sim_kernel::pivot_is_refused(pivot_q1, mass_q1_q1)
                 | sim_kernel::pivot_is_refused(pivot_q2, mass_q2_q2)
                 | sim_kernel::pivot_is_refused(pivot_q3, mass_q3_q3)
-                | sim_kernel::pivot_is_refused(pivot_q4, mass_q4_q4)
                 | sim_kernel::pivot_is_refused(pivot_q6, S::from_f64(0.002)),
         }
     }
     /// Inverse dynamics `T_q' (M x'' - F)`, 6: the forces along the coordinates that must be added for these accelerations where there are no constraints, joules per unit of each coordinate.
     ///
-    /// Operations: 208 additions, 271 multiplications, 5 sine-cosine pairs.
+    /// Operations: 208 additions, 261 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn inverse_dynamics(
         &self,
@@ -2174,170 +2193,174 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
-        let w = sin_q2 * q1_ddot;
-        let w_2 = cos_q2 * q1_dot * q2_dot * S::from_f64(2.0) + w;
-        let w_3 = (sin_q2 * cos_q3 + cos_q2 * sin_q3) * q1_dot;
-        let w_4 = q2_dot + q3_dot;
-        let w_5 = q3_dot + w_4;
-        let w_6 = cos_q2 * q1_dot * q2_dot + w;
-        let w_7 = sin_q3 * w_6;
-        let w_8 = sin_q2 * q1_dot * q2_dot - cos_q2 * q1_ddot;
-        let w_9 = cos_q3 * w_8;
-        let w_10 = w_3 * w_5 + w_7 + w_9;
-        let w_11 = self.a1 * q1_ddot + self.a2 * w_2 - self.d4 * w_10;
-        let w_12 = cos_q4 * w_11;
-        let w_13 = q4_dot - w_3;
-        let w_14 = cos_q5 * w_13;
-        let w_15 = (cos_q2 * cos_q3 - sin_q2 * sin_q3) * q1_dot;
-        let w_16 = cos_q4 * w_15 - sin_q4 * w_4;
-        let w_17 = sin_q5 * w_16;
-        let w_18 = w_14 - w_17;
-        let w_19 = cos_q4 * w_4;
-        let w_20 = sin_q4 * w_15;
-        let w_21 = q5_dot + w_19 + w_20;
-        let w_22 = q3_dot * w_15;
-        let w_23 = sin_q3 * w_8;
-        let w_24 = cos_q3 * w_6;
-        let w_25 = w_22 - q4_ddot - w_23 + w_24;
-        let w_26 = sin_q5 * w_25;
-        let w_27 = w_19 + w_20;
-        let w_28 = q2_ddot + q3_ddot;
-        let w_29 = sin_q4 * w_28;
-        let w_30 = q3_dot * w_3 + w_7 + w_9;
-        let w_31 = cos_q4 * w_30;
-        let w_32 = q4_dot * w_27 + w_29 + w_31;
-        let w_33 = cos_q5 * w_32;
-        let w_34 = self.d6 * (w_18 * (q5_dot + w_21) - w_26 - w_33);
+        let w = q1_dot * q2_dot;
+        let w_2 = sin_q2 * q1_ddot;
+        let w_3 = cos_q2 * S::from_f64(2.0) * w + w_2;
+        let w_4 = (sin_q2 * cos_q3 + cos_q2 * sin_q3) * q1_dot;
+        let w_5 = q2_dot + q3_dot;
+        let w_6 = q3_dot + w_5;
+        let w_7 = cos_q2 * w + w_2;
+        let w_8 = sin_q3 * w_7;
+        let w_9 = sin_q2 * w - cos_q2 * q1_ddot;
+        let w_10 = cos_q3 * w_9;
+        let w_11 = w_4 * w_6 + w_8 + w_10;
+        let w_12 = self.a1 * q1_ddot + self.a2 * w_3 - self.d4 * w_11;
+        let w_13 = cos_q4 * w_12;
+        let w_14 = q4_dot - w_4;
+        let w_15 = cos_q5 * w_14;
+        let w_16 = (cos_q2 * cos_q3 - sin_q2 * sin_q3) * q1_dot;
+        let w_17 = cos_q4 * w_16 - sin_q4 * w_5;
+        let w_18 = sin_q5 * w_17;
+        let w_19 = w_15 - w_18;
+        let w_20 = cos_q4 * w_5;
+        let w_21 = sin_q4 * w_16;
+        let w_22 = q5_dot + w_20 + w_21;
+        let w_23 = q3_dot * w_16;
+        let w_24 = sin_q3 * w_9;
+        let w_25 = cos_q3 * w_7;
+        let w_26 = w_23 - q4_ddot - w_24 + w_25;
+        let w_27 = sin_q5 * w_26;
+        let w_28 = w_20 + w_21;
+        let w_29 = q2_ddot + q3_ddot;
+        let w_30 = sin_q4 * w_29;
+        let w_31 = q3_dot * w_4 + w_8 + w_10;
+        let w_32 = cos_q4 * w_31;
+        let w_33 = q4_dot * w_28 + w_30 + w_32;
+        let w_34 = cos_q5 * w_33;
+        let w_35 = self.d6 * (w_19 * (q5_dot + w_22) - w_27 - w_34);
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_35 = self.a2 * (q2_dot * q2_dot + sin_q2 * sin_q2 * q1_dot_squared)
-            + self.a1 * sin_q2 * q1_dot_squared - cos_q2 * self.g;
-        let w_36 = cos_q3 * w_35;
-        let w_37 = w_15 * w_3;
-        let w_38 = w_37 + q2_ddot + q3_ddot;
-        let w_39 = sin_q2 * cos_q2 * q1_dot_squared - q2_ddot;
-        let w_40 = self.a1 * cos_q2 * q1_dot_squared + sin_q2 * self.g + self.a2 * w_39;
-        let w_41 = sin_q3 * w_40;
-        let w_42 = w_36 + self.d4 * w_38 + w_41;
-        let w_43 = sin_q4 * w_42;
-        let w_44 = w_12 + w_34 - w_43;
-        let w_45 = q4_dot * w_16;
-        let w_46 = sin_q5 * w_13 + cos_q5 * w_16;
-        let w_47 = cos_q4 * w_28;
-        let w_48 = sin_q4 * w_30;
-        let w_49 = self.d6 * (w_45 - w_46 * w_18 + q5_ddot + w_47 - w_48);
-        let w_4_squared = w_4 * w_4;
-        let w_50 = w_4_squared + w_15 * w_15;
-        let w_51 = sin_q3 * w_35;
-        let w_52 = cos_q3 * w_40;
-        let w_53 = self.d4 * w_50 - w_51 + w_52;
-        let w_54 = sin_q5 * w_53;
-        let w_55 = sin_q4 * w_11 + cos_q4 * w_42;
-        let w_56 = cos_q5 * w_55;
-        let w_57 = w_49 + w_54 + w_56;
-        let w_58 = sin_q6 * w_44 + cos_q6 * w_57;
-        let w_59 = cos_q6 * w_44 - sin_q6 * w_57;
-        let w_60 = sin_q6 * w_58 + cos_q6 * w_59;
-        let w_61 = w_12 - w_43;
-        let w_62 = q4_dot - w_13;
-        let w_63 = S::from_f64(10.0) * w_61 + self.k_6 * (w_27 * w_62 + w_29 + w_31);
-        let w_64 = S::from_f64(5.0) * w_61 + w_34;
-        let w_65 = self.k_51 * w_60 + self.m4 * w_63 + w_64 * self.k_50;
-        let w_66 = cos_q5 * w_53;
-        let w_67 = sin_q5 * w_55;
-        let w_68 = self.d6 * (w_21 * w_21 + w_46 * w_46);
-        let w_69 = self.m5 * (S::from_f64(5.0) * (w_66 - w_67) + w_68)
-            + self.k_49 * (w_68 - w_67 + w_66);
-        let w_70 = cos_q6 * w_58 - sin_q6 * w_59;
-        let w_71 = self.m5 * (S::from_f64(5.0) * (w_54 + w_56) + w_49);
-        let w_72 = self.k_49 * w_70 + w_71;
-        let w_73 = self.k_6 * (w_16 * w_62 + w_47 - w_48) - S::from_f64(10.0) * w_55;
-        let w_74 = S::from_f64(2.0) * (sin_q5 * w_69 - cos_q5 * w_72) + self.m4 * w_73;
-        let w_75 = cos_q4 * w_65 - sin_q4 * w_74;
-        let w_76 = self.k * q1_ddot + self.k_2 * w_2;
-        let w_77 = S::from_f64(3.0) * (w_15 * w_5 - w_23 + w_24) + self.k_3 * q1_ddot
-            + self.k_4 * w_2 - self.k_5 * w_10;
-        let w_78 = self.m3 * w_77;
-        let w_79 = q5_dot * w_18 - w_26 - w_33;
-        let w_80 = cos_q6 * w_21 + sin_q6 * w_46;
-        let w_81 = w_45 + q5_ddot + w_47 - w_48;
-        let w_82 = q6_dot + w_14 - w_17;
-        let w_83 = S::from_f64(3.0) * (q6_dot * w_80 - cos_q6 * w_79 + sin_q6 * w_81)
-            + w_82 * w_80;
-        let w_84 = cos_q6 * w_46 - sin_q6 * w_21;
-        let w_85 = S::from_f64(3.0) * (q6_dot * w_84 + cos_q6 * w_81 + sin_q6 * w_79)
-            + w_84 * w_82;
-        let w_86 = S::from_f64(14.0) * w_79 + S::from_f64(2.0) * w_21 * w_18
-            + (w_60 * self.k_55 + self.m5 * w_64) * self.k_56 - cos_q6 * w_83
-            + sin_q6 * w_85;
-        let w_87 = q5_dot * w_46;
-        let w_88 = cos_q5 * w_25;
-        let w_89 = sin_q5 * w_32;
-        let w_90 = S::from_f64(7.0) * (w_87 + w_88 - w_89) - w_46 * w_21
+        let w_36 = self.a1 * q1_dot_squared;
+        let w_37 = self.a2 * (q2_dot * q2_dot + sin_q2 * sin_q2 * q1_dot_squared)
+            + sin_q2 * w_36 - cos_q2 * self.g;
+        let w_38 = cos_q3 * w_37;
+        let w_39 = w_16 * w_4;
+        let w_40 = w_39 + q2_ddot + q3_ddot;
+        let w_41 = sin_q2 * cos_q2;
+        let w_42 = q1_dot_squared * w_41 - q2_ddot;
+        let w_43 = cos_q2 * w_36 + sin_q2 * self.g + self.a2 * w_42;
+        let w_44 = sin_q3 * w_43;
+        let w_45 = w_38 + self.d4 * w_40 + w_44;
+        let w_46 = sin_q4 * w_45;
+        let w_47 = w_13 + w_35 - w_46;
+        let w_48 = q4_dot * w_17;
+        let w_49 = sin_q5 * w_14 + cos_q5 * w_17;
+        let w_50 = w_49 * w_19;
+        let w_51 = cos_q4 * w_29;
+        let w_52 = sin_q4 * w_31;
+        let w_53 = self.d6 * (w_48 - w_50 + q5_ddot + w_51 - w_52);
+        let w_5_squared = w_5 * w_5;
+        let w_54 = w_5_squared + w_16 * w_16;
+        let w_55 = sin_q3 * w_37;
+        let w_56 = cos_q3 * w_43;
+        let w_57 = self.d4 * w_54 - w_55 + w_56;
+        let w_58 = sin_q5 * w_57;
+        let w_59 = sin_q4 * w_12 + cos_q4 * w_45;
+        let w_60 = cos_q5 * w_59;
+        let w_61 = w_53 + w_58 + w_60;
+        let w_62 = sin_q6 * w_47 + cos_q6 * w_61;
+        let w_63 = cos_q6 * w_47 - sin_q6 * w_61;
+        let w_64 = sin_q6 * w_62 + cos_q6 * w_63;
+        let w_65 = w_13 - w_46;
+        let w_66 = q4_dot - w_14;
+        let w_67 = S::from_f64(10.0) * w_65 + self.k_6 * (w_28 * w_66 + w_30 + w_32);
+        let w_68 = S::from_f64(5.0) * w_65 + w_35;
+        let w_69 = self.k_51 * w_64 + self.m4 * w_67 + w_68 * self.k_50;
+        let w_70 = cos_q5 * w_57;
+        let w_71 = sin_q5 * w_59;
+        let w_72 = self.d6 * (w_22 * w_22 + w_49 * w_49);
+        let w_73 = self.m5 * (S::from_f64(5.0) * (w_70 - w_71) + w_72)
+            + self.k_49 * (w_72 - w_71 + w_70);
+        let w_74 = cos_q6 * w_62 - sin_q6 * w_63;
+        let w_75 = self.m5 * (S::from_f64(5.0) * (w_58 + w_60) + w_53);
+        let w_76 = self.k_49 * w_74 + w_75;
+        let w_77 = self.k_6 * (w_17 * w_66 + w_51 - w_52) - S::from_f64(10.0) * w_59;
+        let w_78 = S::from_f64(2.0) * (sin_q5 * w_73 - cos_q5 * w_76) + self.m4 * w_77;
+        let w_79 = cos_q4 * w_69 - sin_q4 * w_78;
+        let w_80 = self.k * q1_ddot + self.k_2 * w_3;
+        let w_81 = S::from_f64(3.0) * (w_16 * w_6 - w_24 + w_25) + self.k_3 * q1_ddot
+            + self.k_4 * w_3 - self.k_5 * w_11;
+        let w_82 = self.m3 * w_81;
+        let w_83 = w_14 * S::from_f64(80.0);
+        let w_84 = q5_dot * w_19 - w_27 - w_34;
+        let w_85 = cos_q6 * w_22 + sin_q6 * w_49;
+        let w_86 = w_48 + q5_ddot + w_51 - w_52;
+        let w_87 = q6_dot + w_15 - w_18;
+        let w_88 = S::from_f64(3.0) * (q6_dot * w_85 - cos_q6 * w_84 + sin_q6 * w_86)
+            + w_87 * w_85;
+        let w_89 = cos_q6 * w_49 - sin_q6 * w_22;
+        let w_90 = S::from_f64(3.0) * (q6_dot * w_89 + cos_q6 * w_86 + sin_q6 * w_84)
+            + w_89 * w_87;
+        let w_91 = S::from_f64(14.0) * w_84 + S::from_f64(2.0) * w_22 * w_19
+            + (w_64 * self.k_55 + self.m5 * w_68) * self.k_56 - cos_q6 * w_88
+            + sin_q6 * w_90;
+        let w_92 = q5_dot * w_49;
+        let w_93 = cos_q5 * w_26;
+        let w_94 = sin_q5 * w_33;
+        let w_95 = S::from_f64(7.0) * (w_92 + w_93 - w_94) - w_49 * w_22
             - S::from_f64(2.0) * q6_ddot;
-        let w_91 = w_32 * S::from_f64(120.0) - w_13 * w_27 * S::from_f64(80.0)
-            + w_63 * self.k_57 - cos_q5 * w_86 - sin_q5 * S::from_f64(2.0) * w_90;
-        let w_92 = w_70 * self.k_55 + w_71;
-        let w_93 = sin_q6 * w_83;
-        let w_94 = cos_q6 * w_85;
-        let w_95 = S::from_f64(132.0) * (w_45 + w_47 - w_48)
-            - w_16 * w_13 * S::from_f64(80.0) - w_46 * w_18 * S::from_f64(4.0)
-            + q5_ddot * S::from_f64(12.0) + self.k_56 * w_92 + w_93 + w_94
-            + w_73 * self.k_57;
-        let w_96 = w_30 * S::from_f64(480.0) + w_4 * w_3 * S::from_f64(340.0)
-            - (w_75 * S::from_f64(50.0) + w_78) * self.k_58 + cos_q4 * w_91
-            - sin_q4 * w_95;
-        let w_97 = S::from_f64(1000.0) * (w_22 - w_23 + w_24)
-            + S::from_f64(100.0) * w_15 * w_4 - S::from_f64(200.0) * q4_ddot
-            + w_77 * self.k_59 - sin_q5 * S::from_f64(5.0) * w_86
-            + cos_q5 * S::from_f64(10.0) * w_90;
-        let w_98 = S::from_f64(0.05)
-            * (cos_q2 * q1_dot * q2_dot * S::from_f64(29.0)
-                + sin_q2 * q1_ddot * S::from_f64(15.0));
-        let w_99 = sin_q2
-            * ((S::from_f64(40.0) * w_75 + w_76 * self.k_52 + w_77 * self.k_53)
-                * self.k_60 + sin_q3 * S::from_f64(0.0005) * w_96
-                + cos_q3 * S::from_f64(0.0001) * w_97 + w_98);
-        let w_100 = cos_q2
-            * (sin_q3 * S::from_f64(0.0001) * w_97 - cos_q3 * S::from_f64(0.0005) * w_96
+        let w_96 = w_33 * S::from_f64(120.0) - w_28 * w_83 + w_67 * self.k_57
+            - cos_q5 * w_91 - sin_q5 * S::from_f64(2.0) * w_95;
+        let w_97 = w_74 * self.k_55 + w_75;
+        let w_98 = sin_q6 * w_88;
+        let w_99 = cos_q6 * w_90;
+        let w_100 = S::from_f64(132.0) * (w_48 + w_51 - w_52) - w_17 * w_83
+            - w_50 * S::from_f64(4.0) + q5_ddot * S::from_f64(12.0) + self.k_56 * w_97
+            + w_98 + w_99 + w_77 * self.k_57;
+        let w_101 = w_31 * S::from_f64(480.0) + w_5 * w_4 * S::from_f64(340.0)
+            - (w_79 * S::from_f64(50.0) + w_82) * self.k_58 + cos_q4 * w_96
+            - sin_q4 * w_100;
+        let w_102 = S::from_f64(1000.0) * (w_23 - w_24 + w_25)
+            + S::from_f64(100.0) * w_16 * w_5 - S::from_f64(200.0) * q4_ddot
+            + w_81 * self.k_59 - sin_q5 * S::from_f64(5.0) * w_91
+            + cos_q5 * S::from_f64(10.0) * w_95;
+        let w_103 = S::from_f64(0.05)
+            * (cos_q2 * w * S::from_f64(29.0) + sin_q2 * q1_ddot * S::from_f64(15.0));
+        let w_104 = sin_q2
+            * ((S::from_f64(40.0) * w_79 + w_80 * self.k_52 + w_81 * self.k_53)
+                * self.k_60 + sin_q3 * S::from_f64(0.0005) * w_101
+                + cos_q3 * S::from_f64(0.0001) * w_102 + w_103);
+        let w_105 = cos_q2
+            * (sin_q3 * S::from_f64(0.0001) * w_102
+                - cos_q3 * S::from_f64(0.0005) * w_101
                 - S::from_f64(0.05)
-                    * (sin_q2 * S::from_f64(3.0) * q1_dot * q2_dot
+                    * (sin_q2 * S::from_f64(3.0) * w
                         - cos_q2 * S::from_f64(2.0) * q1_ddot));
-        let w_101 = S::from_f64(0.0005) * (sin_q4 * w_91 + cos_q4 * w_95);
-        let w_102 = w_52 - w_51;
-        let w_103 = S::from_f64(3.0) * (w_37 - q2_ddot - q3_ddot)
-            + S::from_f64(100.0) * w_102 + self.k_5 * w_50;
-        let w_104 = (self.m3 * w_103
-            + (S::from_f64(10.0) * w_102 + w_50 * self.k_37
-                - self.k_6 * (w_27 * w_27 + w_16 * w_16)) * self.k_63) * self.k_66;
-        let w_105 = cos_q3 * (self.k_65 * (sin_q5 * w_72 + cos_q5 * w_69) + w_104);
-        let w_106 = S::from_f64(0.16) * w_15 * w_3;
-        let w_107 = self.k_21 * w_103;
-        let w_108 = self.m3
-            * (S::from_f64(3.0) * (w_4_squared + w_3 * w_3)
-                + S::from_f64(100.0) * (w_36 + w_41) + self.k_5 * w_38);
-        let w_109 = cos_q4 * w_74 + sin_q4 * w_65;
-        let w_110 = (w_108 - S::from_f64(50.0) * w_109) * self.k_64;
-        let w_111 = self.k_38
-            * (cos_q2 * self.k * q1_dot_squared + sin_q2 * self.k_36 + self.k_2 * w_39);
+        let w_106 = S::from_f64(0.0005) * (sin_q4 * w_96 + cos_q4 * w_100);
+        let w_107 = w_56 - w_55;
+        let w_108 = S::from_f64(3.0) * (w_39 - q2_ddot - q3_ddot)
+            + S::from_f64(100.0) * w_107 + self.k_5 * w_54;
+        let w_109 = (self.m3 * w_108
+            + (S::from_f64(10.0) * w_107 + w_54 * self.k_37
+                - self.k_6 * (w_28 * w_28 + w_17 * w_17)) * self.k_63) * self.k_66;
+        let w_110 = cos_q3 * (self.k_65 * (sin_q5 * w_76 + cos_q5 * w_73) + w_109);
+        let w_111 = S::from_f64(0.16) * w_39;
+        let w_112 = self.k_21 * w_108;
+        let w_113 = self.m3
+            * (S::from_f64(3.0) * (w_5_squared + w_4 * w_4)
+                + S::from_f64(100.0) * (w_38 + w_44) + self.k_5 * w_40);
+        let w_114 = cos_q4 * w_78 + sin_q4 * w_69;
+        let w_115 = (w_113 - S::from_f64(50.0) * w_114) * self.k_64;
+        let w_116 = self.k_38
+            * (cos_q2 * self.k * q1_dot_squared + sin_q2 * self.k_36 + self.k_2 * w_42);
         [
-            w_99 + w_100 - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
+            w_104 + w_105 - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
                 + q1_ddot * self.k_62
-                + (S::from_f64(10.0) * w_75 + w_76 * self.k_54 + w_78) * self.k_61,
-            w_101 - w_105 - self.tau2.or(-S::from_f64(60.0))
-                - sin_q2 * cos_q2 * S::from_f64(0.65) * q1_dot_squared + w_106
-                + self.c * q2_dot + q2_ddot * S::from_f64(1.05)
-                + q3_ddot * S::from_f64(0.25) - w_107 + w_110
-                - sin_q3 * (w_108 - S::from_f64(10.0) * w_109) * self.k_66 - w_111,
-            w_28 * S::from_f64(0.25) + w_101 - self.tau3.or(-S::from_f64(20.0)) + w_106
-                + self.c * q3_dot - w_107 + w_110,
-            S::from_f64(0.02) * (q4_ddot - w_22 + w_23 - w_24)
+                + (S::from_f64(10.0) * w_79 + w_80 * self.k_54 + w_82) * self.k_61,
+            w_106 - w_110 - self.tau2.or(-S::from_f64(60.0))
+                - S::from_f64(0.65) * q1_dot_squared * w_41 + w_111 + self.c * q2_dot
+                + q2_ddot * S::from_f64(1.05) + q3_ddot * S::from_f64(0.25) - w_112
+                + w_115 - sin_q3 * (w_113 - S::from_f64(10.0) * w_114) * self.k_66
+                - w_116,
+            w_29 * S::from_f64(0.25) + w_106 - self.tau3.or(-S::from_f64(20.0)) + w_111
+                + self.c * q3_dot - w_112 + w_115,
+            S::from_f64(0.02) * (q4_ddot - w_23 + w_24 - w_25)
                 - self.tau4.or(S::from_f64(0.0)) + q4_dot * self.k_43
-                + sin_q5 * S::from_f64(0.0005) * w_86
-                - cos_q5 * S::from_f64(0.001) * w_90,
-            S::from_f64(0.006) * w_81 + S::from_f64(0.0005) * (w_93 + w_94)
-                - self.tau5.or(S::from_f64(0.0)) - S::from_f64(0.002) * w_46 * w_18
-                + q5_dot * self.k_43 + w_92 * self.k_67,
-            S::from_f64(0.002) * (q6_ddot - w_87 - w_88 + w_89)
+                + sin_q5 * S::from_f64(0.0005) * w_91
+                - cos_q5 * S::from_f64(0.001) * w_95,
+            S::from_f64(0.006) * w_86 + S::from_f64(0.0005) * (w_98 + w_99)
+                - self.tau5.or(S::from_f64(0.0)) - S::from_f64(0.002) * w_50
+                + q5_dot * self.k_43 + w_97 * self.k_67,
+            S::from_f64(0.002) * (q6_ddot - w_92 - w_93 + w_94)
                 - self.tau6.or(S::from_f64(0.0)) + q6_dot * self.k_43,
         ]
     }

@@ -239,6 +239,7 @@ pub struct RoverPrepared<S = ::core::primitive::f64> {
     k_3: S,
     k_4: S,
     k_5: S,
+    k_6: S,
     /// In `N*m`.
     pub tau_left: sim_kernel::Input<S>,
     /// In `N*m`.
@@ -248,17 +249,18 @@ pub struct RoverPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Rover<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 4 additions, 14 multiplications, 3 divisions.
+    /// Operations: 5 additions, 13 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> RoverPrepared<S> {
-        let mass_x_x = self.M + S::from_f64(2.0) * self.m;
+        let w = S::from_f64(2.0) * self.m;
+        let mass_x_x = self.M + w;
         let mass_left_left = self.m * S::from_f64(0.5) * self.r * self.r;
-        let mass_psi_psi = self.J + mass_left_left
-            + S::from_f64(2.0) * self.m * self.b * self.b;
+        let mass_psi_psi = self.J + mass_left_left + w * self.b * self.b;
         let inverse_mass_left_left = S::from_f64(1.0) / mass_left_left;
-        let w = self.r * inverse_mass_left_left;
-        let w_2 = self.b * (S::from_f64(1.0) / mass_psi_psi);
-        let w_3 = self.b * w_2;
+        let w_2 = self.r * inverse_mass_left_left;
+        let w_3 = self.b * (S::from_f64(1.0) / mass_psi_psi);
+        let w_4 = self.b * w_3;
+        let w_5 = self.r * w_2;
         RoverPrepared {
             mass_x_x: mass_x_x,
             r: self.r,
@@ -267,24 +269,26 @@ impl<S: sim_kernel::Scalar> Rover<S> {
             mass_psi_psi: mass_psi_psi,
             c: self.c,
             inverse_left: inverse_mass_left_left,
-            minus_l_lambda_left_rolls_left: w,
-            minus_l_lambda_left_rolls_psi: w_2,
-            k: w_3,
+            minus_l_lambda_left_rolls_left: w_2,
+            minus_l_lambda_left_rolls_psi: w_3,
+            k: w_4,
             inverse_x: S::from_f64(1.0) / mass_x_x,
-            k_2: self.r * w + w_3,
-            k_3: S::from_f64(2.0) * self.b,
-            k_4: self.c * w,
-            k_5: self.c * inverse_mass_left_left,
+            k_2: w_5 + w_4,
+            k_3: w_4 + w_5,
+            k_4: S::from_f64(2.0) * self.b,
+            k_5: self.c * w_2,
+            k_6: self.c * inverse_mass_left_left,
             tau_left: self.tau_left,
             tau_right: self.tau_right,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 3 additions, 7 multiplications.
+    /// Operations: 3 additions, 6 multiplications.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
-        let mass_x_x = self.M + S::from_f64(2.0) * self.m;
+        let w = S::from_f64(2.0) * self.m;
+        let mass_x_x = self.M + w;
         let mass_left_left = self.m * S::from_f64(0.5) * self.r * self.r;
         [
             [
@@ -304,7 +308,7 @@ impl<S: sim_kernel::Scalar> Rover<S> {
             [
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                self.J + mass_left_left + S::from_f64(2.0) * self.m * self.b * self.b,
+                self.J + mass_left_left + w * self.b * self.b,
                 S::from_f64(0.0),
                 S::from_f64(0.0),
             ],
@@ -431,24 +435,25 @@ impl<S: sim_kernel::Scalar> Rover<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 13 additions, 23 multiplications, 1 sine-cosine pair.
+    /// Operations: 13 additions, 22 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [_, _, psi, _, _] = *q;
         let [x_dot, y_dot, psi_dot, left_dot, right_dot] = *qd;
         let ([left_rolls_by_y], [left_rolls_by_x]) = S::sin_cos_each([psi]);
-        let w = psi_dot * self.b * left_rolls_by_x;
-        let w_2 = x_dot - w;
-        let w_3 = psi_dot * self.b * left_rolls_by_y;
-        let w_4 = y_dot - w_3;
-        let w_5 = x_dot + w;
-        let w_6 = y_dot + w_3;
-        let w_7 = S::from_f64(0.5) * self.m
-            * (w_2 * w_2 + w_4 * w_4 + w_5 * w_5 + w_6 * w_6);
-        let w_8 = self.m * S::from_f64(0.25) * self.r * self.r;
-        w_7 + S::from_f64(0.5) * self.M * (x_dot * x_dot + y_dot * y_dot)
-            + w_8 * (left_dot * left_dot + right_dot * right_dot)
-            + psi_dot * psi_dot * (S::from_f64(0.5) * self.J + w_8)
+        let w = psi_dot * self.b;
+        let w_2 = left_rolls_by_x * w;
+        let w_3 = x_dot - w_2;
+        let w_4 = w * left_rolls_by_y;
+        let w_5 = y_dot - w_4;
+        let w_6 = x_dot + w_2;
+        let w_7 = y_dot + w_4;
+        let w_8 = S::from_f64(0.5) * self.m
+            * (w_3 * w_3 + w_5 * w_5 + w_6 * w_6 + w_7 * w_7);
+        let w_9 = self.m * S::from_f64(0.25) * self.r * self.r;
+        w_8 + S::from_f64(0.5) * self.M * (x_dot * x_dot + y_dot * y_dot)
+            + w_9 * (left_dot * left_dot + right_dot * right_dot)
+            + psi_dot * psi_dot * (S::from_f64(0.5) * self.J + w_9)
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -523,7 +528,7 @@ impl<S: sim_kernel::Scalar> Rover<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 23 additions, 14 multiplications, 3 sine-cosine pairs.
+    /// Operations: 23 additions, 12 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 5]) -> [S; 53] {
         let [x, y, psi, left, right] = *q;
@@ -544,6 +549,8 @@ impl<S: sim_kernel::Scalar> Rover<S> {
         let sideways_by_x = -left_rolls_by_y;
         let Q_x = x + w;
         let Q_y = y - w_2;
+        let w_3 = left_rolls_by_x * self.r;
+        let w_4 = left_rolls_by_y * self.r;
         [
             -S::from_f64(1.0),
             -S::from_f64(1.0),
@@ -577,14 +584,14 @@ impl<S: sim_kernel::Scalar> Rover<S> {
             L_x,
             L_y,
             self.r,
-            x - w + left_rolls_by_x * self.r * cos_left,
-            y + w_2 + left_rolls_by_y * self.r * cos_left,
+            x - w + cos_left * w_3,
+            y + w_2 + cos_left * w_4,
             self.r * (S::from_f64(1.0) - sin_left),
             Q_x,
             Q_y,
             self.r,
-            x + w + left_rolls_by_x * self.r * cos_right,
-            y - w_2 + left_rolls_by_y * self.r * cos_right,
+            x + w + w_3 * cos_right,
+            y - w_2 + w_4 * cos_right,
             self.r * (S::from_f64(1.0) - sin_right),
             L_x,
             L_y,
@@ -661,7 +668,7 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 33 additions, 46 multiplications, 3 divisions, 1 sine-cosine pair.
+    /// Operations: 35 additions, 46 multiplications, 3 divisions, 1 sine-cosine pair.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -671,42 +678,42 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 5], [S; 3]> {
         let [_, _, psi, _, _] = *q;
         let [x_dot, y_dot, psi_dot, left_dot, right_dot] = *qd;
+        let rhs_left = self.tau_left.or(S::from_f64(0.2)) - left_dot * self.c;
+        let rhs_right = self.tau_right.or(S::from_f64(0.3)) - self.c * right_dot;
         let ([left_rolls_by_y], [left_rolls_by_x]) = S::sin_cos_each([psi]);
-        let minus_l_lambda_sideways_x = left_rolls_by_y * self.inverse_x;
-        let w = left_rolls_by_x * minus_l_lambda_sideways_x;
+        let w = psi_dot * (left_rolls_by_x * y_dot - left_rolls_by_y * x_dot);
+        let rhs_lambda_left_rolls = rhs_left * self.minus_l_lambda_left_rolls_left - w;
         let l_lambda_left_rolls_x = left_rolls_by_x * self.inverse_x;
-        let w_2 = left_rolls_by_y * l_lambda_left_rolls_x;
-        let k_lambda_sideways_lambda_left_rolls = w - w_2;
-        let w_3 = left_rolls_by_x * l_lambda_left_rolls_x;
-        let w_4 = left_rolls_by_y * minus_l_lambda_sideways_x;
-        let minus_pivot_lambda_left_rolls = self.k_2 + w_3 + w_4;
+        let w_2 = left_rolls_by_x * l_lambda_left_rolls_x;
+        let minus_l_lambda_sideways_x = left_rolls_by_y * self.inverse_x;
+        let w_3 = left_rolls_by_y * minus_l_lambda_sideways_x;
+        let minus_pivot_lambda_left_rolls = self.k_2 + w_2 + w_3;
         let minus_inverse_lambda_left_rolls = S::from_f64(1.0)
             / minus_pivot_lambda_left_rolls;
-        let minus_l_lambda_sideways_lambda_left_rolls = minus_inverse_lambda_left_rolls
-            * k_lambda_sideways_lambda_left_rolls;
-        let w_5 = w_4 + w_3;
-        let k_lambda_right_rolls_lambda_left_rolls = self.k - w_3 - w_4;
-        let k_lambda_sideways_lambda_right_rolls = w - w_2
-            + k_lambda_right_rolls_lambda_left_rolls
-                * minus_l_lambda_sideways_lambda_left_rolls;
+        let k_lambda_right_rolls_lambda_left_rolls = self.k - w_2 - w_3;
         let minus_l_lambda_right_rolls_lambda_left_rolls = minus_inverse_lambda_left_rolls
             * k_lambda_right_rolls_lambda_left_rolls;
+        let rhs_lambda_right_rolls = rhs_right * self.minus_l_lambda_left_rolls_left - w
+            + minus_l_lambda_right_rolls_lambda_left_rolls * rhs_lambda_left_rolls;
+        let w_4 = left_rolls_by_x * minus_l_lambda_sideways_x;
+        let w_5 = left_rolls_by_y * l_lambda_left_rolls_x;
+        let k_lambda_sideways_lambda_left_rolls = w_4 - w_5;
+        let minus_l_lambda_sideways_lambda_left_rolls = minus_inverse_lambda_left_rolls
+            * k_lambda_sideways_lambda_left_rolls;
+        let w_6 = self.k_3 + w_2 + w_3;
         let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
-            * minus_l_lambda_right_rolls_lambda_left_rolls
-            - minus_pivot_lambda_left_rolls;
+            * minus_l_lambda_right_rolls_lambda_left_rolls - w_6;
         let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
+        let k_lambda_sideways_lambda_right_rolls = w_4 - w_5
+            + k_lambda_right_rolls_lambda_left_rolls
+                * minus_l_lambda_sideways_lambda_left_rolls;
         let l_lambda_sideways_lambda_right_rolls = inverse_lambda_right_rolls
             * k_lambda_sideways_lambda_right_rolls;
+        let w_7 = w_3 + w_2;
         let pivot_lambda_sideways = k_lambda_sideways_lambda_left_rolls
-            * minus_l_lambda_sideways_lambda_left_rolls - w_5
+            * minus_l_lambda_sideways_lambda_left_rolls - w_7
             - k_lambda_sideways_lambda_right_rolls
                 * l_lambda_sideways_lambda_right_rolls;
-        let rhs_left = self.tau_left.or(S::from_f64(0.2)) - left_dot * self.c;
-        let w_6 = psi_dot * (left_rolls_by_x * y_dot - left_rolls_by_y * x_dot);
-        let rhs_lambda_left_rolls = rhs_left * self.minus_l_lambda_left_rolls_left - w_6;
-        let rhs_right = self.tau_right.or(S::from_f64(0.3)) - self.c * right_dot;
-        let rhs_lambda_right_rolls = rhs_right * self.minus_l_lambda_left_rolls_left
-            - w_6 + minus_l_lambda_right_rolls_lambda_left_rolls * rhs_lambda_left_rolls;
         let lambda_sideways = S::from_f64(1.0) / pivot_lambda_sideways
             * (psi_dot * (left_rolls_by_y * y_dot + left_rolls_by_x * x_dot)
                 + minus_l_lambda_sideways_lambda_left_rolls * rhs_lambda_left_rolls
@@ -737,23 +744,20 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
             refused: sim_kernel::pivot_is_refused(
                 self.mass_left_left,
                 self.mass_left_left,
-            ) | sim_kernel::pivot_is_refused(self.mass_left_left, self.mass_left_left)
-                | sim_kernel::pivot_is_refused(self.mass_psi_psi, self.mass_psi_psi)
+            ) | sim_kernel::pivot_is_refused(self.mass_psi_psi, self.mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.mass_x_x, self.mass_x_x)
                 | sim_kernel::pivot_is_refused(self.mass_x_x, self.mass_x_x)
+                | sim_kernel::pivot_is_refused(self.mass_left_left, self.mass_left_left)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_left_rolls,
                     minus_pivot_lambda_left_rolls,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_right_rolls,
-                    minus_pivot_lambda_left_rolls,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_5),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_right_rolls, w_6)
+                | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_7),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (3 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 137 additions, 189 multiplications, 3 divisions, 1 sine-cosine pair.
+    /// Operations: 139 additions, 189 multiplications, 3 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -764,46 +768,46 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
         let [_, _, psi, _, _] = *q;
         let [x_dot, y_dot, psi_dot, left_dot, right_dot] = *qd;
         let ([left_rolls_by_y], [left_rolls_by_x]) = S::sin_cos_each([psi]);
+        let w = psi_dot * (left_rolls_by_x * y_dot - left_rolls_by_y * x_dot);
+        let rhs_lambda_left_rolls = (self.tau_left.or(S::from_f64(0.2))
+            - left_dot * self.c) * self.minus_l_lambda_left_rolls_left - w;
         let l_lambda_left_rolls_x = left_rolls_by_x * self.inverse_x;
-        let w = left_rolls_by_x * l_lambda_left_rolls_x;
+        let w_2 = left_rolls_by_x * l_lambda_left_rolls_x;
         let minus_l_lambda_sideways_x = left_rolls_by_y * self.inverse_x;
-        let w_2 = left_rolls_by_y * minus_l_lambda_sideways_x;
-        let minus_pivot_lambda_left_rolls = self.k_2 + w + w_2;
+        let w_3 = left_rolls_by_y * minus_l_lambda_sideways_x;
+        let minus_pivot_lambda_left_rolls = self.k_2 + w_2 + w_3;
         let minus_inverse_lambda_left_rolls = S::from_f64(1.0)
             / minus_pivot_lambda_left_rolls;
-        let k_lambda_right_rolls_lambda_left_rolls = self.k - w - w_2;
+        let k_lambda_right_rolls_lambda_left_rolls = self.k - w_2 - w_3;
         let minus_l_lambda_right_rolls_lambda_left_rolls = minus_inverse_lambda_left_rolls
             * k_lambda_right_rolls_lambda_left_rolls;
-        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
-            * minus_l_lambda_right_rolls_lambda_left_rolls
-            - minus_pivot_lambda_left_rolls;
-        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
-        let w_3 = psi_dot * (left_rolls_by_x * y_dot - left_rolls_by_y * x_dot);
-        let rhs_lambda_left_rolls = (self.tau_left.or(S::from_f64(0.2))
-            - left_dot * self.c) * self.minus_l_lambda_left_rolls_left - w_3;
         let rhs_lambda_right_rolls = (self.tau_right.or(S::from_f64(0.3))
-            - self.c * right_dot) * self.minus_l_lambda_left_rolls_left - w_3
+            - self.c * right_dot) * self.minus_l_lambda_left_rolls_left - w
             + minus_l_lambda_right_rolls_lambda_left_rolls * rhs_lambda_left_rolls;
-        let w_4 = left_rolls_by_x * minus_l_lambda_sideways_x;
-        let w_5 = left_rolls_by_y * l_lambda_left_rolls_x;
-        let k_lambda_sideways_lambda_left_rolls = w_4 - w_5;
+        let w_4 = left_rolls_by_y * y_dot;
+        let w_5 = left_rolls_by_x * x_dot;
+        let w_6 = left_rolls_by_x * minus_l_lambda_sideways_x;
+        let w_7 = left_rolls_by_y * l_lambda_left_rolls_x;
+        let k_lambda_sideways_lambda_left_rolls = w_6 - w_7;
         let minus_l_lambda_sideways_lambda_left_rolls = minus_inverse_lambda_left_rolls
             * k_lambda_sideways_lambda_left_rolls;
-        let k_lambda_sideways_lambda_right_rolls = w_4 - w_5
+        let w_8 = self.k_3 + w_2 + w_3;
+        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
+            * minus_l_lambda_right_rolls_lambda_left_rolls - w_8;
+        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
+        let k_lambda_sideways_lambda_right_rolls = w_6 - w_7
             + k_lambda_right_rolls_lambda_left_rolls
                 * minus_l_lambda_sideways_lambda_left_rolls;
         let l_lambda_sideways_lambda_right_rolls = inverse_lambda_right_rolls
             * k_lambda_sideways_lambda_right_rolls;
-        let w_6 = w_2 + w;
+        let w_9 = w_3 + w_2;
         let pivot_lambda_sideways = k_lambda_sideways_lambda_left_rolls
-            * minus_l_lambda_sideways_lambda_left_rolls - w_6
+            * minus_l_lambda_sideways_lambda_left_rolls - w_9
             - k_lambda_sideways_lambda_right_rolls
                 * l_lambda_sideways_lambda_right_rolls;
         let inverse_lambda_sideways = S::from_f64(1.0) / pivot_lambda_sideways;
-        let w_7 = left_rolls_by_y * y_dot;
-        let w_8 = left_rolls_by_x * x_dot;
         let lambda_sideways = inverse_lambda_sideways
-            * (psi_dot * (w_7 + w_8)
+            * (psi_dot * (w_4 + w_5)
                 + minus_l_lambda_sideways_lambda_left_rolls * rhs_lambda_left_rolls
                 - l_lambda_sideways_lambda_right_rolls * rhs_lambda_right_rolls);
         let lambda_right_rolls = inverse_lambda_right_rolls * rhs_lambda_right_rolls
@@ -812,125 +816,132 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
             * lambda_right_rolls
             - minus_inverse_lambda_left_rolls * rhs_lambda_left_rolls
             + minus_l_lambda_sideways_lambda_left_rolls * lambda_sideways;
-        let w_9 = lambda_left_rolls + lambda_right_rolls;
-        let w_10 = left_rolls_by_y * w_9 + left_rolls_by_x * lambda_sideways;
-        let w_11 = self.b * psi_dot;
-        let w_12 = self.r * right_dot;
-        let w_13 = w_11 - w_12;
-        let w_14 = left_rolls_by_x * w_13;
-        let w_15 = w_14 + x_dot;
-        let w_16 = left_rolls_by_y * w_13;
-        let w_17 = w_16 + y_dot;
+        let w_10 = lambda_left_rolls + lambda_right_rolls;
+        let w_11 = left_rolls_by_y * w_10 + left_rolls_by_x * lambda_sideways;
+        let w_12 = self.b * psi_dot;
+        let w_13 = self.r * right_dot;
+        let w_14 = w_12 - w_13;
+        let w_15 = left_rolls_by_x * w_14;
+        let w_16 = w_15 + x_dot;
+        let w_17 = left_rolls_by_y * w_14;
+        let w_18 = w_17 + y_dot;
         let minus_y_ddot = minus_l_lambda_sideways_x * lambda_left_rolls
             + minus_l_lambda_sideways_x * lambda_right_rolls
             + l_lambda_left_rolls_x * lambda_sideways;
-        let w_18 = left_rolls_by_x * minus_y_ddot;
+        let w_19 = left_rolls_by_x * minus_y_ddot;
         let x_ddot = minus_l_lambda_sideways_x * lambda_sideways
             - l_lambda_left_rolls_x * lambda_left_rolls
             - l_lambda_left_rolls_x * lambda_right_rolls;
-        let w_19 = left_rolls_by_y * x_ddot;
-        let w_20 = l_lambda_left_rolls_x * w_10;
-        let w_21 = left_rolls_by_y * lambda_sideways - left_rolls_by_x * w_9;
-        let w_22 = minus_l_lambda_sideways_x * w_21;
-        let w_23 = self.r * left_dot;
-        let w_24 = w_11 + w_23;
-        let w_25 = left_rolls_by_x * w_24;
-        let w_26 = x_dot - w_25;
-        let w_27 = left_rolls_by_y * w_24;
-        let w_28 = y_dot - w_27;
-        let w_29 = psi_dot
-            * (left_rolls_by_x * (w_26 + w_25) + left_rolls_by_y * (w_27 + w_28)) + w_18
-            + w_19 - w_20 - w_22;
+        let w_20 = left_rolls_by_y * x_ddot;
+        let w_21 = l_lambda_left_rolls_x * w_11;
+        let w_22 = left_rolls_by_y * lambda_sideways - left_rolls_by_x * w_10;
+        let w_23 = minus_l_lambda_sideways_x * w_22;
+        let w_24 = self.r * left_dot;
+        let w_25 = w_12 + w_24;
+        let w_26 = left_rolls_by_x * w_25;
+        let w_27 = x_dot - w_26;
+        let w_28 = left_rolls_by_y * w_25;
+        let w_29 = y_dot - w_28;
         let w_30 = psi_dot
-            * (left_rolls_by_x * (w_15 - w_14) + left_rolls_by_y * (w_17 - w_16)) + w_18
-            + w_19 - w_20 - w_22 + minus_l_lambda_right_rolls_lambda_left_rolls * w_29;
-        let w_31 = left_rolls_by_x * (x_ddot + psi_dot * y_dot)
+            * (left_rolls_by_x * (w_27 + w_26) + left_rolls_by_y * (w_28 + w_29)) + w_19
+            + w_20 - w_21 - w_23;
+        let w_31 = psi_dot
+            * (left_rolls_by_x * (w_16 - w_15) + left_rolls_by_y * (w_18 - w_17)) + w_19
+            + w_20 - w_21 - w_23 + minus_l_lambda_right_rolls_lambda_left_rolls * w_30;
+        let w_32 = left_rolls_by_x * (x_ddot + psi_dot * y_dot)
             - left_rolls_by_y * (psi_dot * x_dot + minus_y_ddot)
-            + minus_l_lambda_sideways_x * w_10 - l_lambda_left_rolls_x * w_21
-            + minus_l_lambda_sideways_lambda_left_rolls * w_29
-            - l_lambda_sideways_lambda_right_rolls * w_30;
-        let w_32 = inverse_lambda_sideways * w_31;
-        let w_33 = inverse_lambda_right_rolls * w_30
-            - l_lambda_sideways_lambda_right_rolls * w_32;
-        let w_34 = minus_l_lambda_right_rolls_lambda_left_rolls * w_33
-            - minus_inverse_lambda_left_rolls * w_29
-            + minus_l_lambda_sideways_lambda_left_rolls * w_32;
-        let w_35 = left_rolls_by_x * psi_dot;
-        let w_36 = left_rolls_by_y * psi_dot;
-        let w_37 = w_36 + minus_l_lambda_right_rolls_lambda_left_rolls * w_36;
-        let w_38 = inverse_lambda_sideways
-            * (w_35 + minus_l_lambda_sideways_lambda_left_rolls * w_36
-                - l_lambda_sideways_lambda_right_rolls * w_37);
-        let w_39 = inverse_lambda_right_rolls * w_37
-            - l_lambda_sideways_lambda_right_rolls * w_38;
-        let w_40 = minus_l_lambda_right_rolls_lambda_left_rolls * w_39
-            - minus_inverse_lambda_left_rolls * w_36
-            + minus_l_lambda_sideways_lambda_left_rolls * w_38;
-        let w_41 = w_35 + minus_l_lambda_right_rolls_lambda_left_rolls * w_35;
-        let w_42 = inverse_lambda_sideways
-            * (w_36 - minus_l_lambda_sideways_lambda_left_rolls * w_35
-                + l_lambda_sideways_lambda_right_rolls * w_41);
-        let w_43 = inverse_lambda_right_rolls * w_41
-            + l_lambda_sideways_lambda_right_rolls * w_42;
-        let w_44 = minus_inverse_lambda_left_rolls * w_35
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_43
-            + minus_l_lambda_sideways_lambda_left_rolls * w_42;
-        let w_45 = psi_dot * self.k_3;
-        let w_46 = w_45 + w_23;
-        let w_47 = left_rolls_by_y * (w_26 + left_rolls_by_x * w_46)
-            - left_rolls_by_x * (left_rolls_by_y * w_46 + w_28);
-        let w_48 = w_45 - w_12;
-        let w_49 = left_rolls_by_y * (w_15 - left_rolls_by_x * w_48)
-            + left_rolls_by_x * (left_rolls_by_y * w_48 - w_17)
-            + minus_l_lambda_right_rolls_lambda_left_rolls * w_47;
-        let w_50 = inverse_lambda_sideways
-            * (w_8 + w_7 + minus_l_lambda_sideways_lambda_left_rolls * w_47
-                - l_lambda_sideways_lambda_right_rolls * w_49);
-        let w_51 = inverse_lambda_right_rolls * w_49
-            - l_lambda_sideways_lambda_right_rolls * w_50;
-        let w_52 = minus_l_lambda_right_rolls_lambda_left_rolls * w_51
-            - minus_inverse_lambda_left_rolls * w_47
-            + minus_l_lambda_sideways_lambda_left_rolls * w_50;
-        let w_53 = minus_l_lambda_right_rolls_lambda_left_rolls * self.k_4;
-        let w_54 = inverse_lambda_sideways
-            * (l_lambda_sideways_lambda_right_rolls * w_53
-                - minus_l_lambda_sideways_lambda_left_rolls * self.k_4);
-        let w_55 = inverse_lambda_right_rolls * w_53
-            + l_lambda_sideways_lambda_right_rolls * w_54;
-        let w_56 = minus_inverse_lambda_left_rolls * self.k_4
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_55
-            + minus_l_lambda_sideways_lambda_left_rolls * w_54;
-        let w_57 = inverse_lambda_sideways * l_lambda_sideways_lambda_right_rolls
-            * self.k_4;
-        let w_58 = inverse_lambda_right_rolls * self.k_4
-            + l_lambda_sideways_lambda_right_rolls * w_57;
-        let w_59 = minus_l_lambda_sideways_lambda_left_rolls * w_57
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_58;
+            + minus_l_lambda_sideways_x * w_11 - l_lambda_left_rolls_x * w_22
+            + minus_l_lambda_sideways_lambda_left_rolls * w_30
+            - l_lambda_sideways_lambda_right_rolls * w_31;
+        let w_33 = inverse_lambda_sideways * w_32;
+        let w_34 = inverse_lambda_right_rolls * w_31
+            - l_lambda_sideways_lambda_right_rolls * w_33;
+        let w_35 = minus_l_lambda_right_rolls_lambda_left_rolls * w_34
+            - minus_inverse_lambda_left_rolls * w_30
+            + minus_l_lambda_sideways_lambda_left_rolls * w_33;
+        let w_36 = left_rolls_by_x * psi_dot;
+        let w_37 = left_rolls_by_y * psi_dot;
+        let w_38 = w_37 + minus_l_lambda_right_rolls_lambda_left_rolls * w_37;
+        let w_39 = inverse_lambda_sideways
+            * (w_36 + minus_l_lambda_sideways_lambda_left_rolls * w_37
+                - l_lambda_sideways_lambda_right_rolls * w_38);
+        let w_40 = inverse_lambda_right_rolls * w_38
+            - l_lambda_sideways_lambda_right_rolls * w_39;
+        let w_41 = minus_l_lambda_right_rolls_lambda_left_rolls * w_40
+            - minus_inverse_lambda_left_rolls * w_37
+            + minus_l_lambda_sideways_lambda_left_rolls * w_39;
+        let w_42 = w_36 + minus_l_lambda_right_rolls_lambda_left_rolls * w_36;
+        let w_43 = inverse_lambda_sideways
+            * (w_37 - minus_l_lambda_sideways_lambda_left_rolls * w_36
+                + l_lambda_sideways_lambda_right_rolls * w_42);
+        let w_44 = inverse_lambda_right_rolls * w_42
+            + l_lambda_sideways_lambda_right_rolls * w_43;
+        let w_45 = minus_inverse_lambda_left_rolls * w_36
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_44
+            + minus_l_lambda_sideways_lambda_left_rolls * w_43;
+        let w_46 = psi_dot * self.k_4;
+        let w_47 = w_46 + w_24;
+        let w_48 = left_rolls_by_y * (w_27 + left_rolls_by_x * w_47)
+            - left_rolls_by_x * (left_rolls_by_y * w_47 + w_29);
+        let w_49 = w_46 - w_13;
+        let w_50 = left_rolls_by_y * (w_16 - left_rolls_by_x * w_49)
+            + left_rolls_by_x * (left_rolls_by_y * w_49 - w_18)
+            + minus_l_lambda_right_rolls_lambda_left_rolls * w_48;
+        let w_51 = inverse_lambda_sideways
+            * (w_5 + w_4 + minus_l_lambda_sideways_lambda_left_rolls * w_48
+                - l_lambda_sideways_lambda_right_rolls * w_50);
+        let w_52 = inverse_lambda_right_rolls * w_50
+            - l_lambda_sideways_lambda_right_rolls * w_51;
+        let w_53 = minus_l_lambda_right_rolls_lambda_left_rolls * w_52
+            - minus_inverse_lambda_left_rolls * w_48
+            + minus_l_lambda_sideways_lambda_left_rolls * w_51;
+        let w_54 = minus_l_lambda_right_rolls_lambda_left_rolls * self.k_5;
+        let w_55 = inverse_lambda_sideways
+            * (l_lambda_sideways_lambda_right_rolls * w_54
+                - minus_l_lambda_sideways_lambda_left_rolls * self.k_5);
+        let w_56 = inverse_lambda_right_rolls * w_54
+            + l_lambda_sideways_lambda_right_rolls * w_55;
+        let w_57 = minus_inverse_lambda_left_rolls * self.k_5
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_56
+            + minus_l_lambda_sideways_lambda_left_rolls * w_55;
+        let w_58 = inverse_lambda_sideways * l_lambda_sideways_lambda_right_rolls
+            * self.k_5;
+        let w_59 = inverse_lambda_right_rolls * self.k_5
+            + l_lambda_sideways_lambda_right_rolls * w_58;
+        let w_60 = minus_l_lambda_sideways_lambda_left_rolls * w_58
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_59;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_10 - l_lambda_left_rolls_x * w_34
-                        - l_lambda_left_rolls_x * w_33
-                        + minus_l_lambda_sideways_x * w_32,
+                    self.inverse_x * w_11 - l_lambda_left_rolls_x * w_35
+                        - l_lambda_left_rolls_x * w_34
+                        + minus_l_lambda_sideways_x * w_33,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_21 - minus_l_lambda_sideways_x * w_34
-                        - minus_l_lambda_sideways_x * w_33
-                        - l_lambda_left_rolls_x * w_32,
+                    self.inverse_x * w_22 - minus_l_lambda_sideways_x * w_35
+                        - minus_l_lambda_sideways_x * w_34
+                        - l_lambda_left_rolls_x * w_33,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.minus_l_lambda_left_rolls_psi * w_34
-                        - self.minus_l_lambda_left_rolls_psi * w_33,
+                    self.minus_l_lambda_left_rolls_psi * w_35
+                        - self.minus_l_lambda_left_rolls_psi * w_34,
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    self.minus_l_lambda_left_rolls_left * w_35,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
@@ -941,67 +952,67 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    self.minus_l_lambda_left_rolls_left * w_33,
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_sideways_x * w_38 - l_lambda_left_rolls_x * w_40
-                        - l_lambda_left_rolls_x * w_39,
-                    l_lambda_left_rolls_x * w_43 - l_lambda_left_rolls_x * w_44
-                        + minus_l_lambda_sideways_x * w_42,
-                    minus_l_lambda_sideways_x * w_50 - l_lambda_left_rolls_x * w_52
-                        - l_lambda_left_rolls_x * w_51,
-                    l_lambda_left_rolls_x * w_55 - l_lambda_left_rolls_x * w_56
-                        + minus_l_lambda_sideways_x * w_54,
-                    l_lambda_left_rolls_x * w_58 - l_lambda_left_rolls_x * w_59
-                        + minus_l_lambda_sideways_x * w_57,
+                    minus_l_lambda_sideways_x * w_39 - l_lambda_left_rolls_x * w_41
+                        - l_lambda_left_rolls_x * w_40,
+                    l_lambda_left_rolls_x * w_44 - l_lambda_left_rolls_x * w_45
+                        + minus_l_lambda_sideways_x * w_43,
+                    minus_l_lambda_sideways_x * w_51 - l_lambda_left_rolls_x * w_53
+                        - l_lambda_left_rolls_x * w_52,
+                    l_lambda_left_rolls_x * w_56 - l_lambda_left_rolls_x * w_57
+                        + minus_l_lambda_sideways_x * w_55,
+                    l_lambda_left_rolls_x * w_59 - l_lambda_left_rolls_x * w_60
+                        + minus_l_lambda_sideways_x * w_58,
                 ],
                 [
-                    -(minus_l_lambda_sideways_x * w_40 + minus_l_lambda_sideways_x * w_39
-                        + l_lambda_left_rolls_x * w_38),
-                    minus_l_lambda_sideways_x * w_43 - minus_l_lambda_sideways_x * w_44
-                        - l_lambda_left_rolls_x * w_42,
-                    -(minus_l_lambda_sideways_x * w_52 + minus_l_lambda_sideways_x * w_51
-                        + l_lambda_left_rolls_x * w_50),
-                    minus_l_lambda_sideways_x * w_55 - minus_l_lambda_sideways_x * w_56
-                        - l_lambda_left_rolls_x * w_54,
-                    minus_l_lambda_sideways_x * w_58 - minus_l_lambda_sideways_x * w_59
-                        - l_lambda_left_rolls_x * w_57,
+                    -(minus_l_lambda_sideways_x * w_41 + minus_l_lambda_sideways_x * w_40
+                        + l_lambda_left_rolls_x * w_39),
+                    minus_l_lambda_sideways_x * w_44 - minus_l_lambda_sideways_x * w_45
+                        - l_lambda_left_rolls_x * w_43,
+                    -(minus_l_lambda_sideways_x * w_53 + minus_l_lambda_sideways_x * w_52
+                        + l_lambda_left_rolls_x * w_51),
+                    minus_l_lambda_sideways_x * w_56 - minus_l_lambda_sideways_x * w_57
+                        - l_lambda_left_rolls_x * w_55,
+                    minus_l_lambda_sideways_x * w_59 - minus_l_lambda_sideways_x * w_60
+                        - l_lambda_left_rolls_x * w_58,
                 ],
                 [
-                    self.minus_l_lambda_left_rolls_psi * w_40
-                        - self.minus_l_lambda_left_rolls_psi * w_39,
-                    self.minus_l_lambda_left_rolls_psi * w_44
-                        + self.minus_l_lambda_left_rolls_psi * w_43,
-                    self.minus_l_lambda_left_rolls_psi * w_52
-                        - self.minus_l_lambda_left_rolls_psi * w_51,
-                    self.minus_l_lambda_left_rolls_psi * w_56
-                        + self.minus_l_lambda_left_rolls_psi * w_55,
-                    self.minus_l_lambda_left_rolls_psi * w_59
-                        + self.minus_l_lambda_left_rolls_psi * w_58,
+                    self.minus_l_lambda_left_rolls_psi * w_41
+                        - self.minus_l_lambda_left_rolls_psi * w_40,
+                    self.minus_l_lambda_left_rolls_psi * w_45
+                        + self.minus_l_lambda_left_rolls_psi * w_44,
+                    self.minus_l_lambda_left_rolls_psi * w_53
+                        - self.minus_l_lambda_left_rolls_psi * w_52,
+                    self.minus_l_lambda_left_rolls_psi * w_57
+                        + self.minus_l_lambda_left_rolls_psi * w_56,
+                    self.minus_l_lambda_left_rolls_psi * w_60
+                        + self.minus_l_lambda_left_rolls_psi * w_59,
+                ],
+                [
+                    self.minus_l_lambda_left_rolls_left * w_41,
+                    self.minus_l_lambda_left_rolls_left * w_45,
+                    self.minus_l_lambda_left_rolls_left * w_53,
+                    self.minus_l_lambda_left_rolls_left * w_57 - self.k_6,
+                    self.minus_l_lambda_left_rolls_left * w_60,
                 ],
                 [
                     self.minus_l_lambda_left_rolls_left * w_40,
-                    self.minus_l_lambda_left_rolls_left * w_44,
+                    -(self.minus_l_lambda_left_rolls_left * w_44),
                     self.minus_l_lambda_left_rolls_left * w_52,
-                    self.minus_l_lambda_left_rolls_left * w_56 - self.k_5,
-                    self.minus_l_lambda_left_rolls_left * w_59,
-                ],
-                [
-                    self.minus_l_lambda_left_rolls_left * w_39,
-                    -(self.minus_l_lambda_left_rolls_left * w_43),
-                    self.minus_l_lambda_left_rolls_left * w_51,
-                    -(self.minus_l_lambda_left_rolls_left * w_55),
-                    -(self.k_5 + self.minus_l_lambda_left_rolls_left * w_58),
+                    -(self.minus_l_lambda_left_rolls_left * w_56),
+                    -(self.k_6 + self.minus_l_lambda_left_rolls_left * w_59),
                 ],
             ],
             multipliers_by_positions: [
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_35,
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
@@ -1016,34 +1027,24 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_32,
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                ],
             ],
             multipliers_by_speeds: [
-                [w_40, w_44, w_52, w_56, w_59],
-                [w_39, -w_43, w_51, -w_55, -w_58],
-                [w_38, w_42, w_50, w_54, w_57],
+                [w_41, w_45, w_53, w_57, w_60],
+                [w_40, -w_44, w_52, -w_56, -w_59],
+                [w_39, w_43, w_51, w_55, w_58],
             ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_left_left,
                 self.mass_left_left,
-            ) | sim_kernel::pivot_is_refused(self.mass_left_left, self.mass_left_left)
-                | sim_kernel::pivot_is_refused(self.mass_psi_psi, self.mass_psi_psi)
+            ) | sim_kernel::pivot_is_refused(self.mass_psi_psi, self.mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.mass_x_x, self.mass_x_x)
                 | sim_kernel::pivot_is_refused(self.mass_x_x, self.mass_x_x)
+                | sim_kernel::pivot_is_refused(self.mass_left_left, self.mass_left_left)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_left_rolls,
                     minus_pivot_lambda_left_rolls,
-                )
-                | sim_kernel::pivot_is_refused(
-                    pivot_lambda_right_rolls,
-                    minus_pivot_lambda_left_rolls,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_6),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_right_rolls, w_8)
+                | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_9),
         }
     }
 }

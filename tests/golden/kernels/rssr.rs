@@ -200,52 +200,51 @@ pub struct RssrPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Rssr<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 1 addition, 29 multiplications, 1 division.
+    /// Operations: 1 addition, 22 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> RssrPrepared<S> {
         let a_squared = self.a * self.a;
-        let w = S::from_f64(0.25) * a_squared * self.m;
-        let mass_phi_phi = w + S::from_f64(0.02);
+        let w = S::from_f64(0.25) * self.m;
+        let w_2 = a_squared * w;
+        let mass_phi_phi = w_2 + S::from_f64(0.02);
+        let w_3 = self.m * self.b;
         let b_squared = self.b * self.b;
         RssrPrepared {
             a: self.a,
             a_squared: a_squared,
-            k: w,
+            k: w_2,
             mass_phi_phi: mass_phi_phi,
             b: self.b,
-            k_2: S::from_f64(0.25) * self.a * self.m * self.b,
+            k_2: S::from_f64(0.25) * self.a * w_3,
             b_squared: b_squared,
             mass_psi_psi: self.m * S::from_f64(0.5833333333333334) * b_squared,
             dx: self.dx,
             dz: self.dz,
-            k_3: S::from_f64(0.25) * self.a * self.m,
+            k_3: self.a * w,
             k_4: self.m * self.g * S::from_f64(2.0),
-            k_5: self.m * self.b,
-            k_6: S::from_f64(0.25) * self.m * self.b,
-            k_7: self.m * self.b * S::from_f64(0.5) * self.g,
+            k_5: w_3,
+            k_6: S::from_f64(0.25) * w_3,
+            k_7: w_3 * S::from_f64(0.5) * self.g,
             k_8: S::from_f64(0.25) * self.b,
-            k_9: self.m * self.b * self.g,
+            k_9: w_3 * self.g,
             k_10: a_squared * S::from_f64(2.0),
             inverse_phi: S::from_f64(1.0) / mass_phi_phi,
             k_11: self.a * self.b,
-            k_12: S::from_f64(0.25) * self.m * b_squared,
-            k_13: self.a * self.m * self.b * S::from_f64(0.5),
+            k_12: w * b_squared,
+            k_13: self.a * w_3 * S::from_f64(0.5),
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
     ///
-    /// Operations: 1 addition, 11 multiplications, 2 sine-cosine pairs.
+    /// Operations: 1 addition, 10 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
         let [phi, psi] = *q;
+        let w = S::from_f64(0.25) * self.m;
         let ([sin_phi, _], [_, cos_psi]) = S::sin_cos_each([phi, psi]);
-        let mass_psi_phi = sin_phi * cos_psi * S::from_f64(0.25) * self.a * self.m
-            * self.b;
+        let mass_psi_phi = sin_phi * cos_psi * self.a * w * self.b;
         [
-            [
-                S::from_f64(0.25) * self.a * self.a * self.m + S::from_f64(0.02),
-                mass_psi_phi,
-            ],
+            [self.a * self.a * w + S::from_f64(0.02), mass_psi_phi],
             [mass_psi_phi, self.m * S::from_f64(0.5833333333333334) * self.b * self.b],
         ]
     }
@@ -325,34 +324,34 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 1, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 19 additions, 47 multiplications, 4 divisions, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 19 additions, 44 multiplications, 4 divisions, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
         let [phi, psi] = *q;
         let [phi_dot, psi_dot] = *qd;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
-        let w = self.dx - self.a * cos_phi - self.b * sin_psi;
+        let w = self.a * cos_phi;
+        let w_2 = self.b * sin_psi;
+        let w_3 = self.dx - w - w_2;
         let a_squared = self.a * self.a;
         let sin_phi_squared = sin_phi * sin_phi;
         let B_z = self.dz - self.b * cos_psi;
-        let w_2 = w * w + a_squared * sin_phi_squared + B_z * B_z;
-        let w_3 = phi_dot * self.a * sin_phi - self.b * cos_psi * psi_dot;
-        let w_4 = (phi_dot
-            * (self.a * cos_phi * w - sin_phi_squared * a_squared * S::from_f64(2.0)
-                + a_squared) + self.a * sin_phi * w_3) / w_2;
-        let w_5 = w * w_3 + phi_dot * cos_phi * a_squared * sin_phi
-            + self.b * sin_psi * B_z * psi_dot;
-        let w_2_squared = w_2 * w_2;
-        let w_6 = (self.b * (cos_psi * (w_3 - B_z * psi_dot) - sin_psi * w * psi_dot)
-            - psi_dot * self.b * self.b * sin_psi * sin_psi) / w_2;
-        let w_7 = psi_dot
-            * (w_5 * self.b * (w * cos_psi - sin_psi * B_z) / w_2_squared - w_6);
+        let w_4 = w_3 * w_3 + a_squared * sin_phi_squared + B_z * B_z;
+        let w_5 = phi_dot * self.a * sin_phi - self.b * cos_psi * psi_dot;
+        let w_6 = (phi_dot
+            * (w * w_3 - sin_phi_squared * a_squared * S::from_f64(2.0) + a_squared)
+            + self.a * sin_phi * w_5) / w_4;
+        let w_7 = cos_phi * a_squared;
+        let w_8 = w_3 * w_5 + phi_dot * sin_phi * w_7 + w_2 * B_z * psi_dot;
+        let w_4_squared = w_4 * w_4;
+        let w_9 = (self.b * (cos_psi * (w_5 - B_z * psi_dot) - sin_psi * w_3 * psi_dot)
+            - psi_dot * self.b * self.b * sin_psi * sin_psi) / w_4;
+        let w_10 = psi_dot
+            * (w_8 * self.b * (w_3 * cos_psi - sin_psi * B_z) / w_4_squared - w_9);
         [
-            w_2.sqrt()
-                * (phi_dot
-                    * (w_4
-                        - sin_phi * (self.a * w + cos_phi * a_squared) * w_5
-                            / w_2_squared) + w_7),
+            w_4.sqrt()
+                * (phi_dot * (w_6 - sin_phi * (self.a * w_3 + w_7) * w_8 / w_4_squared)
+                    + w_10),
         ]
     }
     /// `C` (1), `C_q` (1 x 2) and `C_t` (1) together, in SI units, for projection.
@@ -384,21 +383,20 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 5 additions, 23 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 21 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
         let [phi, psi] = *q;
         let [phi_dot, psi_dot] = *qd;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
+        let w = S::from_f64(0.125) * self.m;
         let b_squared = self.b * self.b;
-        let w = psi_dot * psi_dot
-            * (sin_psi * sin_psi * S::from_f64(0.125) * self.m * b_squared
+        let w_2 = psi_dot * psi_dot
+            * (sin_psi * sin_psi * b_squared * w
                 + self.m * b_squared * S::from_f64(0.16666666666666666));
-        let w_2 = phi_dot * self.a * sin_phi + psi_dot * self.b * cos_psi;
-        phi_dot * phi_dot
-            * (S::from_f64(0.01)
-                + cos_phi * cos_phi * S::from_f64(0.125) * self.m * self.a * self.a) + w
-            + w_2 * w_2 * S::from_f64(0.125) * self.m
+        let w_3 = phi_dot * self.a * sin_phi + psi_dot * self.b * cos_psi;
+        phi_dot * phi_dot * (S::from_f64(0.01) + cos_phi * cos_phi * self.a * self.a * w)
+            + w_2 + w_3 * w_3 * w
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -550,7 +548,7 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 31 additions, 75 multiplications, 8 divisions, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 31 additions, 71 multiplications, 8 divisions, 2 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -561,40 +559,43 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
         let [phi, psi] = *q;
         let [phi_dot, psi_dot] = *qd;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
-        let rhs_phi = sin_phi * self.k_2 * sin_psi * psi_dot * psi_dot;
-        let mass_psi_phi = sin_phi * cos_psi * self.k_2;
+        let w = sin_phi * self.k_2;
+        let rhs_phi = w * sin_psi * psi_dot * psi_dot;
+        let mass_psi_phi = cos_psi * w;
         let l_psi_phi = mass_psi_phi * self.inverse_phi;
         let pivot_psi = self.mass_psi_psi - mass_psi_phi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w = self.dx - self.a * cos_phi - self.b * sin_psi;
+        let w_2 = self.a * cos_phi;
+        let w_3 = self.b * sin_psi;
+        let w_4 = self.dx - w_2 - w_3;
         let sin_phi_squared = sin_phi * sin_phi;
         let B_z = self.dz - self.b * cos_psi;
-        let w_2 = w * w + self.a_squared * sin_phi_squared + B_z * B_z;
-        let sqrt_w_2 = w_2.sqrt();
-        let w_3 = self.b * (cos_psi * w - sin_psi * B_z);
-        let w_4 = sin_phi * (self.a * w + self.a_squared * cos_phi);
-        let coupling_by_phi = sqrt_w_2 * w_4 / w_2;
+        let w_5 = w_4 * w_4 + self.a_squared * sin_phi_squared + B_z * B_z;
+        let sqrt_w_5 = w_5.sqrt();
+        let w_6 = self.b * (cos_psi * w_4 - sin_psi * B_z);
+        let w_7 = self.a_squared * cos_phi;
+        let w_8 = sin_phi * (self.a * w_4 + w_7);
+        let coupling_by_phi = sqrt_w_5 * w_8 / w_5;
         let l_lambda_coupling_phi = coupling_by_phi * self.inverse_phi;
-        let minus_k_lambda_coupling_psi = sqrt_w_2 * w_3 / w_2
+        let minus_k_lambda_coupling_psi = sqrt_w_5 * w_6 / w_5
             + mass_psi_phi * l_lambda_coupling_phi;
         let minus_l_lambda_coupling_psi = inverse_psi * minus_k_lambda_coupling_psi;
         let minus_pivot_lambda_coupling = coupling_by_phi * l_lambda_coupling_phi
             + minus_k_lambda_coupling_psi * minus_l_lambda_coupling_psi;
-        let w_5 = self.a * sin_phi * phi_dot - self.b * cos_psi * psi_dot;
-        let w_6 = w * w_5 + self.a_squared * sin_phi * cos_phi * phi_dot
-            + self.b * sin_psi * B_z * psi_dot;
-        let w_2_squared = w_2 * w_2;
-        let w_7 = phi_dot
-            * ((phi_dot
-                * (self.a * cos_phi * w - sin_phi_squared * self.k_10 + self.a_squared)
-                + self.a * sin_phi * w_5) / w_2 - w_4 * w_6 / w_2_squared);
-        let w_8 = w_3 * w_6 / w_2_squared
-            - (self.b * (cos_psi * (w_5 - B_z * psi_dot) - sin_psi * w * psi_dot)
-                - self.b_squared * psi_dot * sin_psi * sin_psi) / w_2;
+        let w_9 = self.a * sin_phi * phi_dot - self.b * cos_psi * psi_dot;
+        let w_10 = w_4 * w_9 + sin_phi * w_7 * phi_dot + w_3 * B_z * psi_dot;
+        let w_5_squared = w_5 * w_5;
+        let w_11 = w_6 * w_10 / w_5_squared
+            - (self.b * (cos_psi * (w_9 - B_z * psi_dot) - sin_psi * w_4 * psi_dot)
+                - self.b_squared * psi_dot * sin_psi * sin_psi) / w_5;
+        let w_12 = phi_dot
+            * ((phi_dot * (w_2 * w_4 - sin_phi_squared * self.k_10 + self.a_squared)
+                + self.a * sin_phi * w_9) / w_5 - w_8 * w_10 / w_5_squared)
+            + psi_dot * w_11;
         let minus_rhs_psi = sin_psi * self.k_9
             + cos_psi * self.k_2 * cos_phi * phi_dot * phi_dot + rhs_phi * l_psi_phi;
         let lambda_coupling = S::from_f64(1.0) / minus_pivot_lambda_coupling
-            * (sqrt_w_2 * (w_7 + psi_dot * w_8) + rhs_phi * l_lambda_coupling_phi
+            * (sqrt_w_5 * w_12 + rhs_phi * l_lambda_coupling_phi
                 + minus_l_lambda_coupling_psi * minus_rhs_psi);
         let psi_ddot = minus_l_lambda_coupling_psi * lambda_coupling
             - inverse_psi * minus_rhs_psi;
@@ -616,7 +617,7 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 119 additions, 236 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 119 additions, 214 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -626,147 +627,150 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 1]> {
         let [phi, psi] = *q;
         let [phi_dot, psi_dot] = *qd;
-        let phi_dot_squared = phi_dot * phi_dot;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
-        let sin_phi_squared = sin_phi * sin_phi;
         let psi_dot_squared = psi_dot * psi_dot;
-        let w = self.a * cos_phi * phi_dot_squared - self.b * sin_psi * psi_dot_squared;
-        let mass_psi_phi = sin_phi * cos_psi * self.k_2;
+        let w = sin_phi * self.k_2;
+        let rhs_phi = sin_psi * psi_dot_squared * w;
+        let phi_dot_squared = phi_dot * phi_dot;
+        let sin_phi_squared = sin_phi * sin_phi;
+        let w_2 = self.a * cos_phi * phi_dot_squared
+            - self.b * sin_psi * psi_dot_squared;
+        let w_3 = sin_phi * cos_psi;
+        let mass_psi_phi = self.k_2 * w_3;
         let l_psi_phi = mass_psi_phi * self.inverse_phi;
         let pivot_psi = self.mass_psi_psi - mass_psi_phi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_2 = self.dx - self.a * cos_phi - self.b * sin_psi;
+        let w_4 = self.a * cos_phi;
+        let w_5 = self.dx - w_4 - self.b * sin_psi;
         let B_z = self.dz - self.b * cos_psi;
-        let w_3 = w_2 * w_2 + self.a_squared * sin_phi_squared + B_z * B_z;
-        let sqrt_w_3 = w_3.sqrt();
-        let w_4 = self.b * (cos_psi * w_2 - sin_psi * B_z);
-        let w_5 = self.a * w_2;
-        let w_6 = sin_phi * (w_5 + self.a_squared * cos_phi);
-        let coupling_by_phi = sqrt_w_3 * w_6 / w_3;
+        let w_6 = w_5 * w_5 + self.a_squared * sin_phi_squared + B_z * B_z;
+        let sqrt_w_6 = w_6.sqrt();
+        let w_7 = self.b * (cos_psi * w_5 - sin_psi * B_z);
+        let w_8 = self.a * w_5;
+        let w_9 = self.a_squared * cos_phi;
+        let w_10 = sin_phi * (w_8 + w_9);
+        let coupling_by_phi = sqrt_w_6 * w_10 / w_6;
         let l_lambda_coupling_phi = coupling_by_phi * self.inverse_phi;
-        let minus_k_lambda_coupling_psi = sqrt_w_3 * w_4 / w_3
+        let minus_k_lambda_coupling_psi = sqrt_w_6 * w_7 / w_6
             + mass_psi_phi * l_lambda_coupling_phi;
         let minus_l_lambda_coupling_psi = inverse_psi * minus_k_lambda_coupling_psi;
         let minus_pivot_lambda_coupling = coupling_by_phi * l_lambda_coupling_phi
             + minus_k_lambda_coupling_psi * minus_l_lambda_coupling_psi;
         let minus_inverse_lambda_coupling = S::from_f64(1.0)
             / minus_pivot_lambda_coupling;
-        let w_7 = self.a * cos_phi * w_2;
-        let w_8 = self.a * sin_phi * phi_dot - self.b * cos_psi * psi_dot;
-        let w_9 = phi_dot * (w_7 - sin_phi_squared * self.k_10 + self.a_squared)
-            + self.a * sin_phi * w_8;
-        let w_10 = w_2 * w_8 + self.a_squared * sin_phi * cos_phi * phi_dot
-            + self.b * sin_psi * B_z * psi_dot;
-        let w_3_squared = w_3 * w_3;
-        let w_11 = B_z * psi_dot;
-        let w_12 = self.b * (cos_psi * (w_8 - w_11) - sin_psi * w_2 * psi_dot)
+        let w_11 = w_4 * w_5;
+        let w_12 = self.a * sin_phi * phi_dot - self.b * cos_psi * psi_dot;
+        let w_13 = phi_dot * (w_11 - sin_phi_squared * self.k_10 + self.a_squared)
+            + self.a * sin_phi * w_12;
+        let w_14 = sin_psi * psi_dot;
+        let w_15 = w_5 * w_12 + sin_phi * w_9 * phi_dot + self.b * B_z * w_14;
+        let w_6_squared = w_6 * w_6;
+        let w_16 = B_z * psi_dot;
+        let w_17 = self.b * (cos_psi * (w_12 - w_16) - w_5 * w_14)
             - self.b_squared * psi_dot * sin_psi * sin_psi;
-        let rhs_phi = sin_phi * self.k_2 * sin_psi * psi_dot_squared;
-        let minus_rhs_psi = sin_psi * self.k_9
-            + cos_psi * self.k_2 * cos_phi * phi_dot_squared + rhs_phi * l_psi_phi;
-        let minus_rhs_lambda_coupling = sqrt_w_3
-            * (phi_dot * (w_9 / w_3 - w_6 * w_10 / w_3_squared)
-                + psi_dot * (w_4 * w_10 / w_3_squared - w_12 / w_3))
+        let w_18 = cos_psi * cos_phi;
+        let minus_rhs_psi = sin_psi * self.k_9 + self.k_2 * phi_dot_squared * w_18
+            + rhs_phi * l_psi_phi;
+        let minus_rhs_lambda_coupling = sqrt_w_6
+            * (phi_dot * (w_13 / w_6 - w_10 * w_15 / w_6_squared)
+                + psi_dot * (w_7 * w_15 / w_6_squared - w_17 / w_6))
             + rhs_phi * l_lambda_coupling_phi
             + minus_l_lambda_coupling_psi * minus_rhs_psi;
         let lambda_coupling = minus_inverse_lambda_coupling * minus_rhs_lambda_coupling;
         let psi_ddot = minus_l_lambda_coupling_psi * lambda_coupling
             - inverse_psi * minus_rhs_psi;
-        let w_6_squared = w_6 * w_6;
-        let w_13 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_7;
-        let w_14 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
-            - cos_phi * (w * self.k_3 + cos_psi * self.k_2 * psi_ddot)
-            + sqrt_w_3 * lambda_coupling * (w_6_squared / w_3_squared + w_13 / w_3);
+        let w_10_squared = w_10 * w_10;
+        let w_19 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_11;
+        let w_20 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
+            - cos_phi * (w_2 * self.k_3 + cos_psi * self.k_2 * psi_ddot)
+            + sqrt_w_6 * lambda_coupling * (w_10_squared / w_6_squared + w_19 / w_6);
         let phi_ddot = rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot
             - l_lambda_coupling_phi * lambda_coupling;
-        let w_15 = sqrt_w_3 * w_6 * w_4 * lambda_coupling / w_3_squared;
-        let w_16 = cos_psi
+        let w_21 = sqrt_w_6 * self.k_11;
+        let w_22 = w_10 * w_7;
+        let w_23 = sqrt_w_6 * lambda_coupling * w_22 / w_6_squared;
+        let w_24 = cos_psi
             * (self.k_2 * (sin_phi * phi_dot_squared - cos_phi * phi_ddot)
-                + sin_phi * sqrt_w_3 * lambda_coupling * self.k_11 / w_3) - w_15
-            - l_psi_phi * w_14;
-        let w_17 = phi_dot * w_13;
-        let w_18 = sin_phi * cos_psi * psi_dot * self.k_11;
-        let w_19 = w_6
-            * (phi_dot * S::from_f64(2.0) * w_9 - psi_dot * w_12 - w_4 * psi_ddot)
-            - w_10 * (w_17 + w_18) - w_4 * psi_dot * w_9 + phi_ddot * w_6_squared;
-        let w_20 = self.k_11
-            * (cos_psi * cos_phi * phi_dot - sin_phi * sin_psi * psi_dot);
-        let w_21 = phi_dot
-            * (sin_phi * phi_dot * (cos_phi * self.k_10 + w_5) - self.a * cos_phi * w_8)
-            + psi_dot * w_20 + phi_ddot * w_13
-            + sin_phi * cos_psi * psi_ddot * self.k_11;
-        let w_22 = phi_dot * w_6_squared;
-        let w_23 = w_3 * w_3_squared;
-        let w_24 = sqrt_w_3
-            * (w_19 / w_3_squared + w_21 / w_3
-                + S::from_f64(3.0) * w_10 * ((w_6 * w_4 * psi_dot - w_22) / w_23))
-            - l_lambda_coupling_phi * w_14 + minus_l_lambda_coupling_psi * w_16;
-        let w_25 = minus_inverse_lambda_coupling * w_24;
-        let w_26 = inverse_psi * w_16 - minus_l_lambda_coupling_psi * w_25;
-        let w_27 = sin_phi
-            * (cos_psi
-                * (sqrt_w_3 * lambda_coupling * self.k_11 / w_3
-                    + self.k_2 * psi_dot_squared) + self.k_2 * sin_psi * psi_ddot)
-            - w_15;
-        let w_28 = cos_psi
+                + sin_phi * lambda_coupling * w_21 / w_6) - w_23 - l_psi_phi * w_20;
+        let w_25 = phi_dot * w_19;
+        let w_26 = w_3 * psi_dot * self.k_11;
+        let w_27 = w_7 * psi_dot;
+        let w_28 = (w_10
+            * (phi_dot * S::from_f64(2.0) * w_13 - psi_dot * w_17 - w_7 * psi_ddot)
+            - w_15 * (w_25 + w_26) - w_13 * w_27 + phi_ddot * w_10_squared)
+            / w_6_squared;
+        let w_29 = self.k_11 * (phi_dot * w_18 - sin_phi * w_14);
+        let w_30 = w_3 * self.k_11;
+        let w_31 = (phi_dot
+            * (sin_phi * phi_dot * (cos_phi * self.k_10 + w_8) - w_4 * w_12)
+            + psi_dot * w_29 + phi_ddot * w_19 + psi_ddot * w_30) / w_6;
+        let w_32 = phi_dot * w_10_squared;
+        let w_33 = w_6 * w_6_squared;
+        let w_34 = minus_inverse_lambda_coupling
+            * (sqrt_w_6
+                * (w_28 + w_31
+                    + S::from_f64(3.0) * w_15 * ((psi_dot * w_22 - w_32) / w_33))
+                - l_lambda_coupling_phi * w_20 + minus_l_lambda_coupling_psi * w_24);
+        let w_35 = inverse_psi * w_24 - minus_l_lambda_coupling_psi * w_34;
+        let w_36 = sin_phi
+            * (cos_psi * (lambda_coupling * w_21 / w_6 + self.k_2 * psi_dot_squared)
+                + self.k_2 * sin_psi * psi_ddot) - w_23;
+        let w_37 = cos_psi
             * (self.k_7 + (self.k_4 + cos_psi * psi_dot_squared * self.k_5) * self.k_8);
-        let w_4_squared = w_4 * w_4;
-        let w_29 = self.b * (sin_psi * w_2 + cos_psi * B_z) + self.b_squared;
-        let w_30 = sin_psi * (w * self.k_6 + sin_phi * self.k_2 * phi_ddot) - w_28
-            + sqrt_w_3 * lambda_coupling * (w_4_squared / w_3_squared - w_29 / w_3)
-            + psi_dot_squared * self.k_12;
-        let w_31 = w_30 - l_psi_phi * w_27;
-        let w_32 = phi_dot
-            * (sin_phi * cos_psi * w_10 * self.k_11 + w_6 * w_12 + w_4 * w_9);
-        let w_33 = (psi_dot * (w_10 * w_29 + w_4 * S::from_f64(2.0) * w_12) - w_32
-            - w_6 * w_4 * phi_ddot + psi_ddot * w_4_squared) / w_3_squared;
-        let w_34 = psi_dot
-            * (self.b * (sin_psi * (w_11 - w_8) - cos_psi * w_2 * psi_dot)
-                - cos_psi * self.b_squared * sin_psi * psi_dot);
-        let w_35 = (phi_dot * w_20 + w_34 + sin_phi * cos_psi * phi_ddot * self.k_11
-            - psi_ddot * w_29) / w_3;
-        let w_36 = psi_dot * w_4_squared;
-        let w_37 = minus_inverse_lambda_coupling
-            * (sqrt_w_3
-                * (w_33 + w_35
-                    + S::from_f64(3.0) * w_10 * ((w_6 * w_4 * phi_dot - w_36) / w_23))
-                - l_lambda_coupling_phi * w_27 + minus_l_lambda_coupling_psi * w_31);
-        let w_38 = inverse_psi * w_31 - minus_l_lambda_coupling_psi * w_37;
-        let w_39 = cos_psi * cos_phi * phi_dot * self.k_13;
-        let w_40 = minus_inverse_lambda_coupling
-            * (sqrt_w_3
-                * ((w_6 * (w_10 - w_4 * psi_dot) + w_22) / w_3_squared
-                    + (w_17 - w_9 + w_18) / w_3) - minus_l_lambda_coupling_psi * w_39);
-        let w_41 = inverse_psi * w_39 + minus_l_lambda_coupling_psi * w_40;
-        let w_42 = sin_phi * sin_psi * psi_dot * self.k_13;
-        let w_43 = l_psi_phi * w_42;
-        let w_44 = sqrt_w_3
-            * ((w_36 - w_4 * (w_6 * phi_dot + w_10)) / w_3_squared
-                + (sin_phi * cos_psi * phi_dot * self.k_11 + w_12 - psi_dot * w_29)
-                    / w_3);
-        let w_45 = minus_inverse_lambda_coupling
-            * (w_44 - l_lambda_coupling_phi * w_42 - minus_l_lambda_coupling_psi * w_43);
-        let w_46 = inverse_psi * w_43 + minus_l_lambda_coupling_psi * w_45;
+        let w_7_squared = w_7 * w_7;
+        let w_38 = self.b * (sin_psi * w_5 + cos_psi * B_z) + self.b_squared;
+        let w_39 = sin_psi * (w_2 * self.k_6 + w * phi_ddot) - w_37
+            + sqrt_w_6 * lambda_coupling * (w_7_squared / w_6_squared - w_38 / w_6)
+            + psi_dot_squared * self.k_12 - l_psi_phi * w_36;
+        let w_40 = psi_dot * (w_15 * w_38 + w_7 * S::from_f64(2.0) * w_17)
+            - phi_dot * (w_15 * w_30 + w_10 * w_17 + w_7 * w_13) - phi_ddot * w_22
+            + psi_ddot * w_7_squared;
+        let w_41 = phi_dot * w_29
+            + psi_dot
+                * (self.b * (sin_psi * (w_16 - w_12) - cos_psi * w_5 * psi_dot)
+                    - cos_psi * self.b_squared * w_14) + phi_ddot * w_30
+            - psi_ddot * w_38;
+        let w_42 = psi_dot * w_7_squared;
+        let w_43 = minus_inverse_lambda_coupling
+            * (sqrt_w_6
+                * (w_40 / w_6_squared + w_41 / w_6
+                    + S::from_f64(3.0) * w_15 * ((phi_dot * w_22 - w_42) / w_33))
+                - l_lambda_coupling_phi * w_36 + minus_l_lambda_coupling_psi * w_39);
+        let w_44 = inverse_psi * w_39 - minus_l_lambda_coupling_psi * w_43;
+        let w_45 = phi_dot * w_18 * self.k_13;
+        let w_46 = minus_inverse_lambda_coupling
+            * (sqrt_w_6
+                * ((w_10 * (w_15 - w_27) + w_32) / w_6_squared
+                    + (w_25 - w_13 + w_26) / w_6) - minus_l_lambda_coupling_psi * w_45);
+        let w_47 = inverse_psi * w_45 + minus_l_lambda_coupling_psi * w_46;
+        let w_48 = sin_phi * w_14 * self.k_13;
+        let w_49 = l_psi_phi * w_48;
+        let w_50 = sqrt_w_6
+            * ((w_42 - w_7 * (w_10 * phi_dot + w_15)) / w_6_squared
+                + (w_3 * phi_dot * self.k_11 + w_17 - psi_dot * w_38) / w_6);
+        let w_51 = minus_inverse_lambda_coupling
+            * (w_50 - l_lambda_coupling_phi * w_48 - minus_l_lambda_coupling_psi * w_49);
+        let w_52 = inverse_psi * w_49 + minus_l_lambda_coupling_psi * w_51;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_phi * w_14 - l_psi_phi * w_26
-                        + l_lambda_coupling_phi * w_25,
-                    self.inverse_phi * w_27 - l_psi_phi * w_38
-                        + l_lambda_coupling_phi * w_37,
+                    self.inverse_phi * w_20 - l_psi_phi * w_35
+                        + l_lambda_coupling_phi * w_34,
+                    self.inverse_phi * w_36 - l_psi_phi * w_44
+                        + l_lambda_coupling_phi * w_43,
                 ],
-                [w_26, w_38],
+                [w_35, w_44],
             ],
             accelerations_by_speeds: [
                 [
-                    l_psi_phi * w_41 + l_lambda_coupling_phi * w_40,
-                    self.inverse_phi * w_42 + l_psi_phi * w_46
-                        + l_lambda_coupling_phi * w_45,
+                    l_psi_phi * w_47 + l_lambda_coupling_phi * w_46,
+                    self.inverse_phi * w_48 + l_psi_phi * w_52
+                        + l_lambda_coupling_phi * w_51,
                 ],
-                [-w_41, -w_46],
+                [-w_47, -w_52],
             ],
-            multipliers_by_positions: [[-w_25, -w_37]],
-            multipliers_by_speeds: [[-w_40, -w_45]],
+            multipliers_by_positions: [[-w_34, -w_43]],
+            multipliers_by_speeds: [[-w_46, -w_51]],
             refused: sim_kernel::pivot_is_refused(self.mass_phi_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(pivot_psi, self.mass_psi_psi)
                 | sim_kernel::pivot_is_refused(

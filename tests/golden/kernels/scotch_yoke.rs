@@ -454,13 +454,13 @@ impl<S: sim_kernel::Scalar> ScotchYokePrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 1]> {
         let [alpha, _] = *q;
         let [alpha_dot, _] = *qd;
+        let alpha_dot_squared = alpha_dot * alpha_dot;
         let ([sin_alpha], [cos_alpha]) = S::sin_cos_each([alpha]);
         let minus_slot_by_alpha = self.r * sin_alpha;
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
         let minus_pivot_lambda_slot = minus_slot_by_alpha * minus_l_lambda_slot_alpha
             + self.inverse_x;
         let minus_inverse_lambda_slot = S::from_f64(1.0) / minus_pivot_lambda_slot;
-        let alpha_dot_squared = alpha_dot * alpha_dot;
         let minus_lambda_slot = self.r * alpha_dot_squared * cos_alpha
             * minus_inverse_lambda_slot;
         let w = self.r * cos_alpha * minus_lambda_slot;

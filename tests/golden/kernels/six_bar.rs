@@ -333,9 +333,9 @@ pub struct SixBarPrepared<S = ::core::primitive::f64> {
     k_21: S,
     k_22: S,
     k_23: S,
+    inverse_theta5: S,
     inverse_theta4: S,
     inverse_theta6: S,
-    inverse_theta5: S,
     w: S,
     k_24: S,
     k_25: S,
@@ -355,69 +355,77 @@ pub struct SixBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SixBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 7 additions, 84 multiplications, 3 divisions.
+    /// Operations: 7 additions, 62 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> SixBarPrepared<S> {
         let a_squared = self.a * self.a;
         let w = a_squared * self.m3;
         let w_2 = a_squared * self.m5;
-        let w_3 = self.a * self.m5 * self.p;
-        let w_4 = self.m5 * self.p * self.p;
+        let w_3 = self.a * self.m5;
+        let w_4 = self.p * w_3;
+        let w_5 = self.a * self.m3;
+        let w_6 = self.m5 * self.p * self.p;
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
+        let w_7 = S::from_f64(0.5) * self.f;
+        let w_8 = self.m5 * self.p;
         let f_squared = self.f * self.f;
         let mass_theta5_theta5 = self.m5 * S::from_f64(0.3333333333333333) * f_squared;
         let mass_theta6_theta6 = S::from_f64(0.3333333333333333) * self.h * self.h
             * self.m6;
-        let w_5 = self.m5 * self.p * self.g;
+        let w_9 = self.p * S::from_f64(2.0);
+        let w_10 = self.m3 * S::from_f64(0.3333333333333333);
+        let w_11 = w_8 * self.g;
+        let w_12 = S::from_f64(0.5) * self.g;
+        let w_13 = self.m5 * self.f;
         SixBarPrepared {
             a: self.a,
             mass_theta2_theta2: self.J2 + w + w_2,
             p: self.p,
             delta: self.delta,
             b: self.b,
-            k: w_3,
-            k_2: self.a * self.m3 * S::from_f64(0.3333333333333333),
+            k: w_4,
+            k_2: S::from_f64(0.3333333333333333) * w_5,
             k_3: self.m3 * S::from_f64(0.1111111111111111),
-            k_4: w_4,
-            k_5: self.J3 + w_4,
+            k_4: w_6,
+            k_5: self.J3 + w_6,
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             f: self.f,
-            k_6: self.a * self.m5 * S::from_f64(0.5) * self.f,
-            k_7: self.m5 * self.p * S::from_f64(0.5) * self.f,
+            k_6: w_3 * w_7,
+            k_7: w_7 * w_8,
             mass_theta5_theta5: mass_theta5_theta5,
             h: self.h,
             mass_theta6_theta6: mass_theta6_theta6,
             k_8: self.a * S::from_f64(3.0),
             k_9: self.a * S::from_f64(2.0),
-            k_10: self.p * S::from_f64(2.0),
-            k_11: self.a * self.m5 * S::from_f64(0.5),
-            k_12: self.a * self.m3 * self.g + self.a * self.m5 * self.g,
-            k_13: self.a * self.m3 * S::from_f64(0.3333333333333333) * self.b,
-            k_14: self.a * self.m3 * self.p * S::from_f64(0.3333333333333333) + w_3,
-            k_15: self.m5 * self.p * S::from_f64(0.5),
-            k_16: self.m3 * S::from_f64(0.3333333333333333) * self.g,
-            k_17: w_5,
-            k_18: self.m3 * S::from_f64(0.3333333333333333) * self.b * self.g,
-            k_19: w_5 + self.m3 * self.p * S::from_f64(0.3333333333333333) * self.g,
-            k_20: self.c * self.m4 * S::from_f64(0.5) * self.g,
-            k_21: self.m5 * self.f * S::from_f64(0.25),
-            k_22: self.m5 * S::from_f64(0.5) * self.f * self.g,
-            k_23: S::from_f64(0.5) * self.h * self.m6 * self.g,
+            k_10: w_9,
+            k_11: w_3 * S::from_f64(0.5),
+            k_12: w_5 * self.g + w_3 * self.g,
+            k_13: S::from_f64(0.3333333333333333) * self.b * w_5,
+            k_14: self.p * S::from_f64(0.3333333333333333) * w_5 + w_4,
+            k_15: S::from_f64(0.5) * w_8,
+            k_16: self.g * w_10,
+            k_17: w_11,
+            k_18: self.b * self.g * w_10,
+            k_19: w_11 + self.p * self.g * w_10,
+            k_20: self.c * self.m4 * w_12,
+            k_21: S::from_f64(0.25) * w_13,
+            k_22: w_12 * w_13,
+            k_23: self.h * self.m6 * w_12,
+            inverse_theta5: S::from_f64(1.0) / mass_theta5_theta5,
             inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
             inverse_theta6: S::from_f64(1.0) / mass_theta6_theta6,
-            inverse_theta5: S::from_f64(1.0) / mass_theta5_theta5,
             w: self.w,
-            k_24: self.m5 * S::from_f64(0.5) * self.g,
-            k_25: self.a * self.m5 * self.p * S::from_f64(3.0),
-            k_26: self.a * self.m3,
-            k_27: self.a * self.m5 * self.f,
+            k_24: self.m5 * w_12,
+            k_25: self.p * w_3 * S::from_f64(3.0),
+            k_26: w_5,
+            k_27: w_3 * self.f,
             k_28: w + w_2,
-            k_29: self.m5 * self.p * self.f,
+            k_29: self.f * w_8,
             k_30: self.m5 * f_squared * S::from_f64(0.25),
-            k_31: self.a * self.m3 * S::from_f64(0.6666666666666666),
-            k_32: self.a * self.m5 * self.p * S::from_f64(2.0),
+            k_31: w_5 * S::from_f64(0.6666666666666666),
+            k_32: w_3 * w_9,
             k_33: self.b * S::from_f64(2.0),
             k_34: self.c * S::from_f64(2.0),
             k_35: self.f * S::from_f64(2.0),
@@ -426,28 +434,29 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 13 additions, 44 multiplications, 4 sine-cosine pairs.
+    /// Operations: 13 additions, 42 multiplications, 4 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [theta2, theta3, _, theta5, _] = *q;
         let a_squared = self.a * self.a;
-        let w = theta3 + self.delta;
-        let ([sin_theta2, sin_w, u3_y, u5_y], [cos_theta2, cos_w, u3_x, u5_x]) = S::sin_cos_each([
+        let w = self.a * self.m5;
+        let w_2 = theta3 + self.delta;
+        let ([sin_theta2, sin_w_2, u3_y, u5_y], [cos_theta2, cos_w_2, u3_x, u5_x]) = S::sin_cos_each([
             theta2,
-            w,
+            w_2,
             theta3,
             theta5,
         ]);
-        let w_2 = self.b * u3_y + self.p * sin_w;
-        let w_3 = self.b * u3_x + self.p * cos_w;
-        let mass_theta3_theta2 = self.a * self.m5 * self.p
-            * (sin_theta2 * sin_w + cos_theta2 * cos_w)
+        let w_3 = self.b * u3_y + self.p * sin_w_2;
+        let w_4 = self.b * u3_x + self.p * cos_w_2;
+        let mass_theta3_theta2 = self.p * w
+            * (sin_theta2 * sin_w_2 + cos_theta2 * cos_w_2)
             + self.a * self.m3 * S::from_f64(0.3333333333333333)
-                * (sin_theta2 * w_2 + cos_theta2 * w_3);
-        let mass_theta5_theta2 = self.a * self.m5 * S::from_f64(0.5) * self.f
-            * (sin_theta2 * u5_y + cos_theta2 * u5_x);
-        let mass_theta5_theta3 = self.m5 * self.p * S::from_f64(0.5) * self.f
-            * (sin_w * u5_y + cos_w * u5_x);
+                * (sin_theta2 * w_3 + cos_theta2 * w_4);
+        let w_5 = S::from_f64(0.5) * self.f;
+        let mass_theta5_theta2 = w * w_5 * (sin_theta2 * u5_y + cos_theta2 * u5_x);
+        let mass_theta5_theta3 = self.m5 * self.p * w_5
+            * (sin_w_2 * u5_y + cos_w_2 * u5_x);
         [
             [
                 self.J2 + a_squared * self.m3 + a_squared * self.m5,
@@ -458,7 +467,7 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             ],
             [
                 mass_theta3_theta2,
-                self.m3 * S::from_f64(0.1111111111111111) * (w_2 * w_2 + w_3 * w_3)
+                self.m3 * S::from_f64(0.1111111111111111) * (w_3 * w_3 + w_4 * w_4)
                     + (self.J3 + self.m5 * self.p * self.p),
                 S::from_f64(0.0),
                 mass_theta5_theta3,
@@ -489,48 +498,50 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 15 additions, 39 multiplications, 4 sine-cosine pairs.
+    /// Operations: 15 additions, 36 multiplications, 4 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [theta2, theta3, _, theta5, _] = *q;
         let [theta2_dot, theta3_dot, _, theta5_dot, _] = *qd;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = S::from_f64(0.3333333333333333) * self.a * self.m3 * self.p
-            + self.a * self.p * self.m5;
-        let w_2 = theta3 + self.delta;
-        let ([sin_theta2, sin_w_2, u3_y, u5_y], [cos_theta2, cos_w_2, u3_x, u5_x]) = S::sin_cos_each([
+        let w = S::from_f64(0.3333333333333333) * self.a;
+        let w_2 = self.a * self.m5;
+        let w_3 = self.m3 * self.p * w + self.p * w_2;
+        let w_4 = theta3 + self.delta;
+        let ([sin_theta2, sin_w_4, u3_y, u5_y], [cos_theta2, cos_w_4, u3_x, u5_x]) = S::sin_cos_each([
             theta2,
-            w_2,
+            w_4,
             theta3,
             theta5,
         ]);
-        let w_3 = sin_theta2 * cos_w_2;
-        let w_4 = cos_theta2 * sin_w_2;
-        let w_5 = S::from_f64(0.3333333333333333) * self.a * self.m3 * self.b;
-        let w_6 = sin_theta2 * u3_x;
-        let w_7 = cos_theta2 * u3_y;
-        let w_8 = self.a * S::from_f64(0.5) * self.m5 * self.f;
+        let w_5 = sin_theta2 * cos_w_4;
+        let w_6 = cos_theta2 * sin_w_4;
+        let w_7 = self.m3 * self.b * w;
+        let w_8 = sin_theta2 * u3_x;
+        let w_9 = cos_theta2 * u3_y;
+        let w_10 = S::from_f64(0.5) * self.f;
+        let w_11 = w_2 * w_10;
         let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_9 = sin_theta2 * u5_x;
-        let w_10 = cos_theta2 * u5_y;
+        let w_12 = sin_theta2 * u5_x;
+        let w_13 = cos_theta2 * u5_y;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_11 = self.p * S::from_f64(0.5) * self.m5 * self.f;
-        let w_12 = sin_w_2 * u5_x;
-        let w_13 = cos_w_2 * u5_y;
+        let w_14 = self.p * self.m5 * w_10;
+        let w_15 = sin_w_4 * u5_x;
+        let w_16 = cos_w_4 * u5_y;
         [
-            theta3_dot_squared * (w * (w_3 - w_4) + w_5 * (w_6 - w_7))
-                + w_8 * theta5_dot_squared * (w_9 - w_10),
-            theta2_dot_squared * (w_5 * (w_7 - w_6) + w * (w_4 - w_3))
+            theta3_dot_squared * (w_3 * (w_5 - w_6) + w_7 * (w_8 - w_9))
                 + w_11 * theta5_dot_squared * (w_12 - w_13),
+            theta2_dot_squared * (w_7 * (w_9 - w_8) + w_3 * (w_6 - w_5))
+                + w_14 * theta5_dot_squared * (w_15 - w_16),
             S::from_f64(0.0),
-            w_8 * theta2_dot_squared * (w_10 - w_9)
-                + w_11 * theta3_dot_squared * (w_13 - w_12),
+            w_11 * theta2_dot_squared * (w_13 - w_12)
+                + w_14 * theta3_dot_squared * (w_16 - w_15),
             S::from_f64(0.0),
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
     ///
-    /// Operations: 9 additions, 25 multiplications, 6 sine-cosine pairs.
+    /// Operations: 9 additions, 21 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [theta2, theta3, theta4, theta5, theta6] = *q;
@@ -542,13 +553,16 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             theta5,
             theta6,
         ]);
+        let w_2 = self.m3 * self.g;
+        let w_3 = self.g * self.m5;
+        let w_4 = self.g * S::from_f64(0.5);
         [
-            -(cos_theta2 * (self.a * self.m3 * self.g + self.a * self.g * self.m5)),
-            -((self.b * u3_x + self.p * w) * self.m3 * self.g
-                * S::from_f64(0.3333333333333333) + w * self.g * self.m5 * self.p),
-            -(u4_x * self.g * S::from_f64(0.5) * self.c * self.m4),
-            -(u5_x * self.g * self.m5 * S::from_f64(0.5) * self.f),
-            -(u6_x * self.g * S::from_f64(0.5) * self.h * self.m6),
+            -(cos_theta2 * (self.a * w_2 + self.a * w_3)),
+            -((self.b * u3_x + self.p * w) * w_2 * S::from_f64(0.3333333333333333)
+                + w * w_3 * self.p),
+            -(u4_x * self.c * self.m4 * w_4),
+            -(u5_x * w_3 * S::from_f64(0.5) * self.f),
+            -(u6_x * w_4 * self.h * self.m6),
         ]
     }
     /// Constraints `C`, 5, in SI units; zero throughout the motion.
@@ -679,12 +693,11 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 5, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 11 additions, 29 multiplications, 6 sine-cosine pairs.
+    /// Operations: 11 additions, 23 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [theta2, theta3, theta4, theta5, theta6] = *q;
         let [theta2_dot, theta3_dot, theta4_dot, theta5_dot, theta6_dot] = *qd;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
         let w = theta3 + self.delta;
         let (
             [sin_theta2,
@@ -702,24 +715,21 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             u6_x,
             ],
         ) = S::sin_cos_each([theta2, theta4, theta3, w, theta5, theta6]);
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_2 = theta2_dot_squared * self.a * cos_theta2;
+        let w_2 = theta4_dot * theta4_dot * self.c;
+        let w_3 = theta2_dot * theta2_dot * self.a;
+        let w_4 = cos_theta2 * w_3;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_3 = theta2_dot_squared * self.a * sin_theta2;
-        let theta6_dot_squared = theta6_dot * theta6_dot;
-        let theta5_dot_squared = theta5_dot * theta5_dot;
+        let w_5 = theta3_dot_squared * self.b;
+        let w_6 = w_3 * sin_theta2;
+        let w_7 = theta6_dot * theta6_dot * self.h;
+        let w_8 = theta3_dot_squared * self.p;
+        let w_9 = theta5_dot * theta5_dot * self.f;
         [
             S::from_f64(0.0),
-            theta4_dot_squared * self.c * u4_x - w_2
-                - theta3_dot_squared * self.b * u3_x,
-            theta4_dot_squared * self.c * u4_y - w_3
-                - theta3_dot_squared * self.b * u3_y,
-            theta6_dot_squared * self.h * u6_x - w_2
-                - theta3_dot_squared * self.p * cos_w
-                - theta5_dot_squared * self.f * u5_x,
-            theta6_dot_squared * self.h * u6_y - w_3
-                - theta3_dot_squared * self.p * sin_w
-                - theta5_dot_squared * self.f * u5_y,
+            u4_x * w_2 - w_4 - u3_x * w_5,
+            w_2 * u4_y - w_6 - w_5 * u3_y,
+            u6_x * w_7 - w_4 - cos_w * w_8 - u5_x * w_9,
+            w_7 * u6_y - w_6 - w_8 * sin_w - w_9 * u5_y,
         ]
     }
     /// `C` (5), `C_q` (5 x 5) and `C_t` (5) together, in SI units, for projection.
@@ -821,7 +831,7 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 17 additions, 54 multiplications, 4 sine-cosine pairs.
+    /// Operations: 17 additions, 50 multiplications, 4 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [theta2, theta3, _, theta5, _] = *q;
@@ -833,31 +843,28 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             w,
             theta5,
         ]);
-        let w_2 = S::from_f64(3.0) * self.a;
-        let w_3 = theta2_dot * sin_theta2 * w_2
-            + theta3_dot * (self.b * u3_y + self.p * sin_w);
-        let w_4 = theta2_dot * w_2 * cos_theta2
-            + theta3_dot * (self.b * u3_x + self.p * cos_w);
-        let w_5 = self.a * S::from_f64(2.0);
-        let w_6 = self.p * S::from_f64(2.0);
-        let w_7 = theta2_dot * sin_theta2 * w_5 + theta3_dot * sin_w * w_6
-            + theta5_dot * self.f * u5_y;
-        let w_8 = theta2_dot * cos_theta2 * w_5 + theta3_dot * cos_w * w_6
-            + theta5_dot * self.f * u5_x;
-        let w_9 = self.m5 * S::from_f64(0.125) * (w_7 * w_7 + w_8 * w_8);
-        let w_10 = theta4_dot * theta4_dot * S::from_f64(0.16666666666666666) * self.c
+        let w_2 = theta2_dot * S::from_f64(3.0) * self.a;
+        let w_3 = sin_theta2 * w_2 + theta3_dot * (self.b * u3_y + self.p * sin_w);
+        let w_4 = w_2 * cos_theta2 + theta3_dot * (self.b * u3_x + self.p * cos_w);
+        let w_5 = theta2_dot * self.a * S::from_f64(2.0);
+        let w_6 = theta3_dot * self.p * S::from_f64(2.0);
+        let w_7 = theta5_dot * self.f;
+        let w_8 = sin_theta2 * w_5 + sin_w * w_6 + u5_y * w_7;
+        let w_9 = cos_theta2 * w_5 + cos_w * w_6 + w_7 * u5_x;
+        let w_10 = self.m5 * S::from_f64(0.125) * (w_8 * w_8 + w_9 * w_9);
+        let w_11 = theta4_dot * theta4_dot * S::from_f64(0.16666666666666666) * self.c
             * self.c * self.m4;
-        let w_11 = theta5_dot * theta5_dot * S::from_f64(0.041666666666666664) * self.f
+        let w_12 = theta5_dot * theta5_dot * S::from_f64(0.041666666666666664) * self.f
             * self.f * self.m5;
-        let w_12 = theta6_dot * theta6_dot * S::from_f64(0.16666666666666666) * self.h
+        let w_13 = theta6_dot * theta6_dot * S::from_f64(0.16666666666666666) * self.h
             * self.h * self.m6;
-        S::from_f64(0.05555555555555555) * self.m3 * (w_3 * w_3 + w_4 * w_4) + w_9
+        S::from_f64(0.05555555555555555) * self.m3 * (w_3 * w_3 + w_4 * w_4) + w_10
             + theta2_dot * theta2_dot * S::from_f64(0.5) * self.J2
-            + theta3_dot * theta3_dot * S::from_f64(0.5) * self.J3 + w_10 + w_11 + w_12
+            + theta3_dot * theta3_dot * S::from_f64(0.5) * self.J3 + w_11 + w_12 + w_13
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 10 additions, 31 multiplications, 6 sine-cosine pairs.
+    /// Operations: 10 additions, 29 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -881,13 +888,12 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
         let w_2 = (theta2_dot * cos_theta2 * S::from_f64(3.0) * self.a
             + theta3_dot * (self.b * u3_x + self.p * w))
             * S::from_f64(0.3333333333333333) * self.m3 * self.g;
-        let w_3 = (theta2_dot * cos_theta2 * self.a * S::from_f64(2.0)
+        let w_3 = self.g * S::from_f64(0.5);
+        let w_4 = (theta2_dot * cos_theta2 * self.a * S::from_f64(2.0)
             + theta3_dot * w * self.p * S::from_f64(2.0) + theta5_dot * self.f * u5_x)
-            * self.g * S::from_f64(0.5) * self.m5;
-        let w_4 = w_2 + theta4_dot * u4_x * self.g * S::from_f64(0.5) * self.c * self.m4
-            + w_3 + theta6_dot * u6_x * self.g * S::from_f64(0.5) * self.h * self.m6
-            + self.w * lambda_drive;
-        -w_4
+            * self.m5 * w_3;
+        -(w_2 + theta4_dot * u4_x * self.c * self.m4 * w_3 + w_4
+            + theta6_dot * u6_x * self.h * self.m6 * w_3 + self.w * lambda_drive)
     }
     /// Outputs, 7, in SI units.
     ///
@@ -1062,7 +1068,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 152 additions, 263 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 152 additions, 253 multiplications, 7 divisions, 6 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1089,113 +1095,106 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             u6_x,
             ],
         ) = S::sin_cos_each([theta2, w, theta3, theta5, theta4, theta6]);
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let w_2 = self.k_6 * theta2_dot_squared;
+        let theta3_dot_squared = theta3_dot * theta3_dot;
+        let w_3 = self.k_7 * theta3_dot_squared;
+        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + sin_w * w_3)
+            - u5_y * (cos_theta2 * w_2 + cos_w * w_3);
+        let w_4 = theta2_dot_squared
+            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y)
+                + self.k_14 * (sin_theta2 * cos_w - sin_w * cos_theta2));
+        let theta5_dot_squared = theta5_dot * theta5_dot;
+        let w_5 = self.k_7 * theta5_dot_squared;
+        let mass_theta5_theta3 = self.k_7 * (sin_w * u5_y + cos_w * u5_x);
+        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
+        let rhs_theta3 = w_4 + cos_w * (u5_y * w_5 - self.k_19) - sin_w * u5_x * w_5
+            - u3_x * self.k_18 - rhs_theta5 * l_theta3_theta5;
+        let w_6 = self.k_6 * theta5_dot_squared;
+        let w_7 = cos_theta2
+            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
+                + u5_y * w_6);
         let mass_theta5_theta2 = self.k_6 * (sin_theta2 * u5_y + cos_theta2 * u5_x);
         let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
         let minus_first_loop_x_by_theta3 = self.b * u3_y;
         let minus_second_loop_x_by_theta3 = self.p * sin_w;
-        let w_2 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
+        let w_8 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
         let first_loop_y_by_theta3 = self.b * u3_x;
         let second_loop_y_by_theta3 = self.p * cos_w;
-        let w_3 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
-        let mass_theta5_theta3 = self.k_7 * (sin_w * u5_y + cos_w * u5_x);
-        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let k_theta2_theta3 = self.k * (sin_theta2 * sin_w + cos_theta2 * cos_w)
-            + self.k_2 * (sin_theta2 * w_2 + cos_theta2 * w_3)
-            - mass_theta5_theta2 * l_theta3_theta5;
-        let mass_theta3_theta3 = self.k_3 * (w_2 * w_2 + w_3 * w_3) + self.k_5;
+        let w_9 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
+        let mass_theta3_theta3 = self.k_3 * (w_8 * w_8 + w_9 * w_9) + self.k_5;
         let pivot_theta3 = mass_theta3_theta3 - mass_theta5_theta3 * l_theta3_theta5;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
+        let k_theta2_theta3 = self.k * (sin_theta2 * sin_w + cos_theta2 * cos_w)
+            + self.k_2 * (sin_theta2 * w_8 + cos_theta2 * w_9)
+            - mass_theta5_theta2 * l_theta3_theta5;
         let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
+        let rhs_theta2 = w_7
+            - sin_theta2
+                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
+                    + u5_x * w_6) - rhs_theta5 * l_theta2_theta5
+            - l_theta2_theta3 * rhs_theta3;
+        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
+            * inverse_theta3;
+        let w_10 = self.c * theta4_dot * theta4_dot;
+        let w_11 = self.a * theta2_dot_squared;
+        let w_12 = cos_theta2 * w_11;
+        let w_13 = self.b * theta3_dot_squared;
         let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
             - k_theta2_theta3 * l_theta2_theta3;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_4 = cos_theta2
-            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + u5_y * self.k_6 * theta5_dot_squared);
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let rhs_theta5 = u5_x
-            * (sin_theta2 * self.k_6 * theta2_dot_squared - self.k_22
-                + sin_w * self.k_7 * theta3_dot_squared)
-            - u5_y
-                * (cos_theta2 * self.k_6 * theta2_dot_squared
-                    + cos_w * self.k_7 * theta3_dot_squared);
-        let w_5 = theta2_dot_squared
-            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y)
-                + self.k_14 * (sin_theta2 * cos_w - sin_w * cos_theta2));
-        let rhs_theta3 = w_5 + cos_w * (u5_y * self.k_7 * theta5_dot_squared - self.k_19)
-            - sin_w * u5_x * self.k_7 * theta5_dot_squared - u3_x * self.k_18
-            - rhs_theta5 * l_theta3_theta5;
-        let rhs_theta2 = w_4
-            - sin_theta2
-                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + u5_x * self.k_6 * theta5_dot_squared)
-            - rhs_theta5 * l_theta2_theta5 - l_theta2_theta3 * rhs_theta3;
-        let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
-        let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
-        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
-            * inverse_theta3;
         let minus_first_loop_x_by_theta2 = self.a * sin_theta2;
         let k_lambda_first_loop_x_theta2 = k_theta2_theta3
             * minus_l_lambda_first_loop_x_theta3 - minus_first_loop_x_by_theta2;
         let l_lambda_first_loop_x_theta2 = inverse_theta2 * k_lambda_first_loop_x_theta2;
-        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
-            * minus_inverse_lambda_drive;
+        let minus_rhs_theta4 = u4_x * self.k_20;
         let first_loop_x_by_theta4 = self.c * u4_y;
         let l_lambda_first_loop_x_theta4 = first_loop_x_by_theta4 * self.inverse_theta4;
-        let w_6 = first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4
-            + minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
-            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2;
-        let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_6;
-        let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
-        let minus_rhs_theta4 = u4_x * self.k_20;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_7 = self.a * cos_theta2 * theta2_dot_squared;
-        let rhs_lambda_first_loop_x = minus_rhs_theta4 * l_lambda_first_loop_x_theta4
-            - (self.c * u4_x * theta4_dot_squared - w_7
-                - self.b * u3_x * theta3_dot_squared)
-            + minus_l_lambda_first_loop_x_theta3 * rhs_theta3
+        let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
+        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
+            * minus_inverse_lambda_drive;
+        let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
+        let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
+            - (u4_x * w_10 - w_12 - u3_x * w_13)
             - l_lambda_first_loop_x_theta2 * rhs_theta2
+            + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
             + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
-        let minus_first_loop_y_by_theta4 = self.c * u4_x;
-        let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
-            * self.inverse_theta4;
-        let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
         let A_x = self.a * cos_theta2;
+        let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
         let k_lambda_first_loop_y_theta2 = A_x
             - k_theta2_theta3 * l_lambda_first_loop_y_theta3;
         let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
         let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
             * minus_inverse_lambda_drive;
-        let k_lambda_first_loop_y_lambda_first_loop_x = first_loop_x_by_theta4
-            * minus_l_lambda_first_loop_y_theta4
-            + minus_first_loop_x_by_theta3 * l_lambda_first_loop_y_theta3
+        let w_14 = sin_theta2 * w_11;
+        let minus_first_loop_y_by_theta4 = self.c * u4_x;
+        let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
+            * self.inverse_theta4;
+        let w_15 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
+            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
+            + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
+        let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
+            * l_lambda_first_loop_x_lambda_drive - w_15;
+        let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
+        let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
+            * l_lambda_first_loop_y_theta3
             - k_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_theta2
+            + first_loop_x_by_theta4 * minus_l_lambda_first_loop_y_theta4
             + l_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_lambda_drive;
         let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_first_loop_y_lambda_first_loop_x;
-        let w_8 = minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4
-            + first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
-            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2;
-        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_8
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_first_loop_y_lambda_first_loop_x;
-        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
-        let w_9 = self.a * sin_theta2 * theta2_dot_squared;
         let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
-            * minus_rhs_lambda_drive
-            - (self.c * u4_y * theta4_dot_squared - w_9
-                - self.b * u3_y * theta3_dot_squared)
-            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
+            * minus_rhs_lambda_drive - (u4_y * w_10 - w_14 - u3_y * w_13)
             - l_lambda_first_loop_y_theta3 * rhs_theta3
             - l_lambda_first_loop_y_theta2 * rhs_theta2
+            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
             - l_lambda_first_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x;
         let minus_second_loop_x_by_theta5 = self.f * u5_y;
         let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
             * self.inverse_theta5;
+        let w_16 = self.h * theta6_dot * theta6_dot;
+        let w_17 = self.p * theta3_dot_squared;
+        let w_18 = self.f * theta5_dot_squared;
         let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
             * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
         let l_lambda_second_loop_x_theta3 = inverse_theta3
@@ -1213,6 +1212,18 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_lambda_drive;
         let l_lambda_second_loop_x_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_x_lambda_first_loop_x;
+        let minus_rhs_theta6 = u6_x * self.k_23;
+        let second_loop_x_by_theta6 = self.h * u6_y;
+        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
+            * self.inverse_theta6;
+        let w_19 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
+            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
+            + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
+        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
+            * l_lambda_first_loop_y_lambda_drive - w_19
+            - k_lambda_first_loop_y_lambda_first_loop_x
+                * l_lambda_first_loop_y_lambda_first_loop_x;
+        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
         let k_lambda_second_loop_x_lambda_first_loop_y = l_lambda_first_loop_y_theta2
             * l_lambda_second_loop_x_lambda_drive
             - first_loop_y_by_theta3 * l_lambda_second_loop_x_theta3
@@ -1221,34 +1232,14 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_x_lambda_first_loop_x;
         let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_x_lambda_first_loop_y;
-        let second_loop_x_by_theta6 = self.h * u6_y;
-        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
-            * self.inverse_theta6;
-        let w_10 = second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6
-            + minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
-            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
-            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2;
-        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_10
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_x_lambda_first_loop_y;
-        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
-        let minus_rhs_theta6 = u6_x * self.k_23;
-        let theta6_dot_squared = theta6_dot * theta6_dot;
-        let w_11 = self.h * u6_x * theta6_dot_squared - w_7
-            - self.p * cos_w * theta3_dot_squared - self.f * u5_x * theta5_dot_squared;
-        let rhs_lambda_second_loop_x = minus_rhs_theta6 * l_lambda_second_loop_x_theta6
-            - w_11 + rhs_theta5 * minus_l_lambda_second_loop_x_theta5
+        let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
+            - (u6_x * w_16 - w_12 - cos_w * w_17 - u5_x * w_18)
             - l_lambda_second_loop_x_theta3 * rhs_theta3
             - l_lambda_second_loop_x_theta2 * rhs_theta2
             + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
             - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
+            + minus_rhs_theta6 * l_lambda_second_loop_x_theta6
             - l_lambda_second_loop_x_lambda_first_loop_y * rhs_lambda_first_loop_y;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
-        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
-            * self.inverse_theta6;
         let second_loop_y_by_theta5 = self.f * u5_x;
         let l_lambda_second_loop_y_theta5 = second_loop_y_by_theta5
             * self.inverse_theta5;
@@ -1269,6 +1260,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
         let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_y_lambda_first_loop_x;
+        let minus_second_loop_y_by_theta6 = self.h * u6_x;
+        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
+            * self.inverse_theta6;
         let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
             * l_lambda_second_loop_y_lambda_drive
             - first_loop_y_by_theta3 * l_lambda_second_loop_y_theta3
@@ -1277,41 +1271,50 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_y_lambda_first_loop_x;
         let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_y_lambda_first_loop_y;
-        let k_lambda_second_loop_y_lambda_second_loop_x = second_loop_x_by_theta6
-            * minus_l_lambda_second_loop_y_theta6
-            + minus_second_loop_x_by_theta5 * l_lambda_second_loop_y_theta5
+        let w_20 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
+            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
+            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
+            + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
+        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
+            * l_lambda_second_loop_x_lambda_drive - w_20
+            - k_lambda_second_loop_x_lambda_first_loop_x
+                * l_lambda_second_loop_x_lambda_first_loop_x
+            - k_lambda_second_loop_x_lambda_first_loop_y
+                * l_lambda_second_loop_x_lambda_first_loop_y;
+        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
+        let k_lambda_second_loop_y_lambda_second_loop_x = minus_second_loop_x_by_theta5
+            * l_lambda_second_loop_y_theta5
             - k_lambda_second_loop_x_theta3 * l_lambda_second_loop_y_theta3
             - k_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_theta2
             + l_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive
             - k_lambda_second_loop_x_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
+            + second_loop_x_by_theta6 * minus_l_lambda_second_loop_y_theta6
             - k_lambda_second_loop_x_lambda_first_loop_y
                 * l_lambda_second_loop_y_lambda_first_loop_y;
         let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
             * k_lambda_second_loop_y_lambda_second_loop_x;
-        let w_12 = minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6
-            + second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
+        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
+            * minus_rhs_lambda_drive - (u6_y * w_16 - w_14 - sin_w * w_17 - u5_y * w_18)
+            - rhs_theta5 * l_lambda_second_loop_y_theta5
+            - l_lambda_second_loop_y_theta3 * rhs_theta3
+            - l_lambda_second_loop_y_theta2 * rhs_theta2
+            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
+            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
+            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
+            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
+        let w_21 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
             + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
-            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2;
+            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
+            + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
         let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_12
+            * l_lambda_second_loop_y_lambda_drive - w_21
             - k_lambda_second_loop_y_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
             - k_lambda_second_loop_y_lambda_first_loop_y
                 * l_lambda_second_loop_y_lambda_first_loop_y
             - k_lambda_second_loop_y_lambda_second_loop_x
                 * l_lambda_second_loop_y_lambda_second_loop_x;
-        let w_13 = self.h * u6_y * theta6_dot_squared - w_9
-            - self.p * sin_w * theta3_dot_squared - self.f * u5_y * theta5_dot_squared;
-        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - w_13
-            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
-            - rhs_theta5 * l_lambda_second_loop_y_theta5
-            - l_lambda_second_loop_y_theta3 * rhs_theta3
-            - l_lambda_second_loop_y_theta2 * rhs_theta2
-            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
         let lambda_second_loop_y = S::from_f64(1.0) / pivot_lambda_second_loop_y
             * rhs_lambda_second_loop_y;
         let lambda_second_loop_x = inverse_lambda_second_loop_x
@@ -1339,7 +1342,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
             - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_14 = (cos_theta2 * theta2_dot * self.k_9 + cos_w * theta3_dot * self.k_10
+        let w_22 = (cos_theta2 * theta2_dot * self.k_9 + cos_w * theta3_dot * self.k_10
             + self.f * u5_x * theta5_dot) * self.k_24;
         sim_kernel::Dynamics {
             accelerations: [
@@ -1363,32 +1366,30 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 lambda_second_loop_x,
                 lambda_second_loop_y,
             ],
-            power: -(self.k_16 * (cos_theta2 * theta2_dot * self.k_8 + w_3 * theta3_dot)
-                + u4_x * self.k_20 * theta4_dot + w_14 + u6_x * self.k_23 * theta6_dot
+            power: -(self.k_16 * (cos_theta2 * theta2_dot * self.k_8 + w_9 * theta3_dot)
+                + u4_x * self.k_20 * theta4_dot + w_22 + u6_x * self.k_23 * theta6_dot
                 + lambda_drive * self.w),
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta4_theta4,
-                self.mass_theta4_theta4,
-            )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_theta6_theta6,
-                    self.mass_theta6_theta6,
-                )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_theta5_theta5,
-                    self.mass_theta5_theta5,
-                ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
+                self.mass_theta5_theta5,
+                self.mass_theta5_theta5,
+            ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(pivot_theta2, self.mass_theta2_theta2)
-                | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_6)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_8)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_10)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_12),
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta4_theta4,
+                    self.mass_theta4_theta4,
+                ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
+                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_15)
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta6_theta6,
+                    self.mass_theta6_theta6,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_19)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_20)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_21),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (5 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 618 additions, 915 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 618 additions, 891 multiplications, 7 divisions, 6 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1415,119 +1416,114 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             u6_x,
             ],
         ) = S::sin_cos_each([theta2, w, theta3, theta5, theta4, theta6]);
-        let w_2 = sin_theta2 * u5_y + cos_theta2 * u5_x;
-        let mass_theta5_theta2 = self.k_6 * w_2;
+        let theta2_dot_squared = theta2_dot * theta2_dot;
+        let w_2 = self.k_6 * theta2_dot_squared;
+        let theta3_dot_squared = theta3_dot * theta3_dot;
+        let w_3 = self.k_7 * theta3_dot_squared;
+        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + sin_w * w_3)
+            - u5_y * (cos_theta2 * w_2 + cos_w * w_3);
+        let w_4 = sin_theta2 * cos_w;
+        let w_5 = sin_w * cos_theta2;
+        let w_6 = w_4 - w_5;
+        let theta5_dot_squared = theta5_dot * theta5_dot;
+        let w_7 = self.k_7 * theta5_dot_squared;
+        let w_8 = theta2_dot_squared
+            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y) + self.k_14 * w_6)
+            + cos_w * (u5_y * w_7 - self.k_19) - sin_w * u5_x * w_7 - u3_x * self.k_18;
+        let w_9 = sin_w * u5_y + cos_w * u5_x;
+        let mass_theta5_theta3 = self.k_7 * w_9;
+        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
+        let rhs_theta3 = w_8 - rhs_theta5 * l_theta3_theta5;
+        let w_10 = self.k_6 * theta5_dot_squared;
+        let w_11 = cos_theta2
+            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
+                + u5_y * w_10);
+        let w_12 = sin_theta2 * u5_y + cos_theta2 * u5_x;
+        let mass_theta5_theta2 = self.k_6 * w_12;
         let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
-        let w_3 = sin_theta2 * sin_w + cos_theta2 * cos_w;
-        let w_4 = self.k * w_3;
         let minus_first_loop_x_by_theta3 = self.b * u3_y;
         let minus_second_loop_x_by_theta3 = self.p * sin_w;
-        let w_5 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
+        let w_13 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
         let first_loop_y_by_theta3 = self.b * u3_x;
         let second_loop_y_by_theta3 = self.p * cos_w;
-        let w_6 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
-        let w_7 = self.k_2 * (sin_theta2 * w_5 + cos_theta2 * w_6);
-        let w_8 = sin_w * u5_y + cos_w * u5_x;
-        let mass_theta5_theta3 = self.k_7 * w_8;
-        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let k_theta2_theta3 = w_4 + w_7 - mass_theta5_theta2 * l_theta3_theta5;
-        let mass_theta3_theta3 = self.k_3 * (w_5 * w_5 + w_6 * w_6) + self.k_5;
+        let w_14 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
+        let mass_theta3_theta3 = self.k_3 * (w_13 * w_13 + w_14 * w_14) + self.k_5;
         let pivot_theta3 = mass_theta3_theta3 - mass_theta5_theta3 * l_theta3_theta5;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
+        let w_15 = sin_theta2 * sin_w + cos_theta2 * cos_w;
+        let w_16 = self.k * w_15;
+        let w_17 = self.k_2 * (sin_theta2 * w_13 + cos_theta2 * w_14);
+        let k_theta2_theta3 = w_16 + w_17 - mass_theta5_theta2 * l_theta3_theta5;
         let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
+        let rhs_theta2 = w_11
+            - sin_theta2
+                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
+                    + u5_x * w_10) - rhs_theta5 * l_theta2_theta5
+            - l_theta2_theta3 * rhs_theta3;
+        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
+            * inverse_theta3;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
+        let w_18 = self.c * theta4_dot_squared;
+        let w_19 = self.a * theta2_dot_squared;
+        let w_20 = cos_theta2 * w_19;
+        let w_21 = self.b * theta3_dot_squared;
         let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
             - k_theta2_theta3 * l_theta2_theta3;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
+        let minus_first_loop_x_by_theta2 = self.a * sin_theta2;
+        let k_lambda_first_loop_x_theta2 = k_theta2_theta3
+            * minus_l_lambda_first_loop_x_theta3 - minus_first_loop_x_by_theta2;
+        let l_lambda_first_loop_x_theta2 = inverse_theta2 * k_lambda_first_loop_x_theta2;
+        let minus_rhs_theta4 = u4_x * self.k_20;
+        let first_loop_x_by_theta4 = self.c * u4_y;
+        let l_lambda_first_loop_x_theta4 = first_loop_x_by_theta4 * self.inverse_theta4;
+        let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
+        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
+            * minus_inverse_lambda_drive;
+        let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
+        let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
+            - (u4_x * w_18 - w_20 - u3_x * w_21)
+            - l_lambda_first_loop_x_theta2 * rhs_theta2
+            + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
+            + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
         let A_x = self.a * cos_theta2;
         let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
         let k_lambda_first_loop_y_theta2 = A_x
             - k_theta2_theta3 * l_lambda_first_loop_y_theta3;
         let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
-        let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
         let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
             * minus_inverse_lambda_drive;
+        let w_22 = sin_theta2 * w_19;
         let minus_first_loop_y_by_theta4 = self.c * u4_x;
         let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
             * self.inverse_theta4;
-        let w_9 = minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4
-            + first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
-            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2;
-        let first_loop_x_by_theta4 = self.c * u4_y;
-        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
-            * inverse_theta3;
-        let minus_first_loop_x_by_theta2 = self.a * sin_theta2;
-        let k_lambda_first_loop_x_theta2 = k_theta2_theta3
-            * minus_l_lambda_first_loop_x_theta3 - minus_first_loop_x_by_theta2;
-        let l_lambda_first_loop_x_theta2 = inverse_theta2 * k_lambda_first_loop_x_theta2;
-        let k_lambda_first_loop_y_lambda_first_loop_x = first_loop_x_by_theta4
-            * minus_l_lambda_first_loop_y_theta4
-            + minus_first_loop_x_by_theta3 * l_lambda_first_loop_y_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_theta2
-            + l_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_lambda_drive;
-        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
-            * minus_inverse_lambda_drive;
-        let l_lambda_first_loop_x_theta4 = first_loop_x_by_theta4 * self.inverse_theta4;
-        let w_10 = first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4
-            + minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
-            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2;
+        let w_23 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
+            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
+            + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
         let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_10;
+            * l_lambda_first_loop_x_lambda_drive - w_23;
         let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
+        let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
+            * l_lambda_first_loop_y_theta3
+            - k_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_theta2
+            + first_loop_x_by_theta4 * minus_l_lambda_first_loop_y_theta4
+            + l_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_lambda_drive;
         let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_first_loop_y_lambda_first_loop_x;
-        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_9
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_first_loop_y_lambda_first_loop_x;
-        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_11 = cos_theta2
-            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + u5_y * self.k_6 * theta5_dot_squared);
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let rhs_theta5 = u5_x
-            * (sin_theta2 * self.k_6 * theta2_dot_squared - self.k_22
-                + sin_w * self.k_7 * theta3_dot_squared)
-            - u5_y
-                * (cos_theta2 * self.k_6 * theta2_dot_squared
-                    + cos_w * self.k_7 * theta3_dot_squared);
-        let w_12 = sin_theta2 * cos_w;
-        let w_13 = sin_w * cos_theta2;
-        let w_14 = w_12 - w_13;
-        let w_15 = theta2_dot_squared
-            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y) + self.k_14 * w_14);
-        let rhs_theta3 = w_15
-            + cos_w * (u5_y * self.k_7 * theta5_dot_squared - self.k_19)
-            - sin_w * u5_x * self.k_7 * theta5_dot_squared - u3_x * self.k_18
-            - rhs_theta5 * l_theta3_theta5;
-        let rhs_theta2 = w_11
-            - sin_theta2
-                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + u5_x * self.k_6 * theta5_dot_squared)
-            - rhs_theta5 * l_theta2_theta5 - l_theta2_theta3 * rhs_theta3;
-        let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_16 = self.a * sin_theta2 * theta2_dot_squared;
-        let minus_rhs_theta4 = u4_x * self.k_20;
-        let w_17 = self.a * cos_theta2 * theta2_dot_squared;
-        let rhs_lambda_first_loop_x = minus_rhs_theta4 * l_lambda_first_loop_x_theta4
-            - (self.c * u4_x * theta4_dot_squared - w_17
-                - self.b * u3_x * theta3_dot_squared)
-            + minus_l_lambda_first_loop_x_theta3 * rhs_theta3
-            - l_lambda_first_loop_x_theta2 * rhs_theta2
-            + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
         let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
-            * minus_rhs_lambda_drive
-            - (self.c * u4_y * theta4_dot_squared - w_16
-                - self.b * u3_y * theta3_dot_squared)
-            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
+            * minus_rhs_lambda_drive - (u4_y * w_18 - w_22 - u3_y * w_21)
             - l_lambda_first_loop_y_theta3 * rhs_theta3
             - l_lambda_first_loop_y_theta2 * rhs_theta2
+            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
             - l_lambda_first_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x;
         let minus_second_loop_x_by_theta5 = self.f * u5_y;
         let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
             * self.inverse_theta5;
+        let theta6_dot_squared = theta6_dot * theta6_dot;
+        let w_24 = self.h * theta6_dot_squared;
+        let w_25 = self.p * theta3_dot_squared;
+        let w_26 = self.f * theta5_dot_squared;
+        let w_27 = u5_x * w_26;
         let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
             * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
         let l_lambda_second_loop_x_theta3 = inverse_theta3
@@ -1545,6 +1541,18 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_lambda_drive;
         let l_lambda_second_loop_x_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_x_lambda_first_loop_x;
+        let minus_rhs_theta6 = u6_x * self.k_23;
+        let second_loop_x_by_theta6 = self.h * u6_y;
+        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
+            * self.inverse_theta6;
+        let w_28 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
+            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
+            + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
+        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
+            * l_lambda_first_loop_y_lambda_drive - w_28
+            - k_lambda_first_loop_y_lambda_first_loop_x
+                * l_lambda_first_loop_y_lambda_first_loop_x;
+        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
         let k_lambda_second_loop_x_lambda_first_loop_y = l_lambda_first_loop_y_theta2
             * l_lambda_second_loop_x_lambda_drive
             - first_loop_y_by_theta3 * l_lambda_second_loop_x_theta3
@@ -1553,35 +1561,14 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_x_lambda_first_loop_x;
         let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_x_lambda_first_loop_y;
-        let second_loop_x_by_theta6 = self.h * u6_y;
-        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
-            * self.inverse_theta6;
-        let w_18 = second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6
-            + minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
-            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
-            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2;
-        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_18
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_x_lambda_first_loop_y;
-        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
-        let minus_rhs_theta6 = u6_x * self.k_23;
-        let theta6_dot_squared = theta6_dot * theta6_dot;
-        let w_19 = self.f * u5_x * theta5_dot_squared;
-        let rhs_lambda_second_loop_x = minus_rhs_theta6 * l_lambda_second_loop_x_theta6
-            - (self.h * u6_x * theta6_dot_squared - w_17
-                - self.p * cos_w * theta3_dot_squared - w_19)
-            + rhs_theta5 * minus_l_lambda_second_loop_x_theta5
+        let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
+            - (u6_x * w_24 - w_20 - cos_w * w_25 - w_27)
             - l_lambda_second_loop_x_theta3 * rhs_theta3
             - l_lambda_second_loop_x_theta2 * rhs_theta2
             + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
             - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
+            + minus_rhs_theta6 * l_lambda_second_loop_x_theta6
             - l_lambda_second_loop_x_lambda_first_loop_y * rhs_lambda_first_loop_y;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
-        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
-            * self.inverse_theta6;
         let second_loop_y_by_theta5 = self.f * u5_x;
         let l_lambda_second_loop_y_theta5 = second_loop_y_by_theta5
             * self.inverse_theta5;
@@ -1596,12 +1583,16 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             * k_lambda_second_loop_y_theta2;
         let l_lambda_second_loop_y_lambda_drive = l_lambda_second_loop_y_theta2
             * minus_inverse_lambda_drive;
+        let w_29 = u5_y * w_26;
         let k_lambda_second_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
             * l_lambda_second_loop_y_theta3
             - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_theta2
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
         let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_y_lambda_first_loop_x;
+        let minus_second_loop_y_by_theta6 = self.h * u6_x;
+        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
+            * self.inverse_theta6;
         let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
             * l_lambda_second_loop_y_lambda_drive
             - first_loop_y_by_theta3 * l_lambda_second_loop_y_theta3
@@ -1610,24 +1601,44 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_y_lambda_first_loop_x;
         let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_y_lambda_first_loop_y;
-        let k_lambda_second_loop_y_lambda_second_loop_x = second_loop_x_by_theta6
-            * minus_l_lambda_second_loop_y_theta6
-            + minus_second_loop_x_by_theta5 * l_lambda_second_loop_y_theta5
+        let w_30 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
+            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
+            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
+            + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
+        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
+            * l_lambda_second_loop_x_lambda_drive - w_30
+            - k_lambda_second_loop_x_lambda_first_loop_x
+                * l_lambda_second_loop_x_lambda_first_loop_x
+            - k_lambda_second_loop_x_lambda_first_loop_y
+                * l_lambda_second_loop_x_lambda_first_loop_y;
+        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
+        let k_lambda_second_loop_y_lambda_second_loop_x = minus_second_loop_x_by_theta5
+            * l_lambda_second_loop_y_theta5
             - k_lambda_second_loop_x_theta3 * l_lambda_second_loop_y_theta3
             - k_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_theta2
             + l_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive
             - k_lambda_second_loop_x_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
+            + second_loop_x_by_theta6 * minus_l_lambda_second_loop_y_theta6
             - k_lambda_second_loop_x_lambda_first_loop_y
                 * l_lambda_second_loop_y_lambda_first_loop_y;
         let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
             * k_lambda_second_loop_y_lambda_second_loop_x;
-        let w_20 = minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6
-            + second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
+        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
+            * minus_rhs_lambda_drive - (u6_y * w_24 - w_22 - sin_w * w_25 - w_29)
+            - rhs_theta5 * l_lambda_second_loop_y_theta5
+            - l_lambda_second_loop_y_theta3 * rhs_theta3
+            - l_lambda_second_loop_y_theta2 * rhs_theta2
+            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
+            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
+            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
+            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
+        let w_31 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
             + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
-            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2;
+            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
+            + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
         let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_20
+            * l_lambda_second_loop_y_lambda_drive - w_31
             - k_lambda_second_loop_y_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
             - k_lambda_second_loop_y_lambda_first_loop_y
@@ -1635,18 +1646,6 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - k_lambda_second_loop_y_lambda_second_loop_x
                 * l_lambda_second_loop_y_lambda_second_loop_x;
         let inverse_lambda_second_loop_y = S::from_f64(1.0) / pivot_lambda_second_loop_y;
-        let w_21 = self.f * u5_y * theta5_dot_squared;
-        let w_22 = self.h * u6_y * theta6_dot_squared - w_16
-            - self.p * sin_w * theta3_dot_squared - w_21;
-        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - w_22
-            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
-            - rhs_theta5 * l_lambda_second_loop_y_theta5
-            - l_lambda_second_loop_y_theta3 * rhs_theta3
-            - l_lambda_second_loop_y_theta2 * rhs_theta2
-            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
         let lambda_second_loop_y = inverse_lambda_second_loop_y
             * rhs_lambda_second_loop_y;
         let lambda_second_loop_x = inverse_lambda_second_loop_x
@@ -1655,24 +1654,25 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let lambda_first_loop_y = inverse_lambda_first_loop_y * rhs_lambda_first_loop_y
             - l_lambda_second_loop_x_lambda_first_loop_y * lambda_second_loop_x
             - l_lambda_second_loop_y_lambda_first_loop_y * lambda_second_loop_y;
-        let w_23 = theta3_dot
+        let w_32 = theta2_dot_squared * self.k_8;
+        let w_33 = theta3_dot
             * (minus_second_loop_x_by_theta3 + minus_first_loop_x_by_theta3);
-        let w_24 = theta3_dot * w_23;
-        let w_25 = sin_theta2 * theta2_dot_squared * self.k_8 + w_24;
-        let w_26 = sin_theta2 * theta2_dot_squared * self.k_9
-            + sin_w * theta3_dot_squared * self.k_10 + w_21;
-        let w_27 = sin_theta2
-            * (self.a * (lambda_first_loop_y + lambda_second_loop_y) - self.k_2 * w_25
-                - w_26 * self.k_11 + self.k_12);
+        let w_34 = theta3_dot * w_33;
+        let w_35 = sin_theta2 * w_32 + w_34;
+        let w_36 = theta2_dot_squared * self.k_9;
+        let w_37 = theta3_dot_squared * self.k_10;
+        let w_38 = sin_theta2 * w_36 + sin_w * w_37 + w_29;
+        let w_39 = sin_theta2
+            * (self.a * (lambda_first_loop_y + lambda_second_loop_y) - self.k_2 * w_35
+                - w_38 * self.k_11 + self.k_12);
         let lambda_first_loop_x = inverse_lambda_first_loop_x * rhs_lambda_first_loop_x
             - l_lambda_first_loop_y_lambda_first_loop_x * lambda_first_loop_y
             - l_lambda_second_loop_x_lambda_first_loop_x * lambda_second_loop_x
             - l_lambda_second_loop_y_lambda_first_loop_x * lambda_second_loop_y;
-        let w_28 = theta3_dot * (second_loop_y_by_theta3 + first_loop_y_by_theta3);
-        let w_29 = theta3_dot * w_28;
-        let w_30 = cos_theta2 * theta2_dot_squared * self.k_8 + w_29;
-        let w_31 = cos_theta2 * theta2_dot_squared * self.k_9
-            + cos_w * theta3_dot_squared * self.k_10 + w_19;
+        let w_40 = theta3_dot * (second_loop_y_by_theta3 + first_loop_y_by_theta3);
+        let w_41 = theta3_dot * w_40;
+        let w_42 = cos_theta2 * w_32 + w_41;
+        let w_43 = cos_theta2 * w_36 + cos_w * w_37 + w_27;
         let theta2_ddot = minus_rhs_lambda_drive
             - inverse_theta2
                 * (minus_inverse_lambda_drive * minus_rhs_lambda_drive
@@ -1689,581 +1689,585 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
             - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_32 = w_13 - w_12;
-        let w_33 = cos_theta2 * w_5;
-        let w_34 = sin_theta2 * w_6;
-        let w_35 = self.k_25 * w_32 + self.k_26 * (w_33 - w_34);
-        let w_36 = S::from_f64(0.3333333333333333) * theta3_ddot * w_35;
+        let w_44 = w_5 - w_4;
+        let w_45 = cos_theta2 * w_13;
+        let w_46 = sin_theta2 * w_14;
+        let w_47 = S::from_f64(0.3333333333333333)
+            * (self.k_25 * w_44 + self.k_26 * (w_45 - w_46));
+        let w_48 = theta3_ddot * w_47;
         let theta5_ddot = rhs_theta5 * self.inverse_theta5
             - l_theta2_theta5 * theta2_ddot - l_theta3_theta5 * theta3_ddot
             + minus_l_lambda_second_loop_x_theta5 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta5 * lambda_second_loop_y;
-        let w_37 = cos_theta2 * u5_y;
-        let w_38 = sin_theta2 * u5_x;
-        let w_39 = w_37 - w_38;
-        let w_40 = self.k_27 * w_39;
-        let w_41 = S::from_f64(0.5) * theta5_ddot * w_40;
-        let w_42 = self.k_6 * w_2 * theta2_dot_squared
-            - S::from_f64(0.5) * theta2_ddot * w_40;
-        let w_43 = S::from_f64(0.3333333333333333) * theta2_ddot * w_35;
-        let w_44 = theta2_dot_squared * (w_7 + w_4) - w_43 - l_theta3_theta5 * w_42;
-        let w_45 = w_27
+        let w_49 = cos_theta2 * u5_y;
+        let w_50 = sin_theta2 * u5_x;
+        let w_51 = w_49 - w_50;
+        let w_52 = self.k_27 * w_51;
+        let w_53 = S::from_f64(0.5) * w_52;
+        let w_54 = theta5_ddot * w_53;
+        let w_55 = self.k_6 * w_12 * theta2_dot_squared - theta2_ddot * w_53;
+        let w_56 = theta2_ddot * w_47;
+        let w_57 = theta2_dot_squared * (w_17 + w_16) - w_56 - l_theta3_theta5 * w_55;
+        let w_58 = w_39
             + cos_theta2
                 * (self.a * (lambda_first_loop_x + lambda_second_loop_x)
-                    - self.k_2 * w_30 - w_31 * self.k_11) - w_36 - w_41
-            + theta2_dot_squared * self.k_28 - l_theta2_theta5 * w_42
-            - l_theta2_theta3 * w_44;
-        let w_46 = inverse_theta2 * w_45;
-        let w_47 = self.a * (cos_theta2 * theta2_ddot - sin_theta2 * theta2_dot_squared);
-        let w_48 = w_47 + minus_l_lambda_first_loop_x_theta3 * w_44
-            - l_lambda_first_loop_x_theta2 * w_45
-            + l_lambda_first_loop_x_lambda_drive * w_46;
-        let w_49 = self.a * (cos_theta2 * theta2_dot_squared + sin_theta2 * theta2_ddot);
-        let w_50 = w_49 - l_lambda_first_loop_y_theta3 * w_44
-            - l_lambda_first_loop_y_theta2 * w_45
-            + l_lambda_first_loop_y_lambda_drive * w_46
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_48;
-        let w_51 = w_47 + minus_l_lambda_second_loop_x_theta5 * w_42
-            - l_lambda_second_loop_x_theta3 * w_44 - l_lambda_second_loop_x_theta2 * w_45
-            + l_lambda_second_loop_x_lambda_drive * w_46
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_48
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_50;
-        let w_52 = inverse_lambda_second_loop_y
-            * (w_49 - l_lambda_second_loop_y_theta5 * w_42
-                - l_lambda_second_loop_y_theta3 * w_44
-                - l_lambda_second_loop_y_theta2 * w_45
-                + l_lambda_second_loop_y_lambda_drive * w_46
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_48
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_50
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_51);
-        let w_53 = inverse_lambda_second_loop_x * w_51
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_52;
-        let w_54 = inverse_lambda_first_loop_y * w_50
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_53
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_52;
-        let w_55 = inverse_lambda_first_loop_x * w_48
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_54
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_53
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_52;
-        let w_56 = minus_inverse_lambda_drive * w_46
-            - l_lambda_first_loop_x_lambda_drive * w_55
-            - l_lambda_first_loop_y_lambda_drive * w_54
-            - l_lambda_second_loop_x_lambda_drive * w_53
-            - l_lambda_second_loop_y_lambda_drive * w_52;
-        let w_57 = w_46 - inverse_theta2 * w_56 - l_lambda_first_loop_x_theta2 * w_55
-            - l_lambda_first_loop_y_theta2 * w_54 - l_lambda_second_loop_x_theta2 * w_53
-            - l_lambda_second_loop_y_theta2 * w_52;
-        let w_58 = cos_w * u5_y;
-        let w_59 = sin_w * u5_x;
-        let w_60 = w_58 - w_59;
-        let w_61 = self.k_29 * w_60;
-        let w_62 = self.k_7 * w_8 * theta3_dot_squared
-            - S::from_f64(0.5) * theta3_ddot * w_61;
-        let w_63 = self.k_3 * (w_6 * (w_29 - w_30) + w_5 * (w_24 - w_25));
-        let w_64 = sin_w
-            * (self.k_17 - w_26 * self.k_15 + self.p * lambda_second_loop_y);
-        let w_65 = S::from_f64(0.5) * theta5_ddot * w_61;
-        let w_66 = w_63 + w_64
-            + cos_w * (self.p * lambda_second_loop_x - w_31 * self.k_15)
-            + self.b * (u3_y * lambda_first_loop_y + u3_x * lambda_first_loop_x) + w_43
-            + w_5 * self.k_16 - w_65 + self.k_4 * theta3_dot_squared;
-        let w_67 = w_66 - l_theta3_theta5 * w_62;
-        let w_68 = self.k_2 * theta3_dot * (sin_theta2 * w_23 + cos_theta2 * w_28)
-            + self.k * w_3 * theta3_dot_squared + w_36 - l_theta2_theta5 * w_62
-            - l_theta2_theta3 * w_67;
-        let w_69 = inverse_theta2 * w_68;
-        let w_70 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_first_loop_x_theta3 * w_67
-            - l_lambda_first_loop_x_theta2 * w_68
-            + l_lambda_first_loop_x_lambda_drive * w_69;
-        let w_71 = self.b * (u3_x * theta3_dot_squared + u3_y * theta3_ddot)
-            - l_lambda_first_loop_y_theta3 * w_67 - l_lambda_first_loop_y_theta2 * w_68
-            + l_lambda_first_loop_y_lambda_drive * w_69
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_70;
-        let w_72 = self.p * (cos_w * theta3_ddot - sin_w * theta3_dot_squared)
-            + minus_l_lambda_second_loop_x_theta5 * w_62
-            - l_lambda_second_loop_x_theta3 * w_67 - l_lambda_second_loop_x_theta2 * w_68
-            + l_lambda_second_loop_x_lambda_drive * w_69
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_70
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_71;
-        let w_73 = self.p * (cos_w * theta3_dot_squared + sin_w * theta3_ddot)
-            - l_lambda_second_loop_y_theta5 * w_62 - l_lambda_second_loop_y_theta3 * w_67
-            - l_lambda_second_loop_y_theta2 * w_68
-            + l_lambda_second_loop_y_lambda_drive * w_69
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_70
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_71
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_72;
-        let w_74 = inverse_lambda_second_loop_y * w_73;
-        let w_75 = inverse_lambda_second_loop_x * w_72
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_74;
-        let w_76 = inverse_lambda_first_loop_y * w_71
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_75
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_74;
-        let w_77 = inverse_lambda_first_loop_x * w_70
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_76
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_75
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_74;
-        let w_78 = minus_inverse_lambda_drive * w_69
-            - l_lambda_first_loop_x_lambda_drive * w_77
-            - l_lambda_first_loop_y_lambda_drive * w_76
-            - l_lambda_second_loop_x_lambda_drive * w_75
-            - l_lambda_second_loop_y_lambda_drive * w_74;
-        let w_79 = w_69 - inverse_theta2 * w_78 - l_lambda_first_loop_x_theta2 * w_77
-            - l_lambda_first_loop_y_theta2 * w_76 - l_lambda_second_loop_x_theta2 * w_75
-            - l_lambda_second_loop_y_theta2 * w_74;
+                    - self.k_2 * w_42 - w_43 * self.k_11) - w_48 - w_54
+            + theta2_dot_squared * self.k_28 - l_theta2_theta5 * w_55
+            - l_theta2_theta3 * w_57;
+        let w_59 = inverse_theta2 * w_58;
+        let w_60 = self.a * (cos_theta2 * theta2_ddot - sin_theta2 * theta2_dot_squared);
+        let w_61 = w_60 + minus_l_lambda_first_loop_x_theta3 * w_57
+            - l_lambda_first_loop_x_theta2 * w_58
+            + l_lambda_first_loop_x_lambda_drive * w_59;
+        let w_62 = self.a * (cos_theta2 * theta2_dot_squared + sin_theta2 * theta2_ddot);
+        let w_63 = w_62 - l_lambda_first_loop_y_theta3 * w_57
+            - l_lambda_first_loop_y_theta2 * w_58
+            + l_lambda_first_loop_y_lambda_drive * w_59
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_61;
+        let w_64 = w_60 + minus_l_lambda_second_loop_x_theta5 * w_55
+            - l_lambda_second_loop_x_theta3 * w_57 - l_lambda_second_loop_x_theta2 * w_58
+            + l_lambda_second_loop_x_lambda_drive * w_59
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_61
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_63;
+        let w_65 = inverse_lambda_second_loop_y
+            * (w_62 - l_lambda_second_loop_y_theta5 * w_55
+                - l_lambda_second_loop_y_theta3 * w_57
+                - l_lambda_second_loop_y_theta2 * w_58
+                + l_lambda_second_loop_y_lambda_drive * w_59
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_61
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_63
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_64);
+        let w_66 = inverse_lambda_second_loop_x * w_64
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_65;
+        let w_67 = inverse_lambda_first_loop_y * w_63
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_66
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_65;
+        let w_68 = inverse_lambda_first_loop_x * w_61
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_67
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_66
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_65;
+        let w_69 = minus_inverse_lambda_drive * w_59
+            - l_lambda_first_loop_x_lambda_drive * w_68
+            - l_lambda_first_loop_y_lambda_drive * w_67
+            - l_lambda_second_loop_x_lambda_drive * w_66
+            - l_lambda_second_loop_y_lambda_drive * w_65;
+        let w_70 = w_59 - inverse_theta2 * w_69 - l_lambda_first_loop_x_theta2 * w_68
+            - l_lambda_first_loop_y_theta2 * w_67 - l_lambda_second_loop_x_theta2 * w_66
+            - l_lambda_second_loop_y_theta2 * w_65;
+        let w_71 = cos_w * u5_y;
+        let w_72 = sin_w * u5_x;
+        let w_73 = w_71 - w_72;
+        let w_74 = self.k_29 * w_73;
+        let w_75 = S::from_f64(0.5) * w_74;
+        let w_76 = self.k_7 * w_9 * theta3_dot_squared - theta3_ddot * w_75;
+        let w_77 = self.k_3 * (w_14 * (w_41 - w_42) + w_13 * (w_34 - w_35));
+        let w_78 = sin_w
+            * (self.k_17 - w_38 * self.k_15 + self.p * lambda_second_loop_y);
+        let w_79 = theta5_ddot * w_75;
+        let w_80 = w_77 + w_78
+            + cos_w * (self.p * lambda_second_loop_x - w_43 * self.k_15)
+            + self.b * (u3_y * lambda_first_loop_y + u3_x * lambda_first_loop_x) + w_56
+            + w_13 * self.k_16 - w_79 + self.k_4 * theta3_dot_squared;
+        let w_81 = w_80 - l_theta3_theta5 * w_76;
+        let w_82 = self.k_2 * theta3_dot * (sin_theta2 * w_33 + cos_theta2 * w_40)
+            + self.k * w_15 * theta3_dot_squared + w_48 - l_theta2_theta5 * w_76
+            - l_theta2_theta3 * w_81;
+        let w_83 = inverse_theta2 * w_82;
+        let w_84 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
+            + minus_l_lambda_first_loop_x_theta3 * w_81
+            - l_lambda_first_loop_x_theta2 * w_82
+            + l_lambda_first_loop_x_lambda_drive * w_83;
+        let w_85 = self.b * (u3_x * theta3_dot_squared + u3_y * theta3_ddot)
+            - l_lambda_first_loop_y_theta3 * w_81 - l_lambda_first_loop_y_theta2 * w_82
+            + l_lambda_first_loop_y_lambda_drive * w_83
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_84;
+        let w_86 = self.p * (cos_w * theta3_ddot - sin_w * theta3_dot_squared)
+            + minus_l_lambda_second_loop_x_theta5 * w_76
+            - l_lambda_second_loop_x_theta3 * w_81 - l_lambda_second_loop_x_theta2 * w_82
+            + l_lambda_second_loop_x_lambda_drive * w_83
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_84
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_85;
+        let w_87 = self.p * (cos_w * theta3_dot_squared + sin_w * theta3_ddot)
+            - l_lambda_second_loop_y_theta5 * w_76 - l_lambda_second_loop_y_theta3 * w_81
+            - l_lambda_second_loop_y_theta2 * w_82
+            + l_lambda_second_loop_y_lambda_drive * w_83
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_84
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_85
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_86;
+        let w_88 = inverse_lambda_second_loop_y * w_87;
+        let w_89 = inverse_lambda_second_loop_x * w_86
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_88;
+        let w_90 = inverse_lambda_first_loop_y * w_85
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_89
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_88;
+        let w_91 = inverse_lambda_first_loop_x * w_84
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_90
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_89
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_88;
+        let w_92 = minus_inverse_lambda_drive * w_83
+            - l_lambda_first_loop_x_lambda_drive * w_91
+            - l_lambda_first_loop_y_lambda_drive * w_90
+            - l_lambda_second_loop_x_lambda_drive * w_89
+            - l_lambda_second_loop_y_lambda_drive * w_88;
+        let w_93 = w_83 - inverse_theta2 * w_92 - l_lambda_first_loop_x_theta2 * w_91
+            - l_lambda_first_loop_y_theta2 * w_90 - l_lambda_second_loop_x_theta2 * w_89
+            - l_lambda_second_loop_y_theta2 * w_88;
         let theta4_ddot = minus_l_lambda_first_loop_y_theta4 * lambda_first_loop_y
             - minus_rhs_theta4 * self.inverse_theta4
             - l_lambda_first_loop_x_theta4 * lambda_first_loop_x;
-        let w_80 = u4_y * (self.k_20 - self.c * lambda_first_loop_y)
-            - self.c * u4_x * lambda_first_loop_x;
-        let w_81 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_first_loop_x_theta4 * w_80;
-        let w_82 = minus_l_lambda_first_loop_y_theta4 * w_80
+        let w_94 = u4_y * (self.k_20 - self.c * lambda_first_loop_y)
+            - minus_first_loop_y_by_theta4 * lambda_first_loop_x;
+        let w_95 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
+            - l_lambda_first_loop_x_theta4 * w_94;
+        let w_96 = minus_l_lambda_first_loop_y_theta4 * w_94
             - self.c * (u4_x * theta4_dot_squared + u4_y * theta4_ddot)
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_81;
-        let w_83 = l_lambda_second_loop_x_lambda_first_loop_x * w_81
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_82;
-        let w_84 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_83
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_81
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_82);
-        let w_85 = inverse_lambda_second_loop_x * w_83
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_84;
-        let w_86 = inverse_lambda_first_loop_y * w_82
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_85
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_84;
-        let w_87 = inverse_lambda_first_loop_x * w_81
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_86
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_85
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_84;
-        let w_88 = l_lambda_second_loop_x_lambda_drive * w_85
-            - l_lambda_first_loop_x_lambda_drive * w_87
-            - l_lambda_first_loop_y_lambda_drive * w_86
-            - l_lambda_second_loop_y_lambda_drive * w_84;
-        let w_89 = l_lambda_second_loop_x_theta2 * w_85 - inverse_theta2 * w_88
-            - l_lambda_first_loop_x_theta2 * w_87 - l_lambda_first_loop_y_theta2 * w_86
-            - l_lambda_second_loop_y_theta2 * w_84;
-        let w_90 = u5_y * (self.k_22 - w_26 * self.k_21 + self.f * lambda_second_loop_y)
-            + S::from_f64(0.5) * (theta2_ddot * w_40 + theta3_ddot * w_61)
-            + u5_x * (self.f * lambda_second_loop_x - w_31 * self.k_21)
-            + theta5_dot_squared * self.k_30;
-        let w_91 = self.k_7 * w_8 * theta5_dot_squared + w_65 - l_theta3_theta5 * w_90;
-        let w_92 = self.k_6 * w_2 * theta5_dot_squared + w_41 - l_theta2_theta5 * w_90
-            - l_theta2_theta3 * w_91;
-        let w_93 = inverse_theta2 * w_92;
-        let w_94 = minus_l_lambda_first_loop_x_theta3 * w_91
-            - l_lambda_first_loop_x_theta2 * w_92
-            + l_lambda_first_loop_x_lambda_drive * w_93;
-        let w_95 = l_lambda_first_loop_y_lambda_drive * w_93
-            - l_lambda_first_loop_y_theta3 * w_91 - l_lambda_first_loop_y_theta2 * w_92
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_94;
-        let w_96 = self.f * (u5_x * theta5_ddot - u5_y * theta5_dot_squared)
-            + minus_l_lambda_second_loop_x_theta5 * w_90
-            - l_lambda_second_loop_x_theta3 * w_91 - l_lambda_second_loop_x_theta2 * w_92
-            + l_lambda_second_loop_x_lambda_drive * w_93
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_94
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_95;
-        let w_97 = self.f * (u5_x * theta5_dot_squared + u5_y * theta5_ddot)
-            - l_lambda_second_loop_y_theta5 * w_90 - l_lambda_second_loop_y_theta3 * w_91
-            - l_lambda_second_loop_y_theta2 * w_92
-            + l_lambda_second_loop_y_lambda_drive * w_93
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_94
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_95
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_96;
-        let w_98 = inverse_lambda_second_loop_y * w_97;
-        let w_99 = inverse_lambda_second_loop_x * w_96
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_98;
-        let w_100 = inverse_lambda_first_loop_y * w_95
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_99
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_95;
+        let w_97 = l_lambda_second_loop_x_lambda_first_loop_x * w_95
+            + l_lambda_second_loop_x_lambda_first_loop_y * w_96;
+        let w_98 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_second_loop_x * w_97
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_95
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_96);
+        let w_99 = inverse_lambda_second_loop_x * w_97
+            + l_lambda_second_loop_y_lambda_second_loop_x * w_98;
+        let w_100 = inverse_lambda_first_loop_y * w_96
+            + l_lambda_second_loop_x_lambda_first_loop_y * w_99
             - l_lambda_second_loop_y_lambda_first_loop_y * w_98;
-        let w_101 = inverse_lambda_first_loop_x * w_94
+        let w_101 = inverse_lambda_first_loop_x * w_95
             - l_lambda_first_loop_y_lambda_first_loop_x * w_100
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_99
+            + l_lambda_second_loop_x_lambda_first_loop_x * w_99
             - l_lambda_second_loop_y_lambda_first_loop_x * w_98;
-        let w_102 = minus_inverse_lambda_drive * w_93
+        let w_102 = l_lambda_second_loop_x_lambda_drive * w_99
             - l_lambda_first_loop_x_lambda_drive * w_101
             - l_lambda_first_loop_y_lambda_drive * w_100
-            - l_lambda_second_loop_x_lambda_drive * w_99
             - l_lambda_second_loop_y_lambda_drive * w_98;
-        let w_103 = w_93 - inverse_theta2 * w_102 - l_lambda_first_loop_x_theta2 * w_101
-            - l_lambda_first_loop_y_theta2 * w_100 - l_lambda_second_loop_x_theta2 * w_99
+        let w_103 = l_lambda_second_loop_x_theta2 * w_99 - inverse_theta2 * w_102
+            - l_lambda_first_loop_x_theta2 * w_101 - l_lambda_first_loop_y_theta2 * w_100
             - l_lambda_second_loop_y_theta2 * w_98;
+        let w_104 = u5_y * (self.k_22 - w_38 * self.k_21 + self.f * lambda_second_loop_y)
+            + S::from_f64(0.5) * (theta2_ddot * w_52 + theta3_ddot * w_74)
+            + u5_x * (self.f * lambda_second_loop_x - w_43 * self.k_21)
+            + theta5_dot_squared * self.k_30;
+        let w_105 = self.k_7 * w_9 * theta5_dot_squared + w_79 - l_theta3_theta5 * w_104;
+        let w_106 = self.k_6 * w_12 * theta5_dot_squared + w_54 - l_theta2_theta5 * w_104
+            - l_theta2_theta3 * w_105;
+        let w_107 = inverse_theta2 * w_106;
+        let w_108 = minus_l_lambda_first_loop_x_theta3 * w_105
+            - l_lambda_first_loop_x_theta2 * w_106
+            + l_lambda_first_loop_x_lambda_drive * w_107;
+        let w_109 = l_lambda_first_loop_y_lambda_drive * w_107
+            - l_lambda_first_loop_y_theta3 * w_105 - l_lambda_first_loop_y_theta2 * w_106
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_108;
+        let w_110 = self.f * (u5_x * theta5_ddot - u5_y * theta5_dot_squared)
+            + minus_l_lambda_second_loop_x_theta5 * w_104
+            - l_lambda_second_loop_x_theta3 * w_105
+            - l_lambda_second_loop_x_theta2 * w_106
+            + l_lambda_second_loop_x_lambda_drive * w_107
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_108
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_109;
+        let w_111 = self.f * (u5_x * theta5_dot_squared + u5_y * theta5_ddot)
+            - l_lambda_second_loop_y_theta5 * w_104
+            - l_lambda_second_loop_y_theta3 * w_105
+            - l_lambda_second_loop_y_theta2 * w_106
+            + l_lambda_second_loop_y_lambda_drive * w_107
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_108
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_109
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_110;
+        let w_112 = inverse_lambda_second_loop_y * w_111;
+        let w_113 = inverse_lambda_second_loop_x * w_110
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_112;
+        let w_114 = inverse_lambda_first_loop_y * w_109
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_113
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_112;
+        let w_115 = inverse_lambda_first_loop_x * w_108
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_114
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_113
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_112;
+        let w_116 = minus_inverse_lambda_drive * w_107
+            - l_lambda_first_loop_x_lambda_drive * w_115
+            - l_lambda_first_loop_y_lambda_drive * w_114
+            - l_lambda_second_loop_x_lambda_drive * w_113
+            - l_lambda_second_loop_y_lambda_drive * w_112;
+        let w_117 = w_107 - inverse_theta2 * w_116 - l_lambda_first_loop_x_theta2 * w_115
+            - l_lambda_first_loop_y_theta2 * w_114
+            - l_lambda_second_loop_x_theta2 * w_113
+            - l_lambda_second_loop_y_theta2 * w_112;
         let theta6_ddot = minus_l_lambda_second_loop_y_theta6 * lambda_second_loop_y
             - minus_rhs_theta6 * self.inverse_theta6
             - l_lambda_second_loop_x_theta6 * lambda_second_loop_x;
-        let w_104 = u6_y * (self.k_23 - self.h * lambda_second_loop_y)
-            - self.h * u6_x * lambda_second_loop_x;
-        let w_105 = self.h * (u6_y * theta6_dot_squared - u6_x * theta6_ddot)
-            - l_lambda_second_loop_x_theta6 * w_104;
-        let w_106 = inverse_lambda_second_loop_y
-            * (minus_l_lambda_second_loop_y_theta6 * w_104
+        let w_118 = u6_y * (self.k_23 - self.h * lambda_second_loop_y)
+            - minus_second_loop_y_by_theta6 * lambda_second_loop_x;
+        let w_119 = self.h * (u6_y * theta6_dot_squared - u6_x * theta6_ddot)
+            - l_lambda_second_loop_x_theta6 * w_118;
+        let w_120 = inverse_lambda_second_loop_y
+            * (minus_l_lambda_second_loop_y_theta6 * w_118
                 - self.h * (u6_x * theta6_dot_squared + u6_y * theta6_ddot)
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_105);
-        let w_107 = inverse_lambda_second_loop_x * w_105
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_106;
-        let w_108 = l_lambda_second_loop_x_lambda_first_loop_y * w_107
-            + l_lambda_second_loop_y_lambda_first_loop_y * w_106;
-        let w_109 = l_lambda_first_loop_y_lambda_first_loop_x * w_108
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_107
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_106;
-        let w_110 = l_lambda_first_loop_y_lambda_drive * w_108
-            - l_lambda_first_loop_x_lambda_drive * w_109
-            - l_lambda_second_loop_x_lambda_drive * w_107
-            - l_lambda_second_loop_y_lambda_drive * w_106;
-        let w_111 = l_lambda_first_loop_y_theta2 * w_108 - inverse_theta2 * w_110
-            - l_lambda_first_loop_x_theta2 * w_109
-            - l_lambda_second_loop_x_theta2 * w_107
-            - l_lambda_second_loop_y_theta2 * w_106;
-        let w_112 = inverse_theta3 * w_44 - l_theta2_theta3 * w_57
-            + minus_l_lambda_first_loop_x_theta3 * w_55
-            - l_lambda_first_loop_y_theta3 * w_54 - l_lambda_second_loop_x_theta3 * w_53
-            - l_lambda_second_loop_y_theta3 * w_52;
-        let w_113 = inverse_theta3 * w_67 - l_theta2_theta3 * w_79
-            + minus_l_lambda_first_loop_x_theta3 * w_77
-            - l_lambda_first_loop_y_theta3 * w_76 - l_lambda_second_loop_x_theta3 * w_75
-            - l_lambda_second_loop_y_theta3 * w_74;
-        let w_114 = minus_l_lambda_first_loop_x_theta3 * w_87 - l_theta2_theta3 * w_89
-            - l_lambda_first_loop_y_theta3 * w_86 + l_lambda_second_loop_x_theta3 * w_85
-            - l_lambda_second_loop_y_theta3 * w_84;
-        let w_115 = inverse_theta3 * w_91 - l_theta2_theta3 * w_103
-            + minus_l_lambda_first_loop_x_theta3 * w_101
-            - l_lambda_first_loop_y_theta3 * w_100 - l_lambda_second_loop_x_theta3 * w_99
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_119);
+        let w_121 = inverse_lambda_second_loop_x * w_119
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_120;
+        let w_122 = l_lambda_second_loop_x_lambda_first_loop_y * w_121
+            + l_lambda_second_loop_y_lambda_first_loop_y * w_120;
+        let w_123 = l_lambda_first_loop_y_lambda_first_loop_x * w_122
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_121
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_120;
+        let w_124 = l_lambda_first_loop_y_lambda_drive * w_122
+            - l_lambda_first_loop_x_lambda_drive * w_123
+            - l_lambda_second_loop_x_lambda_drive * w_121
+            - l_lambda_second_loop_y_lambda_drive * w_120;
+        let w_125 = l_lambda_first_loop_y_theta2 * w_122 - inverse_theta2 * w_124
+            - l_lambda_first_loop_x_theta2 * w_123
+            - l_lambda_second_loop_x_theta2 * w_121
+            - l_lambda_second_loop_y_theta2 * w_120;
+        let w_126 = inverse_theta3 * w_57 - l_theta2_theta3 * w_70
+            + minus_l_lambda_first_loop_x_theta3 * w_68
+            - l_lambda_first_loop_y_theta3 * w_67 - l_lambda_second_loop_x_theta3 * w_66
+            - l_lambda_second_loop_y_theta3 * w_65;
+        let w_127 = inverse_theta3 * w_81 - l_theta2_theta3 * w_93
+            + minus_l_lambda_first_loop_x_theta3 * w_91
+            - l_lambda_first_loop_y_theta3 * w_90 - l_lambda_second_loop_x_theta3 * w_89
+            - l_lambda_second_loop_y_theta3 * w_88;
+        let w_128 = minus_l_lambda_first_loop_x_theta3 * w_101 - l_theta2_theta3 * w_103
+            - l_lambda_first_loop_y_theta3 * w_100 + l_lambda_second_loop_x_theta3 * w_99
             - l_lambda_second_loop_y_theta3 * w_98;
-        let w_116 = minus_l_lambda_first_loop_x_theta3 * w_109 - l_theta2_theta3 * w_111
-            + l_lambda_first_loop_y_theta3 * w_108
-            - l_lambda_second_loop_x_theta3 * w_107
-            - l_lambda_second_loop_y_theta3 * w_106;
-        let w_117 = self.k_27 * theta2_dot * (w_38 - w_37);
-        let w_118 = theta2_dot * (self.k_31 * (w_34 - w_33) + w_14 * self.k_32)
-            - l_theta3_theta5 * w_117;
-        let w_119 = l_theta2_theta5 * w_117 + l_theta2_theta3 * w_118;
-        let w_120 = inverse_theta2 * w_119;
-        let w_121 = cos_theta2 * theta2_dot * self.k_9;
-        let w_122 = w_121 + minus_l_lambda_first_loop_x_theta3 * w_118
-            + l_lambda_first_loop_x_theta2 * w_119
-            - l_lambda_first_loop_x_lambda_drive * w_120;
-        let w_123 = sin_theta2 * theta2_dot * self.k_9;
-        let w_124 = w_123 - l_lambda_first_loop_y_theta3 * w_118
-            + l_lambda_first_loop_y_theta2 * w_119
-            - l_lambda_first_loop_y_lambda_drive * w_120
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_122;
-        let w_125 = w_121 + minus_l_lambda_second_loop_x_theta5 * w_117
-            - l_lambda_second_loop_x_theta3 * w_118
-            + l_lambda_second_loop_x_theta2 * w_119
-            - l_lambda_second_loop_x_lambda_drive * w_120
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_122
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_124;
-        let w_126 = inverse_lambda_second_loop_y
-            * (w_123 - l_lambda_second_loop_y_theta5 * w_117
-                - l_lambda_second_loop_y_theta3 * w_118
-                + l_lambda_second_loop_y_theta2 * w_119
-                - l_lambda_second_loop_y_lambda_drive * w_120
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_122
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_124
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_125);
-        let w_127 = inverse_lambda_second_loop_x * w_125
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_126;
-        let w_128 = inverse_lambda_first_loop_y * w_124
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_127
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_126;
-        let w_129 = inverse_lambda_first_loop_x * w_122
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_128
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_127
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_126;
-        let w_130 = minus_inverse_lambda_drive * w_120
-            + l_lambda_first_loop_x_lambda_drive * w_129
-            + l_lambda_first_loop_y_lambda_drive * w_128
-            + l_lambda_second_loop_x_lambda_drive * w_127
-            + l_lambda_second_loop_y_lambda_drive * w_126;
-        let w_131 = inverse_theta2 * w_130 - w_120 - l_lambda_first_loop_x_theta2 * w_129
-            - l_lambda_first_loop_y_theta2 * w_128
-            - l_lambda_second_loop_x_theta2 * w_127
-            - l_lambda_second_loop_y_theta2 * w_126;
-        let w_132 = theta3_dot
-            * (minus_second_loop_x_by_theta3 + w_5 + minus_first_loop_x_by_theta3);
-        let w_133 = theta3_dot
-            * (second_loop_y_by_theta3 + first_loop_y_by_theta3 + w_6);
-        let w_134 = self.k_29 * theta3_dot * (w_59 - w_58);
-        let w_135 = self.k_3 * (w_6 * w_132 - w_5 * w_133) - l_theta3_theta5 * w_134;
-        let w_136 = self.k_2 * (cos_theta2 * w_132 - sin_theta2 * w_133)
-            + self.k_32 * theta3_dot * w_32 - l_theta2_theta5 * w_134
-            - l_theta2_theta3 * w_135;
-        let w_137 = inverse_theta2 * w_136;
-        let w_138 = u3_x * theta3_dot * self.k_33
-            + minus_l_lambda_first_loop_x_theta3 * w_135
-            - l_lambda_first_loop_x_theta2 * w_136
-            + l_lambda_first_loop_x_lambda_drive * w_137;
-        let w_139 = u3_y * theta3_dot * self.k_33 - l_lambda_first_loop_y_theta3 * w_135
-            - l_lambda_first_loop_y_theta2 * w_136
-            + l_lambda_first_loop_y_lambda_drive * w_137
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_138;
-        let w_140 = cos_w * theta3_dot * self.k_10
-            + minus_l_lambda_second_loop_x_theta5 * w_134
-            - l_lambda_second_loop_x_theta3 * w_135
-            - l_lambda_second_loop_x_theta2 * w_136
-            + l_lambda_second_loop_x_lambda_drive * w_137
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_138
+        let w_129 = inverse_theta3 * w_105 - l_theta2_theta3 * w_117
+            + minus_l_lambda_first_loop_x_theta3 * w_115
+            - l_lambda_first_loop_y_theta3 * w_114
+            - l_lambda_second_loop_x_theta3 * w_113
+            - l_lambda_second_loop_y_theta3 * w_112;
+        let w_130 = minus_l_lambda_first_loop_x_theta3 * w_123 - l_theta2_theta3 * w_125
+            + l_lambda_first_loop_y_theta3 * w_122
+            - l_lambda_second_loop_x_theta3 * w_121
+            - l_lambda_second_loop_y_theta3 * w_120;
+        let w_131 = self.k_27 * theta2_dot * (w_50 - w_49);
+        let w_132 = theta2_dot * (self.k_31 * (w_46 - w_45) + w_6 * self.k_32)
+            - l_theta3_theta5 * w_131;
+        let w_133 = l_theta2_theta5 * w_131 + l_theta2_theta3 * w_132;
+        let w_134 = inverse_theta2 * w_133;
+        let w_135 = theta2_dot * self.k_9;
+        let w_136 = cos_theta2 * w_135;
+        let w_137 = w_136 + minus_l_lambda_first_loop_x_theta3 * w_132
+            + l_lambda_first_loop_x_theta2 * w_133
+            - l_lambda_first_loop_x_lambda_drive * w_134;
+        let w_138 = sin_theta2 * w_135;
+        let w_139 = w_138 - l_lambda_first_loop_y_theta3 * w_132
+            + l_lambda_first_loop_y_theta2 * w_133
+            - l_lambda_first_loop_y_lambda_drive * w_134
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_137;
+        let w_140 = w_136 + minus_l_lambda_second_loop_x_theta5 * w_131
+            - l_lambda_second_loop_x_theta3 * w_132
+            + l_lambda_second_loop_x_theta2 * w_133
+            - l_lambda_second_loop_x_lambda_drive * w_134
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_137
             - l_lambda_second_loop_x_lambda_first_loop_y * w_139;
-        let w_141 = sin_w * theta3_dot * self.k_10
-            - l_lambda_second_loop_y_theta5 * w_134
-            - l_lambda_second_loop_y_theta3 * w_135
-            - l_lambda_second_loop_y_theta2 * w_136
-            + l_lambda_second_loop_y_lambda_drive * w_137
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_138
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_139
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_140;
-        let w_142 = inverse_lambda_second_loop_y * w_141;
-        let w_143 = inverse_lambda_second_loop_x * w_140
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_142;
-        let w_144 = inverse_lambda_first_loop_y * w_139
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_143
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_142;
-        let w_145 = inverse_lambda_first_loop_x * w_138
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_144
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_143
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_142;
-        let w_146 = minus_inverse_lambda_drive * w_137
-            - l_lambda_first_loop_x_lambda_drive * w_145
-            - l_lambda_first_loop_y_lambda_drive * w_144
-            - l_lambda_second_loop_x_lambda_drive * w_143
-            - l_lambda_second_loop_y_lambda_drive * w_142;
-        let w_147 = w_137 - inverse_theta2 * w_146 - l_lambda_first_loop_x_theta2 * w_145
-            - l_lambda_first_loop_y_theta2 * w_144
-            - l_lambda_second_loop_x_theta2 * w_143
-            - l_lambda_second_loop_y_theta2 * w_142;
-        let w_148 = u4_x * theta4_dot * self.k_34;
-        let w_149 = l_lambda_first_loop_y_lambda_first_loop_x * w_148
-            - u4_y * theta4_dot * self.k_34;
-        let w_150 = l_lambda_second_loop_x_lambda_first_loop_x * w_148
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_149;
-        let w_151 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_first_loop_x * w_148
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_149
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_150);
-        let w_152 = inverse_lambda_second_loop_x * w_150
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_151;
-        let w_153 = inverse_lambda_first_loop_y * w_149
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_152
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_151;
-        let w_154 = inverse_lambda_first_loop_x * w_148
-            + l_lambda_first_loop_y_lambda_first_loop_x * w_153
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_152
-            + l_lambda_second_loop_y_lambda_first_loop_x * w_151;
-        let w_155 = l_lambda_first_loop_x_lambda_drive * w_154
-            - l_lambda_first_loop_y_lambda_drive * w_153
-            - l_lambda_second_loop_x_lambda_drive * w_152
-            - l_lambda_second_loop_y_lambda_drive * w_151;
-        let w_156 = l_lambda_first_loop_x_theta2 * w_154 - inverse_theta2 * w_155
-            - l_lambda_first_loop_y_theta2 * w_153
-            - l_lambda_second_loop_x_theta2 * w_152
-            - l_lambda_second_loop_y_theta2 * w_151;
-        let w_157 = self.k_29 * theta5_dot * w_60;
-        let w_158 = self.k_27 * theta5_dot * w_39 - l_theta2_theta3 * w_157;
-        let w_159 = inverse_theta2 * w_158;
-        let w_160 = minus_l_lambda_first_loop_x_theta3 * w_157
-            - l_lambda_first_loop_x_theta2 * w_158
-            + l_lambda_first_loop_x_lambda_drive * w_159;
-        let w_161 = l_lambda_first_loop_y_lambda_drive * w_159
-            - l_lambda_first_loop_y_theta3 * w_157 - l_lambda_first_loop_y_theta2 * w_158
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_160;
-        let w_162 = u5_x * theta5_dot * self.k_35 - l_lambda_second_loop_x_theta3 * w_157
-            - l_lambda_second_loop_x_theta2 * w_158
-            + l_lambda_second_loop_x_lambda_drive * w_159
+        let w_141 = inverse_lambda_second_loop_y
+            * (w_138 - l_lambda_second_loop_y_theta5 * w_131
+                - l_lambda_second_loop_y_theta3 * w_132
+                + l_lambda_second_loop_y_theta2 * w_133
+                - l_lambda_second_loop_y_lambda_drive * w_134
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_137
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_139
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_140);
+        let w_142 = inverse_lambda_second_loop_x * w_140
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_141;
+        let w_143 = inverse_lambda_first_loop_y * w_139
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_142
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_141;
+        let w_144 = inverse_lambda_first_loop_x * w_137
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_143
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_142
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_141;
+        let w_145 = minus_inverse_lambda_drive * w_134
+            + l_lambda_first_loop_x_lambda_drive * w_144
+            + l_lambda_first_loop_y_lambda_drive * w_143
+            + l_lambda_second_loop_x_lambda_drive * w_142
+            + l_lambda_second_loop_y_lambda_drive * w_141;
+        let w_146 = inverse_theta2 * w_145 - w_134 - l_lambda_first_loop_x_theta2 * w_144
+            - l_lambda_first_loop_y_theta2 * w_143
+            - l_lambda_second_loop_x_theta2 * w_142
+            - l_lambda_second_loop_y_theta2 * w_141;
+        let w_147 = theta3_dot
+            * (minus_second_loop_x_by_theta3 + w_13 + minus_first_loop_x_by_theta3);
+        let w_148 = theta3_dot
+            * (second_loop_y_by_theta3 + first_loop_y_by_theta3 + w_14);
+        let w_149 = self.k_29 * theta3_dot * (w_72 - w_71);
+        let w_150 = self.k_3 * (w_14 * w_147 - w_13 * w_148) - l_theta3_theta5 * w_149;
+        let w_151 = self.k_2 * (cos_theta2 * w_147 - sin_theta2 * w_148)
+            + self.k_32 * theta3_dot * w_44 - l_theta2_theta5 * w_149
+            - l_theta2_theta3 * w_150;
+        let w_152 = inverse_theta2 * w_151;
+        let w_153 = theta3_dot * self.k_33;
+        let w_154 = u3_x * w_153 + minus_l_lambda_first_loop_x_theta3 * w_150
+            - l_lambda_first_loop_x_theta2 * w_151
+            + l_lambda_first_loop_x_lambda_drive * w_152;
+        let w_155 = u3_y * w_153 - l_lambda_first_loop_y_theta3 * w_150
+            - l_lambda_first_loop_y_theta2 * w_151
+            + l_lambda_first_loop_y_lambda_drive * w_152
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_154;
+        let w_156 = theta3_dot * self.k_10;
+        let w_157 = cos_w * w_156 + minus_l_lambda_second_loop_x_theta5 * w_149
+            - l_lambda_second_loop_x_theta3 * w_150
+            - l_lambda_second_loop_x_theta2 * w_151
+            + l_lambda_second_loop_x_lambda_drive * w_152
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_154
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_155;
+        let w_158 = sin_w * w_156 - l_lambda_second_loop_y_theta5 * w_149
+            - l_lambda_second_loop_y_theta3 * w_150
+            - l_lambda_second_loop_y_theta2 * w_151
+            + l_lambda_second_loop_y_lambda_drive * w_152
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_154
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_155
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_157;
+        let w_159 = inverse_lambda_second_loop_y * w_158;
+        let w_160 = inverse_lambda_second_loop_x * w_157
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_159;
+        let w_161 = inverse_lambda_first_loop_y * w_155
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_160
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_159;
+        let w_162 = inverse_lambda_first_loop_x * w_154
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_161
             - l_lambda_second_loop_x_lambda_first_loop_x * w_160
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_161;
-        let w_163 = inverse_lambda_second_loop_y
-            * (u5_y * theta5_dot * self.k_35 - l_lambda_second_loop_y_theta3 * w_157
-                - l_lambda_second_loop_y_theta2 * w_158
-                + l_lambda_second_loop_y_lambda_drive * w_159
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_160
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_161
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_162);
-        let w_164 = inverse_lambda_second_loop_x * w_162
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_163;
-        let w_165 = inverse_lambda_first_loop_y * w_161
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_164
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_163;
-        let w_166 = inverse_lambda_first_loop_x * w_160
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_165
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_164
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_163;
-        let w_167 = minus_inverse_lambda_drive * w_159
-            - l_lambda_first_loop_x_lambda_drive * w_166
-            - l_lambda_first_loop_y_lambda_drive * w_165
-            - l_lambda_second_loop_x_lambda_drive * w_164
-            - l_lambda_second_loop_y_lambda_drive * w_163;
-        let w_168 = w_159 - inverse_theta2 * w_167 - l_lambda_first_loop_x_theta2 * w_166
-            - l_lambda_first_loop_y_theta2 * w_165
-            - l_lambda_second_loop_x_theta2 * w_164
-            - l_lambda_second_loop_y_theta2 * w_163;
-        let w_169 = u6_x * theta6_dot * self.k_36;
-        let w_170 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_169
-                - u6_y * theta6_dot * self.k_36);
-        let w_171 = inverse_lambda_second_loop_x * w_169
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_170;
-        let w_172 = l_lambda_second_loop_x_lambda_first_loop_y * w_171
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_170;
-        let w_173 = l_lambda_second_loop_x_lambda_first_loop_x * w_171
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_172
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_170;
-        let w_174 = l_lambda_second_loop_x_lambda_drive * w_171
-            - l_lambda_first_loop_x_lambda_drive * w_173
-            - l_lambda_first_loop_y_lambda_drive * w_172
-            - l_lambda_second_loop_y_lambda_drive * w_170;
-        let w_175 = l_lambda_second_loop_x_theta2 * w_171 - inverse_theta2 * w_174
-            - l_lambda_first_loop_x_theta2 * w_173 - l_lambda_first_loop_y_theta2 * w_172
-            - l_lambda_second_loop_y_theta2 * w_170;
-        let w_176 = inverse_theta3 * w_118 - l_theta2_theta3 * w_131
-            + minus_l_lambda_first_loop_x_theta3 * w_129
-            - l_lambda_first_loop_y_theta3 * w_128
-            - l_lambda_second_loop_x_theta3 * w_127
-            - l_lambda_second_loop_y_theta3 * w_126;
-        let w_177 = inverse_theta3 * w_135 - l_theta2_theta3 * w_147
-            + minus_l_lambda_first_loop_x_theta3 * w_145
-            - l_lambda_first_loop_y_theta3 * w_144
-            - l_lambda_second_loop_x_theta3 * w_143
-            - l_lambda_second_loop_y_theta3 * w_142;
-        let w_178 = l_theta2_theta3 * w_156 + minus_l_lambda_first_loop_x_theta3 * w_154
-            + l_lambda_first_loop_y_theta3 * w_153
-            + l_lambda_second_loop_x_theta3 * w_152
-            + l_lambda_second_loop_y_theta3 * w_151;
-        let w_179 = inverse_theta3 * w_157 - l_theta2_theta3 * w_168
-            + minus_l_lambda_first_loop_x_theta3 * w_166
-            - l_lambda_first_loop_y_theta3 * w_165
-            - l_lambda_second_loop_x_theta3 * w_164
-            - l_lambda_second_loop_y_theta3 * w_163;
-        let w_180 = minus_l_lambda_first_loop_x_theta3 * w_173 - l_theta2_theta3 * w_175
-            - l_lambda_first_loop_y_theta3 * w_172
-            + l_lambda_second_loop_x_theta3 * w_171
-            - l_lambda_second_loop_y_theta3 * w_170;
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_159;
+        let w_163 = minus_inverse_lambda_drive * w_152
+            - l_lambda_first_loop_x_lambda_drive * w_162
+            - l_lambda_first_loop_y_lambda_drive * w_161
+            - l_lambda_second_loop_x_lambda_drive * w_160
+            - l_lambda_second_loop_y_lambda_drive * w_159;
+        let w_164 = w_152 - inverse_theta2 * w_163 - l_lambda_first_loop_x_theta2 * w_162
+            - l_lambda_first_loop_y_theta2 * w_161
+            - l_lambda_second_loop_x_theta2 * w_160
+            - l_lambda_second_loop_y_theta2 * w_159;
+        let w_165 = theta4_dot * self.k_34;
+        let w_166 = u4_x * w_165;
+        let w_167 = l_lambda_first_loop_y_lambda_first_loop_x * w_166 - u4_y * w_165;
+        let w_168 = l_lambda_second_loop_x_lambda_first_loop_x * w_166
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_167;
+        let w_169 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_first_loop_x * w_166
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_167
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_168);
+        let w_170 = inverse_lambda_second_loop_x * w_168
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_169;
+        let w_171 = inverse_lambda_first_loop_y * w_167
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_170
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_169;
+        let w_172 = inverse_lambda_first_loop_x * w_166
+            + l_lambda_first_loop_y_lambda_first_loop_x * w_171
+            + l_lambda_second_loop_x_lambda_first_loop_x * w_170
+            + l_lambda_second_loop_y_lambda_first_loop_x * w_169;
+        let w_173 = l_lambda_first_loop_x_lambda_drive * w_172
+            - l_lambda_first_loop_y_lambda_drive * w_171
+            - l_lambda_second_loop_x_lambda_drive * w_170
+            - l_lambda_second_loop_y_lambda_drive * w_169;
+        let w_174 = l_lambda_first_loop_x_theta2 * w_172 - inverse_theta2 * w_173
+            - l_lambda_first_loop_y_theta2 * w_171
+            - l_lambda_second_loop_x_theta2 * w_170
+            - l_lambda_second_loop_y_theta2 * w_169;
+        let w_175 = self.k_29 * theta5_dot * w_73;
+        let w_176 = self.k_27 * theta5_dot * w_51 - l_theta2_theta3 * w_175;
+        let w_177 = inverse_theta2 * w_176;
+        let w_178 = minus_l_lambda_first_loop_x_theta3 * w_175
+            - l_lambda_first_loop_x_theta2 * w_176
+            + l_lambda_first_loop_x_lambda_drive * w_177;
+        let w_179 = l_lambda_first_loop_y_lambda_drive * w_177
+            - l_lambda_first_loop_y_theta3 * w_175 - l_lambda_first_loop_y_theta2 * w_176
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_178;
+        let w_180 = theta5_dot * self.k_35;
+        let w_181 = u5_x * w_180 - l_lambda_second_loop_x_theta3 * w_175
+            - l_lambda_second_loop_x_theta2 * w_176
+            + l_lambda_second_loop_x_lambda_drive * w_177
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_178
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_179;
+        let w_182 = inverse_lambda_second_loop_y
+            * (u5_y * w_180 - l_lambda_second_loop_y_theta3 * w_175
+                - l_lambda_second_loop_y_theta2 * w_176
+                + l_lambda_second_loop_y_lambda_drive * w_177
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_178
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_179
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_181);
+        let w_183 = inverse_lambda_second_loop_x * w_181
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_182;
+        let w_184 = inverse_lambda_first_loop_y * w_179
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_183
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_182;
+        let w_185 = inverse_lambda_first_loop_x * w_178
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_184
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_183
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_182;
+        let w_186 = minus_inverse_lambda_drive * w_177
+            - l_lambda_first_loop_x_lambda_drive * w_185
+            - l_lambda_first_loop_y_lambda_drive * w_184
+            - l_lambda_second_loop_x_lambda_drive * w_183
+            - l_lambda_second_loop_y_lambda_drive * w_182;
+        let w_187 = w_177 - inverse_theta2 * w_186 - l_lambda_first_loop_x_theta2 * w_185
+            - l_lambda_first_loop_y_theta2 * w_184
+            - l_lambda_second_loop_x_theta2 * w_183
+            - l_lambda_second_loop_y_theta2 * w_182;
+        let w_188 = theta6_dot * self.k_36;
+        let w_189 = u6_x * w_188;
+        let w_190 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_second_loop_x * w_189 - u6_y * w_188);
+        let w_191 = inverse_lambda_second_loop_x * w_189
+            + l_lambda_second_loop_y_lambda_second_loop_x * w_190;
+        let w_192 = l_lambda_second_loop_x_lambda_first_loop_y * w_191
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_190;
+        let w_193 = l_lambda_second_loop_x_lambda_first_loop_x * w_191
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_192
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_190;
+        let w_194 = l_lambda_second_loop_x_lambda_drive * w_191
+            - l_lambda_first_loop_x_lambda_drive * w_193
+            - l_lambda_first_loop_y_lambda_drive * w_192
+            - l_lambda_second_loop_y_lambda_drive * w_190;
+        let w_195 = l_lambda_second_loop_x_theta2 * w_191 - inverse_theta2 * w_194
+            - l_lambda_first_loop_x_theta2 * w_193 - l_lambda_first_loop_y_theta2 * w_192
+            - l_lambda_second_loop_y_theta2 * w_190;
+        let w_196 = inverse_theta3 * w_132 - l_theta2_theta3 * w_146
+            + minus_l_lambda_first_loop_x_theta3 * w_144
+            - l_lambda_first_loop_y_theta3 * w_143
+            - l_lambda_second_loop_x_theta3 * w_142
+            - l_lambda_second_loop_y_theta3 * w_141;
+        let w_197 = inverse_theta3 * w_150 - l_theta2_theta3 * w_164
+            + minus_l_lambda_first_loop_x_theta3 * w_162
+            - l_lambda_first_loop_y_theta3 * w_161
+            - l_lambda_second_loop_x_theta3 * w_160
+            - l_lambda_second_loop_y_theta3 * w_159;
+        let w_198 = l_theta2_theta3 * w_174 + minus_l_lambda_first_loop_x_theta3 * w_172
+            + l_lambda_first_loop_y_theta3 * w_171
+            + l_lambda_second_loop_x_theta3 * w_170
+            + l_lambda_second_loop_y_theta3 * w_169;
+        let w_199 = inverse_theta3 * w_175 - l_theta2_theta3 * w_187
+            + minus_l_lambda_first_loop_x_theta3 * w_185
+            - l_lambda_first_loop_y_theta3 * w_184
+            - l_lambda_second_loop_x_theta3 * w_183
+            - l_lambda_second_loop_y_theta3 * w_182;
+        let w_200 = minus_l_lambda_first_loop_x_theta3 * w_193 - l_theta2_theta3 * w_195
+            - l_lambda_first_loop_y_theta3 * w_192
+            + l_lambda_second_loop_x_theta3 * w_191
+            - l_lambda_second_loop_y_theta3 * w_190;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [w_57, w_79, w_89, w_103, w_111],
-                [w_112, w_113, w_114, w_115, w_116],
+                [w_70, w_93, w_103, w_117, w_125],
+                [w_126, w_127, w_128, w_129, w_130],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_54
-                        - l_lambda_first_loop_x_theta4 * w_55,
-                    minus_l_lambda_first_loop_y_theta4 * w_76
-                        - l_lambda_first_loop_x_theta4 * w_77,
-                    self.inverse_theta4 * w_80 - l_lambda_first_loop_x_theta4 * w_87
-                        + minus_l_lambda_first_loop_y_theta4 * w_86,
-                    minus_l_lambda_first_loop_y_theta4 * w_100
-                        - l_lambda_first_loop_x_theta4 * w_101,
-                    -(l_lambda_first_loop_x_theta4 * w_109
-                        + minus_l_lambda_first_loop_y_theta4 * w_108),
+                    minus_l_lambda_first_loop_y_theta4 * w_67
+                        - l_lambda_first_loop_x_theta4 * w_68,
+                    minus_l_lambda_first_loop_y_theta4 * w_90
+                        - l_lambda_first_loop_x_theta4 * w_91,
+                    self.inverse_theta4 * w_94 - l_lambda_first_loop_x_theta4 * w_101
+                        + minus_l_lambda_first_loop_y_theta4 * w_100,
+                    minus_l_lambda_first_loop_y_theta4 * w_114
+                        - l_lambda_first_loop_x_theta4 * w_115,
+                    -(l_lambda_first_loop_x_theta4 * w_123
+                        + minus_l_lambda_first_loop_y_theta4 * w_122),
                 ],
                 [
-                    self.inverse_theta5 * w_42 - l_theta2_theta5 * w_57
-                        - l_theta3_theta5 * w_112
-                        + minus_l_lambda_second_loop_x_theta5 * w_53
-                        - l_lambda_second_loop_y_theta5 * w_52,
-                    self.inverse_theta5 * w_62 - l_theta2_theta5 * w_79
-                        - l_theta3_theta5 * w_113
-                        + minus_l_lambda_second_loop_x_theta5 * w_75
-                        - l_lambda_second_loop_y_theta5 * w_74,
-                    -(l_theta2_theta5 * w_89 + l_theta3_theta5 * w_114
-                        + minus_l_lambda_second_loop_x_theta5 * w_85
-                        + l_lambda_second_loop_y_theta5 * w_84),
-                    self.inverse_theta5 * w_90 - l_theta2_theta5 * w_103
-                        - l_theta3_theta5 * w_115
+                    self.inverse_theta5 * w_55 - l_theta2_theta5 * w_70
+                        - l_theta3_theta5 * w_126
+                        + minus_l_lambda_second_loop_x_theta5 * w_66
+                        - l_lambda_second_loop_y_theta5 * w_65,
+                    self.inverse_theta5 * w_76 - l_theta2_theta5 * w_93
+                        - l_theta3_theta5 * w_127
+                        + minus_l_lambda_second_loop_x_theta5 * w_89
+                        - l_lambda_second_loop_y_theta5 * w_88,
+                    -(l_theta2_theta5 * w_103 + l_theta3_theta5 * w_128
                         + minus_l_lambda_second_loop_x_theta5 * w_99
-                        - l_lambda_second_loop_y_theta5 * w_98,
-                    minus_l_lambda_second_loop_x_theta5 * w_107 - l_theta2_theta5 * w_111
-                        - l_theta3_theta5 * w_116 - l_lambda_second_loop_y_theta5 * w_106,
+                        + l_lambda_second_loop_y_theta5 * w_98),
+                    self.inverse_theta5 * w_104 - l_theta2_theta5 * w_117
+                        - l_theta3_theta5 * w_129
+                        + minus_l_lambda_second_loop_x_theta5 * w_113
+                        - l_lambda_second_loop_y_theta5 * w_112,
+                    minus_l_lambda_second_loop_x_theta5 * w_121 - l_theta2_theta5 * w_125
+                        - l_theta3_theta5 * w_130 - l_lambda_second_loop_y_theta5 * w_120,
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_52
-                        - l_lambda_second_loop_x_theta6 * w_53,
-                    minus_l_lambda_second_loop_y_theta6 * w_74
-                        - l_lambda_second_loop_x_theta6 * w_75,
-                    l_lambda_second_loop_x_theta6 * w_85
-                        + minus_l_lambda_second_loop_y_theta6 * w_84,
-                    minus_l_lambda_second_loop_y_theta6 * w_98
-                        - l_lambda_second_loop_x_theta6 * w_99,
-                    self.inverse_theta6 * w_104 - l_lambda_second_loop_x_theta6 * w_107
-                        + minus_l_lambda_second_loop_y_theta6 * w_106,
+                    minus_l_lambda_second_loop_y_theta6 * w_65
+                        - l_lambda_second_loop_x_theta6 * w_66,
+                    minus_l_lambda_second_loop_y_theta6 * w_88
+                        - l_lambda_second_loop_x_theta6 * w_89,
+                    l_lambda_second_loop_x_theta6 * w_99
+                        + minus_l_lambda_second_loop_y_theta6 * w_98,
+                    minus_l_lambda_second_loop_y_theta6 * w_112
+                        - l_lambda_second_loop_x_theta6 * w_113,
+                    self.inverse_theta6 * w_118 - l_lambda_second_loop_x_theta6 * w_121
+                        + minus_l_lambda_second_loop_y_theta6 * w_120,
                 ],
             ],
             accelerations_by_speeds: [
-                [w_131, w_147, w_156, w_168, w_175],
-                [w_176, w_177, -w_178, w_179, w_180],
+                [w_146, w_164, w_174, w_187, w_195],
+                [w_196, w_197, -w_198, w_199, w_200],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_128
-                        - l_lambda_first_loop_x_theta4 * w_129,
-                    minus_l_lambda_first_loop_y_theta4 * w_144
-                        - l_lambda_first_loop_x_theta4 * w_145,
-                    l_lambda_first_loop_x_theta4 * w_154
-                        + minus_l_lambda_first_loop_y_theta4 * w_153,
-                    minus_l_lambda_first_loop_y_theta4 * w_165
-                        - l_lambda_first_loop_x_theta4 * w_166,
-                    minus_l_lambda_first_loop_y_theta4 * w_172
-                        - l_lambda_first_loop_x_theta4 * w_173,
+                    minus_l_lambda_first_loop_y_theta4 * w_143
+                        - l_lambda_first_loop_x_theta4 * w_144,
+                    minus_l_lambda_first_loop_y_theta4 * w_161
+                        - l_lambda_first_loop_x_theta4 * w_162,
+                    l_lambda_first_loop_x_theta4 * w_172
+                        + minus_l_lambda_first_loop_y_theta4 * w_171,
+                    minus_l_lambda_first_loop_y_theta4 * w_184
+                        - l_lambda_first_loop_x_theta4 * w_185,
+                    minus_l_lambda_first_loop_y_theta4 * w_192
+                        - l_lambda_first_loop_x_theta4 * w_193,
                 ],
                 [
-                    self.inverse_theta5 * w_117 - l_theta2_theta5 * w_131
-                        - l_theta3_theta5 * w_176
-                        + minus_l_lambda_second_loop_x_theta5 * w_127
-                        - l_lambda_second_loop_y_theta5 * w_126,
-                    self.inverse_theta5 * w_134 - l_theta2_theta5 * w_147
-                        - l_theta3_theta5 * w_177
-                        + minus_l_lambda_second_loop_x_theta5 * w_143
-                        - l_lambda_second_loop_y_theta5 * w_142,
-                    l_theta3_theta5 * w_178 - l_theta2_theta5 * w_156
-                        + minus_l_lambda_second_loop_x_theta5 * w_152
-                        - l_lambda_second_loop_y_theta5 * w_151,
-                    minus_l_lambda_second_loop_x_theta5 * w_164 - l_theta2_theta5 * w_168
-                        - l_theta3_theta5 * w_179
-                        - l_lambda_second_loop_y_theta5 * w_163,
-                    -(l_theta2_theta5 * w_175 + l_theta3_theta5 * w_180
-                        + minus_l_lambda_second_loop_x_theta5 * w_171
-                        + l_lambda_second_loop_y_theta5 * w_170),
+                    self.inverse_theta5 * w_131 - l_theta2_theta5 * w_146
+                        - l_theta3_theta5 * w_196
+                        + minus_l_lambda_second_loop_x_theta5 * w_142
+                        - l_lambda_second_loop_y_theta5 * w_141,
+                    self.inverse_theta5 * w_149 - l_theta2_theta5 * w_164
+                        - l_theta3_theta5 * w_197
+                        + minus_l_lambda_second_loop_x_theta5 * w_160
+                        - l_lambda_second_loop_y_theta5 * w_159,
+                    l_theta3_theta5 * w_198 - l_theta2_theta5 * w_174
+                        + minus_l_lambda_second_loop_x_theta5 * w_170
+                        - l_lambda_second_loop_y_theta5 * w_169,
+                    minus_l_lambda_second_loop_x_theta5 * w_183 - l_theta2_theta5 * w_187
+                        - l_theta3_theta5 * w_199
+                        - l_lambda_second_loop_y_theta5 * w_182,
+                    -(l_theta2_theta5 * w_195 + l_theta3_theta5 * w_200
+                        + minus_l_lambda_second_loop_x_theta5 * w_191
+                        + l_lambda_second_loop_y_theta5 * w_190),
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_126
-                        - l_lambda_second_loop_x_theta6 * w_127,
-                    minus_l_lambda_second_loop_y_theta6 * w_142
-                        - l_lambda_second_loop_x_theta6 * w_143,
-                    minus_l_lambda_second_loop_y_theta6 * w_151
-                        - l_lambda_second_loop_x_theta6 * w_152,
-                    minus_l_lambda_second_loop_y_theta6 * w_163
-                        - l_lambda_second_loop_x_theta6 * w_164,
-                    l_lambda_second_loop_x_theta6 * w_171
-                        + minus_l_lambda_second_loop_y_theta6 * w_170,
+                    minus_l_lambda_second_loop_y_theta6 * w_141
+                        - l_lambda_second_loop_x_theta6 * w_142,
+                    minus_l_lambda_second_loop_y_theta6 * w_159
+                        - l_lambda_second_loop_x_theta6 * w_160,
+                    minus_l_lambda_second_loop_y_theta6 * w_169
+                        - l_lambda_second_loop_x_theta6 * w_170,
+                    minus_l_lambda_second_loop_y_theta6 * w_182
+                        - l_lambda_second_loop_x_theta6 * w_183,
+                    l_lambda_second_loop_x_theta6 * w_191
+                        + minus_l_lambda_second_loop_y_theta6 * w_190,
                 ],
             ],
             multipliers_by_positions: [
-                [w_56, w_78, w_88, w_102, w_110],
-                [w_55, w_77, w_87, w_101, w_109],
-                [w_54, w_76, w_86, w_100, -w_108],
-                [w_53, w_75, -w_85, w_99, w_107],
-                [w_52, w_74, w_84, w_98, w_106],
+                [w_69, w_92, w_102, w_116, w_124],
+                [w_68, w_91, w_101, w_115, w_123],
+                [w_67, w_90, w_100, w_114, -w_122],
+                [w_66, w_89, -w_99, w_113, w_121],
+                [w_65, w_88, w_98, w_112, w_120],
             ],
             multipliers_by_speeds: [
-                [-w_130, w_146, w_155, w_167, w_174],
-                [w_129, w_145, -w_154, w_166, w_173],
-                [w_128, w_144, w_153, w_165, w_172],
-                [w_127, w_143, w_152, w_164, -w_171],
-                [w_126, w_142, w_151, w_163, w_170],
+                [-w_145, w_163, w_173, w_186, w_194],
+                [w_144, w_162, -w_172, w_185, w_193],
+                [w_143, w_161, w_171, w_184, w_192],
+                [w_142, w_160, w_170, w_183, -w_191],
+                [w_141, w_159, w_169, w_182, w_190],
             ],
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta4_theta4,
-                self.mass_theta4_theta4,
-            )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_theta6_theta6,
-                    self.mass_theta6_theta6,
-                )
-                | sim_kernel::pivot_is_refused(
-                    self.mass_theta5_theta5,
-                    self.mass_theta5_theta5,
-                ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
+                self.mass_theta5_theta5,
+                self.mass_theta5_theta5,
+            ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(pivot_theta2, self.mass_theta2_theta2)
-                | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_10)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_9)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_18)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_20),
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta4_theta4,
+                    self.mass_theta4_theta4,
+                ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
+                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_23)
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta6_theta6,
+                    self.mass_theta6_theta6,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_28)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_30)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_31),
         }
     }
 }

@@ -179,19 +179,20 @@ pub struct SkatePrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Skate<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 1 addition, 10 multiplications, 1 division, 1 sine-cosine pair.
+    /// Operations: 1 addition, 8 multiplications, 1 division, 1 sine-cosine pair.
     #[inline]
     pub fn prepare(&self) -> SkatePrepared<S> {
+        let w = self.m * self.a;
         let ([sin_slope], [_]) = S::sin_cos_each([self.slope]);
         SkatePrepared {
             m: self.m,
             a: self.a,
-            k: self.m * self.a,
+            k: w,
             mass_phi_phi: self.J + self.m * self.a * self.a,
             k_2: self.m * self.g * sin_slope,
-            k_3: self.m * self.a * self.g * sin_slope,
+            k_3: w * self.g * sin_slope,
             inverse_x: S::from_f64(1.0) / self.m,
-            k_4: self.m * self.a * S::from_f64(2.0),
+            k_4: w * S::from_f64(2.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -212,32 +213,24 @@ impl<S: sim_kernel::Scalar> Skate<S> {
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 2 additions, 6 multiplications, 1 sine-cosine pair.
+    /// Operations: 2 additions, 5 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, _, phi] = *q;
         let [_, _, phi_dot] = *qd;
-        let phi_dot_squared = phi_dot * phi_dot;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
-        let w = self.m * self.a;
-        [
-            -(phi_dot_squared * along_x * w),
-            -(phi_dot_squared * w * along_y),
-            S::from_f64(0.0),
-        ]
+        let w = phi_dot * phi_dot * self.m * self.a;
+        [-(along_x * w), -(w * along_y), S::from_f64(0.0)]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
     ///
-    /// Operations: 1 addition, 6 multiplications, 2 sine-cosine pairs.
+    /// Operations: 1 addition, 5 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, _, phi] = *q;
         let ([sin_slope, along_y], [_, _]) = S::sin_cos_each([self.slope, phi]);
-        [
-            self.m * self.g * sin_slope,
-            S::from_f64(0.0),
-            -(along_y * self.m * self.g * sin_slope * self.a),
-        ]
+        let w = self.m * self.g;
+        [sin_slope * w, S::from_f64(0.0), -(along_y * sin_slope * w * self.a)]
     }
     /// Constraints `C`, 1, in SI units; zero throughout the motion.
     ///
@@ -298,15 +291,16 @@ impl<S: sim_kernel::Scalar> Skate<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 4 additions, 11 multiplications, 1 sine-cosine pair.
+    /// Operations: 4 additions, 10 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, _, phi] = *q;
         let [x_dot, y_dot, phi_dot] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
-        let w = x_dot - phi_dot * self.a * along_y;
-        let w_2 = y_dot + phi_dot * self.a * along_x;
-        S::from_f64(0.5) * self.m * (w * w + w_2 * w_2)
+        let w = phi_dot * self.a;
+        let w_2 = x_dot - along_y * w;
+        let w_3 = y_dot + w * along_x;
+        S::from_f64(0.5) * self.m * (w_2 * w_2 + w_3 * w_3)
             + phi_dot * phi_dot * S::from_f64(0.5) * self.J
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -441,7 +435,7 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 20 additions, 40 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 20 additions, 39 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -452,19 +446,19 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let [_, _, phi] = *q;
         let [x_dot, y_dot, phi_dot] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
-        let phi_dot_squared = phi_dot * phi_dot;
-        let rhs_x = self.k_2 + self.k * along_x * phi_dot_squared;
+        let w = self.k * phi_dot * phi_dot;
+        let rhs_x = self.k_2 + along_x * w;
+        let rhs_y = along_y * w;
         let minus_mass_phi_x = along_y * self.k;
         let minus_l_phi_x = minus_mass_phi_x * self.inverse_x;
         let mass_phi_y = self.k * along_x;
         let l_phi_y = mass_phi_y * self.inverse_x;
-        let pivot_phi = self.mass_phi_phi - minus_mass_phi_x * minus_l_phi_x
-            - mass_phi_y * l_phi_y;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let rhs_y = along_y * self.k * phi_dot_squared;
         let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
         let minus_l_lambda_blade_x = along_y * self.inverse_x;
         let l_lambda_blade_y = along_x * self.inverse_x;
+        let pivot_phi = self.mass_phi_phi - minus_mass_phi_x * minus_l_phi_x
+            - mass_phi_y * l_phi_y;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let minus_k_lambda_blade_phi = minus_mass_phi_x * minus_l_lambda_blade_x
             + mass_phi_y * l_lambda_blade_y;
         let minus_l_lambda_blade_phi = inverse_phi * minus_k_lambda_blade_phi;
@@ -498,7 +492,7 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (1 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 59 additions, 99 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 59 additions, 96 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -509,19 +503,22 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let [_, _, phi] = *q;
         let [x_dot, y_dot, phi_dot] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
+        let phi_dot_squared = phi_dot * phi_dot;
+        let w = self.k * phi_dot_squared;
+        let rhs_x = self.k_2 + along_x * w;
+        let rhs_y = along_y * w;
         let minus_mass_phi_x = along_y * self.k;
         let minus_l_phi_x = minus_mass_phi_x * self.inverse_x;
         let mass_phi_y = self.k * along_x;
         let l_phi_y = mass_phi_y * self.inverse_x;
+        let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
+        let w_2 = along_y * y_dot;
+        let w_3 = along_x * x_dot;
+        let minus_l_lambda_blade_x = along_y * self.inverse_x;
+        let l_lambda_blade_y = along_x * self.inverse_x;
         let pivot_phi = self.mass_phi_phi - minus_mass_phi_x * minus_l_phi_x
             - mass_phi_y * l_phi_y;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let phi_dot_squared = phi_dot * phi_dot;
-        let rhs_x = self.k_2 + self.k * along_x * phi_dot_squared;
-        let rhs_y = along_y * self.k * phi_dot_squared;
-        let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
-        let minus_l_lambda_blade_x = along_y * self.inverse_x;
-        let l_lambda_blade_y = along_x * self.inverse_x;
         let minus_k_lambda_blade_phi = minus_mass_phi_x * minus_l_lambda_blade_x
             + mass_phi_y * l_lambda_blade_y;
         let minus_l_lambda_blade_phi = inverse_phi * minus_k_lambda_blade_phi;
@@ -529,70 +526,69 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
             + along_x * l_lambda_blade_y
             + minus_k_lambda_blade_phi * minus_l_lambda_blade_phi;
         let minus_inverse_lambda_blade = S::from_f64(1.0) / minus_pivot_lambda_blade;
-        let w = along_y * y_dot;
-        let w_2 = along_x * x_dot;
         let minus_lambda_blade = minus_inverse_lambda_blade
-            * (phi_dot * (w + w_2) + rhs_x * minus_l_lambda_blade_x
+            * (phi_dot * (w_2 + w_3) + rhs_x * minus_l_lambda_blade_x
                 - rhs_y * l_lambda_blade_y + minus_l_lambda_blade_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi
             - minus_l_lambda_blade_phi * minus_lambda_blade;
-        let w_3 = self.k * (along_x * phi_ddot - along_y * phi_dot_squared)
+        let w_4 = self.k * (along_x * phi_ddot - along_y * phi_dot_squared)
             - along_x * minus_lambda_blade;
         let x_ddot = rhs_x * self.inverse_x + minus_l_phi_x * phi_ddot
             - minus_l_lambda_blade_x * minus_lambda_blade;
         let y_ddot = rhs_y * self.inverse_x - l_phi_y * phi_ddot
             + l_lambda_blade_y * minus_lambda_blade;
-        let w_4 = self.k * (along_x * phi_dot_squared + along_y * phi_ddot)
+        let w_5 = self.k * (along_x * phi_dot_squared + along_y * phi_ddot)
             - along_y * minus_lambda_blade;
-        let w_5 = along_x * (self.k * x_ddot - self.k_3) + along_y * self.k * y_ddot
-            + minus_l_phi_x * w_3 - l_phi_y * w_4;
-        let w_6 = minus_inverse_lambda_blade
+        let w_6 = along_x * (self.k * x_ddot - self.k_3) + minus_mass_phi_x * y_ddot
+            + minus_l_phi_x * w_4 - l_phi_y * w_5;
+        let w_7 = minus_inverse_lambda_blade
             * (along_x * (x_ddot + phi_dot * y_dot)
-                + along_y * (y_ddot - phi_dot * x_dot) + minus_l_lambda_blade_x * w_3
-                - l_lambda_blade_y * w_4 + minus_l_lambda_blade_phi * w_5);
-        let w_7 = inverse_phi * w_5 - minus_l_lambda_blade_phi * w_6;
-        let w_8 = minus_inverse_lambda_blade * along_x * phi_dot;
-        let w_9 = minus_l_lambda_blade_phi * w_8;
-        let w_10 = minus_inverse_lambda_blade * along_y * phi_dot;
-        let w_11 = minus_l_lambda_blade_phi * w_10;
-        let w_12 = along_x * phi_dot * self.k_4;
-        let w_13 = along_y * phi_dot * self.k_4;
-        let w_14 = minus_l_phi_x * w_12 - l_phi_y * w_13;
-        let w_15 = minus_inverse_lambda_blade
-            * (w_2 + w + minus_l_lambda_blade_x * w_12 - l_lambda_blade_y * w_13
-                + minus_l_lambda_blade_phi * w_14);
-        let w_16 = inverse_phi * w_14 - minus_l_lambda_blade_phi * w_15;
+                + along_y * (y_ddot - phi_dot * x_dot) + minus_l_lambda_blade_x * w_4
+                - l_lambda_blade_y * w_5 + minus_l_lambda_blade_phi * w_6);
+        let w_8 = inverse_phi * w_6 - minus_l_lambda_blade_phi * w_7;
+        let w_9 = minus_inverse_lambda_blade * along_x * phi_dot;
+        let w_10 = minus_l_lambda_blade_phi * w_9;
+        let w_11 = minus_inverse_lambda_blade * along_y * phi_dot;
+        let w_12 = minus_l_lambda_blade_phi * w_11;
+        let w_13 = phi_dot * self.k_4;
+        let w_14 = along_x * w_13;
+        let w_15 = along_y * w_13;
+        let w_16 = minus_l_phi_x * w_14 - l_phi_y * w_15;
+        let w_17 = minus_inverse_lambda_blade
+            * (w_3 + w_2 + minus_l_lambda_blade_x * w_14 - l_lambda_blade_y * w_15
+                + minus_l_lambda_blade_phi * w_16);
+        let w_18 = inverse_phi * w_16 - minus_l_lambda_blade_phi * w_17;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_3 + minus_l_phi_x * w_7
-                        - minus_l_lambda_blade_x * w_6,
+                    self.inverse_x * w_4 + minus_l_phi_x * w_8
+                        - minus_l_lambda_blade_x * w_7,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_4 - l_phi_y * w_7 + l_lambda_blade_y * w_6,
+                    self.inverse_x * w_5 - l_phi_y * w_8 + l_lambda_blade_y * w_7,
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_7],
+                [S::from_f64(0.0), S::from_f64(0.0), w_8],
             ],
             accelerations_by_speeds: [
                 [
-                    -(minus_l_phi_x * w_9 + minus_l_lambda_blade_x * w_8),
-                    -(minus_l_phi_x * w_11 + minus_l_lambda_blade_x * w_10),
-                    self.inverse_x * w_12 + minus_l_phi_x * w_16
-                        - minus_l_lambda_blade_x * w_15,
+                    -(minus_l_phi_x * w_10 + minus_l_lambda_blade_x * w_9),
+                    -(minus_l_phi_x * w_12 + minus_l_lambda_blade_x * w_11),
+                    self.inverse_x * w_14 + minus_l_phi_x * w_18
+                        - minus_l_lambda_blade_x * w_17,
                 ],
                 [
-                    l_phi_y * w_9 + l_lambda_blade_y * w_8,
-                    l_phi_y * w_11 + l_lambda_blade_y * w_10,
-                    self.inverse_x * w_13 - l_phi_y * w_16 + l_lambda_blade_y * w_15,
+                    l_phi_y * w_10 + l_lambda_blade_y * w_9,
+                    l_phi_y * w_12 + l_lambda_blade_y * w_11,
+                    self.inverse_x * w_15 - l_phi_y * w_18 + l_lambda_blade_y * w_17,
                 ],
-                [-w_9, -w_11, w_16],
+                [-w_10, -w_12, w_18],
             ],
-            multipliers_by_positions: [[S::from_f64(0.0), S::from_f64(0.0), -w_6]],
-            multipliers_by_speeds: [[-w_8, -w_10, -w_15]],
+            multipliers_by_positions: [[S::from_f64(0.0), S::from_f64(0.0), -w_7]],
+            multipliers_by_speeds: [[-w_9, -w_11, -w_17]],
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)

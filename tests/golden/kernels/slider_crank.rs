@@ -231,7 +231,7 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SliderCrank<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 12 additions, 44 multiplications, 1 division.
+    /// Operations: 12 additions, 33 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SliderCrankPrepared<S> {
         let r_squared = self.r * self.r;
@@ -239,50 +239,55 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_2 = r_squared * self.m3;
         let mass_theta_theta = S::from_f64(0.3333333333333333) * r_squared * self.m1 + w
             + w_2;
-        let w_3 = self.r * self.m3 * self.l;
-        let w_4 = self.r * self.m2 * self.l * S::from_f64(0.5);
+        let w_3 = self.r * self.m3;
+        let w_4 = self.l * w_3;
+        let w_5 = self.r * self.m2;
+        let w_6 = self.l * S::from_f64(0.5) * w_5;
         let l_squared = self.l * self.l;
-        let w_5 = self.m3 * l_squared;
-        let w_6 = self.r * self.m1 * S::from_f64(0.5) * self.g;
-        let w_7 = self.r * self.m3 * self.l * S::from_f64(2.0);
-        let w_8 = self.r * self.m2 * self.l;
+        let w_7 = self.m3 * l_squared;
+        let w_8 = S::from_f64(0.5) * self.g;
+        let w_9 = self.r * self.m1 * w_8;
+        let w_10 = self.m3 * self.l;
+        let w_11 = self.m2 * self.l;
+        let w_12 = self.l * S::from_f64(2.0);
+        let w_13 = w_3 * w_12;
+        let w_14 = self.l * w_5;
         SliderCrankPrepared {
             r: self.r,
             mass_theta_theta: mass_theta_theta,
             l: self.l,
-            k: w_3 + w_4,
-            mass_phi_phi: S::from_f64(0.3333333333333333) * self.m2 * l_squared + w_5,
+            k: w_4 + w_6,
+            mass_phi_phi: S::from_f64(0.3333333333333333) * self.m2 * l_squared + w_7,
             T: self.T,
             k_2: self.r * S::from_f64(2.0),
-            k_3: self.r * self.m3,
-            k_4: self.r * self.m2 * S::from_f64(0.5),
-            k_5: w_6,
-            k_6: w_6 + self.r * self.m2 * self.g + self.r * self.m3 * self.g,
-            k_7: w_4 + w_3,
-            k_8: self.m3 * self.l,
-            k_9: self.m2 * self.l * S::from_f64(0.25),
-            k_10: self.m2 * self.l * S::from_f64(0.5) * self.g
-                + self.m3 * self.l * self.g,
+            k_3: w_3,
+            k_4: S::from_f64(0.5) * w_5,
+            k_5: w_9,
+            k_6: w_9 + w_5 * self.g + w_3 * self.g,
+            k_7: w_6 + w_4,
+            k_8: w_10,
+            k_9: S::from_f64(0.25) * w_11,
+            k_10: w_8 * w_11 + self.g * w_10,
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
-            k_11: self.m2 * S::from_f64(0.5) * self.g,
+            k_11: self.m2 * w_8,
             k_12: self.m3 * self.g,
-            k_13: w_7 + w_8,
+            k_13: w_13 + w_14,
             k_14: w_2 + w,
-            k_15: self.m2 * l_squared * S::from_f64(0.25) + w_5,
-            k_16: w_8 + w_7,
-            k_17: self.l * S::from_f64(2.0),
+            k_15: self.m2 * l_squared * S::from_f64(0.25) + w_7,
+            k_16: w_14 + w_13,
+            k_17: w_12,
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
     ///
-    /// Operations: 5 additions, 17 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 16 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
         let [theta, phi] = *q;
         let r_squared = self.r * self.r;
+        let w = self.r * self.l;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let mass_phi_theta = (self.r * self.m3 * self.l
-            + self.r * self.m2 * self.l * S::from_f64(0.5))
+        let mass_phi_theta = (self.m3 * w + self.m2 * S::from_f64(0.5) * w)
             * (sin_theta * rod_y + cos_theta * rod_x);
         let l_squared = self.l * self.l;
         [
@@ -300,36 +305,38 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
     }
     /// Convective forces `T_q' M g`, 2, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 4 additions, 17 multiplications, 2 sine-cosine pairs.
+    /// Operations: 4 additions, 14 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
+        let w = self.r * self.l;
+        let w_2 = self.m3 * w;
+        let w_3 = S::from_f64(0.5) * self.m2 * w;
+        let w_4 = w_2 + w_3;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let w = self.r * self.m3 * self.l;
-        let w_2 = self.r * self.l * S::from_f64(0.5) * self.m2;
-        let w_3 = w + w_2;
-        let w_4 = w_2 + w;
+        let w_5 = sin_theta * rod_x;
+        let w_6 = w_3 + w_2;
+        let w_7 = cos_theta * rod_y;
         [
-            phi_dot * phi_dot * (sin_theta * rod_x * w_3 - cos_theta * rod_y * w_4),
-            theta_dot * theta_dot * (cos_theta * rod_y * w_3 - sin_theta * rod_x * w_4),
+            phi_dot * phi_dot * (w_4 * w_5 - w_6 * w_7),
+            theta_dot * theta_dot * (w_4 * w_7 - w_6 * w_5),
         ]
     }
     /// Generalised forces `T_q' F`, 2: joules per unit of each coordinate.
     ///
-    /// Operations: 5 additions, 14 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 11 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [theta, phi] = *q;
         let ([_, _], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
+        let w = self.r * self.g;
+        let w_2 = self.g * self.l;
         [
             self.T
                 - cos_theta
-                    * (S::from_f64(0.5) * self.r * self.m1 * self.g
-                        + self.r * self.g * self.m2 + self.r * self.g * self.m3),
-            -(rod_x
-                * (S::from_f64(0.5) * self.g * self.m2 * self.l
-                    + self.g * self.m3 * self.l)),
+                    * (S::from_f64(0.5) * self.m1 * w + self.m2 * w + self.m3 * w),
+            -(rod_x * (S::from_f64(0.5) * self.m2 * w_2 + self.m3 * w_2)),
         ]
     }
     /// Constraints `C`, 1, in SI units; zero throughout the motion.
@@ -398,29 +405,31 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 9 additions, 31 multiplications, 2 sine-cosine pairs.
+    /// Operations: 9 additions, 28 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let w = phi_dot * self.l * rod_y;
-        let w_2 = theta_dot * self.r * sin_theta + w;
-        let w_3 = phi_dot * self.l * rod_x;
-        let w_4 = theta_dot * self.r * cos_theta + w_3;
-        let w_5 = self.r * S::from_f64(2.0);
-        let w_6 = theta_dot * sin_theta * w_5 + w;
-        let w_7 = theta_dot * cos_theta * w_5 + w_3;
-        let w_8 = theta_dot * theta_dot * S::from_f64(0.16666666666666666) * self.r
+        let w = theta_dot * self.r;
+        let w_2 = phi_dot * self.l;
+        let w_3 = rod_y * w_2;
+        let w_4 = sin_theta * w + w_3;
+        let w_5 = w_2 * rod_x;
+        let w_6 = w * cos_theta + w_5;
+        let w_7 = theta_dot * self.r * S::from_f64(2.0);
+        let w_8 = sin_theta * w_7 + w_3;
+        let w_9 = cos_theta * w_7 + w_5;
+        let w_10 = theta_dot * theta_dot * S::from_f64(0.16666666666666666) * self.r
             * self.r * self.m1;
-        let w_9 = phi_dot * phi_dot * S::from_f64(0.041666666666666664) * self.l * self.l
-            * self.m2;
-        S::from_f64(0.5) * self.m3 * (w_2 * w_2 + w_4 * w_4)
-            + self.m2 * S::from_f64(0.125) * (w_6 * w_6 + w_7 * w_7) + w_8 + w_9
+        let w_11 = phi_dot * phi_dot * S::from_f64(0.041666666666666664) * self.l
+            * self.l * self.m2;
+        S::from_f64(0.5) * self.m3 * (w_4 * w_4 + w_6 * w_6)
+            + self.m2 * S::from_f64(0.125) * (w_8 * w_8 + w_9 * w_9) + w_10 + w_11
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 5 additions, 17 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 16 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -433,11 +442,12 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([_, _], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let w = phi_dot * self.l * rod_x;
-        let w_2 = (theta_dot * cos_theta * self.r * S::from_f64(2.0) + w)
-            * S::from_f64(0.5) * self.g * self.m2;
-        theta_dot * (self.T - cos_theta * S::from_f64(0.5) * self.r * self.m1 * self.g)
-            - w_2 - (theta_dot * self.r * cos_theta + w) * self.g * self.m3
+        let w = S::from_f64(0.5) * self.g;
+        let w_2 = phi_dot * self.l * rod_x;
+        let w_3 = (theta_dot * cos_theta * self.r * S::from_f64(2.0) + w_2) * self.m2
+            * w;
+        theta_dot * (self.T - cos_theta * self.r * self.m1 * w) - w_3
+            - (theta_dot * self.r * cos_theta + w_2) * self.g * self.m3
     }
     /// Outputs, 6, in SI units.
     ///
@@ -592,15 +602,15 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let phi_dot_squared = phi_dot * phi_dot;
         let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
             + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
+        let theta_dot_squared = theta_dot * theta_dot;
         let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let theta_dot_squared = theta_dot * theta_dot;
         let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
             - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
+        let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
@@ -632,7 +642,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 66 additions, 129 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 66 additions, 117 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -643,89 +653,95 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let theta_dot_squared = theta_dot * theta_dot;
         let phi_dot_squared = phi_dot * phi_dot;
-        let w = self.l * rod_y * phi_dot_squared;
-        let w_2 = sin_theta * theta_dot_squared * self.k_2 + w;
-        let w_3 = self.r * sin_theta * theta_dot_squared + w;
+        let w = sin_theta * rod_x;
+        let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
+            + self.T - self.k * phi_dot_squared * w;
+        let theta_dot_squared = theta_dot * theta_dot;
+        let w_2 = rod_y * cos_theta;
+        let w_3 = sin_theta * rod_y;
+        let w_4 = cos_theta * rod_x;
+        let mass_phi_theta = self.k * (w_3 + w_4);
+        let l_phi_theta = mass_phi_theta * self.inverse_theta;
+        let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
+            - self.k * theta_dot_squared * w_2 - rhs_theta * l_phi_theta;
+        let w_5 = self.r * theta_dot_squared;
+        let w_6 = self.l * phi_dot_squared;
+        let w_7 = rod_y * w_6;
+        let w_8 = sin_theta * w_5 + w_7;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
-        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
-        let l_phi_theta = mass_phi_theta * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
+        let w_9 = theta_dot_squared * self.k_2;
+        let w_10 = sin_theta * w_9 + w_7;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
-        let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
-            + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
-        let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
-            - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let minus_lambda_guide = minus_inverse_lambda_guide
-            * (w_3 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
-        let w_4 = self.l * rod_x * phi_dot_squared;
-        let w_5 = self.r * cos_theta * theta_dot_squared + w_4;
-        let w_6 = cos_theta * theta_dot_squared * self.k_2 + w_4;
+            * (w_8 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
+        let w_11 = rod_x * w_6;
+        let w_12 = cos_theta * w_5 + w_11;
+        let w_13 = cos_theta * w_9 + w_11;
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let w_7 = self.k_13 * (rod_y * cos_theta - sin_theta * rod_x);
-        let w_8 = S::from_f64(0.5) * phi_ddot * w_7;
-        let w_9 = sin_theta
-            * (self.k_6 - w_2 * self.k_4 - w_3 * self.k_3 - self.r * minus_lambda_guide)
-            - cos_theta * (w_5 * self.k_3 + w_6 * self.k_4) - w_8
+        let w_14 = S::from_f64(0.5) * self.k_13 * (w_2 - w);
+        let w_15 = phi_ddot * w_14;
+        let w_16 = sin_theta
+            * (self.k_6 - w_10 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
+            - cos_theta * (w_12 * self.k_3 + w_13 * self.k_4) - w_15
             + theta_dot_squared * self.k_14;
-        let w_10 = sin_theta * rod_y * self.k + cos_theta * rod_x * self.k_7;
+        let w_17 = self.k * w_3 + w_4 * self.k_7;
         let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
             + l_lambda_guide_theta * minus_lambda_guide;
-        let w_11 = S::from_f64(0.5) * theta_ddot * w_7;
-        let w_12 = theta_dot_squared * w_10 - w_11 - l_phi_theta * w_9;
-        let w_13 = minus_inverse_lambda_guide
+        let w_18 = theta_ddot * w_14;
+        let w_19 = theta_dot_squared * w_17 - w_18 - l_phi_theta * w_16;
+        let w_20 = minus_inverse_lambda_guide
             * (self.r * (sin_theta * theta_ddot + cos_theta * theta_dot_squared)
-                - l_lambda_guide_theta * w_9 - l_lambda_guide_phi * w_12);
-        let w_14 = inverse_phi * w_12 + l_lambda_guide_phi * w_13;
-        let w_15 = phi_dot_squared * w_10 + w_8;
-        let w_16 = rod_y
-            * (self.k_10 - w_2 * self.k_9 - w_3 * self.k_8 - self.l * minus_lambda_guide)
-            - rod_x * (w_5 * self.k_8 + w_6 * self.k_9) + phi_dot_squared * self.k_15
-            + w_11;
-        let w_17 = w_16 - l_phi_theta * w_15;
-        let w_18 = minus_inverse_lambda_guide
-            * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
-                - l_lambda_guide_theta * w_15 - l_lambda_guide_phi * w_17);
-        let w_19 = inverse_phi * w_17 + l_lambda_guide_phi * w_18;
-        let w_20 = theta_dot
-            * (sin_theta * rod_x * self.k_16 - rod_y * cos_theta * self.k_13);
-        let w_21 = minus_inverse_lambda_guide
-            * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_20);
-        let w_22 = inverse_phi * w_20 + l_lambda_guide_phi * w_21;
-        let w_23 = phi_dot
-            * (rod_y * cos_theta * self.k_16 - sin_theta * rod_x * self.k_13);
-        let w_24 = l_phi_theta * w_23;
+                - l_lambda_guide_theta * w_16 - l_lambda_guide_phi * w_19);
+        let w_21 = inverse_phi * w_19 + l_lambda_guide_phi * w_20;
+        let w_22 = phi_dot_squared * w_17 + w_15;
+        let w_23 = rod_y
+            * (self.k_10 - w_10 * self.k_9 - w_8 * self.k_8
+                - self.l * minus_lambda_guide)
+            - rod_x * (w_12 * self.k_8 + w_13 * self.k_9) + phi_dot_squared * self.k_15
+            + w_18;
+        let w_24 = w_23 - l_phi_theta * w_22;
         let w_25 = minus_inverse_lambda_guide
-            * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_23
-                + l_lambda_guide_phi * w_24);
-        let w_26 = l_lambda_guide_phi * w_25 - inverse_phi * w_24;
+            * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
+                - l_lambda_guide_theta * w_22 - l_lambda_guide_phi * w_24);
+        let w_26 = inverse_phi * w_24 + l_lambda_guide_phi * w_25;
+        let w_27 = theta_dot * (w * self.k_16 - w_2 * self.k_13);
+        let w_28 = minus_inverse_lambda_guide
+            * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_27);
+        let w_29 = inverse_phi * w_27 + l_lambda_guide_phi * w_28;
+        let w_30 = phi_dot * (w_2 * self.k_16 - w * self.k_13);
+        let w_31 = l_phi_theta * w_30;
+        let w_32 = minus_inverse_lambda_guide
+            * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_30
+                + l_lambda_guide_phi * w_31);
+        let w_33 = l_lambda_guide_phi * w_32 - inverse_phi * w_31;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta * w_9 - l_phi_theta * w_14
-                        + l_lambda_guide_theta * w_13,
-                    self.inverse_theta * w_15 - l_phi_theta * w_19
-                        + l_lambda_guide_theta * w_18,
+                    self.inverse_theta * w_16 - l_phi_theta * w_21
+                        + l_lambda_guide_theta * w_20,
+                    self.inverse_theta * w_22 - l_phi_theta * w_26
+                        + l_lambda_guide_theta * w_25,
                 ],
-                [w_14, w_19],
+                [w_21, w_26],
             ],
             accelerations_by_speeds: [
                 [
-                    l_lambda_guide_theta * w_21 - l_phi_theta * w_22,
-                    self.inverse_theta * w_23 - l_phi_theta * w_26
-                        + l_lambda_guide_theta * w_25,
+                    l_lambda_guide_theta * w_28 - l_phi_theta * w_29,
+                    self.inverse_theta * w_30 - l_phi_theta * w_33
+                        + l_lambda_guide_theta * w_32,
                 ],
-                [w_22, w_26],
+                [w_29, w_33],
             ],
-            multipliers_by_positions: [[-w_13, -w_18]],
-            multipliers_by_speeds: [[-w_21, -w_25]],
+            multipliers_by_positions: [[-w_20, -w_25]],
+            multipliers_by_speeds: [[-w_28, -w_32]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta_theta,
                 self.mass_theta_theta,

@@ -172,20 +172,21 @@ pub struct SphericalPendulumPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 10 multiplications, 1 division.
+    /// Operations: 8 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SphericalPendulumPrepared<S> {
         let l_squared = self.l * self.l;
         let mass_theta_theta = self.m * l_squared;
+        let w = self.m * self.l;
         SphericalPendulumPrepared {
             l: self.l,
             mass_theta_theta: mass_theta_theta,
             k: self.l * S::from_f64(2.0),
-            k_2: self.m * self.l,
-            k_3: self.m * self.l * self.g,
+            k_2: w,
+            k_3: self.g * w,
             k_4: self.m * l_squared * S::from_f64(2.0),
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
-            k_5: self.m * self.l * S::from_f64(2.0),
+            k_5: S::from_f64(2.0) * w,
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -203,17 +204,17 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     }
     /// Convective forces `T_q' M g`, 2, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 1 addition, 12 multiplications, 1 sine-cosine pair.
+    /// Operations: 1 addition, 11 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
         let [theta, _] = *q;
         let [theta_dot, phi_dot] = *qd;
-        let ([sin_theta], [cos_theta]) = S::sin_cos_each([theta]);
         let l_squared = self.l * self.l;
+        let ([sin_theta], [cos_theta]) = S::sin_cos_each([theta]);
+        let w = cos_theta * sin_theta;
         [
-            -(cos_theta * sin_theta * phi_dot * phi_dot * self.m * l_squared),
-            cos_theta * theta_dot * phi_dot * sin_theta * self.m * S::from_f64(2.0)
-                * l_squared,
+            -(phi_dot * phi_dot * self.m * l_squared * w),
+            theta_dot * phi_dot * w * self.m * S::from_f64(2.0) * l_squared,
         ]
     }
     /// Generalised forces `T_q' F`, 2: joules per unit of each coordinate.
@@ -277,19 +278,19 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 4 additions, 21 multiplications, 2 sine-cosine pairs.
+    /// Operations: 4 additions, 18 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m;
         let ([sin_phi, sin_theta], [cos_phi, cos_theta]) = S::sin_cos_each([phi, theta]);
-        let w = self.l
-            * (theta_dot * cos_phi * cos_theta - phi_dot * sin_theta * sin_phi);
-        let w_2 = self.l
-            * (theta_dot * cos_theta * sin_phi + cos_phi * phi_dot * sin_theta);
-        S::from_f64(0.5) * self.m * (w * w + w_2 * w_2)
-            + theta_dot * theta_dot * sin_theta * sin_theta * S::from_f64(0.5) * self.m
-                * self.l * self.l
+        let w_2 = theta_dot * cos_theta;
+        let w_3 = phi_dot * sin_theta;
+        let w_4 = self.l * (cos_phi * w_2 - sin_phi * w_3);
+        let w_5 = self.l * (sin_phi * w_2 + cos_phi * w_3);
+        w * (w_4 * w_4 + w_5 * w_5)
+            + theta_dot * theta_dot * sin_theta * sin_theta * self.l * self.l * w
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -310,7 +311,7 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     }
     /// Outputs, 4, in SI units.
     ///
-    /// Operations: 4 additions, 20 multiplications, 2 sine-cosine pairs.
+    /// Operations: 4 additions, 17 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn outputs(
         &self,
@@ -323,21 +324,22 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = cos_phi * self.l
-            * (cos_theta * sin_phi * theta_dot + sin_theta * cos_phi * phi_dot)
-            - sin_phi * self.l
-                * (cos_theta * cos_phi * theta_dot - sin_theta * sin_phi * phi_dot);
+        let w = self.l * sin_theta;
+        let w_2 = cos_theta * theta_dot;
+        let w_3 = sin_theta * phi_dot;
         [
             -(self.l * cos_theta),
-            self.l * sin_theta * cos_phi,
-            self.l * sin_theta * sin_phi,
-            self.m * self.l * sin_theta * w,
+            cos_phi * w,
+            w * sin_phi,
+            self.m * self.l * sin_theta
+                * (cos_phi * self.l * (sin_phi * w_2 + cos_phi * w_3)
+                    - sin_phi * self.l * (cos_phi * w_2 - sin_phi * w_3)),
         ]
             .into()
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 4, in SI units per second.
     ///
-    /// Operations: 14 additions, 46 multiplications, 2 sine-cosine pairs.
+    /// Operations: 14 additions, 40 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn output_rates(
         &self,
@@ -350,27 +352,28 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
         let [theta_dot, phi_dot] = *qd;
         let [theta_ddot, phi_ddot] = *qdd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = self.l
-            * (theta_dot * cos_phi * cos_theta - sin_theta * phi_dot * sin_phi);
-        let w_2 = self.l
-            * (theta_dot * cos_theta * sin_phi + sin_theta * cos_phi * phi_dot);
-        let w_3 = theta_dot * theta_dot + phi_dot * phi_dot;
-        let w_4 = self.l * S::from_f64(2.0);
-        let w_5 = self.l
-            * (sin_theta * (cos_phi * phi_ddot - sin_phi * w_3)
-                + cos_theta * sin_phi * theta_ddot)
-            + theta_dot * cos_phi * cos_theta * phi_dot * w_4 - phi_dot * w;
-        let w_6 = self.l
-            * (sin_theta * (cos_phi * w_3 + sin_phi * phi_ddot)
-                - cos_phi * cos_theta * theta_ddot)
-            + theta_dot * cos_theta * phi_dot * sin_phi * w_4 - phi_dot * w_2;
+        let w = theta_dot * cos_theta;
+        let w_2 = sin_theta * phi_dot;
+        let w_3 = self.l * (cos_phi * w - sin_phi * w_2);
+        let w_4 = self.l * (sin_phi * w + cos_phi * w_2);
+        let w_5 = theta_dot * theta_dot + phi_dot * phi_dot;
+        let w_6 = cos_theta * theta_ddot;
+        let w_7 = phi_dot * self.l * S::from_f64(2.0);
+        let w_8 = sin_phi
+            * (self.l
+                * (sin_theta * (cos_phi * w_5 + sin_phi * phi_ddot) - cos_phi * w_6)
+                + sin_phi * w * w_7 - phi_dot * w_4);
+        let w_9 = sin_theta
+            * (cos_phi
+                * (self.l
+                    * (sin_theta * (cos_phi * phi_ddot - sin_phi * w_5) + sin_phi * w_6)
+                    + cos_phi * w * w_7 - phi_dot * w_3) + w_8);
         [
             theta_dot * self.l * sin_theta,
-            w,
-            w_2,
+            w_3,
+            w_4,
             self.m * self.l
-                * (sin_theta * (cos_phi * w_5 + sin_phi * w_6)
-                    + theta_dot * cos_theta * (cos_phi * w_2 - sin_phi * w)),
+                * (w_9 + theta_dot * cos_theta * (cos_phi * w_4 - sin_phi * w_3)),
         ]
             .into()
     }
@@ -390,13 +393,14 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 1 addition, 5 multiplications, 2 sine-cosine pairs.
+    /// Operations: 1 addition, 4 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 2]) -> [S; 12] {
         let [theta, phi] = *q;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let P_x = self.l * sin_theta * cos_phi;
-        let P_y = self.l * sin_theta * sin_phi;
+        let w = self.l * sin_theta;
+        let P_x = cos_phi * w;
+        let P_y = w * sin_phi;
         let P_z = -(self.l * cos_theta);
         [
             S::from_f64(0.0),
@@ -485,7 +489,7 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (0 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 26 additions, 100 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 26 additions, 86 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -496,60 +500,59 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
+        let w = cos_theta * theta_dot;
+        let w_2 = phi_dot * self.k;
+        let w_3 = cos_phi * w_2;
         let theta_dot_squared = theta_dot * theta_dot;
-        let w = theta_dot_squared + phi_dot * phi_dot;
-        let w_2 = cos_theta * theta_dot * phi_dot * cos_phi * self.k
-            - self.l * sin_theta * sin_phi * w;
-        let w_3 = cos_phi * w;
-        let w_4 = self.l * sin_theta * w_3
-            + sin_phi * cos_theta * theta_dot * phi_dot * self.k;
-        let w_5 = self.l * sin_phi * cos_theta * w
-            + sin_theta * theta_dot * phi_dot * cos_phi * self.k;
-        let w_6 = sin_theta * sin_phi * theta_dot * phi_dot * self.k
-            - self.l * cos_theta * w_3;
+        let w_4 = theta_dot_squared + phi_dot * phi_dot;
+        let w_5 = w * w_3 - self.l * sin_theta * sin_phi * w_4;
+        let w_6 = cos_phi * w_4;
+        let w_7 = sin_phi * w_2;
+        let w_8 = self.l * sin_theta * w_6 + w * w_7;
+        let w_9 = sin_theta * theta_dot;
+        let w_10 = self.l * sin_phi * cos_theta * w_4 + w_3 * w_9;
+        let w_11 = w_7 * w_9 - self.l * cos_theta * w_6;
         let sin_theta_squared = sin_theta * sin_theta;
-        let w_7 = self.k_2
-            * (sin_theta * (sin_phi * w_2 - cos_phi * w_4)
-                + cos_theta * (sin_phi * w_5 - cos_phi * w_6))
+        let w_12 = self.k_2
+            * (sin_theta * (sin_phi * w_5 - cos_phi * w_8)
+                + cos_theta * (sin_phi * w_10 - cos_phi * w_11))
             + theta_dot_squared * (sin_theta_squared * self.k_4 - self.mass_theta_theta)
             - cos_theta * self.k_3;
         let mass_phi_phi = self.mass_theta_theta * sin_theta_squared;
         let inverse_phi = S::from_f64(1.0) / mass_phi_phi;
-        let w_8 = self.k_2
-            * (sin_phi * (sin_theta * w_6 - cos_theta * w_4)
-                + cos_phi * (sin_theta * w_5 - cos_theta * w_2));
-        let w_9 = self.l
-            * (sin_phi * cos_theta * phi_dot + sin_theta * theta_dot * cos_phi);
-        let w_10 = self.l
-            * (cos_theta * phi_dot * cos_phi - sin_theta * sin_phi * theta_dot);
-        let w_11 = self.l
-            * (sin_phi * cos_theta * theta_dot + sin_theta * phi_dot * cos_phi);
-        let w_12 = self.l
-            * (cos_theta * theta_dot * cos_phi - sin_theta * sin_phi * phi_dot);
+        let w_13 = self.k_2
+            * (sin_phi * (sin_theta * w_11 - cos_theta * w_8)
+                + cos_phi * (sin_theta * w_10 - cos_theta * w_5));
+        let w_14 = cos_theta * phi_dot;
+        let w_15 = self.l * (sin_phi * w_14 + cos_phi * w_9);
+        let w_16 = self.l * (cos_phi * w_14 - sin_phi * w_9);
+        let w_17 = sin_theta * phi_dot;
+        let w_18 = self.l * (sin_phi * w + cos_phi * w_17);
+        let w_19 = self.l * (cos_phi * w - sin_phi * w_17);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [self.inverse_theta * w_7, S::from_f64(0.0)],
+                [self.inverse_theta * w_12, S::from_f64(0.0)],
                 [
                     inverse_phi
-                        * (w_8
-                            + sin_theta * cos_theta * self.k_4 * sin_theta * cos_theta
-                                * theta_dot * phi_dot * self.k_4 * inverse_phi),
+                        * (w_13
+                            + sin_theta * cos_theta * self.k_4 * cos_theta * phi_dot
+                                * self.k_4 * w_9 * inverse_phi),
                     S::from_f64(0.0),
                 ],
             ],
             accelerations_by_speeds: [
                 [
                     self.inverse_theta * cos_theta
-                        * (self.k_5 * (cos_phi * w_9 - sin_phi * w_10)
+                        * (self.k_5 * (cos_phi * w_15 - sin_phi * w_16)
                             - sin_theta * theta_dot * self.k_4),
                     self.inverse_theta * self.k_5 * cos_theta
-                        * (cos_phi * w_11 - sin_phi * w_12),
+                        * (cos_phi * w_18 - sin_phi * w_19),
                 ],
                 [
                     -(inverse_phi * self.k_5 * sin_theta
-                        * (sin_phi * w_9 + cos_phi * w_10)),
+                        * (sin_phi * w_15 + cos_phi * w_16)),
                     -(inverse_phi * self.k_5 * sin_theta
-                        * (sin_phi * w_11 + cos_phi * w_12)),
+                        * (sin_phi * w_18 + cos_phi * w_19)),
                 ],
             ],
             multipliers_by_positions: [],

@@ -1332,7 +1332,7 @@ pub struct StewartPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Stewart<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 18 additions, 113 multiplications, 1 division, 12 sine-cosine pairs.
+    /// Operations: 18 additions, 80 multiplications, 1 division, 12 sine-cosine pairs.
     #[inline]
     pub fn prepare(&self) -> StewartPrepared<S> {
         let w = S::from_f64(4.0) * self.A;
@@ -1394,13 +1394,16 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             c2_foot_angle,
             c2_head_angle,
         ]);
-        let w_8 = self.m * self.g;
+        let w_8 = S::from_f64(2.0) * self.r;
+        let w_9 = self.m * self.g;
+        let w_10 = S::from_f64(4.0) * self.r;
+        let w_11 = self.r * S::from_f64(8.0);
         let w_squared = self.w * self.w;
-        let w_9 = self.heave * w_squared;
-        let w_10 = w_squared * self.sway;
+        let w_12 = self.heave * w_squared;
+        let w_13 = w_squared * self.sway;
         let inverse_m = S::from_f64(1.0) / self.m;
-        let w_11 = self.heave * self.w;
-        let w_12 = self.w * self.sway;
+        let w_14 = self.heave * self.w;
+        let w_15 = self.w * self.sway;
         StewartPrepared {
             m: self.m,
             A: self.A,
@@ -1411,85 +1414,85 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             k_5: w_2 - w,
             k_6: self.R * cos_foot,
             k_7: self.r * cos_a1_head_angle,
-            k_8: S::from_f64(2.0) * self.r * sin_a1_head_angle,
+            k_8: sin_a1_head_angle * w_8,
             k_9: self.R * sin_foot,
-            k_10: S::from_f64(2.0) * self.r * cos_a1_head_angle,
+            k_10: cos_a1_head_angle * w_8,
             k_11: self.r * sin_a1_head_angle,
             k_12: w_4,
             k_13: self.R * cos_a2_foot_angle,
             k_14: self.r * cos_a2_head_angle,
-            k_15: S::from_f64(2.0) * self.r * sin_a2_head_angle,
+            k_15: w_8 * sin_a2_head_angle,
             k_16: self.R * sin_a2_foot_angle,
-            k_17: S::from_f64(2.0) * self.r * cos_a2_head_angle,
+            k_17: w_8 * cos_a2_head_angle,
             k_18: self.r * sin_a2_head_angle,
             k_19: self.R * cos_b1_foot_angle,
             k_20: self.r * cos_b1_head_angle,
-            k_21: S::from_f64(2.0) * self.r * sin_b1_head_angle,
+            k_21: w_8 * sin_b1_head_angle,
             k_22: self.R * sin_b1_foot_angle,
-            k_23: S::from_f64(2.0) * self.r * cos_b1_head_angle,
+            k_23: w_8 * cos_b1_head_angle,
             k_24: self.r * sin_b1_head_angle,
             k_25: w_5,
             k_26: self.R * cos_b2_foot_angle,
             k_27: self.r * cos_b2_head_angle,
-            k_28: S::from_f64(2.0) * self.r * sin_b2_head_angle,
+            k_28: w_8 * sin_b2_head_angle,
             k_29: self.R * sin_b2_foot_angle,
-            k_30: S::from_f64(2.0) * self.r * cos_b2_head_angle,
+            k_30: w_8 * cos_b2_head_angle,
             k_31: self.r * sin_b2_head_angle,
             k_32: self.R * cos_c1_foot_angle,
             k_33: self.r * cos_c1_head_angle,
-            k_34: S::from_f64(2.0) * self.r * sin_c1_head_angle,
+            k_34: w_8 * sin_c1_head_angle,
             k_35: self.R * sin_c1_foot_angle,
-            k_36: S::from_f64(2.0) * self.r * cos_c1_head_angle,
+            k_36: w_8 * cos_c1_head_angle,
             k_37: self.r * sin_c1_head_angle,
             k_38: w_7,
             k_39: self.R * cos_c2_foot_angle,
             k_40: self.r * cos_c2_head_angle,
-            k_41: S::from_f64(2.0) * self.r * sin_c2_head_angle,
+            k_41: w_8 * sin_c2_head_angle,
             k_42: self.R * sin_c2_foot_angle,
-            k_43: S::from_f64(2.0) * self.r * cos_c2_head_angle,
+            k_43: w_8 * cos_c2_head_angle,
             k_44: self.r * sin_c2_head_angle,
-            minus_rhs_platform_z: w_8,
+            minus_rhs_platform_z: w_9,
             k_45: self.C - self.A,
             k_46: self.A - self.C,
             k_47: self.C * S::from_f64(8.0),
             w: self.w,
-            k_48: S::from_f64(4.0) * self.r * cos_a1_head_angle,
-            k_49: S::from_f64(4.0) * self.r * sin_a1_head_angle,
-            k_50: self.r * cos_a1_head_angle * S::from_f64(8.0),
-            k_51: self.r * sin_a1_head_angle * S::from_f64(8.0),
-            k_52: w_9,
-            k_53: w_10,
-            k_54: w_9 + w_10,
-            k_55: S::from_f64(4.0) * self.r * cos_a2_head_angle,
-            k_56: S::from_f64(4.0) * self.r * sin_a2_head_angle,
-            k_57: self.r * cos_a2_head_angle * S::from_f64(8.0),
-            k_58: self.r * sin_a2_head_angle * S::from_f64(8.0),
-            k_59: S::from_f64(4.0) * self.r * cos_b1_head_angle,
-            k_60: S::from_f64(4.0) * self.r * sin_b1_head_angle,
-            k_61: self.r * cos_b1_head_angle * S::from_f64(8.0),
-            k_62: self.r * sin_b1_head_angle * S::from_f64(8.0),
-            k_63: S::from_f64(4.0) * self.r * cos_b2_head_angle,
-            k_64: S::from_f64(4.0) * self.r * sin_b2_head_angle,
-            k_65: self.r * cos_b2_head_angle * S::from_f64(8.0),
-            k_66: self.r * sin_b2_head_angle * S::from_f64(8.0),
-            k_67: S::from_f64(4.0) * self.r * cos_c1_head_angle,
-            k_68: S::from_f64(4.0) * self.r * sin_c1_head_angle,
-            k_69: self.r * cos_c1_head_angle * S::from_f64(8.0),
-            k_70: self.r * sin_c1_head_angle * S::from_f64(8.0),
-            k_71: S::from_f64(4.0) * self.r * cos_c2_head_angle,
-            k_72: S::from_f64(4.0) * self.r * sin_c2_head_angle,
-            k_73: self.r * cos_c2_head_angle * S::from_f64(8.0),
-            k_74: self.r * sin_c2_head_angle * S::from_f64(8.0),
+            k_48: cos_a1_head_angle * w_10,
+            k_49: sin_a1_head_angle * w_10,
+            k_50: cos_a1_head_angle * w_11,
+            k_51: sin_a1_head_angle * w_11,
+            k_52: w_12,
+            k_53: w_13,
+            k_54: w_12 + w_13,
+            k_55: cos_a2_head_angle * w_10,
+            k_56: sin_a2_head_angle * w_10,
+            k_57: cos_a2_head_angle * w_11,
+            k_58: sin_a2_head_angle * w_11,
+            k_59: cos_b1_head_angle * w_10,
+            k_60: sin_b1_head_angle * w_10,
+            k_61: cos_b1_head_angle * w_11,
+            k_62: sin_b1_head_angle * w_11,
+            k_63: cos_b2_head_angle * w_10,
+            k_64: sin_b2_head_angle * w_10,
+            k_65: cos_b2_head_angle * w_11,
+            k_66: sin_b2_head_angle * w_11,
+            k_67: cos_c1_head_angle * w_10,
+            k_68: sin_c1_head_angle * w_10,
+            k_69: cos_c1_head_angle * w_11,
+            k_70: sin_c1_head_angle * w_11,
+            k_71: cos_c2_head_angle * w_10,
+            k_72: sin_c2_head_angle * w_10,
+            k_73: cos_c2_head_angle * w_11,
+            k_74: sin_c2_head_angle * w_11,
             inverse_platform_x: inverse_m,
-            k_75: w_8 * inverse_m,
-            k_76: w_11,
-            k_77: w_12,
-            k_78: w_11 + w_12,
+            k_75: w_9 * inverse_m,
+            k_76: w_14,
+            k_77: w_15,
+            k_78: w_14 + w_15,
         }
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 24 additions, 53 multiplications, 1 division.
+    /// Operations: 24 additions, 49 multiplications, 1 division.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [_, _, _, platform_q0, platform_q1, platform_q2, platform_q3] = *q;
@@ -1507,21 +1510,21 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_5 = S::from_f64(1.3333333333333333) * (self.A * S::from_f64(2.0) + self.C);
         let w_6 = w_5 - w_squared * w_2;
         let w_7 = w_2 - w_4;
+        let w_8 = platform_q2 * platform_q3;
         let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_6
-            + platform_q2 * platform_q3 * w_squared * w_7;
-        let w_8 = w_4 - w_2;
+            + w_squared * w_7 * w_8;
+        let w_9 = w_4 - w_2;
+        let w_10 = platform_q0 * platform_q2;
         let mass_platform_q2_platform_q0 = w_squared
-            * (platform_q1 * platform_q3 * w_8 - platform_q0 * platform_q2 * w_2)
-            + platform_q0 * platform_q2 * w_5;
-        let w_9 = w_5 - w_squared * w_4;
-        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_9;
-        let w_10 = w_2 * (platform_q0_squared + platform_q3_squared);
-        let mass_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_9;
+            * (platform_q1 * platform_q3 * w_9 - w_2 * w_10) + w_5 * w_10;
+        let w_11 = w_5 - w_squared * w_4;
+        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_11;
+        let w_12 = w_2 * (platform_q0_squared + platform_q3_squared);
+        let mass_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_11;
         let mass_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_6
-            + platform_q0 * platform_q2 * w_squared * w_8;
+            + w_squared * w_9 * w_10;
         let mass_platform_q3_platform_q2 = w_squared
-            * (platform_q1 * platform_q0 * w_7 - platform_q2 * platform_q3 * w_2)
-            + platform_q2 * platform_q3 * w_5;
+            * (platform_q1 * platform_q0 * w_7 - w_2 * w_8) + w_5 * w_8;
         [
             [
                 self.m,
@@ -1565,7 +1568,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_platform_q1_platform_q0,
-                w_squared * (w_10 + platform_q2_squared * w_4)
+                w_squared * (w_12 + platform_q2_squared * w_4)
                     + platform_q1_squared * w_5,
                 mass_platform_q2_platform_q1,
                 mass_platform_q3_platform_q1,
@@ -1576,7 +1579,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 S::from_f64(0.0),
                 mass_platform_q2_platform_q0,
                 mass_platform_q2_platform_q1,
-                w_squared * (w_10 + platform_q1_squared * w_4)
+                w_squared * (w_12 + platform_q1_squared * w_4)
                     + platform_q2_squared * w_5,
                 mass_platform_q3_platform_q2,
             ],
@@ -1593,45 +1596,46 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 35 additions, 79 multiplications, 1 division.
+    /// Operations: 35 additions, 72 multiplications, 1 division.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, _, platform_q0, platform_q1, platform_q2, platform_q3] = *q;
         let [_, _, _, platform_q0_dot, platform_q1_dot, platform_q2_dot, platform_q3_dot,
         ] = *qd;
-        let w = platform_q0 * platform_q3_dot - platform_q3 * platform_q0_dot
-            - platform_q1 * platform_q2_dot + platform_q2 * platform_q1_dot;
-        let w_2 = platform_q0 * platform_q0_dot + platform_q1 * platform_q1_dot
-            + platform_q2 * platform_q2_dot + platform_q3 * platform_q3_dot;
-        let w_3 = S::from_f64(1.0)
+        let w = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1 * platform_q1
                 + platform_q2 * platform_q2 + platform_q3 * platform_q3);
-        let w_3_squared = w_3 * w_3;
-        let w_4 = w_3 * w_3_squared;
-        let w_5 = S::from_f64(8.0) * self.C;
+        let w_squared = w * w;
+        let w_2 = w * w_squared;
+        let w_3 = platform_q0 * platform_q3_dot - platform_q3 * platform_q0_dot
+            - platform_q1 * platform_q2_dot + platform_q2 * platform_q1_dot;
+        let w_4 = platform_q0 * platform_q0_dot + platform_q1 * platform_q1_dot
+            + platform_q2 * platform_q2_dot + platform_q3 * platform_q3_dot;
+        let w_5 = S::from_f64(8.0) * self.C * w_3 * w_4;
         let w_6 = platform_q0 * platform_q2_dot - platform_q2 * platform_q0_dot
             - platform_q3 * platform_q1_dot + platform_q1 * platform_q3_dot;
         let w_7 = platform_q0 * platform_q1_dot - platform_q1 * platform_q0_dot
             - platform_q2 * platform_q3_dot + platform_q3 * platform_q2_dot;
-        let w_8 = w_3_squared * (w_6 * w * (self.C - self.A) - self.A * w_7 * w_2);
-        let w_9 = w_3_squared * (w * w_7 * (self.A - self.C) - w_6 * self.A * w_2);
-        let w_10 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
+        let w_8 = self.A * w_4;
+        let w_9 = w_squared * (w_6 * w_3 * (self.C - self.A) - w_7 * w_8);
+        let w_10 = w_squared * (w_3 * w_7 * (self.A - self.C) - w_6 * w_8);
+        let w_11 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
             + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
-        let w_11 = S::from_f64(1.3333333333333333)
+        let w_12 = S::from_f64(1.3333333333333333)
             * (self.A * S::from_f64(2.0) + self.C);
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            platform_q3 * w * w_2 * w_4 * w_5
-                - S::from_f64(8.0) * w_3 * (platform_q1 * w_8 + platform_q2 * w_9)
-                + platform_q0 * w_10 * w_11,
-            S::from_f64(8.0) * w_3 * (platform_q0 * w_8 - platform_q3 * w_9)
-                - platform_q2 * w * w_2 * w_4 * w_5 + platform_q1 * w_10 * w_11,
-            S::from_f64(8.0) * w_3 * (platform_q3 * w_8 + platform_q0 * w_9)
-                + platform_q1 * w * w_2 * w_4 * w_5 + platform_q2 * w_10 * w_11,
-            S::from_f64(8.0) * w_3 * (platform_q1 * w_9 - platform_q2 * w_8)
-                - platform_q0 * w * w_2 * w_4 * w_5 + platform_q3 * w_10 * w_11,
+            platform_q3 * w_2 * w_5
+                - S::from_f64(8.0) * w * (platform_q1 * w_9 + platform_q2 * w_10)
+                + platform_q0 * w_11 * w_12,
+            S::from_f64(8.0) * w * (platform_q0 * w_9 - platform_q3 * w_10)
+                - platform_q2 * w_2 * w_5 + platform_q1 * w_11 * w_12,
+            S::from_f64(8.0) * w * (platform_q3 * w_9 + platform_q0 * w_10)
+                + platform_q1 * w_2 * w_5 + platform_q2 * w_11 * w_12,
+            S::from_f64(8.0) * w * (platform_q1 * w_10 - platform_q2 * w_9)
+                - platform_q0 * w_2 * w_5 + platform_q3 * w_11 * w_12,
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
@@ -1651,7 +1655,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Constraints `C`, 7, in SI units; zero throughout the motion.
     ///
-    /// Operations: 107 additions, 145 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 107 additions, 124 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraints(&self, t: S, q: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -1735,79 +1739,80 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 + platform_q3_squared);
         let w_11 = S::from_f64(2.0) * w_10 * (platform_q2_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let w_12 = platform_q1 * platform_q2;
-        let w_13 = platform_q0 * platform_q3;
-        let w_14 = w_12 - w_13;
-        let w_15 = self.r * S::from_f64(2.0) * sin_a1_head_angle;
-        let w_16 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
-            + w_10 * w_14 * w_15;
-        let w_17 = w_12 + w_13;
-        let w_18 = self.r * S::from_f64(2.0) * cos_a1_head_angle;
-        let w_19 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
+        let w_12 = self.r * S::from_f64(2.0);
+        let w_13 = sin_a1_head_angle * w_12;
+        let w_14 = platform_q1 * platform_q2;
+        let w_15 = platform_q0 * platform_q3;
+        let w_16 = w_10 * (w_14 - w_15);
+        let w_17 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
+            + w_13 * w_16;
+        let w_18 = cos_a1_head_angle * w_12;
+        let w_19 = w_10 * (w_14 + w_15);
+        let w_20 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let w_20 = platform_y - self.R * sin_foot + w_10 * w_17 * w_18
-            - w_19 * self.r * sin_a1_head_angle;
-        let w_21 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_22 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_18 * w_21 + w_15 * w_22) + platform_z;
-        let w_23 = self.r * S::from_f64(2.0) * sin_a2_head_angle;
-        let w_24 = platform_x - self.R * cos_a2_foot_angle
-            - w_11 * self.r * cos_a2_head_angle + w_10 * w_14 * w_23;
-        let w_25 = self.r * S::from_f64(2.0) * cos_a2_head_angle;
-        let w_26 = platform_y - self.R * sin_a2_foot_angle + w_10 * w_17 * w_25
-            - w_19 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_21 * w_25 + w_22 * w_23) + platform_z;
-        let w_27 = self.heave * sin_w_2;
-        let w_28 = self.sway * w_7;
-        let w_29 = self.r * S::from_f64(2.0) * sin_b1_head_angle;
-        let w_30 = platform_x - self.R * cos_b1_foot_angle
-            - w_11 * self.r * cos_b1_head_angle + w_10 * w_14 * w_29;
-        let w_31 = self.r * S::from_f64(2.0) * cos_b1_head_angle;
-        let w_32 = platform_y - self.R * sin_b1_foot_angle + w_10 * w_17 * w_31
-            - w_19 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_21 * w_31 + w_22 * w_29) + platform_z;
-        let w_33 = self.r * S::from_f64(2.0) * sin_b2_head_angle;
-        let w_34 = platform_x - self.R * cos_b2_foot_angle
-            - w_11 * self.r * cos_b2_head_angle + w_10 * w_14 * w_33;
-        let w_35 = self.r * S::from_f64(2.0) * cos_b2_head_angle;
-        let w_36 = platform_y - self.R * sin_b2_foot_angle + w_10 * w_17 * w_35
-            - w_19 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_21 * w_35 + w_22 * w_33) + platform_z;
-        let w_37 = self.sway * w_8;
-        let w_38 = self.r * S::from_f64(2.0) * sin_c1_head_angle;
-        let w_39 = platform_x - self.R * cos_c1_foot_angle
-            - w_11 * self.r * cos_c1_head_angle + w_10 * w_14 * w_38;
-        let w_40 = self.r * S::from_f64(2.0) * cos_c1_head_angle;
-        let w_41 = platform_y - self.R * sin_c1_foot_angle + w_10 * w_17 * w_40
-            - w_19 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_21 * w_40 + w_22 * w_38) + platform_z;
-        let w_42 = self.r * S::from_f64(2.0) * sin_c2_head_angle;
-        let w_43 = platform_x - self.R * cos_c2_foot_angle
-            - w_11 * self.r * cos_c2_head_angle + w_10 * w_14 * w_42;
-        let w_44 = self.r * S::from_f64(2.0) * cos_c2_head_angle;
-        let w_45 = platform_y - self.R * sin_c2_foot_angle + w_10 * w_17 * w_44
-            - w_19 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_21 * w_44 + w_22 * w_42) + platform_z;
+        let w_21 = platform_y - self.R * sin_foot + w_18 * w_19
+            - w_20 * self.r * sin_a1_head_angle;
+        let w_22 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_23 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_10 * (w_18 * w_22 + w_13 * w_23) + platform_z;
+        let w_24 = w_12 * sin_a2_head_angle;
+        let w_25 = platform_x - self.R * cos_a2_foot_angle
+            - w_11 * self.r * cos_a2_head_angle + w_16 * w_24;
+        let w_26 = w_12 * cos_a2_head_angle;
+        let w_27 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_26
+            - w_20 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_10 * (w_22 * w_26 + w_23 * w_24) + platform_z;
+        let w_28 = self.heave * sin_w_2;
+        let w_29 = self.sway * w_7;
+        let w_30 = w_12 * sin_b1_head_angle;
+        let w_31 = platform_x - self.R * cos_b1_foot_angle
+            - w_11 * self.r * cos_b1_head_angle + w_16 * w_30;
+        let w_32 = w_12 * cos_b1_head_angle;
+        let w_33 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_32
+            - w_20 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_10 * (w_22 * w_32 + w_23 * w_30) + platform_z;
+        let w_34 = w_12 * sin_b2_head_angle;
+        let w_35 = platform_x - self.R * cos_b2_foot_angle
+            - w_11 * self.r * cos_b2_head_angle + w_16 * w_34;
+        let w_36 = w_12 * cos_b2_head_angle;
+        let w_37 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_36
+            - w_20 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_10 * (w_22 * w_36 + w_23 * w_34) + platform_z;
+        let w_38 = self.sway * w_8;
+        let w_39 = w_12 * sin_c1_head_angle;
+        let w_40 = platform_x - self.R * cos_c1_foot_angle
+            - w_11 * self.r * cos_c1_head_angle + w_16 * w_39;
+        let w_41 = w_12 * cos_c1_head_angle;
+        let w_42 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_41
+            - w_20 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_10 * (w_22 * w_41 + w_23 * w_39) + platform_z;
+        let w_43 = w_12 * sin_c2_head_angle;
+        let w_44 = platform_x - self.R * cos_c2_foot_angle
+            - w_11 * self.r * cos_c2_head_angle + w_16 * w_43;
+        let w_45 = w_12 * cos_c2_head_angle;
+        let w_46 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_45
+            - w_20 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_10 * (w_22 * w_45 + w_23 * w_43) + platform_z;
         [
             platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared - S::from_f64(1.0),
-            (w_16 * w_16 + w_20 * w_20 + a1_on_platform_z * a1_on_platform_z).sqrt()
+            (w_17 * w_17 + w_21 * w_21 + a1_on_platform_z * a1_on_platform_z).sqrt()
                 - self.L - sin_w_2 * (self.heave + self.sway),
-            (w_24 * w_24 + w_26 * w_26 + a2_on_platform_z * a2_on_platform_z).sqrt()
-                - self.L - w_27 + w_28,
-            (w_30 * w_30 + w_32 * w_32 + b1_on_platform_z * b1_on_platform_z).sqrt()
-                - self.L - w_27 - w_28,
-            (w_34 * w_34 + w_36 * w_36 + b2_on_platform_z * b2_on_platform_z).sqrt()
-                - self.L - w_27 + w_37,
-            (w_39 * w_39 + w_41 * w_41 + c1_on_platform_z * c1_on_platform_z).sqrt()
-                - self.L - w_27 - w_37,
-            (w_43 * w_43 + w_45 * w_45 + c2_on_platform_z * c2_on_platform_z).sqrt()
-                - self.L - w_27 + self.sway * w_9,
+            (w_25 * w_25 + w_27 * w_27 + a2_on_platform_z * a2_on_platform_z).sqrt()
+                - self.L - w_28 + w_29,
+            (w_31 * w_31 + w_33 * w_33 + b1_on_platform_z * b1_on_platform_z).sqrt()
+                - self.L - w_28 - w_29,
+            (w_35 * w_35 + w_37 * w_37 + b2_on_platform_z * b2_on_platform_z).sqrt()
+                - self.L - w_28 + w_38,
+            (w_40 * w_40 + w_42 * w_42 + c1_on_platform_z * c1_on_platform_z).sqrt()
+                - self.L - w_28 - w_38,
+            (w_44 * w_44 + w_46 * w_46 + c2_on_platform_z * c2_on_platform_z).sqrt()
+                - self.L - w_28 + self.sway * w_9,
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 7, in SI units: what its rounding is relative to.
     ///
-    /// Operations: 123 additions, 145 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 123 additions, 124 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -1892,92 +1897,93 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 + platform_q3_squared);
         let w_11 = S::from_f64(2.0) * w_10 * (platform_q2_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let w_12 = platform_q1 * platform_q2;
-        let w_13 = platform_q0 * platform_q3;
-        let w_14 = w_12 - w_13;
-        let w_15 = self.r * S::from_f64(2.0) * sin_a1_head_angle;
-        let w_16 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
-            + w_10 * w_14 * w_15;
-        let w_17 = w_12 + w_13;
-        let w_18 = self.r * S::from_f64(2.0) * cos_a1_head_angle;
-        let w_19 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
+        let w_12 = self.r * S::from_f64(2.0);
+        let w_13 = sin_a1_head_angle * w_12;
+        let w_14 = platform_q1 * platform_q2;
+        let w_15 = platform_q0 * platform_q3;
+        let w_16 = w_10 * (w_14 - w_15);
+        let w_17 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
+            + w_13 * w_16;
+        let w_18 = cos_a1_head_angle * w_12;
+        let w_19 = w_10 * (w_14 + w_15);
+        let w_20 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let w_20 = platform_y - self.R * sin_foot + w_10 * w_17 * w_18
-            - w_19 * self.r * sin_a1_head_angle;
-        let w_21 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_22 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_18 * w_21 + w_15 * w_22) + platform_z;
-        let w_23 = (self.heave * sin_w_2).abs();
-        let w_24 = self.r * S::from_f64(2.0) * sin_a2_head_angle;
-        let w_25 = platform_x - self.R * cos_a2_foot_angle
-            - w_11 * self.r * cos_a2_head_angle + w_10 * w_14 * w_24;
-        let w_26 = self.r * S::from_f64(2.0) * cos_a2_head_angle;
-        let w_27 = platform_y - self.R * sin_a2_foot_angle + w_10 * w_17 * w_26
-            - w_19 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_21 * w_26 + w_22 * w_24) + platform_z;
-        let w_28 = (self.sway * w_7).abs();
-        let w_29 = self.r * S::from_f64(2.0) * sin_b1_head_angle;
-        let w_30 = platform_x - self.R * cos_b1_foot_angle
-            - w_11 * self.r * cos_b1_head_angle + w_10 * w_14 * w_29;
-        let w_31 = self.r * S::from_f64(2.0) * cos_b1_head_angle;
-        let w_32 = platform_y - self.R * sin_b1_foot_angle + w_10 * w_17 * w_31
-            - w_19 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_21 * w_31 + w_22 * w_29) + platform_z;
-        let w_33 = self.r * S::from_f64(2.0) * sin_b2_head_angle;
-        let w_34 = platform_x - self.R * cos_b2_foot_angle
-            - w_11 * self.r * cos_b2_head_angle + w_10 * w_14 * w_33;
-        let w_35 = self.r * S::from_f64(2.0) * cos_b2_head_angle;
-        let w_36 = platform_y - self.R * sin_b2_foot_angle + w_10 * w_17 * w_35
-            - w_19 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_21 * w_35 + w_22 * w_33) + platform_z;
-        let w_37 = (self.sway * w_8).abs();
-        let w_38 = self.r * S::from_f64(2.0) * sin_c1_head_angle;
-        let w_39 = platform_x - self.R * cos_c1_foot_angle
-            - w_11 * self.r * cos_c1_head_angle + w_10 * w_14 * w_38;
-        let w_40 = self.r * S::from_f64(2.0) * cos_c1_head_angle;
-        let w_41 = platform_y - self.R * sin_c1_foot_angle + w_10 * w_17 * w_40
-            - w_19 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_21 * w_40 + w_22 * w_38) + platform_z;
-        let w_42 = self.r * S::from_f64(2.0) * sin_c2_head_angle;
-        let w_43 = platform_x - self.R * cos_c2_foot_angle
-            - w_11 * self.r * cos_c2_head_angle + w_10 * w_14 * w_42;
-        let w_44 = self.r * S::from_f64(2.0) * cos_c2_head_angle;
-        let w_45 = platform_y - self.R * sin_c2_foot_angle + w_10 * w_17 * w_44
-            - w_19 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_21 * w_44 + w_22 * w_42) + platform_z;
+        let w_21 = platform_y - self.R * sin_foot + w_18 * w_19
+            - w_20 * self.r * sin_a1_head_angle;
+        let w_22 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_23 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_10 * (w_18 * w_22 + w_13 * w_23) + platform_z;
+        let w_24 = (self.heave * sin_w_2).abs();
+        let w_25 = w_12 * sin_a2_head_angle;
+        let w_26 = platform_x - self.R * cos_a2_foot_angle
+            - w_11 * self.r * cos_a2_head_angle + w_16 * w_25;
+        let w_27 = w_12 * cos_a2_head_angle;
+        let w_28 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_27
+            - w_20 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_10 * (w_22 * w_27 + w_23 * w_25) + platform_z;
+        let w_29 = (self.sway * w_7).abs();
+        let w_30 = w_12 * sin_b1_head_angle;
+        let w_31 = platform_x - self.R * cos_b1_foot_angle
+            - w_11 * self.r * cos_b1_head_angle + w_16 * w_30;
+        let w_32 = w_12 * cos_b1_head_angle;
+        let w_33 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_32
+            - w_20 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_10 * (w_22 * w_32 + w_23 * w_30) + platform_z;
+        let w_34 = w_12 * sin_b2_head_angle;
+        let w_35 = platform_x - self.R * cos_b2_foot_angle
+            - w_11 * self.r * cos_b2_head_angle + w_16 * w_34;
+        let w_36 = w_12 * cos_b2_head_angle;
+        let w_37 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_36
+            - w_20 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_10 * (w_22 * w_36 + w_23 * w_34) + platform_z;
+        let w_38 = (self.sway * w_8).abs();
+        let w_39 = w_12 * sin_c1_head_angle;
+        let w_40 = platform_x - self.R * cos_c1_foot_angle
+            - w_11 * self.r * cos_c1_head_angle + w_16 * w_39;
+        let w_41 = w_12 * cos_c1_head_angle;
+        let w_42 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_41
+            - w_20 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_10 * (w_22 * w_41 + w_23 * w_39) + platform_z;
+        let w_43 = w_12 * sin_c2_head_angle;
+        let w_44 = platform_x - self.R * cos_c2_foot_angle
+            - w_11 * self.r * cos_c2_head_angle + w_16 * w_43;
+        let w_45 = w_12 * cos_c2_head_angle;
+        let w_46 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_45
+            - w_20 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_10 * (w_22 * w_45 + w_23 * w_43) + platform_z;
         [
             platform_q0_squared.abs() + platform_q1_squared.abs()
                 + platform_q2_squared.abs() + platform_q3_squared.abs()
                 + S::from_f64(1.0),
             abs_L
-                + (w_16 * w_16 + w_20 * w_20 + a1_on_platform_z * a1_on_platform_z)
+                + (w_17 * w_17 + w_21 * w_21 + a1_on_platform_z * a1_on_platform_z)
                     .sqrt()
-                    .abs() + w_23 + (sin_w_2 * self.sway).abs(),
-            abs_L + w_23
-                + (w_25 * w_25 + w_27 * w_27 + a2_on_platform_z * a2_on_platform_z)
+                    .abs() + w_24 + (sin_w_2 * self.sway).abs(),
+            abs_L + w_24
+                + (w_26 * w_26 + w_28 * w_28 + a2_on_platform_z * a2_on_platform_z)
                     .sqrt()
-                    .abs() + w_28,
-            abs_L + w_23 + w_28
-                + (w_30 * w_30 + w_32 * w_32 + b1_on_platform_z * b1_on_platform_z)
-                    .sqrt()
-                    .abs(),
-            abs_L + w_23
-                + (w_34 * w_34 + w_36 * w_36 + b2_on_platform_z * b2_on_platform_z)
-                    .sqrt()
-                    .abs() + w_37,
-            abs_L + w_23 + w_37
-                + (w_39 * w_39 + w_41 * w_41 + c1_on_platform_z * c1_on_platform_z)
+                    .abs() + w_29,
+            abs_L + w_24 + w_29
+                + (w_31 * w_31 + w_33 * w_33 + b1_on_platform_z * b1_on_platform_z)
                     .sqrt()
                     .abs(),
-            abs_L + w_23
-                + (w_43 * w_43 + w_45 * w_45 + c2_on_platform_z * c2_on_platform_z)
+            abs_L + w_24
+                + (w_35 * w_35 + w_37 * w_37 + b2_on_platform_z * b2_on_platform_z)
+                    .sqrt()
+                    .abs() + w_38,
+            abs_L + w_24 + w_38
+                + (w_40 * w_40 + w_42 * w_42 + c1_on_platform_z * c1_on_platform_z)
+                    .sqrt()
+                    .abs(),
+            abs_L + w_24
+                + (w_44 * w_44 + w_46 * w_46 + c2_on_platform_z * c2_on_platform_z)
                     .sqrt()
                     .abs() + (self.sway * w_9).abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 7 x 7: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 270 additions, 642 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
+    /// Operations: 270 additions, 536 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -2048,252 +2054,178 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_6 = platform_q2_squared + platform_q3_squared;
         let w_7 = w_5 * S::from_f64(2.0) * w_6 - S::from_f64(1.0);
         let w_8 = self.r * cos_a1_head_angle;
-        let w_9 = platform_q1 * platform_q2;
-        let w_10 = platform_q0 * platform_q3;
-        let w_11 = w_9 - w_10;
-        let w_12 = S::from_f64(2.0) * self.r * sin_a1_head_angle;
-        let w_13 = platform_x - self.R * cos_foot - w_7 * w_8 + w_5 * w_11 * w_12;
-        let w_14 = w_9 + w_10;
-        let w_15 = S::from_f64(2.0) * self.r * cos_a1_head_angle;
-        let w_16 = platform_q1_squared + platform_q3_squared;
-        let w_17 = w_5 * S::from_f64(2.0) * w_16 - S::from_f64(1.0);
-        let w_18 = self.r * sin_a1_head_angle;
-        let w_19 = platform_y - self.R * sin_foot + w_5 * w_14 * w_15 - w_17 * w_18;
-        let w_20 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_21 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
-        let w_22 = w_15 * w_20 + w_12 * w_21;
-        let a1_on_platform_z = w_5 * w_22 + platform_z;
-        let w_23 = w_13 * w_13 + w_19 * w_19 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_23 = w_23.sqrt();
+        let w_9 = S::from_f64(2.0) * self.r;
+        let w_10 = sin_a1_head_angle * w_9;
+        let w_11 = platform_q1 * platform_q2;
+        let w_12 = platform_q0 * platform_q3;
+        let w_13 = w_11 - w_12;
+        let w_14 = w_5 * w_13;
+        let w_15 = platform_x - self.R * cos_foot - w_7 * w_8 + w_10 * w_14;
+        let w_16 = cos_a1_head_angle * w_9;
+        let w_17 = w_11 + w_12;
+        let w_18 = w_5 * w_17;
+        let w_19 = platform_q1_squared + platform_q3_squared;
+        let w_20 = w_5 * S::from_f64(2.0) * w_19 - S::from_f64(1.0);
+        let w_21 = self.r * sin_a1_head_angle;
+        let w_22 = platform_y - self.R * sin_foot + w_16 * w_18 - w_20 * w_21;
+        let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_24 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
+        let w_25 = w_16 * w_23 + w_10 * w_24;
+        let a1_on_platform_z = w_5 * w_25 + platform_z;
+        let w_26 = w_15 * w_15 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_26 = w_26.sqrt();
         let w_5_squared = w_5 * w_5;
-        let w_24 = w_5_squared * (w_6 * w_15 - w_11 * w_12);
-        let w_25 = w_5_squared * (w_12 * w_16 - w_14 * w_15);
-        let w_26 = w_5_squared * w_22;
-        let w_27 = a1_on_platform_z
-            * (platform_q0 * w_26 + w_5 * (platform_q2 * w_8 - platform_q1 * w_18));
-        let w_28 = w_5 - w_5_squared * w_16;
-        let w_29 = platform_q1 * w_28;
-        let w_30 = w_19
-            * (platform_q2 * w_5 * w_8 - platform_q1 * w_5_squared * w_14 * w_15
-                - w_12 * w_29);
-        let w_31 = S::from_f64(2.0) * sqrt_w_23
-            * (w_13 * (platform_q1 * w_24 + platform_q2 * w_5 * w_18) + w_30
-                + a1_on_platform_z
-                    * (w_5 * (platform_q3 * w_8 + platform_q0 * w_18)
-                        - platform_q1 * w_26));
-        let w_32 = w_5 - w_5_squared * w_6;
-        let w_33 = platform_q2 * w_32;
-        let w_34 = w_13
-            * (platform_q1 * w_5 * w_18 - w_15 * w_33
-                - platform_q2 * w_5_squared * w_11 * w_12);
-        let w_35 = S::from_f64(2.0) * sqrt_w_23
-            * (w_34 + w_19 * (platform_q2 * w_25 + platform_q1 * w_5 * w_8)
-                + a1_on_platform_z
-                    * (w_5 * (platform_q3 * w_18 - platform_q0 * w_8)
-                        - platform_q2 * w_26));
-        let w_36 = platform_q3 * w_32;
-        let w_37 = w_13
-            * (platform_q0 * w_5 * w_18 + w_15 * w_36
-                + platform_q3 * w_5_squared * w_11 * w_12);
-        let w_38 = platform_q3 * w_28;
-        let w_39 = w_19
-            * (platform_q0 * w_5 * w_8 - platform_q3 * w_5_squared * w_14 * w_15
-                - w_12 * w_38);
-        let w_40 = self.r * cos_a2_head_angle;
-        let w_41 = S::from_f64(2.0) * self.r * sin_a2_head_angle;
-        let w_42 = platform_x - self.R * cos_a2_foot_angle - w_7 * w_40
-            + w_5 * w_11 * w_41;
-        let w_43 = S::from_f64(2.0) * self.r * cos_a2_head_angle;
-        let w_44 = self.r * sin_a2_head_angle;
-        let w_45 = platform_y - self.R * sin_a2_foot_angle + w_5 * w_14 * w_43
-            - w_17 * w_44;
-        let w_46 = w_20 * w_43 + w_21 * w_41;
-        let a2_on_platform_z = w_5 * w_46 + platform_z;
-        let w_47 = w_42 * w_42 + w_45 * w_45 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_47 = w_47.sqrt();
-        let w_48 = w_5_squared * (w_6 * w_43 - w_11 * w_41);
-        let w_49 = w_5_squared * (w_16 * w_41 - w_14 * w_43);
-        let w_50 = w_5_squared * w_46;
-        let w_51 = a2_on_platform_z
-            * (platform_q0 * w_50 + w_5 * (platform_q2 * w_40 - platform_q1 * w_44));
-        let w_52 = w_45
-            * (platform_q2 * w_5 * w_40 - platform_q1 * w_5_squared * w_14 * w_43
-                - w_29 * w_41);
-        let w_53 = S::from_f64(2.0) * sqrt_w_47
-            * (w_42 * (platform_q1 * w_48 + platform_q2 * w_5 * w_44) + w_52
-                + a2_on_platform_z
-                    * (w_5 * (platform_q3 * w_40 + platform_q0 * w_44)
-                        - platform_q1 * w_50));
-        let w_54 = w_42
-            * (platform_q1 * w_5 * w_44 - w_33 * w_43
-                - platform_q2 * w_5_squared * w_11 * w_41);
-        let w_55 = S::from_f64(2.0) * sqrt_w_47
-            * (w_54 + w_45 * (platform_q2 * w_49 + platform_q1 * w_5 * w_40)
-                + a2_on_platform_z
-                    * (w_5 * (platform_q3 * w_44 - platform_q0 * w_40)
-                        - platform_q2 * w_50));
-        let w_56 = w_42
-            * (platform_q0 * w_5 * w_44 + w_36 * w_43
-                + platform_q3 * w_5_squared * w_11 * w_41);
-        let w_57 = w_45
-            * (platform_q0 * w_5 * w_40 - platform_q3 * w_5_squared * w_14 * w_43
-                - w_38 * w_41);
-        let w_58 = self.r * cos_b1_head_angle;
-        let w_59 = S::from_f64(2.0) * self.r * sin_b1_head_angle;
-        let w_60 = platform_x - self.R * cos_b1_foot_angle - w_7 * w_58
-            + w_5 * w_11 * w_59;
-        let w_61 = S::from_f64(2.0) * self.r * cos_b1_head_angle;
-        let w_62 = self.r * sin_b1_head_angle;
-        let w_63 = platform_y - self.R * sin_b1_foot_angle + w_5 * w_14 * w_61
-            - w_17 * w_62;
-        let w_64 = w_20 * w_61 + w_21 * w_59;
-        let b1_on_platform_z = w_5 * w_64 + platform_z;
-        let w_65 = w_60 * w_60 + w_63 * w_63 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_65 = w_65.sqrt();
-        let w_66 = w_5_squared * (w_6 * w_61 - w_11 * w_59);
-        let w_67 = w_5_squared * (w_16 * w_59 - w_14 * w_61);
-        let w_68 = w_5_squared * w_64;
-        let w_69 = b1_on_platform_z
-            * (platform_q0 * w_68 + w_5 * (platform_q2 * w_58 - platform_q1 * w_62));
-        let w_70 = w_63
-            * (platform_q2 * w_5 * w_58 - platform_q1 * w_5_squared * w_14 * w_61
-                - w_29 * w_59);
-        let w_71 = S::from_f64(2.0) * sqrt_w_65
-            * (w_60 * (platform_q1 * w_66 + platform_q2 * w_5 * w_62) + w_70
-                + b1_on_platform_z
-                    * (w_5 * (platform_q3 * w_58 + platform_q0 * w_62)
-                        - platform_q1 * w_68));
-        let w_72 = w_60
-            * (platform_q1 * w_5 * w_62 - w_33 * w_61
-                - platform_q2 * w_5_squared * w_11 * w_59);
-        let w_73 = S::from_f64(2.0) * sqrt_w_65
-            * (w_72 + w_63 * (platform_q2 * w_67 + platform_q1 * w_5 * w_58)
-                + b1_on_platform_z
-                    * (w_5 * (platform_q3 * w_62 - platform_q0 * w_58)
-                        - platform_q2 * w_68));
-        let w_74 = w_60
-            * (platform_q0 * w_5 * w_62 + w_36 * w_61
-                + platform_q3 * w_5_squared * w_11 * w_59);
-        let w_75 = w_63
-            * (platform_q0 * w_5 * w_58 - platform_q3 * w_5_squared * w_14 * w_61
-                - w_38 * w_59);
-        let w_76 = self.r * cos_b2_head_angle;
-        let w_77 = S::from_f64(2.0) * self.r * sin_b2_head_angle;
-        let w_78 = platform_x - self.R * cos_b2_foot_angle - w_7 * w_76
-            + w_5 * w_11 * w_77;
-        let w_79 = S::from_f64(2.0) * self.r * cos_b2_head_angle;
-        let w_80 = self.r * sin_b2_head_angle;
-        let w_81 = platform_y - self.R * sin_b2_foot_angle + w_5 * w_14 * w_79
-            - w_17 * w_80;
-        let w_82 = w_20 * w_79 + w_21 * w_77;
-        let b2_on_platform_z = w_5 * w_82 + platform_z;
-        let w_83 = w_78 * w_78 + w_81 * w_81 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_83 = w_83.sqrt();
-        let w_84 = w_5_squared * (w_6 * w_79 - w_11 * w_77);
-        let w_85 = w_5_squared * (w_16 * w_77 - w_14 * w_79);
-        let w_86 = w_5_squared * w_82;
-        let w_87 = b2_on_platform_z
-            * (platform_q0 * w_86 + w_5 * (platform_q2 * w_76 - platform_q1 * w_80));
-        let w_88 = w_81
-            * (platform_q2 * w_5 * w_76 - platform_q1 * w_5_squared * w_14 * w_79
-                - w_29 * w_77);
-        let w_89 = S::from_f64(2.0) * sqrt_w_83
-            * (w_78 * (platform_q1 * w_84 + platform_q2 * w_5 * w_80) + w_88
-                + b2_on_platform_z
-                    * (w_5 * (platform_q3 * w_76 + platform_q0 * w_80)
-                        - platform_q1 * w_86));
-        let w_90 = w_78
-            * (platform_q1 * w_5 * w_80 - w_33 * w_79
-                - platform_q2 * w_5_squared * w_11 * w_77);
-        let w_91 = S::from_f64(2.0) * sqrt_w_83
-            * (w_90 + w_81 * (platform_q2 * w_85 + platform_q1 * w_5 * w_76)
-                + b2_on_platform_z
-                    * (w_5 * (platform_q3 * w_80 - platform_q0 * w_76)
-                        - platform_q2 * w_86));
-        let w_92 = w_78
-            * (platform_q0 * w_5 * w_80 + w_36 * w_79
-                + platform_q3 * w_5_squared * w_11 * w_77);
-        let w_93 = w_81
-            * (platform_q0 * w_5 * w_76 - platform_q3 * w_5_squared * w_14 * w_79
-                - w_38 * w_77);
-        let w_94 = self.r * cos_c1_head_angle;
-        let w_95 = S::from_f64(2.0) * self.r * sin_c1_head_angle;
-        let w_96 = platform_x - self.R * cos_c1_foot_angle - w_7 * w_94
-            + w_5 * w_11 * w_95;
-        let w_97 = S::from_f64(2.0) * self.r * cos_c1_head_angle;
-        let w_98 = self.r * sin_c1_head_angle;
-        let w_99 = platform_y - self.R * sin_c1_foot_angle + w_5 * w_14 * w_97
-            - w_17 * w_98;
-        let w_100 = w_20 * w_97 + w_21 * w_95;
-        let c1_on_platform_z = w_5 * w_100 + platform_z;
-        let w_101 = w_96 * w_96 + w_99 * w_99 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_101 = w_101.sqrt();
-        let w_102 = w_5_squared * (w_6 * w_97 - w_11 * w_95);
-        let w_103 = w_5_squared * (w_16 * w_95 - w_14 * w_97);
-        let w_104 = w_5_squared * w_100;
-        let w_105 = c1_on_platform_z
-            * (platform_q0 * w_104 + w_5 * (platform_q2 * w_94 - platform_q1 * w_98));
-        let w_106 = w_99
-            * (platform_q2 * w_5 * w_94 - platform_q1 * w_5_squared * w_14 * w_97
-                - w_29 * w_95);
-        let w_107 = S::from_f64(2.0) * sqrt_w_101
-            * (w_96 * (platform_q1 * w_102 + platform_q2 * w_5 * w_98) + w_106
-                + c1_on_platform_z
-                    * (w_5 * (platform_q3 * w_94 + platform_q0 * w_98)
-                        - platform_q1 * w_104));
-        let w_108 = w_96
-            * (platform_q1 * w_5 * w_98 - w_33 * w_97
-                - platform_q2 * w_5_squared * w_11 * w_95);
-        let w_109 = S::from_f64(2.0) * sqrt_w_101
-            * (w_108 + w_99 * (platform_q2 * w_103 + platform_q1 * w_5 * w_94)
-                + c1_on_platform_z
-                    * (w_5 * (platform_q3 * w_98 - platform_q0 * w_94)
-                        - platform_q2 * w_104));
-        let w_110 = w_96
-            * (platform_q0 * w_5 * w_98 + w_36 * w_97
-                + platform_q3 * w_5_squared * w_11 * w_95);
-        let w_111 = w_99
-            * (platform_q0 * w_5 * w_94 - platform_q3 * w_5_squared * w_14 * w_97
-                - w_38 * w_95);
-        let w_112 = self.r * cos_c2_head_angle;
-        let w_113 = S::from_f64(2.0) * self.r * sin_c2_head_angle;
-        let w_114 = platform_x - self.R * cos_c2_foot_angle - w_7 * w_112
-            + w_5 * w_11 * w_113;
-        let w_115 = S::from_f64(2.0) * self.r * cos_c2_head_angle;
-        let w_116 = self.r * sin_c2_head_angle;
-        let w_117 = platform_y - self.R * sin_c2_foot_angle + w_5 * w_14 * w_115
-            - w_17 * w_116;
-        let w_118 = w_20 * w_115 + w_21 * w_113;
-        let c2_on_platform_z = w_5 * w_118 + platform_z;
-        let w_119 = w_114 * w_114 + w_117 * w_117 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_119 = w_119.sqrt();
-        let w_120 = w_5_squared * (w_6 * w_115 - w_11 * w_113);
-        let w_121 = w_5_squared * (w_16 * w_113 - w_14 * w_115);
-        let w_122 = w_5_squared * w_118;
-        let w_123 = c2_on_platform_z
-            * (platform_q0 * w_122 + w_5 * (platform_q2 * w_112 - platform_q1 * w_116));
-        let w_124 = w_117
-            * (platform_q2 * w_5 * w_112 - platform_q1 * w_5_squared * w_14 * w_115
-                - w_29 * w_113);
-        let w_125 = S::from_f64(2.0) * sqrt_w_119
-            * (w_114 * (platform_q1 * w_120 + platform_q2 * w_5 * w_116) + w_124
-                + c2_on_platform_z
-                    * (w_5 * (platform_q3 * w_112 + platform_q0 * w_116)
-                        - platform_q1 * w_122));
-        let w_126 = w_114
-            * (platform_q1 * w_5 * w_116 - w_33 * w_115
-                - platform_q2 * w_5_squared * w_11 * w_113);
-        let w_127 = S::from_f64(2.0) * sqrt_w_119
-            * (w_126 + w_117 * (platform_q2 * w_121 + platform_q1 * w_5 * w_112)
-                + c2_on_platform_z
-                    * (w_5 * (platform_q3 * w_116 - platform_q0 * w_112)
-                        - platform_q2 * w_122));
-        let w_128 = w_114
-            * (platform_q0 * w_5 * w_116 + w_36 * w_115
-                + platform_q3 * w_5_squared * w_11 * w_113);
-        let w_129 = w_117
-            * (platform_q0 * w_5 * w_112 - platform_q3 * w_5_squared * w_14 * w_115
-                - w_38 * w_113);
+        let w_27 = w_5_squared * (w_6 * w_16 - w_13 * w_10);
+        let w_28 = platform_q3 * w_5;
+        let w_29 = w_5_squared * (w_10 * w_19 - w_17 * w_16);
+        let w_30 = w_5_squared * w_25;
+        let w_31 = a1_on_platform_z
+            * (platform_q0 * w_30 + w_5 * (platform_q2 * w_8 - platform_q1 * w_21));
+        let w_32 = platform_q2 * w_5;
+        let w_33 = w_17 * platform_q1 * w_5_squared;
+        let w_34 = w_5 - w_5_squared * w_19;
+        let w_35 = platform_q1 * w_34;
+        let w_36 = a1_on_platform_z
+            * (w_5 * (platform_q3 * w_8 + platform_q0 * w_21) - platform_q1 * w_30);
+        let w_37 = platform_q1 * w_5;
+        let w_38 = w_5 - w_5_squared * w_6;
+        let w_39 = platform_q2 * w_38;
+        let w_40 = w_13 * platform_q2 * w_5_squared;
+        let w_41 = a1_on_platform_z
+            * (w_5 * (platform_q3 * w_21 - platform_q0 * w_8) - platform_q2 * w_30);
+        let w_42 = platform_q0 * w_5;
+        let w_43 = platform_q3 * w_38;
+        let w_44 = platform_q3 * w_5_squared;
+        let w_45 = w_13 * w_44;
+        let w_46 = w_17 * w_44;
+        let w_47 = platform_q3 * w_34;
+        let w_48 = a1_on_platform_z
+            * (w_5 * (platform_q2 * w_21 + platform_q1 * w_8) - platform_q3 * w_30);
+        let w_49 = S::from_f64(2.0) * sqrt_w_26
+            * (w_15 * (w_21 * w_42 + w_16 * w_43 + w_10 * w_45)
+                - w_22 * (w_8 * w_42 - w_16 * w_46 - w_10 * w_47) - w_48);
+        let w_50 = self.r * cos_a2_head_angle;
+        let w_51 = w_9 * sin_a2_head_angle;
+        let w_52 = platform_x - self.R * cos_a2_foot_angle - w_7 * w_50 + w_14 * w_51;
+        let w_53 = w_9 * cos_a2_head_angle;
+        let w_54 = self.r * sin_a2_head_angle;
+        let w_55 = platform_y - self.R * sin_a2_foot_angle + w_18 * w_53 - w_20 * w_54;
+        let w_56 = w_23 * w_53 + w_24 * w_51;
+        let a2_on_platform_z = w_5 * w_56 + platform_z;
+        let w_57 = w_52 * w_52 + w_55 * w_55 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_57 = w_57.sqrt();
+        let w_58 = w_5_squared * (w_6 * w_53 - w_13 * w_51);
+        let w_59 = w_5_squared * (w_19 * w_51 - w_17 * w_53);
+        let w_60 = w_5_squared * w_56;
+        let w_61 = a2_on_platform_z
+            * (platform_q0 * w_60 + w_5 * (platform_q2 * w_50 - platform_q1 * w_54));
+        let w_62 = a2_on_platform_z
+            * (w_5 * (platform_q3 * w_50 + platform_q0 * w_54) - platform_q1 * w_60);
+        let w_63 = a2_on_platform_z
+            * (w_5 * (platform_q3 * w_54 - platform_q0 * w_50) - platform_q2 * w_60);
+        let w_64 = a2_on_platform_z
+            * (w_5 * (platform_q2 * w_54 + platform_q1 * w_50) - platform_q3 * w_60);
+        let w_65 = S::from_f64(2.0) * sqrt_w_57
+            * (w_52 * (w_42 * w_54 + w_43 * w_53 + w_45 * w_51)
+                - w_55 * (w_42 * w_50 - w_46 * w_53 - w_47 * w_51) - w_64);
+        let w_66 = self.r * cos_b1_head_angle;
+        let w_67 = w_9 * sin_b1_head_angle;
+        let w_68 = platform_x - self.R * cos_b1_foot_angle - w_7 * w_66 + w_14 * w_67;
+        let w_69 = w_9 * cos_b1_head_angle;
+        let w_70 = self.r * sin_b1_head_angle;
+        let w_71 = platform_y - self.R * sin_b1_foot_angle + w_18 * w_69 - w_20 * w_70;
+        let w_72 = w_23 * w_69 + w_24 * w_67;
+        let b1_on_platform_z = w_5 * w_72 + platform_z;
+        let w_73 = w_68 * w_68 + w_71 * w_71 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_73 = w_73.sqrt();
+        let w_74 = w_5_squared * (w_6 * w_69 - w_13 * w_67);
+        let w_75 = w_5_squared * (w_19 * w_67 - w_17 * w_69);
+        let w_76 = w_5_squared * w_72;
+        let w_77 = b1_on_platform_z
+            * (platform_q0 * w_76 + w_5 * (platform_q2 * w_66 - platform_q1 * w_70));
+        let w_78 = b1_on_platform_z
+            * (w_5 * (platform_q3 * w_66 + platform_q0 * w_70) - platform_q1 * w_76);
+        let w_79 = b1_on_platform_z
+            * (w_5 * (platform_q3 * w_70 - platform_q0 * w_66) - platform_q2 * w_76);
+        let w_80 = b1_on_platform_z
+            * (w_5 * (platform_q2 * w_70 + platform_q1 * w_66) - platform_q3 * w_76);
+        let w_81 = S::from_f64(2.0) * sqrt_w_73
+            * (w_68 * (w_42 * w_70 + w_43 * w_69 + w_45 * w_67)
+                - w_71 * (w_42 * w_66 - w_46 * w_69 - w_47 * w_67) - w_80);
+        let w_82 = self.r * cos_b2_head_angle;
+        let w_83 = w_9 * sin_b2_head_angle;
+        let w_84 = platform_x - self.R * cos_b2_foot_angle - w_7 * w_82 + w_14 * w_83;
+        let w_85 = w_9 * cos_b2_head_angle;
+        let w_86 = self.r * sin_b2_head_angle;
+        let w_87 = platform_y - self.R * sin_b2_foot_angle + w_18 * w_85 - w_20 * w_86;
+        let w_88 = w_23 * w_85 + w_24 * w_83;
+        let b2_on_platform_z = w_5 * w_88 + platform_z;
+        let w_89 = w_84 * w_84 + w_87 * w_87 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_89 = w_89.sqrt();
+        let w_90 = w_5_squared * (w_6 * w_85 - w_13 * w_83);
+        let w_91 = w_5_squared * (w_19 * w_83 - w_17 * w_85);
+        let w_92 = w_5_squared * w_88;
+        let w_93 = b2_on_platform_z
+            * (platform_q0 * w_92 + w_5 * (platform_q2 * w_82 - platform_q1 * w_86));
+        let w_94 = b2_on_platform_z
+            * (w_5 * (platform_q3 * w_82 + platform_q0 * w_86) - platform_q1 * w_92);
+        let w_95 = b2_on_platform_z
+            * (w_5 * (platform_q3 * w_86 - platform_q0 * w_82) - platform_q2 * w_92);
+        let w_96 = b2_on_platform_z
+            * (w_5 * (platform_q2 * w_86 + platform_q1 * w_82) - platform_q3 * w_92);
+        let w_97 = S::from_f64(2.0) * sqrt_w_89
+            * (w_84 * (w_42 * w_86 + w_43 * w_85 + w_45 * w_83)
+                - w_87 * (w_42 * w_82 - w_46 * w_85 - w_47 * w_83) - w_96);
+        let w_98 = self.r * cos_c1_head_angle;
+        let w_99 = w_9 * sin_c1_head_angle;
+        let w_100 = platform_x - self.R * cos_c1_foot_angle - w_7 * w_98 + w_14 * w_99;
+        let w_101 = w_9 * cos_c1_head_angle;
+        let w_102 = self.r * sin_c1_head_angle;
+        let w_103 = platform_y - self.R * sin_c1_foot_angle + w_18 * w_101
+            - w_20 * w_102;
+        let w_104 = w_23 * w_101 + w_24 * w_99;
+        let c1_on_platform_z = w_5 * w_104 + platform_z;
+        let w_105 = w_100 * w_100 + w_103 * w_103 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_105 = w_105.sqrt();
+        let w_106 = w_5_squared * (w_6 * w_101 - w_13 * w_99);
+        let w_107 = w_5_squared * (w_19 * w_99 - w_17 * w_101);
+        let w_108 = w_5_squared * w_104;
+        let w_109 = c1_on_platform_z
+            * (platform_q0 * w_108 + w_5 * (platform_q2 * w_98 - platform_q1 * w_102));
+        let w_110 = c1_on_platform_z
+            * (w_5 * (platform_q3 * w_98 + platform_q0 * w_102) - platform_q1 * w_108);
+        let w_111 = c1_on_platform_z
+            * (w_5 * (platform_q3 * w_102 - platform_q0 * w_98) - platform_q2 * w_108);
+        let w_112 = c1_on_platform_z
+            * (w_5 * (platform_q2 * w_102 + platform_q1 * w_98) - platform_q3 * w_108);
+        let w_113 = S::from_f64(2.0) * sqrt_w_105
+            * (w_100 * (w_42 * w_102 + w_43 * w_101 + w_45 * w_99)
+                - w_103 * (w_42 * w_98 - w_46 * w_101 - w_47 * w_99) - w_112);
+        let w_114 = self.r * cos_c2_head_angle;
+        let w_115 = w_9 * sin_c2_head_angle;
+        let w_116 = platform_x - self.R * cos_c2_foot_angle - w_7 * w_114 + w_14 * w_115;
+        let w_117 = w_9 * cos_c2_head_angle;
+        let w_118 = self.r * sin_c2_head_angle;
+        let w_119 = platform_y - self.R * sin_c2_foot_angle + w_18 * w_117
+            - w_20 * w_118;
+        let w_120 = w_23 * w_117 + w_24 * w_115;
+        let c2_on_platform_z = w_5 * w_120 + platform_z;
+        let w_121 = w_116 * w_116 + w_119 * w_119 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_121 = w_121.sqrt();
+        let w_122 = w_5_squared * (w_6 * w_117 - w_13 * w_115);
+        let w_123 = w_5_squared * (w_19 * w_115 - w_17 * w_117);
+        let w_124 = w_5_squared * w_120;
+        let w_125 = c2_on_platform_z
+            * (platform_q0 * w_124 + w_5 * (platform_q2 * w_114 - platform_q1 * w_118));
+        let w_126 = c2_on_platform_z
+            * (w_5 * (platform_q3 * w_114 + platform_q0 * w_118) - platform_q1 * w_124);
+        let w_127 = c2_on_platform_z
+            * (w_5 * (platform_q3 * w_118 - platform_q0 * w_114) - platform_q2 * w_124);
+        let w_128 = c2_on_platform_z
+            * (w_5 * (platform_q2 * w_118 + platform_q1 * w_114) - platform_q3 * w_124);
+        let w_129 = S::from_f64(2.0) * sqrt_w_121
+            * (w_116 * (w_42 * w_118 + w_43 * w_117 + w_45 * w_115)
+                - w_119 * (w_42 * w_114 - w_46 * w_117 - w_47 * w_115) - w_128);
         [
             [
                 S::from_f64(0.0),
@@ -2305,100 +2237,99 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 platform_q3 * S::from_f64(2.0),
             ],
             [
-                w_13 * sqrt_w_23 / w_23,
-                w_19 * sqrt_w_23 / w_23,
-                a1_on_platform_z * sqrt_w_23 / w_23,
-                S::from_f64(2.0) * sqrt_w_23
-                    * (w_13 * (platform_q0 * w_24 - platform_q3 * w_5 * w_18)
-                        + w_19 * (platform_q0 * w_25 + platform_q3 * w_5 * w_8) - w_27)
-                    / w_23,
-                w_31 / w_23,
-                w_35 / w_23,
-                -(S::from_f64(2.0) * sqrt_w_23
-                    * (w_37 - w_39
-                        - a1_on_platform_z
-                            * (w_5 * (platform_q2 * w_18 + platform_q1 * w_8)
-                                - platform_q3 * w_26)) / w_23),
+                w_15 * sqrt_w_26 / w_26,
+                w_22 * sqrt_w_26 / w_26,
+                a1_on_platform_z * sqrt_w_26 / w_26,
+                S::from_f64(2.0) * sqrt_w_26
+                    * (w_15 * (platform_q0 * w_27 - w_21 * w_28)
+                        + w_22 * (platform_q0 * w_29 + w_8 * w_28) - w_31) / w_26,
+                S::from_f64(2.0) * sqrt_w_26
+                    * (w_15 * (platform_q1 * w_27 + w_21 * w_32)
+                        + w_22 * (w_8 * w_32 - w_16 * w_33 - w_10 * w_35) + w_36) / w_26,
+                S::from_f64(2.0) * sqrt_w_26
+                    * (w_15 * (w_21 * w_37 - w_16 * w_39 - w_10 * w_40)
+                        + w_22 * (platform_q2 * w_29 + w_8 * w_37) + w_41) / w_26,
+                -(w_49 / w_26),
             ],
             [
-                w_42 * sqrt_w_47 / w_47,
-                w_45 * sqrt_w_47 / w_47,
-                a2_on_platform_z * sqrt_w_47 / w_47,
-                S::from_f64(2.0) * sqrt_w_47
-                    * (w_42 * (platform_q0 * w_48 - platform_q3 * w_5 * w_44)
-                        + w_45 * (platform_q0 * w_49 + platform_q3 * w_5 * w_40) - w_51)
-                    / w_47,
-                w_53 / w_47,
-                w_55 / w_47,
-                -(S::from_f64(2.0) * sqrt_w_47
-                    * (w_56 - w_57
-                        - a2_on_platform_z
-                            * (w_5 * (platform_q2 * w_44 + platform_q1 * w_40)
-                                - platform_q3 * w_50)) / w_47),
+                w_52 * sqrt_w_57 / w_57,
+                w_55 * sqrt_w_57 / w_57,
+                a2_on_platform_z * sqrt_w_57 / w_57,
+                S::from_f64(2.0) * sqrt_w_57
+                    * (w_52 * (platform_q0 * w_58 - w_28 * w_54)
+                        + w_55 * (platform_q0 * w_59 + w_28 * w_50) - w_61) / w_57,
+                S::from_f64(2.0) * sqrt_w_57
+                    * (w_52 * (platform_q1 * w_58 + w_32 * w_54)
+                        + w_55 * (w_32 * w_50 - w_33 * w_53 - w_35 * w_51) + w_62)
+                    / w_57,
+                S::from_f64(2.0) * sqrt_w_57
+                    * (w_52 * (w_37 * w_54 - w_39 * w_53 - w_40 * w_51)
+                        + w_55 * (platform_q2 * w_59 + w_37 * w_50) + w_63) / w_57,
+                -(w_65 / w_57),
             ],
             [
-                w_60 * sqrt_w_65 / w_65,
-                w_63 * sqrt_w_65 / w_65,
-                b1_on_platform_z * sqrt_w_65 / w_65,
-                S::from_f64(2.0) * sqrt_w_65
-                    * (w_60 * (platform_q0 * w_66 - platform_q3 * w_5 * w_62)
-                        + w_63 * (platform_q0 * w_67 + platform_q3 * w_5 * w_58) - w_69)
-                    / w_65,
-                w_71 / w_65,
-                w_73 / w_65,
-                -(S::from_f64(2.0) * sqrt_w_65
-                    * (w_74 - w_75
-                        - b1_on_platform_z
-                            * (w_5 * (platform_q2 * w_62 + platform_q1 * w_58)
-                                - platform_q3 * w_68)) / w_65),
+                w_68 * sqrt_w_73 / w_73,
+                w_71 * sqrt_w_73 / w_73,
+                b1_on_platform_z * sqrt_w_73 / w_73,
+                S::from_f64(2.0) * sqrt_w_73
+                    * (w_68 * (platform_q0 * w_74 - w_28 * w_70)
+                        + w_71 * (platform_q0 * w_75 + w_28 * w_66) - w_77) / w_73,
+                S::from_f64(2.0) * sqrt_w_73
+                    * (w_68 * (platform_q1 * w_74 + w_32 * w_70)
+                        + w_71 * (w_32 * w_66 - w_33 * w_69 - w_35 * w_67) + w_78)
+                    / w_73,
+                S::from_f64(2.0) * sqrt_w_73
+                    * (w_68 * (w_37 * w_70 - w_39 * w_69 - w_40 * w_67)
+                        + w_71 * (platform_q2 * w_75 + w_37 * w_66) + w_79) / w_73,
+                -(w_81 / w_73),
             ],
             [
-                w_78 * sqrt_w_83 / w_83,
-                w_81 * sqrt_w_83 / w_83,
-                b2_on_platform_z * sqrt_w_83 / w_83,
-                S::from_f64(2.0) * sqrt_w_83
-                    * (w_78 * (platform_q0 * w_84 - platform_q3 * w_5 * w_80)
-                        + w_81 * (platform_q0 * w_85 + platform_q3 * w_5 * w_76) - w_87)
-                    / w_83,
-                w_89 / w_83,
-                w_91 / w_83,
-                -(S::from_f64(2.0) * sqrt_w_83
-                    * (w_92 - w_93
-                        - b2_on_platform_z
-                            * (w_5 * (platform_q2 * w_80 + platform_q1 * w_76)
-                                - platform_q3 * w_86)) / w_83),
+                w_84 * sqrt_w_89 / w_89,
+                w_87 * sqrt_w_89 / w_89,
+                b2_on_platform_z * sqrt_w_89 / w_89,
+                S::from_f64(2.0) * sqrt_w_89
+                    * (w_84 * (platform_q0 * w_90 - w_28 * w_86)
+                        + w_87 * (platform_q0 * w_91 + w_28 * w_82) - w_93) / w_89,
+                S::from_f64(2.0) * sqrt_w_89
+                    * (w_84 * (platform_q1 * w_90 + w_32 * w_86)
+                        + w_87 * (w_32 * w_82 - w_33 * w_85 - w_35 * w_83) + w_94)
+                    / w_89,
+                S::from_f64(2.0) * sqrt_w_89
+                    * (w_84 * (w_37 * w_86 - w_39 * w_85 - w_40 * w_83)
+                        + w_87 * (platform_q2 * w_91 + w_37 * w_82) + w_95) / w_89,
+                -(w_97 / w_89),
             ],
             [
-                w_96 * sqrt_w_101 / w_101,
-                w_99 * sqrt_w_101 / w_101,
-                c1_on_platform_z * sqrt_w_101 / w_101,
-                S::from_f64(2.0) * sqrt_w_101
-                    * (w_96 * (platform_q0 * w_102 - platform_q3 * w_5 * w_98)
-                        + w_99 * (platform_q0 * w_103 + platform_q3 * w_5 * w_94)
-                        - w_105) / w_101,
-                w_107 / w_101,
-                w_109 / w_101,
-                -(S::from_f64(2.0) * sqrt_w_101
-                    * (w_110 - w_111
-                        - c1_on_platform_z
-                            * (w_5 * (platform_q2 * w_98 + platform_q1 * w_94)
-                                - platform_q3 * w_104)) / w_101),
+                w_100 * sqrt_w_105 / w_105,
+                w_103 * sqrt_w_105 / w_105,
+                c1_on_platform_z * sqrt_w_105 / w_105,
+                S::from_f64(2.0) * sqrt_w_105
+                    * (w_100 * (platform_q0 * w_106 - w_28 * w_102)
+                        + w_103 * (platform_q0 * w_107 + w_28 * w_98) - w_109) / w_105,
+                S::from_f64(2.0) * sqrt_w_105
+                    * (w_100 * (platform_q1 * w_106 + w_32 * w_102)
+                        + w_103 * (w_32 * w_98 - w_33 * w_101 - w_35 * w_99) + w_110)
+                    / w_105,
+                S::from_f64(2.0) * sqrt_w_105
+                    * (w_100 * (w_37 * w_102 - w_39 * w_101 - w_40 * w_99)
+                        + w_103 * (platform_q2 * w_107 + w_37 * w_98) + w_111) / w_105,
+                -(w_113 / w_105),
             ],
             [
-                w_114 * sqrt_w_119 / w_119,
-                w_117 * sqrt_w_119 / w_119,
-                c2_on_platform_z * sqrt_w_119 / w_119,
-                S::from_f64(2.0) * sqrt_w_119
-                    * (w_114 * (platform_q0 * w_120 - platform_q3 * w_5 * w_116)
-                        + w_117 * (platform_q0 * w_121 + platform_q3 * w_5 * w_112)
-                        - w_123) / w_119,
-                w_125 / w_119,
-                w_127 / w_119,
-                -(S::from_f64(2.0) * sqrt_w_119
-                    * (w_128 - w_129
-                        - c2_on_platform_z
-                            * (w_5 * (platform_q2 * w_116 + platform_q1 * w_112)
-                                - platform_q3 * w_122)) / w_119),
+                w_116 * sqrt_w_121 / w_121,
+                w_119 * sqrt_w_121 / w_121,
+                c2_on_platform_z * sqrt_w_121 / w_121,
+                S::from_f64(2.0) * sqrt_w_121
+                    * (w_116 * (platform_q0 * w_122 - w_28 * w_118)
+                        + w_119 * (platform_q0 * w_123 + w_28 * w_114) - w_125) / w_121,
+                S::from_f64(2.0) * sqrt_w_121
+                    * (w_116 * (platform_q1 * w_122 + w_32 * w_118)
+                        + w_119 * (w_32 * w_114 - w_33 * w_117 - w_35 * w_115) + w_126)
+                    / w_121,
+                S::from_f64(2.0) * sqrt_w_121
+                    * (w_116 * (w_37 * w_118 - w_39 * w_117 - w_40 * w_115)
+                        + w_119 * (platform_q2 * w_123 + w_37 * w_114) + w_127) / w_121,
+                -(w_129 / w_121),
             ],
         ]
     }
@@ -2431,7 +2362,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 7, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 893 additions, 1753 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 893 additions, 1442 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -2517,804 +2448,732 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_11 = platform_q2_squared + platform_q3_squared;
         let w_12 = S::from_f64(2.0) * w_10 * w_11 - S::from_f64(1.0);
         let w_13 = self.r * cos_a1_head_angle;
-        let w_14 = platform_q1 * platform_q2;
-        let w_15 = platform_q0 * platform_q3;
-        let w_16 = w_14 - w_15;
-        let w_17 = S::from_f64(2.0) * self.r * sin_a1_head_angle;
-        let w_18 = platform_x - self.R * cos_foot - w_12 * w_13 + w_10 * w_16 * w_17;
-        let w_19 = w_14 + w_15;
-        let w_20 = S::from_f64(2.0) * self.r * cos_a1_head_angle;
-        let w_21 = platform_q1_squared + platform_q3_squared;
-        let w_22 = S::from_f64(2.0) * w_10 * w_21 - S::from_f64(1.0);
-        let w_23 = self.r * sin_a1_head_angle;
-        let w_24 = platform_y - self.R * sin_foot + w_10 * w_19 * w_20 - w_22 * w_23;
-        let w_25 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_26 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let w_27 = w_20 * w_25 + w_17 * w_26;
-        let a1_on_platform_z = w_10 * w_27 + platform_z;
-        let w_28 = w_18 * w_18 + w_24 * w_24 + a1_on_platform_z * a1_on_platform_z;
+        let w_14 = S::from_f64(2.0) * self.r;
+        let w_15 = sin_a1_head_angle * w_14;
+        let w_16 = platform_q1 * platform_q2;
+        let w_17 = platform_q0 * platform_q3;
+        let w_18 = w_16 - w_17;
+        let w_19 = w_10 * w_18;
+        let w_20 = platform_x - self.R * cos_foot - w_12 * w_13 + w_15 * w_19;
+        let w_21 = cos_a1_head_angle * w_14;
+        let w_22 = w_16 + w_17;
+        let w_23 = w_10 * w_22;
+        let w_24 = platform_q1_squared + platform_q3_squared;
+        let w_25 = S::from_f64(2.0) * w_10 * w_24 - S::from_f64(1.0);
+        let w_26 = self.r * sin_a1_head_angle;
+        let w_27 = platform_y - self.R * sin_foot + w_21 * w_23 - w_25 * w_26;
+        let w_28 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_29 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let w_30 = w_21 * w_28 + w_15 * w_29;
+        let a1_on_platform_z = w_10 * w_30 + platform_z;
+        let w_31 = w_20 * w_20 + w_27 * w_27 + a1_on_platform_z * a1_on_platform_z;
         let w_10_squared = w_10 * w_10;
-        let w_29 = platform_q1_dot * platform_q1;
-        let w_30 = platform_q2_dot * platform_q2;
-        let w_31 = platform_q3_dot * platform_q3;
-        let w_32 = platform_q0_dot * platform_q0 + w_29 + w_30 + w_31;
-        let w_33 = w_30 + w_31;
-        let w_34 = w_11 * w_10_squared * w_32 - w_10 * w_33;
-        let w_35 = self.r * cos_a1_head_angle * S::from_f64(4.0);
-        let w_36 = self.r * sin_a1_head_angle * S::from_f64(4.0);
-        let w_37 = platform_q3_dot * platform_q0;
-        let w_38 = platform_q0_dot * platform_q3;
-        let w_39 = platform_q2_dot * platform_q1;
-        let w_40 = platform_q1_dot * platform_q2;
-        let w_41 = w_37 + w_38 - w_39 - w_40;
-        let w_42 = platform_x_dot + w_34 * w_35 - w_16 * w_10_squared * w_32 * w_36
-            - w_10 * w_17 * w_41;
-        let w_43 = w_37 + w_38 + w_39 + w_40;
-        let w_44 = w_29 + w_31;
-        let w_45 = w_21 * w_10_squared * w_32 - w_10 * w_44;
-        let w_46 = platform_y_dot + w_10 * w_20 * w_43
-            - w_19 * w_10_squared * w_32 * w_35 + w_36 * w_45;
-        let w_47 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
+        let w_32 = platform_q1_dot * platform_q1;
+        let w_33 = platform_q2_dot * platform_q2;
+        let w_34 = platform_q3_dot * platform_q3;
+        let w_35 = platform_q0_dot * platform_q0 + w_32 + w_33 + w_34;
+        let w_36 = w_11 * w_35;
+        let w_37 = w_33 + w_34;
+        let w_38 = w_10_squared * w_36 - w_10 * w_37;
+        let w_39 = self.r * S::from_f64(4.0);
+        let w_40 = cos_a1_head_angle * w_39;
+        let w_41 = sin_a1_head_angle * w_39;
+        let w_42 = w_18 * w_10_squared;
+        let w_43 = w_35 * w_42;
+        let w_44 = platform_q3_dot * platform_q0;
+        let w_45 = platform_q0_dot * platform_q3;
+        let w_46 = platform_q2_dot * platform_q1;
+        let w_47 = platform_q1_dot * platform_q2;
+        let w_48 = w_44 + w_45 - w_46 - w_47;
+        let w_49 = w_10 * w_48;
+        let w_50 = platform_x_dot + w_38 * w_40 - w_41 * w_43 - w_15 * w_49;
+        let w_51 = w_44 + w_45 + w_46 + w_47;
+        let w_52 = w_10 * w_51;
+        let w_53 = w_22 * w_10_squared;
+        let w_54 = w_35 * w_53;
+        let w_55 = w_24 * w_35;
+        let w_56 = w_32 + w_34;
+        let w_57 = w_10_squared * w_55 - w_10 * w_56;
+        let w_58 = platform_y_dot + w_21 * w_52 - w_40 * w_54 + w_41 * w_57;
+        let w_59 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
             + platform_q3_dot * platform_q2 + platform_q2_dot * platform_q3;
-        let w_48 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
+        let w_60 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
             - platform_q1_dot * platform_q3 - platform_q3_dot * platform_q1;
-        let w_49 = w_10 * (w_17 * w_47 - w_20 * w_48)
-            - w_10_squared * w_32 * (w_25 * w_35 + w_26 * w_36) + platform_z_dot;
-        let w_50 = w_18 * w_42 + w_24 * w_46 + a1_on_platform_z * w_49;
-        let w_51 = w_10 - w_11 * w_10_squared;
-        let w_52 = platform_q3 * w_51;
-        let w_53 = platform_q0 * w_10 * w_23 + w_20 * w_52
-            + platform_q3 * w_16 * w_17 * w_10_squared;
-        let w_54 = w_10 - w_21 * w_10_squared;
-        let w_55 = platform_q3 * w_54;
-        let w_56 = platform_q0 * w_10 * w_13 - platform_q3 * w_19 * w_20 * w_10_squared
-            - w_17 * w_55;
-        let w_57 = w_27 * w_10_squared;
-        let w_58 = w_10 * (platform_q2 * w_23 + platform_q1 * w_13) - platform_q3 * w_57;
-        let w_59 = w_10_squared * (w_11 * w_20 - w_16 * w_17);
-        let w_60 = platform_q0 * w_59 - platform_q3 * w_10 * w_23;
-        let w_61 = w_10_squared * (w_17 * w_21 - w_19 * w_20);
-        let w_62 = platform_q0 * w_61 + platform_q3 * w_10 * w_13;
-        let w_63 = platform_q0 * w_57 + w_10 * (platform_q2 * w_13 - platform_q1 * w_23);
-        let w_64 = platform_q1 * w_59 + platform_q2 * w_10 * w_23;
-        let w_65 = platform_q1 * w_54;
-        let w_66 = platform_q2 * w_10 * w_13 - platform_q1 * w_19 * w_20 * w_10_squared
-            - w_17 * w_65;
-        let w_67 = w_10 * (platform_q3 * w_13 + platform_q0 * w_23) - platform_q1 * w_57;
-        let w_68 = platform_q1_dot
-            * (w_18 * w_64 + w_24 * w_66 + a1_on_platform_z * w_67);
-        let w_69 = platform_q2 * w_51;
-        let w_70 = platform_q1 * w_10 * w_23 - w_20 * w_69
-            - platform_q2 * w_16 * w_17 * w_10_squared;
-        let w_71 = platform_q2 * w_61 + platform_q1 * w_10 * w_13;
-        let w_72 = w_10 * (platform_q3 * w_23 - platform_q0 * w_13) - platform_q2 * w_57;
-        let w_73 = platform_q2_dot
-            * (w_18 * w_70 + w_24 * w_71 + a1_on_platform_z * w_72);
-        let w_74 = platform_q3_dot
-            * (w_18 * w_53 - w_24 * w_56 - a1_on_platform_z * w_58)
-            - platform_q0_dot * (w_18 * w_60 + w_24 * w_62 - a1_on_platform_z * w_63)
-            - w_68 - w_73;
-        let w_28_squared = w_28 * w_28;
-        let w_75 = platform_q3 * w_32;
-        let w_76 = platform_q0 * w_41 - platform_q0_dot * w_16 + w_75;
-        let w_77 = w_10 * w_10_squared;
-        let w_78 = self.r * sin_a1_head_angle * S::from_f64(8.0);
-        let w_79 = self.r * cos_a1_head_angle * S::from_f64(8.0);
-        let w_80 = w_32 * w_77 * (w_16 * w_78 - w_11 * w_79);
-        let w_81 = w_18
-            * (w_10_squared
-                * (w_17 * w_76 + platform_q0_dot * w_11 * w_20
-                    + platform_q0 * w_33 * w_35) + platform_q0 * w_80
-                - platform_q3_dot * w_10 * w_23);
-        let w_82 = w_75 + platform_q0_dot * w_19 + platform_q0 * w_43;
-        let w_83 = w_32 * w_77 * (w_19 * w_79 - w_21 * w_78);
-        let w_84 = w_24
-            * (w_10_squared
-                * (platform_q0_dot * w_17 * w_21 - w_20 * w_82
-                    + platform_q0 * w_36 * w_44) + platform_q0 * w_83
-                + platform_q3_dot * w_10 * w_13);
-        let w_85 = platform_q2 * w_32;
-        let w_86 = platform_q0_dot * w_25 - platform_q0 * w_48 - w_85;
-        let w_87 = platform_q1 * w_32;
-        let w_88 = w_87 + platform_q0_dot * w_26 + platform_q0 * w_47;
-        let w_89 = w_32 * w_77 * (w_25 * w_79 + w_26 * w_78);
-        let w_90 = a1_on_platform_z
-            * (w_10_squared * (w_20 * w_86 + w_17 * w_88) - platform_q0 * w_89
-                + w_10 * (platform_q2_dot * w_13 - platform_q1_dot * w_23));
-        let w_91 = platform_q1 * w_41 - w_85 - platform_q1_dot * w_16;
-        let w_92 = w_18
-            * (w_10_squared
-                * (w_17 * w_91 + platform_q1_dot * w_11 * w_20
-                    + platform_q1 * w_33 * w_35) + platform_q1 * w_80
-                + platform_q2_dot * w_10 * w_23);
-        let w_93 = w_10_squared * (w_85 + platform_q1_dot * w_19 + platform_q1 * w_43);
-        let w_94 = w_21 * S::from_f64(4.0) * w_32 * w_77
-            - S::from_f64(2.0) * w_10_squared * (w_32 + w_44);
-        let w_95 = platform_q1 * w_94 + platform_q1_dot * w_54;
-        let w_96 = w_24
-            * (platform_q2_dot * w_10 * w_13 - w_20 * w_93
-                + platform_q1 * w_19 * w_32 * w_77 * w_79 - w_17 * w_95);
-        let w_97 = platform_q1 * w_48 - w_75 - platform_q1_dot * w_25;
-        let w_98 = platform_q0 * w_32;
-        let w_99 = w_98 + platform_q1_dot * w_26 + platform_q1 * w_47;
-        let w_100 = a1_on_platform_z
-            * (w_10_squared * (w_20 * w_97 - w_17 * w_99)
-                + w_10 * (platform_q3_dot * w_13 + platform_q0_dot * w_23)
-                + platform_q1 * w_89);
-        let w_101 = platform_q1_dot
-            * (w_42 * w_64 + w_92 + w_46 * w_66 + w_96 + w_49 * w_67 + w_100);
-        let w_102 = w_10_squared * (platform_q2 * w_41 - w_87 - platform_q2_dot * w_16);
-        let w_103 = w_11 * S::from_f64(4.0) * w_32 * w_77
-            - S::from_f64(2.0) * w_10_squared * (w_32 + w_33);
-        let w_104 = platform_q2 * w_103 + platform_q2_dot * w_51;
-        let w_105 = w_18
-            * (w_17 * w_102 + platform_q1_dot * w_10 * w_23 - w_20 * w_104
-                + platform_q2 * w_16 * w_32 * w_77 * w_78);
-        let w_106 = w_87 + platform_q2_dot * w_19 + platform_q2 * w_43;
-        let w_107 = w_24
-            * (w_10_squared
-                * (platform_q2_dot * w_17 * w_21 - w_20 * w_106
-                    + platform_q2 * w_36 * w_44) + platform_q2 * w_83
-                + platform_q1_dot * w_10 * w_13);
-        let w_108 = platform_q2 * w_48 - platform_q2_dot * w_25 + w_98;
-        let w_109 = w_75 + platform_q2_dot * w_26 + platform_q2 * w_47;
-        let w_110 = a1_on_platform_z
-            * (w_10_squared * (w_20 * w_108 - w_17 * w_109)
-                + w_10 * (platform_q3_dot * w_23 - platform_q0_dot * w_13)
-                + platform_q2 * w_89);
-        let w_111 = platform_q2_dot
-            * (w_42 * w_70 + w_105 + w_46 * w_71 + w_107 + w_49 * w_72 + w_110);
-        let w_112 = w_10_squared * (platform_q3_dot * w_16 - w_98 - platform_q3 * w_41);
-        let w_113 = platform_q3 * w_103 + platform_q3_dot * w_51;
-        let w_114 = w_18
-            * (w_17 * w_112 + platform_q0_dot * w_10 * w_23 + w_20 * w_113
-                - platform_q3 * w_16 * w_32 * w_77 * w_78);
-        let w_115 = w_10_squared * (w_98 + platform_q3_dot * w_19 + platform_q3 * w_43);
-        let w_116 = platform_q3 * w_94 + platform_q3_dot * w_54;
-        let w_117 = w_24
-            * (platform_q0_dot * w_10 * w_13 - w_20 * w_115
-                + platform_q3 * w_19 * w_32 * w_77 * w_79 - w_17 * w_116);
-        let w_118 = platform_q3 * w_48 - w_87 - platform_q3_dot * w_25;
-        let w_119 = w_85 + platform_q3_dot * w_26 + platform_q3 * w_47;
-        let w_120 = a1_on_platform_z
-            * (w_10_squared * (w_20 * w_118 - w_17 * w_119)
-                + w_10 * (platform_q2_dot * w_23 + platform_q1_dot * w_13)
-                + platform_q3 * w_89);
-        let w_121 = platform_q3_dot
-            * (w_42 * w_53 + w_114 - w_46 * w_56 - w_117 - w_49 * w_58 - w_120);
-        let w_122 = (platform_q0_dot
-            * (w_42 * w_60 + w_81 + w_46 * w_62 + w_84 - w_49 * w_63 - w_90) + w_101
-            + w_111 - w_121) / w_28;
-        let w_123 = w_50
-            * ((platform_x_dot * w_18 + w_24 * platform_y_dot
-                + a1_on_platform_z * platform_z_dot) / w_28_squared);
-        let w_124 = w_28.sqrt()
-            * (S::from_f64(2.0) * (w_50 * (w_74 / w_28_squared) + w_122)
-                + (platform_x_dot * w_42 + platform_y_dot * w_46 + platform_z_dot * w_49)
-                    / w_28 - w_123);
+        let w_61 = w_10 * (w_15 * w_59 - w_21 * w_60)
+            - w_10_squared * w_35 * (w_28 * w_40 + w_29 * w_41) + platform_z_dot;
+        let w_62 = w_20 * w_50 + w_27 * w_58 + a1_on_platform_z * w_61;
+        let w_63 = platform_q0 * w_10;
+        let w_64 = w_10 - w_11 * w_10_squared;
+        let w_65 = platform_q3 * w_64;
+        let w_66 = platform_q3 * w_42;
+        let w_67 = w_26 * w_63 + w_21 * w_65 + w_15 * w_66;
+        let w_68 = platform_q3 * w_53;
+        let w_69 = w_10 - w_24 * w_10_squared;
+        let w_70 = platform_q3 * w_69;
+        let w_71 = w_13 * w_63 - w_21 * w_68 - w_15 * w_70;
+        let w_72 = w_30 * w_10_squared;
+        let w_73 = w_10 * (platform_q2 * w_26 + platform_q1 * w_13) - platform_q3 * w_72;
+        let w_74 = w_10_squared * (w_11 * w_21 - w_18 * w_15);
+        let w_75 = platform_q3 * w_10;
+        let w_76 = platform_q0 * w_74 - w_26 * w_75;
+        let w_77 = w_10_squared * (w_15 * w_24 - w_22 * w_21);
+        let w_78 = platform_q0 * w_77 + w_13 * w_75;
+        let w_79 = platform_q0 * w_72 + w_10 * (platform_q2 * w_13 - platform_q1 * w_26);
+        let w_80 = platform_q2 * w_10;
+        let w_81 = platform_q1 * w_74 + w_26 * w_80;
+        let w_82 = platform_q1 * w_53;
+        let w_83 = platform_q1 * w_69;
+        let w_84 = w_13 * w_80 - w_21 * w_82 - w_15 * w_83;
+        let w_85 = w_10 * (platform_q3 * w_13 + platform_q0 * w_26) - platform_q1 * w_72;
+        let w_86 = platform_q1_dot
+            * (w_20 * w_81 + w_27 * w_84 + a1_on_platform_z * w_85);
+        let w_87 = platform_q1 * w_10;
+        let w_88 = platform_q2 * w_64;
+        let w_89 = platform_q2 * w_42;
+        let w_90 = w_26 * w_87 - w_21 * w_88 - w_15 * w_89;
+        let w_91 = platform_q2 * w_77 + w_13 * w_87;
+        let w_92 = w_10 * (platform_q3 * w_26 - platform_q0 * w_13) - platform_q2 * w_72;
+        let w_93 = platform_q2_dot
+            * (w_20 * w_90 + w_27 * w_91 + a1_on_platform_z * w_92);
+        let w_94 = platform_q3_dot
+            * (w_20 * w_67 - w_27 * w_71 - a1_on_platform_z * w_73)
+            - platform_q0_dot * (w_20 * w_76 + w_27 * w_78 - a1_on_platform_z * w_79)
+            - w_86 - w_93;
+        let w_31_squared = w_31 * w_31;
+        let w_95 = platform_q3 * w_35;
+        let w_96 = platform_q0 * w_48 - platform_q0_dot * w_18 + w_95;
+        let w_97 = platform_q0_dot * w_11;
+        let w_98 = platform_q0 * w_37;
+        let w_99 = w_10 * w_10_squared;
+        let w_100 = self.r * S::from_f64(8.0);
+        let w_101 = sin_a1_head_angle * w_100;
+        let w_102 = cos_a1_head_angle * w_100;
+        let w_103 = w_35 * w_99 * (w_18 * w_101 - w_11 * w_102);
+        let w_104 = platform_q3_dot * w_10;
+        let w_105 = platform_q0_dot * w_24;
+        let w_106 = w_95 + platform_q0_dot * w_22 + platform_q0 * w_51;
+        let w_107 = platform_q0 * w_56;
+        let w_108 = w_35 * w_99 * (w_22 * w_102 - w_24 * w_101);
+        let w_109 = w_27
+            * (w_10_squared * (w_15 * w_105 - w_21 * w_106 + w_41 * w_107)
+                + platform_q0 * w_108 + w_13 * w_104);
+        let w_110 = platform_q2 * w_35;
+        let w_111 = platform_q0_dot * w_28 - platform_q0 * w_60 - w_110;
+        let w_112 = platform_q1 * w_35;
+        let w_113 = w_112 + platform_q0_dot * w_29 + platform_q0 * w_59;
+        let w_114 = w_35 * w_99 * (w_28 * w_102 + w_29 * w_101);
+        let w_115 = a1_on_platform_z
+            * (w_10_squared * (w_21 * w_111 + w_15 * w_113) - platform_q0 * w_114
+                + w_10 * (platform_q2_dot * w_13 - platform_q1_dot * w_26));
+        let w_116 = w_50 * w_76
+            + w_20
+                * (w_10_squared * (w_15 * w_96 + w_21 * w_97 + w_40 * w_98)
+                    + platform_q0 * w_103 - w_26 * w_104) + w_58 * w_78 + w_109
+            - w_61 * w_79 - w_115;
+        let w_117 = platform_q1 * w_48 - w_110 - platform_q1_dot * w_18;
+        let w_118 = platform_q1_dot * w_11;
+        let w_119 = platform_q1 * w_37;
+        let w_120 = platform_q2_dot * w_10;
+        let w_121 = w_20
+            * (w_10_squared * (w_15 * w_117 + w_21 * w_118 + w_40 * w_119)
+                + platform_q1 * w_103 + w_26 * w_120);
+        let w_122 = w_10_squared * (w_110 + platform_q1_dot * w_22 + platform_q1 * w_51);
+        let w_123 = w_35 * w_99;
+        let w_124 = w_123 * platform_q1 * w_22;
+        let w_125 = S::from_f64(4.0) * w_55 * w_99
+            - S::from_f64(2.0) * w_10_squared * (w_35 + w_56);
+        let w_126 = platform_q1 * w_125 + platform_q1_dot * w_69;
+        let w_127 = platform_q1 * w_60 - w_95 - platform_q1_dot * w_28;
+        let w_128 = platform_q0 * w_35;
+        let w_129 = w_128 + platform_q1_dot * w_29 + platform_q1 * w_59;
+        let w_130 = a1_on_platform_z
+            * (w_10_squared * (w_21 * w_127 - w_15 * w_129)
+                + w_10 * (platform_q3_dot * w_13 + platform_q0_dot * w_26)
+                + platform_q1 * w_114);
+        let w_131 = w_50 * w_81 + w_121 + w_58 * w_84
+            + w_27 * (w_13 * w_120 - w_21 * w_122 + w_102 * w_124 - w_15 * w_126)
+            + w_61 * w_85 + w_130;
+        let w_132 = w_10_squared * (platform_q2 * w_48 - w_112 - platform_q2_dot * w_18);
+        let w_133 = platform_q1_dot * w_10;
+        let w_134 = S::from_f64(4.0) * w_36 * w_99
+            - S::from_f64(2.0) * w_10_squared * (w_35 + w_37);
+        let w_135 = platform_q2 * w_134 + platform_q2_dot * w_64;
+        let w_136 = w_123 * platform_q2 * w_18;
+        let w_137 = platform_q2_dot * w_24;
+        let w_138 = w_112 + platform_q2_dot * w_22 + platform_q2 * w_51;
+        let w_139 = platform_q2 * w_56;
+        let w_140 = w_27
+            * (w_10_squared * (w_15 * w_137 - w_21 * w_138 + w_41 * w_139)
+                + platform_q2 * w_108 + w_13 * w_133);
+        let w_141 = platform_q2 * w_60 - platform_q2_dot * w_28 + w_128;
+        let w_142 = w_95 + platform_q2_dot * w_29 + platform_q2 * w_59;
+        let w_143 = a1_on_platform_z
+            * (w_10_squared * (w_21 * w_141 - w_15 * w_142)
+                + w_10 * (platform_q3_dot * w_26 - platform_q0_dot * w_13)
+                + platform_q2 * w_114);
+        let w_144 = w_50 * w_90
+            + w_20 * (w_15 * w_132 + w_26 * w_133 - w_21 * w_135 + w_101 * w_136)
+            + w_58 * w_91 + w_140 + w_61 * w_92 + w_143;
+        let w_145 = w_10_squared * (platform_q3_dot * w_18 - w_128 - platform_q3 * w_48);
+        let w_146 = platform_q0_dot * w_10;
+        let w_147 = platform_q3 * w_134 + platform_q3_dot * w_64;
+        let w_148 = platform_q3 * w_123;
+        let w_149 = w_18 * w_148;
+        let w_150 = w_10_squared * (w_128 + platform_q3_dot * w_22 + platform_q3 * w_51);
+        let w_151 = w_22 * w_148;
+        let w_152 = platform_q3 * w_125 + platform_q3_dot * w_69;
+        let w_153 = w_27 * (w_13 * w_146 - w_21 * w_150 + w_102 * w_151 - w_15 * w_152);
+        let w_154 = platform_q3 * w_60 - w_112 - platform_q3_dot * w_28;
+        let w_155 = w_110 + platform_q3_dot * w_29 + platform_q3 * w_59;
+        let w_156 = a1_on_platform_z
+            * (w_10_squared * (w_21 * w_154 - w_15 * w_155)
+                + w_10 * (platform_q2_dot * w_26 + platform_q1_dot * w_13)
+                + platform_q3 * w_114);
+        let w_157 = w_50 * w_67
+            + w_20 * (w_15 * w_145 + w_26 * w_146 + w_21 * w_147 - w_101 * w_149)
+            - w_58 * w_71 - w_153 - w_61 * w_73 - w_156;
+        let w_158 = S::from_f64(2.0)
+            * (w_62 * (w_94 / w_31_squared)
+                + (platform_q0_dot * w_116 + platform_q1_dot * w_131
+                    + platform_q2_dot * w_144 - platform_q3_dot * w_157) / w_31);
+        let w_159 = w_158
+            + (platform_x_dot * w_50 + platform_y_dot * w_58 + platform_z_dot * w_61)
+                / w_31
+            - w_62
+                * ((platform_x_dot * w_20 + w_27 * platform_y_dot
+                    + a1_on_platform_z * platform_z_dot) / w_31_squared);
         let w_squared = self.w * self.w;
-        let w_125 = self.heave * w_squared;
-        let w_126 = w_squared * self.sway;
-        let w_127 = self.r * cos_a2_head_angle;
-        let w_128 = S::from_f64(2.0) * self.r * sin_a2_head_angle;
-        let w_129 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_127
-            + w_10 * w_16 * w_128;
-        let w_130 = S::from_f64(2.0) * self.r * cos_a2_head_angle;
-        let w_131 = self.r * sin_a2_head_angle;
-        let w_132 = platform_y - self.R * sin_a2_foot_angle + w_10 * w_19 * w_130
-            - w_22 * w_131;
-        let w_133 = w_25 * w_130 + w_26 * w_128;
-        let a2_on_platform_z = w_10 * w_133 + platform_z;
-        let w_134 = w_129 * w_129 + w_132 * w_132 + a2_on_platform_z * a2_on_platform_z;
-        let w_135 = self.r * S::from_f64(4.0) * cos_a2_head_angle;
-        let w_136 = self.r * S::from_f64(4.0) * sin_a2_head_angle;
-        let w_137 = platform_x_dot + w_34 * w_135 - w_16 * w_10_squared * w_32 * w_136
-            - w_10 * w_41 * w_128;
-        let w_138 = platform_y_dot + w_10 * w_43 * w_130
-            - w_19 * w_10_squared * w_32 * w_135 + w_45 * w_136;
-        let w_139 = w_10 * (w_47 * w_128 - w_48 * w_130)
-            - w_10_squared * w_32 * (w_25 * w_135 + w_26 * w_136) + platform_z_dot;
-        let w_140 = w_129 * w_137 + w_132 * w_138 + a2_on_platform_z * w_139;
-        let w_141 = platform_q0 * w_10 * w_131 + w_52 * w_130
-            + platform_q3 * w_16 * w_10_squared * w_128;
-        let w_142 = platform_q0 * w_10 * w_127
-            - platform_q3 * w_19 * w_10_squared * w_130 - w_55 * w_128;
-        let w_143 = w_10_squared * w_133;
-        let w_144 = w_10 * (platform_q2 * w_131 + platform_q1 * w_127)
-            - platform_q3 * w_143;
-        let w_145 = w_10_squared * (w_11 * w_130 - w_16 * w_128);
-        let w_146 = platform_q0 * w_145 - platform_q3 * w_10 * w_131;
-        let w_147 = w_10_squared * (w_21 * w_128 - w_19 * w_130);
-        let w_148 = platform_q0 * w_147 + platform_q3 * w_10 * w_127;
-        let w_149 = platform_q0 * w_143
-            + w_10 * (platform_q2 * w_127 - platform_q1 * w_131);
-        let w_150 = platform_q1 * w_145 + platform_q2 * w_10 * w_131;
-        let w_151 = platform_q2 * w_10 * w_127
-            - platform_q1 * w_19 * w_10_squared * w_130 - w_65 * w_128;
-        let w_152 = w_10 * (platform_q3 * w_127 + platform_q0 * w_131)
-            - platform_q1 * w_143;
-        let w_153 = platform_q1_dot
-            * (w_129 * w_150 + w_132 * w_151 + a2_on_platform_z * w_152);
-        let w_154 = platform_q1 * w_10 * w_131 - w_69 * w_130
-            - platform_q2 * w_16 * w_10_squared * w_128;
-        let w_155 = platform_q2 * w_147 + platform_q1 * w_10 * w_127;
-        let w_156 = w_10 * (platform_q3 * w_131 - platform_q0 * w_127)
-            - platform_q2 * w_143;
-        let w_157 = platform_q2_dot
-            * (w_129 * w_154 + w_132 * w_155 + a2_on_platform_z * w_156);
-        let w_158 = platform_q3_dot
-            * (w_129 * w_141 - w_132 * w_142 - a2_on_platform_z * w_144)
+        let w_160 = self.heave * w_squared;
+        let w_161 = w_squared * self.sway;
+        let w_162 = self.r * cos_a2_head_angle;
+        let w_163 = w_14 * sin_a2_head_angle;
+        let w_164 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_162
+            + w_19 * w_163;
+        let w_165 = w_14 * cos_a2_head_angle;
+        let w_166 = self.r * sin_a2_head_angle;
+        let w_167 = platform_y - self.R * sin_a2_foot_angle + w_23 * w_165
+            - w_25 * w_166;
+        let w_168 = w_28 * w_165 + w_29 * w_163;
+        let a2_on_platform_z = w_10 * w_168 + platform_z;
+        let w_169 = w_164 * w_164 + w_167 * w_167 + a2_on_platform_z * a2_on_platform_z;
+        let w_170 = w_39 * cos_a2_head_angle;
+        let w_171 = w_39 * sin_a2_head_angle;
+        let w_172 = platform_x_dot + w_38 * w_170 - w_43 * w_171 - w_49 * w_163;
+        let w_173 = platform_y_dot + w_52 * w_165 - w_54 * w_170 + w_57 * w_171;
+        let w_174 = w_10 * (w_59 * w_163 - w_60 * w_165)
+            - w_10_squared * w_35 * (w_28 * w_170 + w_29 * w_171) + platform_z_dot;
+        let w_175 = w_164 * w_172 + w_167 * w_173 + a2_on_platform_z * w_174;
+        let w_176 = w_63 * w_166 + w_65 * w_165 + w_66 * w_163;
+        let w_177 = w_63 * w_162 - w_68 * w_165 - w_70 * w_163;
+        let w_178 = w_10_squared * w_168;
+        let w_179 = w_10 * (platform_q2 * w_166 + platform_q1 * w_162)
+            - platform_q3 * w_178;
+        let w_180 = w_10_squared * (w_11 * w_165 - w_18 * w_163);
+        let w_181 = platform_q0 * w_180 - w_75 * w_166;
+        let w_182 = w_10_squared * (w_24 * w_163 - w_22 * w_165);
+        let w_183 = platform_q0 * w_182 + w_75 * w_162;
+        let w_184 = platform_q0 * w_178
+            + w_10 * (platform_q2 * w_162 - platform_q1 * w_166);
+        let w_185 = platform_q1 * w_180 + w_80 * w_166;
+        let w_186 = w_80 * w_162 - w_82 * w_165 - w_83 * w_163;
+        let w_187 = w_10 * (platform_q3 * w_162 + platform_q0 * w_166)
+            - platform_q1 * w_178;
+        let w_188 = platform_q1_dot
+            * (w_164 * w_185 + w_167 * w_186 + a2_on_platform_z * w_187);
+        let w_189 = w_87 * w_166 - w_88 * w_165 - w_89 * w_163;
+        let w_190 = platform_q2 * w_182 + w_87 * w_162;
+        let w_191 = w_10 * (platform_q3 * w_166 - platform_q0 * w_162)
+            - platform_q2 * w_178;
+        let w_192 = platform_q2_dot
+            * (w_164 * w_189 + w_167 * w_190 + a2_on_platform_z * w_191);
+        let w_193 = platform_q3_dot
+            * (w_164 * w_176 - w_167 * w_177 - a2_on_platform_z * w_179)
             - platform_q0_dot
-                * (w_129 * w_146 + w_132 * w_148 - a2_on_platform_z * w_149) - w_153
-            - w_157;
-        let w_134_squared = w_134 * w_134;
-        let w_159 = self.r * S::from_f64(8.0) * sin_a2_head_angle;
-        let w_160 = self.r * S::from_f64(8.0) * cos_a2_head_angle;
-        let w_161 = w_32 * w_77 * (w_16 * w_159 - w_11 * w_160);
-        let w_162 = w_129
-            * (w_10_squared
-                * (w_76 * w_128 + platform_q0_dot * w_11 * w_130
-                    + platform_q0 * w_33 * w_135) + platform_q0 * w_161
-                - platform_q3_dot * w_10 * w_131);
-        let w_163 = w_32 * w_77 * (w_19 * w_160 - w_21 * w_159);
-        let w_164 = w_132
-            * (w_10_squared
-                * (platform_q0_dot * w_21 * w_128 - w_82 * w_130
-                    + platform_q0 * w_44 * w_136) + platform_q0 * w_163
-                + platform_q3_dot * w_10 * w_127);
-        let w_165 = w_32 * w_77 * (w_25 * w_160 + w_26 * w_159);
-        let w_166 = a2_on_platform_z
-            * (w_10_squared * (w_86 * w_130 + w_88 * w_128) - platform_q0 * w_165
-                + w_10 * (platform_q2_dot * w_127 - platform_q1_dot * w_131));
-        let w_167 = w_129
-            * (w_10_squared
-                * (w_91 * w_128 + platform_q1_dot * w_11 * w_130
-                    + platform_q1 * w_33 * w_135) + platform_q1 * w_161
-                + platform_q2_dot * w_10 * w_131);
-        let w_168 = w_132
-            * (platform_q2_dot * w_10 * w_127 - w_93 * w_130
-                + platform_q1 * w_19 * w_32 * w_77 * w_160 - w_95 * w_128);
-        let w_169 = a2_on_platform_z
-            * (w_10_squared * (w_97 * w_130 - w_99 * w_128)
-                + w_10 * (platform_q3_dot * w_127 + platform_q0_dot * w_131)
-                + platform_q1 * w_165);
-        let w_170 = platform_q1_dot
-            * (w_137 * w_150 + w_167 + w_138 * w_151 + w_168 + w_139 * w_152 + w_169);
-        let w_171 = w_129
-            * (w_102 * w_128 + platform_q1_dot * w_10 * w_131 - w_104 * w_130
-                + platform_q2 * w_16 * w_32 * w_77 * w_159);
-        let w_172 = w_132
-            * (w_10_squared
-                * (platform_q2_dot * w_21 * w_128 - w_106 * w_130
-                    + platform_q2 * w_44 * w_136) + platform_q2 * w_163
-                + platform_q1_dot * w_10 * w_127);
-        let w_173 = a2_on_platform_z
-            * (w_10_squared * (w_108 * w_130 - w_109 * w_128)
-                + w_10 * (platform_q3_dot * w_131 - platform_q0_dot * w_127)
-                + platform_q2 * w_165);
-        let w_174 = platform_q2_dot
-            * (w_137 * w_154 + w_171 + w_138 * w_155 + w_172 + w_139 * w_156 + w_173);
-        let w_175 = w_129
-            * (w_112 * w_128 + platform_q0_dot * w_10 * w_131 + w_113 * w_130
-                - platform_q3 * w_16 * w_32 * w_77 * w_159);
-        let w_176 = w_132
-            * (platform_q0_dot * w_10 * w_127 - w_115 * w_130
-                + platform_q3 * w_19 * w_32 * w_77 * w_160 - w_116 * w_128);
-        let w_177 = a2_on_platform_z
-            * (w_10_squared * (w_118 * w_130 - w_119 * w_128)
-                + w_10 * (platform_q2_dot * w_131 + platform_q1_dot * w_127)
-                + platform_q3 * w_165);
-        let w_178 = platform_q3_dot
-            * (w_137 * w_141 + w_175 - w_138 * w_142 - w_176 - w_139 * w_144 - w_177);
-        let w_179 = (platform_q0_dot
-            * (w_137 * w_146 + w_162 + w_138 * w_148 + w_164 - w_139 * w_149 - w_166)
-            + w_170 + w_174 - w_178) / w_134;
-        let w_180 = w_140
-            * ((platform_x_dot * w_129 + platform_y_dot * w_132
-                + platform_z_dot * a2_on_platform_z) / w_134_squared);
-        let w_181 = sin_w * w_125;
-        let w_182 = w_126 * w_7;
-        let w_183 = self.r * cos_b1_head_angle;
-        let w_184 = S::from_f64(2.0) * self.r * sin_b1_head_angle;
-        let w_185 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_183
-            + w_10 * w_16 * w_184;
-        let w_186 = S::from_f64(2.0) * self.r * cos_b1_head_angle;
-        let w_187 = self.r * sin_b1_head_angle;
-        let w_188 = platform_y - self.R * sin_b1_foot_angle + w_10 * w_19 * w_186
-            - w_22 * w_187;
-        let w_189 = w_25 * w_186 + w_26 * w_184;
-        let b1_on_platform_z = w_10 * w_189 + platform_z;
-        let w_190 = w_185 * w_185 + w_188 * w_188 + b1_on_platform_z * b1_on_platform_z;
-        let w_191 = self.r * S::from_f64(4.0) * cos_b1_head_angle;
-        let w_192 = self.r * S::from_f64(4.0) * sin_b1_head_angle;
-        let w_193 = platform_x_dot + w_34 * w_191 - w_16 * w_10_squared * w_32 * w_192
-            - w_10 * w_41 * w_184;
-        let w_194 = platform_y_dot + w_10 * w_43 * w_186
-            - w_19 * w_10_squared * w_32 * w_191 + w_45 * w_192;
-        let w_195 = w_10 * (w_47 * w_184 - w_48 * w_186)
-            - w_10_squared * w_32 * (w_25 * w_191 + w_26 * w_192) + platform_z_dot;
-        let w_196 = w_185 * w_193 + w_188 * w_194 + b1_on_platform_z * w_195;
-        let w_197 = platform_q0 * w_10 * w_187 + w_52 * w_186
-            + platform_q3 * w_16 * w_10_squared * w_184;
-        let w_198 = platform_q0 * w_10 * w_183
-            - platform_q3 * w_19 * w_10_squared * w_186 - w_55 * w_184;
-        let w_199 = w_10_squared * w_189;
-        let w_200 = w_10 * (platform_q2 * w_187 + platform_q1 * w_183)
-            - platform_q3 * w_199;
-        let w_201 = w_10_squared * (w_11 * w_186 - w_16 * w_184);
-        let w_202 = platform_q0 * w_201 - platform_q3 * w_10 * w_187;
-        let w_203 = w_10_squared * (w_21 * w_184 - w_19 * w_186);
-        let w_204 = platform_q0 * w_203 + platform_q3 * w_10 * w_183;
-        let w_205 = platform_q0 * w_199
-            + w_10 * (platform_q2 * w_183 - platform_q1 * w_187);
-        let w_206 = platform_q1 * w_201 + platform_q2 * w_10 * w_187;
-        let w_207 = platform_q2 * w_10 * w_183
-            - platform_q1 * w_19 * w_10_squared * w_186 - w_65 * w_184;
-        let w_208 = w_10 * (platform_q3 * w_183 + platform_q0 * w_187)
-            - platform_q1 * w_199;
-        let w_209 = platform_q1_dot
-            * (w_185 * w_206 + w_188 * w_207 + b1_on_platform_z * w_208);
-        let w_210 = platform_q1 * w_10 * w_187 - w_69 * w_186
-            - platform_q2 * w_16 * w_10_squared * w_184;
-        let w_211 = platform_q2 * w_203 + platform_q1 * w_10 * w_183;
-        let w_212 = w_10 * (platform_q3 * w_187 - platform_q0 * w_183)
-            - platform_q2 * w_199;
-        let w_213 = platform_q2_dot
-            * (w_185 * w_210 + w_188 * w_211 + b1_on_platform_z * w_212);
-        let w_214 = platform_q3_dot
-            * (w_185 * w_197 - w_188 * w_198 - b1_on_platform_z * w_200)
+                * (w_164 * w_181 + w_167 * w_183 - a2_on_platform_z * w_184) - w_188
+            - w_192;
+        let w_169_squared = w_169 * w_169;
+        let w_194 = w_100 * sin_a2_head_angle;
+        let w_195 = w_100 * cos_a2_head_angle;
+        let w_196 = w_35 * w_99 * (w_18 * w_194 - w_11 * w_195);
+        let w_197 = w_35 * w_99 * (w_22 * w_195 - w_24 * w_194);
+        let w_198 = w_167
+            * (w_10_squared * (w_105 * w_163 - w_106 * w_165 + w_107 * w_171)
+                + platform_q0 * w_197 + w_104 * w_162);
+        let w_199 = w_35 * w_99 * (w_28 * w_195 + w_29 * w_194);
+        let w_200 = a2_on_platform_z
+            * (w_10_squared * (w_111 * w_165 + w_113 * w_163) - platform_q0 * w_199
+                + w_10 * (platform_q2_dot * w_162 - platform_q1_dot * w_166));
+        let w_201 = w_172 * w_181
+            + w_164
+                * (w_10_squared * (w_96 * w_163 + w_97 * w_165 + w_98 * w_170)
+                    + platform_q0 * w_196 - w_104 * w_166) + w_173 * w_183 + w_198
+            - w_174 * w_184 - w_200;
+        let w_202 = w_164
+            * (w_10_squared * (w_117 * w_163 + w_118 * w_165 + w_119 * w_170)
+                + platform_q1 * w_196 + w_120 * w_166);
+        let w_203 = a2_on_platform_z
+            * (w_10_squared * (w_127 * w_165 - w_129 * w_163)
+                + w_10 * (platform_q3_dot * w_162 + platform_q0_dot * w_166)
+                + platform_q1 * w_199);
+        let w_204 = w_172 * w_185 + w_202 + w_173 * w_186
+            + w_167 * (w_120 * w_162 - w_122 * w_165 + w_124 * w_195 - w_126 * w_163)
+            + w_174 * w_187 + w_203;
+        let w_205 = w_167
+            * (w_10_squared * (w_137 * w_163 - w_138 * w_165 + w_139 * w_171)
+                + platform_q2 * w_197 + w_133 * w_162);
+        let w_206 = a2_on_platform_z
+            * (w_10_squared * (w_141 * w_165 - w_142 * w_163)
+                + w_10 * (platform_q3_dot * w_166 - platform_q0_dot * w_162)
+                + platform_q2 * w_199);
+        let w_207 = w_172 * w_189
+            + w_164 * (w_132 * w_163 + w_133 * w_166 - w_135 * w_165 + w_136 * w_194)
+            + w_173 * w_190 + w_205 + w_174 * w_191 + w_206;
+        let w_208 = w_167
+            * (w_146 * w_162 - w_150 * w_165 + w_151 * w_195 - w_152 * w_163);
+        let w_209 = a2_on_platform_z
+            * (w_10_squared * (w_154 * w_165 - w_155 * w_163)
+                + w_10 * (platform_q2_dot * w_166 + platform_q1_dot * w_162)
+                + platform_q3 * w_199);
+        let w_210 = w_172 * w_176
+            + w_164 * (w_145 * w_163 + w_146 * w_166 + w_147 * w_165 - w_149 * w_194)
+            - w_173 * w_177 - w_208 - w_174 * w_179 - w_209;
+        let w_211 = S::from_f64(2.0)
+            * (w_175 * (w_193 / w_169_squared)
+                + (platform_q0_dot * w_201 + platform_q1_dot * w_204
+                    + platform_q2_dot * w_207 - platform_q3_dot * w_210) / w_169);
+        let w_212 = w_211
+            + (platform_x_dot * w_172 + platform_y_dot * w_173 + platform_z_dot * w_174)
+                / w_169
+            - w_175
+                * ((platform_x_dot * w_164 + platform_y_dot * w_167
+                    + platform_z_dot * a2_on_platform_z) / w_169_squared);
+        let w_213 = sin_w * w_160;
+        let w_214 = w_161 * w_7;
+        let w_215 = self.r * cos_b1_head_angle;
+        let w_216 = w_14 * sin_b1_head_angle;
+        let w_217 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_215
+            + w_19 * w_216;
+        let w_218 = w_14 * cos_b1_head_angle;
+        let w_219 = self.r * sin_b1_head_angle;
+        let w_220 = platform_y - self.R * sin_b1_foot_angle + w_23 * w_218
+            - w_25 * w_219;
+        let w_221 = w_28 * w_218 + w_29 * w_216;
+        let b1_on_platform_z = w_10 * w_221 + platform_z;
+        let w_222 = w_217 * w_217 + w_220 * w_220 + b1_on_platform_z * b1_on_platform_z;
+        let w_223 = w_39 * cos_b1_head_angle;
+        let w_224 = w_39 * sin_b1_head_angle;
+        let w_225 = platform_x_dot + w_38 * w_223 - w_43 * w_224 - w_49 * w_216;
+        let w_226 = platform_y_dot + w_52 * w_218 - w_54 * w_223 + w_57 * w_224;
+        let w_227 = w_10 * (w_59 * w_216 - w_60 * w_218)
+            - w_10_squared * w_35 * (w_28 * w_223 + w_29 * w_224) + platform_z_dot;
+        let w_228 = w_217 * w_225 + w_220 * w_226 + b1_on_platform_z * w_227;
+        let w_229 = w_63 * w_219 + w_65 * w_218 + w_66 * w_216;
+        let w_230 = w_63 * w_215 - w_68 * w_218 - w_70 * w_216;
+        let w_231 = w_10_squared * w_221;
+        let w_232 = w_10 * (platform_q2 * w_219 + platform_q1 * w_215)
+            - platform_q3 * w_231;
+        let w_233 = w_10_squared * (w_11 * w_218 - w_18 * w_216);
+        let w_234 = platform_q0 * w_233 - w_75 * w_219;
+        let w_235 = w_10_squared * (w_24 * w_216 - w_22 * w_218);
+        let w_236 = platform_q0 * w_235 + w_75 * w_215;
+        let w_237 = platform_q0 * w_231
+            + w_10 * (platform_q2 * w_215 - platform_q1 * w_219);
+        let w_238 = platform_q1 * w_233 + w_80 * w_219;
+        let w_239 = w_80 * w_215 - w_82 * w_218 - w_83 * w_216;
+        let w_240 = w_10 * (platform_q3 * w_215 + platform_q0 * w_219)
+            - platform_q1 * w_231;
+        let w_241 = platform_q1_dot
+            * (w_217 * w_238 + w_220 * w_239 + b1_on_platform_z * w_240);
+        let w_242 = w_87 * w_219 - w_88 * w_218 - w_89 * w_216;
+        let w_243 = platform_q2 * w_235 + w_87 * w_215;
+        let w_244 = w_10 * (platform_q3 * w_219 - platform_q0 * w_215)
+            - platform_q2 * w_231;
+        let w_245 = platform_q2_dot
+            * (w_217 * w_242 + w_220 * w_243 + b1_on_platform_z * w_244);
+        let w_246 = platform_q3_dot
+            * (w_217 * w_229 - w_220 * w_230 - b1_on_platform_z * w_232)
             - platform_q0_dot
-                * (w_185 * w_202 + w_188 * w_204 - b1_on_platform_z * w_205) - w_209
-            - w_213;
-        let w_190_squared = w_190 * w_190;
-        let w_215 = self.r * S::from_f64(8.0) * sin_b1_head_angle;
-        let w_216 = self.r * S::from_f64(8.0) * cos_b1_head_angle;
-        let w_217 = w_32 * w_77 * (w_16 * w_215 - w_11 * w_216);
-        let w_218 = w_185
-            * (w_10_squared
-                * (w_76 * w_184 + platform_q0_dot * w_11 * w_186
-                    + platform_q0 * w_33 * w_191) + platform_q0 * w_217
-                - platform_q3_dot * w_10 * w_187);
-        let w_219 = w_32 * w_77 * (w_19 * w_216 - w_21 * w_215);
-        let w_220 = w_188
-            * (w_10_squared
-                * (platform_q0_dot * w_21 * w_184 - w_82 * w_186
-                    + platform_q0 * w_44 * w_192) + platform_q0 * w_219
-                + platform_q3_dot * w_10 * w_183);
-        let w_221 = w_32 * w_77 * (w_25 * w_216 + w_26 * w_215);
-        let w_222 = b1_on_platform_z
-            * (w_10_squared * (w_86 * w_186 + w_88 * w_184) - platform_q0 * w_221
-                + w_10 * (platform_q2_dot * w_183 - platform_q1_dot * w_187));
-        let w_223 = w_185
-            * (w_10_squared
-                * (w_91 * w_184 + platform_q1_dot * w_11 * w_186
-                    + platform_q1 * w_33 * w_191) + platform_q1 * w_217
-                + platform_q2_dot * w_10 * w_187);
-        let w_224 = w_188
-            * (platform_q2_dot * w_10 * w_183 - w_93 * w_186
-                + platform_q1 * w_19 * w_32 * w_77 * w_216 - w_95 * w_184);
-        let w_225 = b1_on_platform_z
-            * (w_10_squared * (w_97 * w_186 - w_99 * w_184)
-                + w_10 * (platform_q3_dot * w_183 + platform_q0_dot * w_187)
-                + platform_q1 * w_221);
-        let w_226 = platform_q1_dot
-            * (w_193 * w_206 + w_223 + w_194 * w_207 + w_224 + w_195 * w_208 + w_225);
-        let w_227 = w_185
-            * (w_102 * w_184 + platform_q1_dot * w_10 * w_187 - w_104 * w_186
-                + platform_q2 * w_16 * w_32 * w_77 * w_215);
-        let w_228 = w_188
-            * (w_10_squared
-                * (platform_q2_dot * w_21 * w_184 - w_106 * w_186
-                    + platform_q2 * w_44 * w_192) + platform_q2 * w_219
-                + platform_q1_dot * w_10 * w_183);
-        let w_229 = b1_on_platform_z
-            * (w_10_squared * (w_108 * w_186 - w_109 * w_184)
-                + w_10 * (platform_q3_dot * w_187 - platform_q0_dot * w_183)
-                + platform_q2 * w_221);
-        let w_230 = platform_q2_dot
-            * (w_193 * w_210 + w_227 + w_194 * w_211 + w_228 + w_195 * w_212 + w_229);
-        let w_231 = w_185
-            * (w_112 * w_184 + platform_q0_dot * w_10 * w_187 + w_113 * w_186
-                - platform_q3 * w_16 * w_32 * w_77 * w_215);
-        let w_232 = w_188
-            * (platform_q0_dot * w_10 * w_183 - w_115 * w_186
-                + platform_q3 * w_19 * w_32 * w_77 * w_216 - w_116 * w_184);
-        let w_233 = b1_on_platform_z
-            * (w_10_squared * (w_118 * w_186 - w_119 * w_184)
-                + w_10 * (platform_q2_dot * w_187 + platform_q1_dot * w_183)
-                + platform_q3 * w_221);
-        let w_234 = platform_q3_dot
-            * (w_193 * w_197 + w_231 - w_194 * w_198 - w_232 - w_195 * w_200 - w_233);
-        let w_235 = (platform_q0_dot
-            * (w_193 * w_202 + w_218 + w_194 * w_204 + w_220 - w_195 * w_205 - w_222)
-            + w_226 + w_230 - w_234) / w_190;
-        let w_236 = w_196
-            * ((platform_x_dot * w_185 + platform_y_dot * w_188
-                + platform_z_dot * b1_on_platform_z) / w_190_squared);
-        let w_237 = self.r * cos_b2_head_angle;
-        let w_238 = S::from_f64(2.0) * self.r * sin_b2_head_angle;
-        let w_239 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_237
-            + w_10 * w_16 * w_238;
-        let w_240 = S::from_f64(2.0) * self.r * cos_b2_head_angle;
-        let w_241 = self.r * sin_b2_head_angle;
-        let w_242 = platform_y - self.R * sin_b2_foot_angle + w_10 * w_19 * w_240
-            - w_22 * w_241;
-        let w_243 = w_25 * w_240 + w_26 * w_238;
-        let b2_on_platform_z = w_10 * w_243 + platform_z;
-        let w_244 = w_239 * w_239 + w_242 * w_242 + b2_on_platform_z * b2_on_platform_z;
-        let w_245 = self.r * S::from_f64(4.0) * cos_b2_head_angle;
-        let w_246 = self.r * S::from_f64(4.0) * sin_b2_head_angle;
-        let w_247 = platform_x_dot + w_34 * w_245 - w_16 * w_10_squared * w_32 * w_246
-            - w_10 * w_41 * w_238;
-        let w_248 = platform_y_dot + w_10 * w_43 * w_240
-            - w_19 * w_10_squared * w_32 * w_245 + w_45 * w_246;
-        let w_249 = w_10 * (w_47 * w_238 - w_48 * w_240)
-            - w_10_squared * w_32 * (w_25 * w_245 + w_26 * w_246) + platform_z_dot;
-        let w_250 = w_239 * w_247 + w_242 * w_248 + b2_on_platform_z * w_249;
-        let w_251 = platform_q0 * w_10 * w_241 + w_52 * w_240
-            + platform_q3 * w_16 * w_10_squared * w_238;
-        let w_252 = platform_q0 * w_10 * w_237
-            - platform_q3 * w_19 * w_10_squared * w_240 - w_55 * w_238;
-        let w_253 = w_10_squared * w_243;
-        let w_254 = w_10 * (platform_q2 * w_241 + platform_q1 * w_237)
-            - platform_q3 * w_253;
-        let w_255 = w_10_squared * (w_11 * w_240 - w_16 * w_238);
-        let w_256 = platform_q0 * w_255 - platform_q3 * w_10 * w_241;
-        let w_257 = w_10_squared * (w_21 * w_238 - w_19 * w_240);
-        let w_258 = platform_q0 * w_257 + platform_q3 * w_10 * w_237;
-        let w_259 = platform_q0 * w_253
-            + w_10 * (platform_q2 * w_237 - platform_q1 * w_241);
-        let w_260 = platform_q1 * w_255 + platform_q2 * w_10 * w_241;
-        let w_261 = platform_q2 * w_10 * w_237
-            - platform_q1 * w_19 * w_10_squared * w_240 - w_65 * w_238;
-        let w_262 = w_10 * (platform_q3 * w_237 + platform_q0 * w_241)
-            - platform_q1 * w_253;
-        let w_263 = platform_q1_dot
-            * (w_239 * w_260 + w_242 * w_261 + b2_on_platform_z * w_262);
-        let w_264 = platform_q1 * w_10 * w_241 - w_69 * w_240
-            - platform_q2 * w_16 * w_10_squared * w_238;
-        let w_265 = platform_q2 * w_257 + platform_q1 * w_10 * w_237;
-        let w_266 = w_10 * (platform_q3 * w_241 - platform_q0 * w_237)
-            - platform_q2 * w_253;
-        let w_267 = platform_q2_dot
-            * (w_239 * w_264 + w_242 * w_265 + b2_on_platform_z * w_266);
-        let w_268 = platform_q3_dot
-            * (w_239 * w_251 - w_242 * w_252 - b2_on_platform_z * w_254)
+                * (w_217 * w_234 + w_220 * w_236 - b1_on_platform_z * w_237) - w_241
+            - w_245;
+        let w_222_squared = w_222 * w_222;
+        let w_247 = w_100 * sin_b1_head_angle;
+        let w_248 = w_100 * cos_b1_head_angle;
+        let w_249 = w_35 * w_99 * (w_18 * w_247 - w_11 * w_248);
+        let w_250 = w_35 * w_99 * (w_22 * w_248 - w_24 * w_247);
+        let w_251 = w_220
+            * (w_10_squared * (w_105 * w_216 - w_106 * w_218 + w_107 * w_224)
+                + platform_q0 * w_250 + w_104 * w_215);
+        let w_252 = w_35 * w_99 * (w_28 * w_248 + w_29 * w_247);
+        let w_253 = b1_on_platform_z
+            * (w_10_squared * (w_111 * w_218 + w_113 * w_216) - platform_q0 * w_252
+                + w_10 * (platform_q2_dot * w_215 - platform_q1_dot * w_219));
+        let w_254 = w_225 * w_234
+            + w_217
+                * (w_10_squared * (w_96 * w_216 + w_97 * w_218 + w_98 * w_223)
+                    + platform_q0 * w_249 - w_104 * w_219) + w_226 * w_236 + w_251
+            - w_227 * w_237 - w_253;
+        let w_255 = w_217
+            * (w_10_squared * (w_117 * w_216 + w_118 * w_218 + w_119 * w_223)
+                + platform_q1 * w_249 + w_120 * w_219);
+        let w_256 = b1_on_platform_z
+            * (w_10_squared * (w_127 * w_218 - w_129 * w_216)
+                + w_10 * (platform_q3_dot * w_215 + platform_q0_dot * w_219)
+                + platform_q1 * w_252);
+        let w_257 = w_225 * w_238 + w_255 + w_226 * w_239
+            + w_220 * (w_120 * w_215 - w_122 * w_218 + w_124 * w_248 - w_126 * w_216)
+            + w_227 * w_240 + w_256;
+        let w_258 = w_220
+            * (w_10_squared * (w_137 * w_216 - w_138 * w_218 + w_139 * w_224)
+                + platform_q2 * w_250 + w_133 * w_215);
+        let w_259 = b1_on_platform_z
+            * (w_10_squared * (w_141 * w_218 - w_142 * w_216)
+                + w_10 * (platform_q3_dot * w_219 - platform_q0_dot * w_215)
+                + platform_q2 * w_252);
+        let w_260 = w_225 * w_242
+            + w_217 * (w_132 * w_216 + w_133 * w_219 - w_135 * w_218 + w_136 * w_247)
+            + w_226 * w_243 + w_258 + w_227 * w_244 + w_259;
+        let w_261 = w_220
+            * (w_146 * w_215 - w_150 * w_218 + w_151 * w_248 - w_152 * w_216);
+        let w_262 = b1_on_platform_z
+            * (w_10_squared * (w_154 * w_218 - w_155 * w_216)
+                + w_10 * (platform_q2_dot * w_219 + platform_q1_dot * w_215)
+                + platform_q3 * w_252);
+        let w_263 = w_225 * w_229
+            + w_217 * (w_145 * w_216 + w_146 * w_219 + w_147 * w_218 - w_149 * w_247)
+            - w_226 * w_230 - w_261 - w_227 * w_232 - w_262;
+        let w_264 = S::from_f64(2.0)
+            * (w_228 * (w_246 / w_222_squared)
+                + (platform_q0_dot * w_254 + platform_q1_dot * w_257
+                    + platform_q2_dot * w_260 - platform_q3_dot * w_263) / w_222);
+        let w_265 = w_264
+            + (platform_x_dot * w_225 + platform_y_dot * w_226 + platform_z_dot * w_227)
+                / w_222
+            - w_228
+                * ((platform_x_dot * w_217 + platform_y_dot * w_220
+                    + platform_z_dot * b1_on_platform_z) / w_222_squared);
+        let w_266 = self.r * cos_b2_head_angle;
+        let w_267 = w_14 * sin_b2_head_angle;
+        let w_268 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_266
+            + w_19 * w_267;
+        let w_269 = w_14 * cos_b2_head_angle;
+        let w_270 = self.r * sin_b2_head_angle;
+        let w_271 = platform_y - self.R * sin_b2_foot_angle + w_23 * w_269
+            - w_25 * w_270;
+        let w_272 = w_28 * w_269 + w_29 * w_267;
+        let b2_on_platform_z = w_10 * w_272 + platform_z;
+        let w_273 = w_268 * w_268 + w_271 * w_271 + b2_on_platform_z * b2_on_platform_z;
+        let w_274 = w_39 * cos_b2_head_angle;
+        let w_275 = w_39 * sin_b2_head_angle;
+        let w_276 = platform_x_dot + w_38 * w_274 - w_43 * w_275 - w_49 * w_267;
+        let w_277 = platform_y_dot + w_52 * w_269 - w_54 * w_274 + w_57 * w_275;
+        let w_278 = w_10 * (w_59 * w_267 - w_60 * w_269)
+            - w_10_squared * w_35 * (w_28 * w_274 + w_29 * w_275) + platform_z_dot;
+        let w_279 = w_268 * w_276 + w_271 * w_277 + b2_on_platform_z * w_278;
+        let w_280 = w_63 * w_270 + w_65 * w_269 + w_66 * w_267;
+        let w_281 = w_63 * w_266 - w_68 * w_269 - w_70 * w_267;
+        let w_282 = w_10_squared * w_272;
+        let w_283 = w_10 * (platform_q2 * w_270 + platform_q1 * w_266)
+            - platform_q3 * w_282;
+        let w_284 = w_10_squared * (w_11 * w_269 - w_18 * w_267);
+        let w_285 = platform_q0 * w_284 - w_75 * w_270;
+        let w_286 = w_10_squared * (w_24 * w_267 - w_22 * w_269);
+        let w_287 = platform_q0 * w_286 + w_75 * w_266;
+        let w_288 = platform_q0 * w_282
+            + w_10 * (platform_q2 * w_266 - platform_q1 * w_270);
+        let w_289 = platform_q1 * w_284 + w_80 * w_270;
+        let w_290 = w_80 * w_266 - w_82 * w_269 - w_83 * w_267;
+        let w_291 = w_10 * (platform_q3 * w_266 + platform_q0 * w_270)
+            - platform_q1 * w_282;
+        let w_292 = platform_q1_dot
+            * (w_268 * w_289 + w_271 * w_290 + b2_on_platform_z * w_291);
+        let w_293 = w_87 * w_270 - w_88 * w_269 - w_89 * w_267;
+        let w_294 = platform_q2 * w_286 + w_87 * w_266;
+        let w_295 = w_10 * (platform_q3 * w_270 - platform_q0 * w_266)
+            - platform_q2 * w_282;
+        let w_296 = platform_q2_dot
+            * (w_268 * w_293 + w_271 * w_294 + b2_on_platform_z * w_295);
+        let w_297 = platform_q3_dot
+            * (w_268 * w_280 - w_271 * w_281 - b2_on_platform_z * w_283)
             - platform_q0_dot
-                * (w_239 * w_256 + w_242 * w_258 - b2_on_platform_z * w_259) - w_263
-            - w_267;
-        let w_244_squared = w_244 * w_244;
-        let w_269 = self.r * S::from_f64(8.0) * sin_b2_head_angle;
-        let w_270 = self.r * S::from_f64(8.0) * cos_b2_head_angle;
-        let w_271 = w_32 * w_77 * (w_16 * w_269 - w_11 * w_270);
-        let w_272 = w_239
-            * (w_10_squared
-                * (w_76 * w_238 + platform_q0_dot * w_11 * w_240
-                    + platform_q0 * w_33 * w_245) + platform_q0 * w_271
-                - platform_q3_dot * w_10 * w_241);
-        let w_273 = w_32 * w_77 * (w_19 * w_270 - w_21 * w_269);
-        let w_274 = w_242
-            * (w_10_squared
-                * (platform_q0_dot * w_21 * w_238 - w_82 * w_240
-                    + platform_q0 * w_44 * w_246) + platform_q0 * w_273
-                + platform_q3_dot * w_10 * w_237);
-        let w_275 = w_32 * w_77 * (w_25 * w_270 + w_26 * w_269);
-        let w_276 = b2_on_platform_z
-            * (w_10_squared * (w_86 * w_240 + w_88 * w_238) - platform_q0 * w_275
-                + w_10 * (platform_q2_dot * w_237 - platform_q1_dot * w_241));
-        let w_277 = w_239
-            * (w_10_squared
-                * (w_91 * w_238 + platform_q1_dot * w_11 * w_240
-                    + platform_q1 * w_33 * w_245) + platform_q1 * w_271
-                + platform_q2_dot * w_10 * w_241);
-        let w_278 = w_242
-            * (platform_q2_dot * w_10 * w_237 - w_93 * w_240
-                + platform_q1 * w_19 * w_32 * w_77 * w_270 - w_95 * w_238);
-        let w_279 = b2_on_platform_z
-            * (w_10_squared * (w_97 * w_240 - w_99 * w_238)
-                + w_10 * (platform_q3_dot * w_237 + platform_q0_dot * w_241)
-                + platform_q1 * w_275);
-        let w_280 = platform_q1_dot
-            * (w_247 * w_260 + w_277 + w_248 * w_261 + w_278 + w_249 * w_262 + w_279);
-        let w_281 = w_239
-            * (w_102 * w_238 + platform_q1_dot * w_10 * w_241 - w_104 * w_240
-                + platform_q2 * w_16 * w_32 * w_77 * w_269);
-        let w_282 = w_242
-            * (w_10_squared
-                * (platform_q2_dot * w_21 * w_238 - w_106 * w_240
-                    + platform_q2 * w_44 * w_246) + platform_q2 * w_273
-                + platform_q1_dot * w_10 * w_237);
-        let w_283 = b2_on_platform_z
-            * (w_10_squared * (w_108 * w_240 - w_109 * w_238)
-                + w_10 * (platform_q3_dot * w_241 - platform_q0_dot * w_237)
-                + platform_q2 * w_275);
-        let w_284 = platform_q2_dot
-            * (w_247 * w_264 + w_281 + w_248 * w_265 + w_282 + w_249 * w_266 + w_283);
-        let w_285 = w_239
-            * (w_112 * w_238 + platform_q0_dot * w_10 * w_241 + w_113 * w_240
-                - platform_q3 * w_16 * w_32 * w_77 * w_269);
-        let w_286 = w_242
-            * (platform_q0_dot * w_10 * w_237 - w_115 * w_240
-                + platform_q3 * w_19 * w_32 * w_77 * w_270 - w_116 * w_238);
-        let w_287 = b2_on_platform_z
-            * (w_10_squared * (w_118 * w_240 - w_119 * w_238)
-                + w_10 * (platform_q2_dot * w_241 + platform_q1_dot * w_237)
-                + platform_q3 * w_275);
-        let w_288 = platform_q3_dot
-            * (w_247 * w_251 + w_285 - w_248 * w_252 - w_286 - w_249 * w_254 - w_287);
-        let w_289 = (platform_q0_dot
-            * (w_247 * w_256 + w_272 + w_248 * w_258 + w_274 - w_249 * w_259 - w_276)
-            + w_280 + w_284 - w_288) / w_244;
-        let w_290 = w_250
-            * ((platform_x_dot * w_239 + platform_y_dot * w_242
-                + platform_z_dot * b2_on_platform_z) / w_244_squared);
-        let w_291 = w_126 * w_8;
-        let w_292 = self.r * cos_c1_head_angle;
-        let w_293 = S::from_f64(2.0) * self.r * sin_c1_head_angle;
-        let w_294 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_292
-            + w_10 * w_16 * w_293;
-        let w_295 = S::from_f64(2.0) * self.r * cos_c1_head_angle;
-        let w_296 = self.r * sin_c1_head_angle;
-        let w_297 = platform_y - self.R * sin_c1_foot_angle + w_10 * w_19 * w_295
-            - w_22 * w_296;
-        let w_298 = w_25 * w_295 + w_26 * w_293;
-        let c1_on_platform_z = w_10 * w_298 + platform_z;
-        let w_299 = w_294 * w_294 + w_297 * w_297 + c1_on_platform_z * c1_on_platform_z;
-        let w_300 = self.r * S::from_f64(4.0) * cos_c1_head_angle;
-        let w_301 = self.r * S::from_f64(4.0) * sin_c1_head_angle;
-        let w_302 = platform_x_dot + w_34 * w_300 - w_16 * w_10_squared * w_32 * w_301
-            - w_10 * w_41 * w_293;
-        let w_303 = platform_y_dot + w_10 * w_43 * w_295
-            - w_19 * w_10_squared * w_32 * w_300 + w_45 * w_301;
-        let w_304 = w_10 * (w_47 * w_293 - w_48 * w_295)
-            - w_10_squared * w_32 * (w_25 * w_300 + w_26 * w_301) + platform_z_dot;
-        let w_305 = w_294 * w_302 + w_297 * w_303 + c1_on_platform_z * w_304;
-        let w_306 = platform_q0 * w_10 * w_296 + w_52 * w_295
-            + platform_q3 * w_16 * w_10_squared * w_293;
-        let w_307 = platform_q0 * w_10 * w_292
-            - platform_q3 * w_19 * w_10_squared * w_295 - w_55 * w_293;
-        let w_308 = w_10_squared * w_298;
-        let w_309 = w_10 * (platform_q2 * w_296 + platform_q1 * w_292)
-            - platform_q3 * w_308;
-        let w_310 = w_10_squared * (w_11 * w_295 - w_16 * w_293);
-        let w_311 = platform_q0 * w_310 - platform_q3 * w_10 * w_296;
-        let w_312 = w_10_squared * (w_21 * w_293 - w_19 * w_295);
-        let w_313 = platform_q0 * w_312 + platform_q3 * w_10 * w_292;
-        let w_314 = platform_q0 * w_308
-            + w_10 * (platform_q2 * w_292 - platform_q1 * w_296);
-        let w_315 = platform_q1 * w_310 + platform_q2 * w_10 * w_296;
-        let w_316 = platform_q2 * w_10 * w_292
-            - platform_q1 * w_19 * w_10_squared * w_295 - w_65 * w_293;
-        let w_317 = w_10 * (platform_q3 * w_292 + platform_q0 * w_296)
-            - platform_q1 * w_308;
-        let w_318 = platform_q1_dot
-            * (w_294 * w_315 + w_297 * w_316 + c1_on_platform_z * w_317);
-        let w_319 = platform_q1 * w_10 * w_296 - w_69 * w_295
-            - platform_q2 * w_16 * w_10_squared * w_293;
-        let w_320 = platform_q2 * w_312 + platform_q1 * w_10 * w_292;
-        let w_321 = w_10 * (platform_q3 * w_296 - platform_q0 * w_292)
-            - platform_q2 * w_308;
-        let w_322 = platform_q2_dot
-            * (w_294 * w_319 + w_297 * w_320 + c1_on_platform_z * w_321);
-        let w_323 = platform_q3_dot
-            * (w_294 * w_306 - w_297 * w_307 - c1_on_platform_z * w_309)
+                * (w_268 * w_285 + w_271 * w_287 - b2_on_platform_z * w_288) - w_292
+            - w_296;
+        let w_273_squared = w_273 * w_273;
+        let w_298 = w_100 * sin_b2_head_angle;
+        let w_299 = w_100 * cos_b2_head_angle;
+        let w_300 = w_35 * w_99 * (w_18 * w_298 - w_11 * w_299);
+        let w_301 = w_35 * w_99 * (w_22 * w_299 - w_24 * w_298);
+        let w_302 = w_271
+            * (w_10_squared * (w_105 * w_267 - w_106 * w_269 + w_107 * w_275)
+                + platform_q0 * w_301 + w_104 * w_266);
+        let w_303 = w_35 * w_99 * (w_28 * w_299 + w_29 * w_298);
+        let w_304 = b2_on_platform_z
+            * (w_10_squared * (w_111 * w_269 + w_113 * w_267) - platform_q0 * w_303
+                + w_10 * (platform_q2_dot * w_266 - platform_q1_dot * w_270));
+        let w_305 = w_276 * w_285
+            + w_268
+                * (w_10_squared * (w_96 * w_267 + w_97 * w_269 + w_98 * w_274)
+                    + platform_q0 * w_300 - w_104 * w_270) + w_277 * w_287 + w_302
+            - w_278 * w_288 - w_304;
+        let w_306 = w_268
+            * (w_10_squared * (w_117 * w_267 + w_118 * w_269 + w_119 * w_274)
+                + platform_q1 * w_300 + w_120 * w_270);
+        let w_307 = b2_on_platform_z
+            * (w_10_squared * (w_127 * w_269 - w_129 * w_267)
+                + w_10 * (platform_q3_dot * w_266 + platform_q0_dot * w_270)
+                + platform_q1 * w_303);
+        let w_308 = w_276 * w_289 + w_306 + w_277 * w_290
+            + w_271 * (w_120 * w_266 - w_122 * w_269 + w_124 * w_299 - w_126 * w_267)
+            + w_278 * w_291 + w_307;
+        let w_309 = w_271
+            * (w_10_squared * (w_137 * w_267 - w_138 * w_269 + w_139 * w_275)
+                + platform_q2 * w_301 + w_133 * w_266);
+        let w_310 = b2_on_platform_z
+            * (w_10_squared * (w_141 * w_269 - w_142 * w_267)
+                + w_10 * (platform_q3_dot * w_270 - platform_q0_dot * w_266)
+                + platform_q2 * w_303);
+        let w_311 = w_276 * w_293
+            + w_268 * (w_132 * w_267 + w_133 * w_270 - w_135 * w_269 + w_136 * w_298)
+            + w_277 * w_294 + w_309 + w_278 * w_295 + w_310;
+        let w_312 = w_271
+            * (w_146 * w_266 - w_150 * w_269 + w_151 * w_299 - w_152 * w_267);
+        let w_313 = b2_on_platform_z
+            * (w_10_squared * (w_154 * w_269 - w_155 * w_267)
+                + w_10 * (platform_q2_dot * w_270 + platform_q1_dot * w_266)
+                + platform_q3 * w_303);
+        let w_314 = w_276 * w_280
+            + w_268 * (w_145 * w_267 + w_146 * w_270 + w_147 * w_269 - w_149 * w_298)
+            - w_277 * w_281 - w_312 - w_278 * w_283 - w_313;
+        let w_315 = S::from_f64(2.0)
+            * (w_279 * (w_297 / w_273_squared)
+                + (platform_q0_dot * w_305 + platform_q1_dot * w_308
+                    + platform_q2_dot * w_311 - platform_q3_dot * w_314) / w_273);
+        let w_316 = w_315
+            + (platform_x_dot * w_276 + platform_y_dot * w_277 + platform_z_dot * w_278)
+                / w_273
+            - w_279
+                * ((platform_x_dot * w_268 + platform_y_dot * w_271
+                    + platform_z_dot * b2_on_platform_z) / w_273_squared);
+        let w_317 = w_161 * w_8;
+        let w_318 = self.r * cos_c1_head_angle;
+        let w_319 = w_14 * sin_c1_head_angle;
+        let w_320 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_318
+            + w_19 * w_319;
+        let w_321 = w_14 * cos_c1_head_angle;
+        let w_322 = self.r * sin_c1_head_angle;
+        let w_323 = platform_y - self.R * sin_c1_foot_angle + w_23 * w_321
+            - w_25 * w_322;
+        let w_324 = w_28 * w_321 + w_29 * w_319;
+        let c1_on_platform_z = w_10 * w_324 + platform_z;
+        let w_325 = w_320 * w_320 + w_323 * w_323 + c1_on_platform_z * c1_on_platform_z;
+        let w_326 = w_39 * cos_c1_head_angle;
+        let w_327 = w_39 * sin_c1_head_angle;
+        let w_328 = platform_x_dot + w_38 * w_326 - w_43 * w_327 - w_49 * w_319;
+        let w_329 = platform_y_dot + w_52 * w_321 - w_54 * w_326 + w_57 * w_327;
+        let w_330 = w_10 * (w_59 * w_319 - w_60 * w_321)
+            - w_10_squared * w_35 * (w_28 * w_326 + w_29 * w_327) + platform_z_dot;
+        let w_331 = w_320 * w_328 + w_323 * w_329 + c1_on_platform_z * w_330;
+        let w_332 = w_63 * w_322 + w_65 * w_321 + w_66 * w_319;
+        let w_333 = w_63 * w_318 - w_68 * w_321 - w_70 * w_319;
+        let w_334 = w_10_squared * w_324;
+        let w_335 = w_10 * (platform_q2 * w_322 + platform_q1 * w_318)
+            - platform_q3 * w_334;
+        let w_336 = w_10_squared * (w_11 * w_321 - w_18 * w_319);
+        let w_337 = platform_q0 * w_336 - w_75 * w_322;
+        let w_338 = w_10_squared * (w_24 * w_319 - w_22 * w_321);
+        let w_339 = platform_q0 * w_338 + w_75 * w_318;
+        let w_340 = platform_q0 * w_334
+            + w_10 * (platform_q2 * w_318 - platform_q1 * w_322);
+        let w_341 = platform_q1 * w_336 + w_80 * w_322;
+        let w_342 = w_80 * w_318 - w_82 * w_321 - w_83 * w_319;
+        let w_343 = w_10 * (platform_q3 * w_318 + platform_q0 * w_322)
+            - platform_q1 * w_334;
+        let w_344 = platform_q1_dot
+            * (w_320 * w_341 + w_323 * w_342 + c1_on_platform_z * w_343);
+        let w_345 = w_87 * w_322 - w_88 * w_321 - w_89 * w_319;
+        let w_346 = platform_q2 * w_338 + w_87 * w_318;
+        let w_347 = w_10 * (platform_q3 * w_322 - platform_q0 * w_318)
+            - platform_q2 * w_334;
+        let w_348 = platform_q2_dot
+            * (w_320 * w_345 + w_323 * w_346 + c1_on_platform_z * w_347);
+        let w_349 = platform_q3_dot
+            * (w_320 * w_332 - w_323 * w_333 - c1_on_platform_z * w_335)
             - platform_q0_dot
-                * (w_294 * w_311 + w_297 * w_313 - c1_on_platform_z * w_314) - w_318
-            - w_322;
-        let w_299_squared = w_299 * w_299;
-        let w_324 = self.r * S::from_f64(8.0) * sin_c1_head_angle;
-        let w_325 = self.r * S::from_f64(8.0) * cos_c1_head_angle;
-        let w_326 = w_32 * w_77 * (w_16 * w_324 - w_11 * w_325);
-        let w_327 = w_294
-            * (w_10_squared
-                * (w_76 * w_293 + platform_q0_dot * w_11 * w_295
-                    + platform_q0 * w_33 * w_300) + platform_q0 * w_326
-                - platform_q3_dot * w_10 * w_296);
-        let w_328 = w_32 * w_77 * (w_19 * w_325 - w_21 * w_324);
-        let w_329 = w_297
-            * (w_10_squared
-                * (platform_q0_dot * w_21 * w_293 - w_82 * w_295
-                    + platform_q0 * w_44 * w_301) + platform_q0 * w_328
-                + platform_q3_dot * w_10 * w_292);
-        let w_330 = w_32 * w_77 * (w_25 * w_325 + w_26 * w_324);
-        let w_331 = c1_on_platform_z
-            * (w_10_squared * (w_86 * w_295 + w_88 * w_293) - platform_q0 * w_330
-                + w_10 * (platform_q2_dot * w_292 - platform_q1_dot * w_296));
-        let w_332 = w_294
-            * (w_10_squared
-                * (w_91 * w_293 + platform_q1_dot * w_11 * w_295
-                    + platform_q1 * w_33 * w_300) + platform_q1 * w_326
-                + platform_q2_dot * w_10 * w_296);
-        let w_333 = w_297
-            * (platform_q2_dot * w_10 * w_292 - w_93 * w_295
-                + platform_q1 * w_19 * w_32 * w_77 * w_325 - w_95 * w_293);
-        let w_334 = c1_on_platform_z
-            * (w_10_squared * (w_97 * w_295 - w_99 * w_293)
-                + w_10 * (platform_q3_dot * w_292 + platform_q0_dot * w_296)
-                + platform_q1 * w_330);
-        let w_335 = platform_q1_dot
-            * (w_302 * w_315 + w_332 + w_303 * w_316 + w_333 + w_304 * w_317 + w_334);
-        let w_336 = w_294
-            * (w_102 * w_293 + platform_q1_dot * w_10 * w_296 - w_104 * w_295
-                + platform_q2 * w_16 * w_32 * w_77 * w_324);
-        let w_337 = w_297
-            * (w_10_squared
-                * (platform_q2_dot * w_21 * w_293 - w_106 * w_295
-                    + platform_q2 * w_44 * w_301) + platform_q2 * w_328
-                + platform_q1_dot * w_10 * w_292);
-        let w_338 = c1_on_platform_z
-            * (w_10_squared * (w_108 * w_295 - w_109 * w_293)
-                + w_10 * (platform_q3_dot * w_296 - platform_q0_dot * w_292)
-                + platform_q2 * w_330);
-        let w_339 = platform_q2_dot
-            * (w_302 * w_319 + w_336 + w_303 * w_320 + w_337 + w_304 * w_321 + w_338);
-        let w_340 = w_294
-            * (w_112 * w_293 + platform_q0_dot * w_10 * w_296 + w_113 * w_295
-                - platform_q3 * w_16 * w_32 * w_77 * w_324);
-        let w_341 = w_297
-            * (platform_q0_dot * w_10 * w_292 - w_115 * w_295
-                + platform_q3 * w_19 * w_32 * w_77 * w_325 - w_116 * w_293);
-        let w_342 = c1_on_platform_z
-            * (w_10_squared * (w_118 * w_295 - w_119 * w_293)
-                + w_10 * (platform_q2_dot * w_296 + platform_q1_dot * w_292)
-                + platform_q3 * w_330);
-        let w_343 = platform_q3_dot
-            * (w_302 * w_306 + w_340 - w_303 * w_307 - w_341 - w_304 * w_309 - w_342);
-        let w_344 = (platform_q0_dot
-            * (w_302 * w_311 + w_327 + w_303 * w_313 + w_329 - w_304 * w_314 - w_331)
-            + w_335 + w_339 - w_343) / w_299;
-        let w_345 = w_305
-            * ((platform_x_dot * w_294 + platform_y_dot * w_297
-                + platform_z_dot * c1_on_platform_z) / w_299_squared);
-        let w_346 = self.r * cos_c2_head_angle;
-        let w_347 = S::from_f64(2.0) * self.r * sin_c2_head_angle;
-        let w_348 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_346
-            + w_10 * w_16 * w_347;
-        let w_349 = S::from_f64(2.0) * self.r * cos_c2_head_angle;
-        let w_350 = self.r * sin_c2_head_angle;
-        let w_351 = platform_y - self.R * sin_c2_foot_angle + w_10 * w_19 * w_349
-            - w_22 * w_350;
-        let w_352 = w_25 * w_349 + w_26 * w_347;
-        let c2_on_platform_z = w_10 * w_352 + platform_z;
-        let w_353 = w_348 * w_348 + w_351 * w_351 + c2_on_platform_z * c2_on_platform_z;
-        let w_354 = self.r * S::from_f64(4.0) * cos_c2_head_angle;
-        let w_355 = self.r * S::from_f64(4.0) * sin_c2_head_angle;
-        let w_356 = platform_x_dot + w_34 * w_354 - w_16 * w_10_squared * w_32 * w_355
-            - w_10 * w_41 * w_347;
-        let w_357 = platform_y_dot + w_10 * w_43 * w_349
-            - w_19 * w_10_squared * w_32 * w_354 + w_45 * w_355;
-        let w_358 = w_10 * (w_47 * w_347 - w_48 * w_349)
-            - w_10_squared * w_32 * (w_25 * w_354 + w_26 * w_355) + platform_z_dot;
-        let w_359 = w_348 * w_356 + w_351 * w_357 + c2_on_platform_z * w_358;
-        let w_360 = platform_q0 * w_10 * w_350 + w_52 * w_349
-            + platform_q3 * w_16 * w_10_squared * w_347;
-        let w_361 = platform_q0 * w_10 * w_346
-            - platform_q3 * w_19 * w_10_squared * w_349 - w_55 * w_347;
-        let w_362 = w_10_squared * w_352;
-        let w_363 = w_10 * (platform_q2 * w_350 + platform_q1 * w_346)
-            - platform_q3 * w_362;
-        let w_364 = w_10_squared * (w_11 * w_349 - w_16 * w_347);
-        let w_365 = platform_q0 * w_364 - platform_q3 * w_10 * w_350;
-        let w_366 = w_10_squared * (w_21 * w_347 - w_19 * w_349);
-        let w_367 = platform_q0 * w_366 + platform_q3 * w_10 * w_346;
-        let w_368 = platform_q0 * w_362
-            + w_10 * (platform_q2 * w_346 - platform_q1 * w_350);
-        let w_369 = platform_q1 * w_364 + platform_q2 * w_10 * w_350;
-        let w_370 = platform_q2 * w_10 * w_346
-            - platform_q1 * w_19 * w_10_squared * w_349 - w_65 * w_347;
-        let w_371 = w_10 * (platform_q3 * w_346 + platform_q0 * w_350)
-            - platform_q1 * w_362;
-        let w_372 = platform_q1_dot
-            * (w_348 * w_369 + w_351 * w_370 + c2_on_platform_z * w_371);
-        let w_373 = platform_q1 * w_10 * w_350 - w_69 * w_349
-            - platform_q2 * w_16 * w_10_squared * w_347;
-        let w_374 = platform_q2 * w_366 + platform_q1 * w_10 * w_346;
-        let w_375 = w_10 * (platform_q3 * w_350 - platform_q0 * w_346)
-            - platform_q2 * w_362;
-        let w_376 = platform_q2_dot
-            * (w_348 * w_373 + w_351 * w_374 + c2_on_platform_z * w_375);
-        let w_377 = platform_q3_dot
-            * (w_348 * w_360 - w_351 * w_361 - c2_on_platform_z * w_363)
+                * (w_320 * w_337 + w_323 * w_339 - c1_on_platform_z * w_340) - w_344
+            - w_348;
+        let w_325_squared = w_325 * w_325;
+        let w_350 = w_100 * sin_c1_head_angle;
+        let w_351 = w_100 * cos_c1_head_angle;
+        let w_352 = w_35 * w_99 * (w_18 * w_350 - w_11 * w_351);
+        let w_353 = w_35 * w_99 * (w_22 * w_351 - w_24 * w_350);
+        let w_354 = w_323
+            * (w_10_squared * (w_105 * w_319 - w_106 * w_321 + w_107 * w_327)
+                + platform_q0 * w_353 + w_104 * w_318);
+        let w_355 = w_35 * w_99 * (w_28 * w_351 + w_29 * w_350);
+        let w_356 = c1_on_platform_z
+            * (w_10_squared * (w_111 * w_321 + w_113 * w_319) - platform_q0 * w_355
+                + w_10 * (platform_q2_dot * w_318 - platform_q1_dot * w_322));
+        let w_357 = w_328 * w_337
+            + w_320
+                * (w_10_squared * (w_96 * w_319 + w_97 * w_321 + w_98 * w_326)
+                    + platform_q0 * w_352 - w_104 * w_322) + w_329 * w_339 + w_354
+            - w_330 * w_340 - w_356;
+        let w_358 = w_320
+            * (w_10_squared * (w_117 * w_319 + w_118 * w_321 + w_119 * w_326)
+                + platform_q1 * w_352 + w_120 * w_322);
+        let w_359 = c1_on_platform_z
+            * (w_10_squared * (w_127 * w_321 - w_129 * w_319)
+                + w_10 * (platform_q3_dot * w_318 + platform_q0_dot * w_322)
+                + platform_q1 * w_355);
+        let w_360 = w_328 * w_341 + w_358 + w_329 * w_342
+            + w_323 * (w_120 * w_318 - w_122 * w_321 + w_124 * w_351 - w_126 * w_319)
+            + w_330 * w_343 + w_359;
+        let w_361 = w_323
+            * (w_10_squared * (w_137 * w_319 - w_138 * w_321 + w_139 * w_327)
+                + platform_q2 * w_353 + w_133 * w_318);
+        let w_362 = c1_on_platform_z
+            * (w_10_squared * (w_141 * w_321 - w_142 * w_319)
+                + w_10 * (platform_q3_dot * w_322 - platform_q0_dot * w_318)
+                + platform_q2 * w_355);
+        let w_363 = w_328 * w_345
+            + w_320 * (w_132 * w_319 + w_133 * w_322 - w_135 * w_321 + w_136 * w_350)
+            + w_329 * w_346 + w_361 + w_330 * w_347 + w_362;
+        let w_364 = w_323
+            * (w_146 * w_318 - w_150 * w_321 + w_151 * w_351 - w_152 * w_319);
+        let w_365 = c1_on_platform_z
+            * (w_10_squared * (w_154 * w_321 - w_155 * w_319)
+                + w_10 * (platform_q2_dot * w_322 + platform_q1_dot * w_318)
+                + platform_q3 * w_355);
+        let w_366 = w_328 * w_332
+            + w_320 * (w_145 * w_319 + w_146 * w_322 + w_147 * w_321 - w_149 * w_350)
+            - w_329 * w_333 - w_364 - w_330 * w_335 - w_365;
+        let w_367 = S::from_f64(2.0)
+            * (w_331 * (w_349 / w_325_squared)
+                + (platform_q0_dot * w_357 + platform_q1_dot * w_360
+                    + platform_q2_dot * w_363 - platform_q3_dot * w_366) / w_325);
+        let w_368 = w_367
+            + (platform_x_dot * w_328 + platform_y_dot * w_329 + platform_z_dot * w_330)
+                / w_325
+            - w_331
+                * ((platform_x_dot * w_320 + platform_y_dot * w_323
+                    + platform_z_dot * c1_on_platform_z) / w_325_squared);
+        let w_369 = self.r * cos_c2_head_angle;
+        let w_370 = w_14 * sin_c2_head_angle;
+        let w_371 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_369
+            + w_19 * w_370;
+        let w_372 = w_14 * cos_c2_head_angle;
+        let w_373 = self.r * sin_c2_head_angle;
+        let w_374 = platform_y - self.R * sin_c2_foot_angle + w_23 * w_372
+            - w_25 * w_373;
+        let w_375 = w_28 * w_372 + w_29 * w_370;
+        let c2_on_platform_z = w_10 * w_375 + platform_z;
+        let w_376 = w_371 * w_371 + w_374 * w_374 + c2_on_platform_z * c2_on_platform_z;
+        let w_377 = w_39 * cos_c2_head_angle;
+        let w_378 = w_39 * sin_c2_head_angle;
+        let w_379 = platform_x_dot + w_38 * w_377 - w_43 * w_378 - w_49 * w_370;
+        let w_380 = platform_y_dot + w_52 * w_372 - w_54 * w_377 + w_57 * w_378;
+        let w_381 = w_10 * (w_59 * w_370 - w_60 * w_372)
+            - w_10_squared * w_35 * (w_28 * w_377 + w_29 * w_378) + platform_z_dot;
+        let w_382 = w_371 * w_379 + w_374 * w_380 + c2_on_platform_z * w_381;
+        let w_383 = w_63 * w_373 + w_65 * w_372 + w_66 * w_370;
+        let w_384 = w_63 * w_369 - w_68 * w_372 - w_70 * w_370;
+        let w_385 = w_10_squared * w_375;
+        let w_386 = w_10 * (platform_q2 * w_373 + platform_q1 * w_369)
+            - platform_q3 * w_385;
+        let w_387 = w_10_squared * (w_11 * w_372 - w_18 * w_370);
+        let w_388 = platform_q0 * w_387 - w_75 * w_373;
+        let w_389 = w_10_squared * (w_24 * w_370 - w_22 * w_372);
+        let w_390 = platform_q0 * w_389 + w_75 * w_369;
+        let w_391 = platform_q0 * w_385
+            + w_10 * (platform_q2 * w_369 - platform_q1 * w_373);
+        let w_392 = platform_q1 * w_387 + w_80 * w_373;
+        let w_393 = w_80 * w_369 - w_82 * w_372 - w_83 * w_370;
+        let w_394 = w_10 * (platform_q3 * w_369 + platform_q0 * w_373)
+            - platform_q1 * w_385;
+        let w_395 = platform_q1_dot
+            * (w_371 * w_392 + w_374 * w_393 + c2_on_platform_z * w_394);
+        let w_396 = w_87 * w_373 - w_88 * w_372 - w_89 * w_370;
+        let w_397 = platform_q2 * w_389 + w_87 * w_369;
+        let w_398 = w_10 * (platform_q3 * w_373 - platform_q0 * w_369)
+            - platform_q2 * w_385;
+        let w_399 = platform_q2_dot
+            * (w_371 * w_396 + w_374 * w_397 + c2_on_platform_z * w_398);
+        let w_400 = platform_q3_dot
+            * (w_371 * w_383 - w_374 * w_384 - c2_on_platform_z * w_386)
             - platform_q0_dot
-                * (w_348 * w_365 + w_351 * w_367 - c2_on_platform_z * w_368) - w_372
-            - w_376;
-        let w_353_squared = w_353 * w_353;
-        let w_378 = self.r * S::from_f64(8.0) * sin_c2_head_angle;
-        let w_379 = self.r * S::from_f64(8.0) * cos_c2_head_angle;
-        let w_380 = w_32 * w_77 * (w_16 * w_378 - w_11 * w_379);
-        let w_381 = w_348
-            * (w_10_squared
-                * (w_76 * w_347 + platform_q0_dot * w_11 * w_349
-                    + platform_q0 * w_33 * w_354) + platform_q0 * w_380
-                - platform_q3_dot * w_10 * w_350);
-        let w_382 = w_32 * w_77 * (w_19 * w_379 - w_21 * w_378);
-        let w_383 = w_351
-            * (w_10_squared
-                * (platform_q0_dot * w_21 * w_347 - w_82 * w_349
-                    + platform_q0 * w_44 * w_355) + platform_q0 * w_382
-                + platform_q3_dot * w_10 * w_346);
-        let w_384 = w_32 * w_77 * (w_25 * w_379 + w_26 * w_378);
-        let w_385 = c2_on_platform_z
-            * (w_10_squared * (w_86 * w_349 + w_88 * w_347) - platform_q0 * w_384
-                + w_10 * (platform_q2_dot * w_346 - platform_q1_dot * w_350));
-        let w_386 = w_348
-            * (w_10_squared
-                * (w_91 * w_347 + platform_q1_dot * w_11 * w_349
-                    + platform_q1 * w_33 * w_354) + platform_q1 * w_380
-                + platform_q2_dot * w_10 * w_350);
-        let w_387 = w_351
-            * (platform_q2_dot * w_10 * w_346 - w_93 * w_349
-                + platform_q1 * w_19 * w_32 * w_77 * w_379 - w_95 * w_347);
-        let w_388 = c2_on_platform_z
-            * (w_10_squared * (w_97 * w_349 - w_99 * w_347)
-                + w_10 * (platform_q3_dot * w_346 + platform_q0_dot * w_350)
-                + platform_q1 * w_384);
-        let w_389 = platform_q1_dot
-            * (w_356 * w_369 + w_386 + w_357 * w_370 + w_387 + w_358 * w_371 + w_388);
-        let w_390 = w_348
-            * (w_102 * w_347 + platform_q1_dot * w_10 * w_350 - w_104 * w_349
-                + platform_q2 * w_16 * w_32 * w_77 * w_378);
-        let w_391 = w_351
-            * (w_10_squared
-                * (platform_q2_dot * w_21 * w_347 - w_106 * w_349
-                    + platform_q2 * w_44 * w_355) + platform_q2 * w_382
-                + platform_q1_dot * w_10 * w_346);
-        let w_392 = c2_on_platform_z
-            * (w_10_squared * (w_108 * w_349 - w_109 * w_347)
-                + w_10 * (platform_q3_dot * w_350 - platform_q0_dot * w_346)
-                + platform_q2 * w_384);
-        let w_393 = platform_q2_dot
-            * (w_356 * w_373 + w_390 + w_357 * w_374 + w_391 + w_358 * w_375 + w_392);
-        let w_394 = w_348
-            * (w_112 * w_347 + platform_q0_dot * w_10 * w_350 + w_113 * w_349
-                - platform_q3 * w_16 * w_32 * w_77 * w_378);
-        let w_395 = w_351
-            * (platform_q0_dot * w_10 * w_346 - w_115 * w_349
-                + platform_q3 * w_19 * w_32 * w_77 * w_379 - w_116 * w_347);
-        let w_396 = c2_on_platform_z
-            * (w_10_squared * (w_118 * w_349 - w_119 * w_347)
-                + w_10 * (platform_q2_dot * w_350 + platform_q1_dot * w_346)
-                + platform_q3 * w_384);
-        let w_397 = platform_q3_dot
-            * (w_356 * w_360 + w_394 - w_357 * w_361 - w_395 - w_358 * w_363 - w_396);
-        let w_398 = (platform_q0_dot
-            * (w_356 * w_365 + w_381 + w_357 * w_367 + w_383 - w_358 * w_368 - w_385)
-            + w_389 + w_393 - w_397) / w_353;
-        let w_399 = w_359
-            * ((platform_x_dot * w_348 + platform_y_dot * w_351
-                + platform_z_dot * c2_on_platform_z) / w_353_squared);
-        let w_400 = w_353.sqrt()
-            * (S::from_f64(2.0) * (w_359 * (w_377 / w_353_squared) + w_398)
-                + (platform_x_dot * w_356 + platform_y_dot * w_357
-                    + platform_z_dot * w_358) / w_353 - w_399);
+                * (w_371 * w_388 + w_374 * w_390 - c2_on_platform_z * w_391) - w_395
+            - w_399;
+        let w_376_squared = w_376 * w_376;
+        let w_401 = w_100 * sin_c2_head_angle;
+        let w_402 = w_100 * cos_c2_head_angle;
+        let w_403 = w_35 * w_99 * (w_18 * w_401 - w_11 * w_402);
+        let w_404 = w_35 * w_99 * (w_22 * w_402 - w_24 * w_401);
+        let w_405 = w_374
+            * (w_10_squared * (w_105 * w_370 - w_106 * w_372 + w_107 * w_378)
+                + platform_q0 * w_404 + w_104 * w_369);
+        let w_406 = w_35 * w_99 * (w_28 * w_402 + w_29 * w_401);
+        let w_407 = c2_on_platform_z
+            * (w_10_squared * (w_111 * w_372 + w_113 * w_370) - platform_q0 * w_406
+                + w_10 * (platform_q2_dot * w_369 - platform_q1_dot * w_373));
+        let w_408 = w_379 * w_388
+            + w_371
+                * (w_10_squared * (w_96 * w_370 + w_97 * w_372 + w_98 * w_377)
+                    + platform_q0 * w_403 - w_104 * w_373) + w_380 * w_390 + w_405
+            - w_381 * w_391 - w_407;
+        let w_409 = w_371
+            * (w_10_squared * (w_117 * w_370 + w_118 * w_372 + w_119 * w_377)
+                + platform_q1 * w_403 + w_120 * w_373);
+        let w_410 = c2_on_platform_z
+            * (w_10_squared * (w_127 * w_372 - w_129 * w_370)
+                + w_10 * (platform_q3_dot * w_369 + platform_q0_dot * w_373)
+                + platform_q1 * w_406);
+        let w_411 = w_379 * w_392 + w_409 + w_380 * w_393
+            + w_374 * (w_120 * w_369 - w_122 * w_372 + w_124 * w_402 - w_126 * w_370)
+            + w_381 * w_394 + w_410;
+        let w_412 = w_374
+            * (w_10_squared * (w_137 * w_370 - w_138 * w_372 + w_139 * w_378)
+                + platform_q2 * w_404 + w_133 * w_369);
+        let w_413 = c2_on_platform_z
+            * (w_10_squared * (w_141 * w_372 - w_142 * w_370)
+                + w_10 * (platform_q3_dot * w_373 - platform_q0_dot * w_369)
+                + platform_q2 * w_406);
+        let w_414 = w_379 * w_396
+            + w_371 * (w_132 * w_370 + w_133 * w_373 - w_135 * w_372 + w_136 * w_401)
+            + w_380 * w_397 + w_412 + w_381 * w_398 + w_413;
+        let w_415 = w_374
+            * (w_146 * w_369 - w_150 * w_372 + w_151 * w_402 - w_152 * w_370);
+        let w_416 = c2_on_platform_z
+            * (w_10_squared * (w_154 * w_372 - w_155 * w_370)
+                + w_10 * (platform_q2_dot * w_373 + platform_q1_dot * w_369)
+                + platform_q3 * w_406);
+        let w_417 = w_379 * w_383
+            + w_371 * (w_145 * w_370 + w_146 * w_373 + w_147 * w_372 - w_149 * w_401)
+            - w_380 * w_384 - w_415 - w_381 * w_386 - w_416;
+        let w_418 = S::from_f64(2.0)
+            * (w_382 * (w_400 / w_376_squared)
+                + (platform_q0_dot * w_408 + platform_q1_dot * w_411
+                    + platform_q2_dot * w_414 - platform_q3_dot * w_417) / w_376);
+        let w_419 = w_418
+            + (platform_x_dot * w_379 + platform_y_dot * w_380 + platform_z_dot * w_381)
+                / w_376
+            - w_382
+                * ((platform_x_dot * w_371 + platform_y_dot * w_374
+                    + platform_z_dot * c2_on_platform_z) / w_376_squared);
         [
             S::from_f64(2.0)
                 * (platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
                     + platform_q2_dot * platform_q2_dot
                     + platform_q3_dot * platform_q3_dot),
-            w_124 + sin_w * (w_125 + w_126),
-            w_134.sqrt()
-                * (S::from_f64(2.0) * (w_140 * (w_158 / w_134_squared) + w_179)
-                    + (platform_x_dot * w_137 + platform_y_dot * w_138
-                        + platform_z_dot * w_139) / w_134 - w_180) + w_181 - w_182,
-            w_190.sqrt()
-                * (S::from_f64(2.0) * (w_196 * (w_214 / w_190_squared) + w_235)
-                    + (platform_x_dot * w_193 + platform_y_dot * w_194
-                        + platform_z_dot * w_195) / w_190 - w_236) + w_181 + w_182,
-            w_244.sqrt()
-                * (S::from_f64(2.0) * (w_250 * (w_268 / w_244_squared) + w_289)
-                    + (platform_x_dot * w_247 + platform_y_dot * w_248
-                        + platform_z_dot * w_249) / w_244 - w_290) + w_181 - w_291,
-            w_299.sqrt()
-                * (S::from_f64(2.0) * (w_305 * (w_323 / w_299_squared) + w_344)
-                    + (platform_x_dot * w_302 + platform_y_dot * w_303
-                        + platform_z_dot * w_304) / w_299 - w_345) + w_181 + w_291,
-            w_400 + w_181 - w_126 * w_9,
+            w_31.sqrt() * w_159 + sin_w * (w_160 + w_161),
+            w_169.sqrt() * w_212 + w_213 - w_214,
+            w_222.sqrt() * w_265 + w_213 + w_214,
+            w_273.sqrt() * w_316 + w_213 - w_317,
+            w_325.sqrt() * w_368 + w_213 + w_317,
+            w_376.sqrt() * w_419 + w_213 - w_161 * w_9,
         ]
     }
     /// `C` (7), `C_q` (7 x 7) and `C_t` (7) together, in SI units, for projection.
     ///
-    /// Operations: 304 additions, 655 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 304 additions, 549 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -3406,255 +3265,179 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_11 = platform_q2_squared + platform_q3_squared;
         let w_12 = S::from_f64(2.0) * w_10 * w_11 - S::from_f64(1.0);
         let w_13 = self.r * cos_a1_head_angle;
-        let w_14 = platform_q1 * platform_q2;
-        let w_15 = platform_q0 * platform_q3;
-        let w_16 = w_14 - w_15;
-        let w_17 = self.r * S::from_f64(2.0) * sin_a1_head_angle;
-        let w_18 = platform_x - self.R * cos_foot - w_12 * w_13 + w_10 * w_16 * w_17;
-        let w_19 = w_14 + w_15;
-        let w_20 = self.r * S::from_f64(2.0) * cos_a1_head_angle;
-        let w_21 = platform_q1_squared + platform_q3_squared;
-        let w_22 = S::from_f64(2.0) * w_10 * w_21 - S::from_f64(1.0);
-        let w_23 = self.r * sin_a1_head_angle;
-        let w_24 = platform_y - self.R * sin_foot + w_10 * w_19 * w_20 - w_22 * w_23;
-        let w_25 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_26 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let w_27 = w_20 * w_25 + w_17 * w_26;
-        let a1_on_platform_z = w_10 * w_27 + platform_z;
-        let w_28 = w_18 * w_18 + w_24 * w_24 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_28 = w_28.sqrt();
-        let w_29 = self.r * cos_a2_head_angle;
-        let w_30 = self.r * S::from_f64(2.0) * sin_a2_head_angle;
-        let w_31 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_29
-            + w_10 * w_16 * w_30;
-        let w_32 = self.r * S::from_f64(2.0) * cos_a2_head_angle;
-        let w_33 = self.r * sin_a2_head_angle;
-        let w_34 = platform_y - self.R * sin_a2_foot_angle + w_10 * w_19 * w_32
-            - w_22 * w_33;
-        let w_35 = w_25 * w_32 + w_26 * w_30;
-        let a2_on_platform_z = w_10 * w_35 + platform_z;
-        let w_36 = w_31 * w_31 + w_34 * w_34 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_36 = w_36.sqrt();
-        let w_37 = self.heave * sin_w_2;
-        let w_38 = self.sway * sin_w_4;
-        let w_39 = self.r * cos_b1_head_angle;
-        let w_40 = self.r * S::from_f64(2.0) * sin_b1_head_angle;
-        let w_41 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_39
-            + w_10 * w_16 * w_40;
-        let w_42 = self.r * S::from_f64(2.0) * cos_b1_head_angle;
-        let w_43 = self.r * sin_b1_head_angle;
-        let w_44 = platform_y - self.R * sin_b1_foot_angle + w_10 * w_19 * w_42
-            - w_22 * w_43;
-        let w_45 = w_25 * w_42 + w_26 * w_40;
-        let b1_on_platform_z = w_10 * w_45 + platform_z;
-        let w_46 = w_41 * w_41 + w_44 * w_44 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_46 = w_46.sqrt();
-        let w_47 = self.r * cos_b2_head_angle;
-        let w_48 = self.r * S::from_f64(2.0) * sin_b2_head_angle;
-        let w_49 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_47
-            + w_10 * w_16 * w_48;
-        let w_50 = self.r * S::from_f64(2.0) * cos_b2_head_angle;
-        let w_51 = self.r * sin_b2_head_angle;
-        let w_52 = platform_y - self.R * sin_b2_foot_angle + w_10 * w_19 * w_50
-            - w_22 * w_51;
-        let w_53 = w_25 * w_50 + w_26 * w_48;
-        let b2_on_platform_z = w_10 * w_53 + platform_z;
-        let w_54 = w_49 * w_49 + w_52 * w_52 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_54 = w_54.sqrt();
-        let w_55 = self.sway * sin_w_6;
-        let w_56 = self.r * cos_c1_head_angle;
-        let w_57 = self.r * S::from_f64(2.0) * sin_c1_head_angle;
-        let w_58 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_56
-            + w_10 * w_16 * w_57;
-        let w_59 = self.r * S::from_f64(2.0) * cos_c1_head_angle;
-        let w_60 = self.r * sin_c1_head_angle;
-        let w_61 = platform_y - self.R * sin_c1_foot_angle + w_10 * w_19 * w_59
-            - w_22 * w_60;
-        let w_62 = w_25 * w_59 + w_26 * w_57;
-        let c1_on_platform_z = w_10 * w_62 + platform_z;
-        let w_63 = w_58 * w_58 + w_61 * w_61 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_63 = w_63.sqrt();
-        let w_64 = self.r * cos_c2_head_angle;
-        let w_65 = self.r * S::from_f64(2.0) * sin_c2_head_angle;
-        let w_66 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_64
-            + w_10 * w_16 * w_65;
-        let w_67 = self.r * S::from_f64(2.0) * cos_c2_head_angle;
-        let w_68 = self.r * sin_c2_head_angle;
-        let w_69 = platform_y - self.R * sin_c2_foot_angle + w_10 * w_19 * w_67
-            - w_22 * w_68;
-        let w_70 = w_25 * w_67 + w_26 * w_65;
-        let c2_on_platform_z = w_10 * w_70 + platform_z;
-        let w_71 = w_66 * w_66 + w_69 * w_69 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_71 = w_71.sqrt();
+        let w_14 = self.r * S::from_f64(2.0);
+        let w_15 = sin_a1_head_angle * w_14;
+        let w_16 = platform_q1 * platform_q2;
+        let w_17 = platform_q0 * platform_q3;
+        let w_18 = w_16 - w_17;
+        let w_19 = w_10 * w_18;
+        let w_20 = platform_x - self.R * cos_foot - w_12 * w_13 + w_15 * w_19;
+        let w_21 = cos_a1_head_angle * w_14;
+        let w_22 = w_16 + w_17;
+        let w_23 = w_10 * w_22;
+        let w_24 = platform_q1_squared + platform_q3_squared;
+        let w_25 = S::from_f64(2.0) * w_10 * w_24 - S::from_f64(1.0);
+        let w_26 = self.r * sin_a1_head_angle;
+        let w_27 = platform_y - self.R * sin_foot + w_21 * w_23 - w_25 * w_26;
+        let w_28 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_29 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let w_30 = w_21 * w_28 + w_15 * w_29;
+        let a1_on_platform_z = w_10 * w_30 + platform_z;
+        let w_31 = w_20 * w_20 + w_27 * w_27 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_31 = w_31.sqrt();
+        let w_32 = self.r * cos_a2_head_angle;
+        let w_33 = w_14 * sin_a2_head_angle;
+        let w_34 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_32 + w_19 * w_33;
+        let w_35 = w_14 * cos_a2_head_angle;
+        let w_36 = self.r * sin_a2_head_angle;
+        let w_37 = platform_y - self.R * sin_a2_foot_angle + w_23 * w_35 - w_25 * w_36;
+        let w_38 = w_28 * w_35 + w_29 * w_33;
+        let a2_on_platform_z = w_10 * w_38 + platform_z;
+        let w_39 = w_34 * w_34 + w_37 * w_37 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_39 = w_39.sqrt();
+        let w_40 = self.heave * sin_w_2;
+        let w_41 = self.sway * sin_w_4;
+        let w_42 = self.r * cos_b1_head_angle;
+        let w_43 = w_14 * sin_b1_head_angle;
+        let w_44 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_42 + w_19 * w_43;
+        let w_45 = w_14 * cos_b1_head_angle;
+        let w_46 = self.r * sin_b1_head_angle;
+        let w_47 = platform_y - self.R * sin_b1_foot_angle + w_23 * w_45 - w_25 * w_46;
+        let w_48 = w_28 * w_45 + w_29 * w_43;
+        let b1_on_platform_z = w_10 * w_48 + platform_z;
+        let w_49 = w_44 * w_44 + w_47 * w_47 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_49 = w_49.sqrt();
+        let w_50 = self.r * cos_b2_head_angle;
+        let w_51 = w_14 * sin_b2_head_angle;
+        let w_52 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_50 + w_19 * w_51;
+        let w_53 = w_14 * cos_b2_head_angle;
+        let w_54 = self.r * sin_b2_head_angle;
+        let w_55 = platform_y - self.R * sin_b2_foot_angle + w_23 * w_53 - w_25 * w_54;
+        let w_56 = w_28 * w_53 + w_29 * w_51;
+        let b2_on_platform_z = w_10 * w_56 + platform_z;
+        let w_57 = w_52 * w_52 + w_55 * w_55 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_57 = w_57.sqrt();
+        let w_58 = self.sway * sin_w_6;
+        let w_59 = self.r * cos_c1_head_angle;
+        let w_60 = w_14 * sin_c1_head_angle;
+        let w_61 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_59 + w_19 * w_60;
+        let w_62 = w_14 * cos_c1_head_angle;
+        let w_63 = self.r * sin_c1_head_angle;
+        let w_64 = platform_y - self.R * sin_c1_foot_angle + w_23 * w_62 - w_25 * w_63;
+        let w_65 = w_28 * w_62 + w_29 * w_60;
+        let c1_on_platform_z = w_10 * w_65 + platform_z;
+        let w_66 = w_61 * w_61 + w_64 * w_64 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_66 = w_66.sqrt();
+        let w_67 = self.r * cos_c2_head_angle;
+        let w_68 = w_14 * sin_c2_head_angle;
+        let w_69 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_67 + w_19 * w_68;
+        let w_70 = w_14 * cos_c2_head_angle;
+        let w_71 = self.r * sin_c2_head_angle;
+        let w_72 = platform_y - self.R * sin_c2_foot_angle + w_23 * w_70 - w_25 * w_71;
+        let w_73 = w_28 * w_70 + w_29 * w_68;
+        let c2_on_platform_z = w_10 * w_73 + platform_z;
+        let w_74 = w_69 * w_69 + w_72 * w_72 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_74 = w_74.sqrt();
         let w_10_squared = w_10 * w_10;
-        let w_72 = w_10_squared * (w_11 * w_20 - w_16 * w_17);
-        let w_73 = w_10_squared * (w_17 * w_21 - w_19 * w_20);
-        let w_74 = w_27 * w_10_squared;
-        let w_75 = a1_on_platform_z
-            * (platform_q0 * w_74 + w_10 * (platform_q2 * w_13 - platform_q1 * w_23));
-        let w_76 = w_10 - w_21 * w_10_squared;
-        let w_77 = platform_q1 * w_76;
-        let w_78 = w_24
-            * (platform_q2 * w_10 * w_13 - platform_q1 * w_19 * w_20 * w_10_squared
-                - w_17 * w_77);
-        let w_79 = S::from_f64(2.0) * sqrt_w_28
-            * (w_18 * (platform_q1 * w_72 + platform_q2 * w_10 * w_23) + w_78
-                + a1_on_platform_z
-                    * (w_10 * (platform_q3 * w_13 + platform_q0 * w_23)
-                        - platform_q1 * w_74));
-        let w_80 = w_10 - w_11 * w_10_squared;
-        let w_81 = platform_q2 * w_80;
-        let w_82 = w_18
-            * (platform_q1 * w_10 * w_23 - w_20 * w_81
-                - platform_q2 * w_16 * w_17 * w_10_squared);
-        let w_83 = S::from_f64(2.0) * sqrt_w_28
-            * (w_82 + w_24 * (platform_q2 * w_73 + platform_q1 * w_10 * w_13)
-                + a1_on_platform_z
-                    * (w_10 * (platform_q3 * w_23 - platform_q0 * w_13)
-                        - platform_q2 * w_74));
-        let w_84 = platform_q3 * w_80;
-        let w_85 = w_18
-            * (platform_q0 * w_10 * w_23 + w_20 * w_84
-                + platform_q3 * w_16 * w_17 * w_10_squared);
-        let w_86 = platform_q3 * w_76;
-        let w_87 = w_24
-            * (platform_q0 * w_10 * w_13 - platform_q3 * w_19 * w_20 * w_10_squared
-                - w_17 * w_86);
-        let w_88 = w_10_squared * (w_11 * w_32 - w_16 * w_30);
-        let w_89 = w_10_squared * (w_21 * w_30 - w_19 * w_32);
-        let w_90 = w_35 * w_10_squared;
-        let w_91 = a2_on_platform_z
-            * (platform_q0 * w_90 + w_10 * (platform_q2 * w_29 - platform_q1 * w_33));
-        let w_92 = w_34
-            * (platform_q2 * w_10 * w_29 - platform_q1 * w_19 * w_32 * w_10_squared
-                - w_30 * w_77);
-        let w_93 = S::from_f64(2.0) * sqrt_w_36
-            * (w_31 * (platform_q1 * w_88 + platform_q2 * w_10 * w_33) + w_92
-                + a2_on_platform_z
-                    * (w_10 * (platform_q3 * w_29 + platform_q0 * w_33)
-                        - platform_q1 * w_90));
-        let w_94 = w_31
-            * (platform_q1 * w_10 * w_33 - w_32 * w_81
-                - platform_q2 * w_16 * w_30 * w_10_squared);
-        let w_95 = S::from_f64(2.0) * sqrt_w_36
-            * (w_94 + w_34 * (platform_q2 * w_89 + platform_q1 * w_10 * w_29)
-                + a2_on_platform_z
-                    * (w_10 * (platform_q3 * w_33 - platform_q0 * w_29)
-                        - platform_q2 * w_90));
-        let w_96 = w_31
-            * (platform_q0 * w_10 * w_33 + w_32 * w_84
-                + platform_q3 * w_16 * w_30 * w_10_squared);
-        let w_97 = w_34
-            * (platform_q0 * w_10 * w_29 - platform_q3 * w_19 * w_32 * w_10_squared
-                - w_30 * w_86);
-        let w_98 = w_10_squared * (w_11 * w_42 - w_16 * w_40);
-        let w_99 = w_10_squared * (w_21 * w_40 - w_19 * w_42);
-        let w_100 = w_45 * w_10_squared;
-        let w_101 = b1_on_platform_z
-            * (platform_q0 * w_100 + w_10 * (platform_q2 * w_39 - platform_q1 * w_43));
-        let w_102 = w_44
-            * (platform_q2 * w_10 * w_39 - platform_q1 * w_19 * w_42 * w_10_squared
-                - w_40 * w_77);
-        let w_103 = S::from_f64(2.0) * sqrt_w_46
-            * (w_41 * (platform_q1 * w_98 + platform_q2 * w_10 * w_43) + w_102
-                + b1_on_platform_z
-                    * (w_10 * (platform_q3 * w_39 + platform_q0 * w_43)
-                        - platform_q1 * w_100));
-        let w_104 = w_41
-            * (platform_q1 * w_10 * w_43 - w_42 * w_81
-                - platform_q2 * w_16 * w_40 * w_10_squared);
-        let w_105 = S::from_f64(2.0) * sqrt_w_46
-            * (w_104 + w_44 * (platform_q2 * w_99 + platform_q1 * w_10 * w_39)
-                + b1_on_platform_z
-                    * (w_10 * (platform_q3 * w_43 - platform_q0 * w_39)
-                        - platform_q2 * w_100));
-        let w_106 = w_41
-            * (platform_q0 * w_10 * w_43 + w_42 * w_84
-                + platform_q3 * w_16 * w_40 * w_10_squared);
-        let w_107 = w_44
-            * (platform_q0 * w_10 * w_39 - platform_q3 * w_19 * w_42 * w_10_squared
-                - w_40 * w_86);
-        let w_108 = w_10_squared * (w_11 * w_50 - w_16 * w_48);
-        let w_109 = w_10_squared * (w_21 * w_48 - w_19 * w_50);
-        let w_110 = w_53 * w_10_squared;
-        let w_111 = b2_on_platform_z
-            * (platform_q0 * w_110 + w_10 * (platform_q2 * w_47 - platform_q1 * w_51));
-        let w_112 = w_52
-            * (platform_q2 * w_10 * w_47 - platform_q1 * w_19 * w_50 * w_10_squared
-                - w_48 * w_77);
-        let w_113 = S::from_f64(2.0) * sqrt_w_54
-            * (w_49 * (platform_q1 * w_108 + platform_q2 * w_10 * w_51) + w_112
-                + b2_on_platform_z
-                    * (w_10 * (platform_q3 * w_47 + platform_q0 * w_51)
-                        - platform_q1 * w_110));
-        let w_114 = w_49
-            * (platform_q1 * w_10 * w_51 - w_50 * w_81
-                - platform_q2 * w_16 * w_48 * w_10_squared);
-        let w_115 = S::from_f64(2.0) * sqrt_w_54
-            * (w_114 + w_52 * (platform_q2 * w_109 + platform_q1 * w_10 * w_47)
-                + b2_on_platform_z
-                    * (w_10 * (platform_q3 * w_51 - platform_q0 * w_47)
-                        - platform_q2 * w_110));
-        let w_116 = w_49
-            * (platform_q0 * w_10 * w_51 + w_50 * w_84
-                + platform_q3 * w_16 * w_48 * w_10_squared);
-        let w_117 = w_52
-            * (platform_q0 * w_10 * w_47 - platform_q3 * w_19 * w_50 * w_10_squared
-                - w_48 * w_86);
-        let w_118 = w_10_squared * (w_11 * w_59 - w_16 * w_57);
-        let w_119 = w_10_squared * (w_21 * w_57 - w_19 * w_59);
-        let w_120 = w_62 * w_10_squared;
-        let w_121 = c1_on_platform_z
-            * (platform_q0 * w_120 + w_10 * (platform_q2 * w_56 - platform_q1 * w_60));
-        let w_122 = w_61
-            * (platform_q2 * w_10 * w_56 - platform_q1 * w_19 * w_59 * w_10_squared
-                - w_57 * w_77);
-        let w_123 = S::from_f64(2.0) * sqrt_w_63
-            * (w_58 * (platform_q1 * w_118 + platform_q2 * w_10 * w_60) + w_122
-                + c1_on_platform_z
-                    * (w_10 * (platform_q3 * w_56 + platform_q0 * w_60)
-                        - platform_q1 * w_120));
-        let w_124 = w_58
-            * (platform_q1 * w_10 * w_60 - w_59 * w_81
-                - platform_q2 * w_16 * w_57 * w_10_squared);
-        let w_125 = S::from_f64(2.0) * sqrt_w_63
-            * (w_124 + w_61 * (platform_q2 * w_119 + platform_q1 * w_10 * w_56)
-                + c1_on_platform_z
-                    * (w_10 * (platform_q3 * w_60 - platform_q0 * w_56)
-                        - platform_q2 * w_120));
-        let w_126 = w_58
-            * (platform_q0 * w_10 * w_60 + w_59 * w_84
-                + platform_q3 * w_16 * w_57 * w_10_squared);
-        let w_127 = w_61
-            * (platform_q0 * w_10 * w_56 - platform_q3 * w_19 * w_59 * w_10_squared
-                - w_57 * w_86);
-        let w_128 = w_10_squared * (w_11 * w_67 - w_16 * w_65);
-        let w_129 = w_10_squared * (w_21 * w_65 - w_19 * w_67);
-        let w_130 = w_70 * w_10_squared;
-        let w_131 = c2_on_platform_z
-            * (platform_q0 * w_130 + w_10 * (platform_q2 * w_64 - platform_q1 * w_68));
-        let w_132 = w_69
-            * (platform_q2 * w_10 * w_64 - platform_q1 * w_19 * w_67 * w_10_squared
-                - w_65 * w_77);
-        let w_133 = S::from_f64(2.0) * sqrt_w_71
-            * (w_66 * (platform_q1 * w_128 + platform_q2 * w_10 * w_68) + w_132
-                + c2_on_platform_z
-                    * (w_10 * (platform_q3 * w_64 + platform_q0 * w_68)
-                        - platform_q1 * w_130));
-        let w_134 = w_66
-            * (platform_q1 * w_10 * w_68 - w_67 * w_81
-                - platform_q2 * w_16 * w_65 * w_10_squared);
-        let w_135 = S::from_f64(2.0) * sqrt_w_71
-            * (w_134 + w_69 * (platform_q2 * w_129 + platform_q1 * w_10 * w_64)
-                + c2_on_platform_z
-                    * (w_10 * (platform_q3 * w_68 - platform_q0 * w_64)
-                        - platform_q2 * w_130));
-        let w_136 = w_66
-            * (platform_q0 * w_10 * w_68 + w_67 * w_84
-                + platform_q3 * w_16 * w_65 * w_10_squared);
-        let w_137 = w_69
-            * (platform_q0 * w_10 * w_64 - platform_q3 * w_19 * w_67 * w_10_squared
-                - w_65 * w_86);
+        let w_75 = w_10_squared * (w_11 * w_21 - w_18 * w_15);
+        let w_76 = platform_q3 * w_10;
+        let w_77 = w_10_squared * (w_15 * w_24 - w_22 * w_21);
+        let w_78 = w_30 * w_10_squared;
+        let w_79 = a1_on_platform_z
+            * (platform_q0 * w_78 + w_10 * (platform_q2 * w_13 - platform_q1 * w_26));
+        let w_80 = platform_q2 * w_10;
+        let w_81 = w_10_squared * platform_q1 * w_22;
+        let w_82 = w_10 - w_24 * w_10_squared;
+        let w_83 = platform_q1 * w_82;
+        let w_84 = a1_on_platform_z
+            * (w_10 * (platform_q3 * w_13 + platform_q0 * w_26) - platform_q1 * w_78);
+        let w_85 = platform_q1 * w_10;
+        let w_86 = w_10 - w_11 * w_10_squared;
+        let w_87 = platform_q2 * w_86;
+        let w_88 = w_10_squared * platform_q2 * w_18;
+        let w_89 = a1_on_platform_z
+            * (w_10 * (platform_q3 * w_26 - platform_q0 * w_13) - platform_q2 * w_78);
+        let w_90 = platform_q0 * w_10;
+        let w_91 = platform_q3 * w_86;
+        let w_92 = platform_q3 * w_10_squared;
+        let w_93 = w_18 * w_92;
+        let w_94 = w_22 * w_92;
+        let w_95 = platform_q3 * w_82;
+        let w_96 = a1_on_platform_z
+            * (w_10 * (platform_q2 * w_26 + platform_q1 * w_13) - platform_q3 * w_78);
+        let w_97 = S::from_f64(2.0) * sqrt_w_31
+            * (w_20 * (w_26 * w_90 + w_21 * w_91 + w_15 * w_93)
+                - w_27 * (w_13 * w_90 - w_21 * w_94 - w_15 * w_95) - w_96);
+        let w_98 = w_10_squared * (w_11 * w_35 - w_18 * w_33);
+        let w_99 = w_10_squared * (w_24 * w_33 - w_22 * w_35);
+        let w_100 = w_38 * w_10_squared;
+        let w_101 = a2_on_platform_z
+            * (platform_q0 * w_100 + w_10 * (platform_q2 * w_32 - platform_q1 * w_36));
+        let w_102 = a2_on_platform_z
+            * (w_10 * (platform_q3 * w_32 + platform_q0 * w_36) - platform_q1 * w_100);
+        let w_103 = a2_on_platform_z
+            * (w_10 * (platform_q3 * w_36 - platform_q0 * w_32) - platform_q2 * w_100);
+        let w_104 = a2_on_platform_z
+            * (w_10 * (platform_q2 * w_36 + platform_q1 * w_32) - platform_q3 * w_100);
+        let w_105 = S::from_f64(2.0) * sqrt_w_39
+            * (w_34 * (w_36 * w_90 + w_35 * w_91 + w_33 * w_93)
+                - w_37 * (w_32 * w_90 - w_35 * w_94 - w_33 * w_95) - w_104);
+        let w_106 = w_10_squared * (w_11 * w_45 - w_18 * w_43);
+        let w_107 = w_10_squared * (w_24 * w_43 - w_22 * w_45);
+        let w_108 = w_48 * w_10_squared;
+        let w_109 = b1_on_platform_z
+            * (platform_q0 * w_108 + w_10 * (platform_q2 * w_42 - platform_q1 * w_46));
+        let w_110 = b1_on_platform_z
+            * (w_10 * (platform_q3 * w_42 + platform_q0 * w_46) - platform_q1 * w_108);
+        let w_111 = b1_on_platform_z
+            * (w_10 * (platform_q3 * w_46 - platform_q0 * w_42) - platform_q2 * w_108);
+        let w_112 = b1_on_platform_z
+            * (w_10 * (platform_q2 * w_46 + platform_q1 * w_42) - platform_q3 * w_108);
+        let w_113 = S::from_f64(2.0) * sqrt_w_49
+            * (w_44 * (w_46 * w_90 + w_45 * w_91 + w_43 * w_93)
+                - w_47 * (w_42 * w_90 - w_45 * w_94 - w_43 * w_95) - w_112);
+        let w_114 = w_10_squared * (w_11 * w_53 - w_18 * w_51);
+        let w_115 = w_10_squared * (w_24 * w_51 - w_22 * w_53);
+        let w_116 = w_56 * w_10_squared;
+        let w_117 = b2_on_platform_z
+            * (platform_q0 * w_116 + w_10 * (platform_q2 * w_50 - platform_q1 * w_54));
+        let w_118 = b2_on_platform_z
+            * (w_10 * (platform_q3 * w_50 + platform_q0 * w_54) - platform_q1 * w_116);
+        let w_119 = b2_on_platform_z
+            * (w_10 * (platform_q3 * w_54 - platform_q0 * w_50) - platform_q2 * w_116);
+        let w_120 = b2_on_platform_z
+            * (w_10 * (platform_q2 * w_54 + platform_q1 * w_50) - platform_q3 * w_116);
+        let w_121 = S::from_f64(2.0) * sqrt_w_57
+            * (w_52 * (w_54 * w_90 + w_53 * w_91 + w_51 * w_93)
+                - w_55 * (w_50 * w_90 - w_53 * w_94 - w_51 * w_95) - w_120);
+        let w_122 = w_10_squared * (w_11 * w_62 - w_18 * w_60);
+        let w_123 = w_10_squared * (w_24 * w_60 - w_22 * w_62);
+        let w_124 = w_65 * w_10_squared;
+        let w_125 = c1_on_platform_z
+            * (platform_q0 * w_124 + w_10 * (platform_q2 * w_59 - platform_q1 * w_63));
+        let w_126 = c1_on_platform_z
+            * (w_10 * (platform_q3 * w_59 + platform_q0 * w_63) - platform_q1 * w_124);
+        let w_127 = c1_on_platform_z
+            * (w_10 * (platform_q3 * w_63 - platform_q0 * w_59) - platform_q2 * w_124);
+        let w_128 = c1_on_platform_z
+            * (w_10 * (platform_q2 * w_63 + platform_q1 * w_59) - platform_q3 * w_124);
+        let w_129 = S::from_f64(2.0) * sqrt_w_66
+            * (w_61 * (w_63 * w_90 + w_62 * w_91 + w_60 * w_93)
+                - w_64 * (w_59 * w_90 - w_62 * w_94 - w_60 * w_95) - w_128);
+        let w_130 = w_10_squared * (w_11 * w_70 - w_18 * w_68);
+        let w_131 = w_10_squared * (w_24 * w_68 - w_22 * w_70);
+        let w_132 = w_73 * w_10_squared;
+        let w_133 = c2_on_platform_z
+            * (platform_q0 * w_132 + w_10 * (platform_q2 * w_67 - platform_q1 * w_71));
+        let w_134 = c2_on_platform_z
+            * (w_10 * (platform_q3 * w_67 + platform_q0 * w_71) - platform_q1 * w_132);
+        let w_135 = c2_on_platform_z
+            * (w_10 * (platform_q3 * w_71 - platform_q0 * w_67) - platform_q2 * w_132);
+        let w_136 = c2_on_platform_z
+            * (w_10 * (platform_q2 * w_71 + platform_q1 * w_67) - platform_q3 * w_132);
+        let w_137 = S::from_f64(2.0) * sqrt_w_74
+            * (w_69 * (w_71 * w_90 + w_70 * w_91 + w_68 * w_93)
+                - w_72 * (w_67 * w_90 - w_70 * w_94 - w_68 * w_95) - w_136);
         let w_138 = self.heave * self.w;
         let w_139 = self.w * self.sway;
         let w_140 = w_139 * cos_w_4;
@@ -3664,12 +3447,12 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             values: [
                 platform_q0_squared + platform_q1_squared + platform_q2_squared
                     + platform_q3_squared - S::from_f64(1.0),
-                sqrt_w_28 - self.L - sin_w_2 * (self.heave + self.sway),
-                sqrt_w_36 - self.L - w_37 + w_38,
-                sqrt_w_46 - self.L - w_37 - w_38,
-                sqrt_w_54 - self.L - w_37 + w_55,
-                sqrt_w_63 - self.L - w_37 - w_55,
-                sqrt_w_71 - self.L - w_37 + self.sway * sin_w_9,
+                sqrt_w_31 - self.L - sin_w_2 * (self.heave + self.sway),
+                sqrt_w_39 - self.L - w_40 + w_41,
+                sqrt_w_49 - self.L - w_40 - w_41,
+                sqrt_w_57 - self.L - w_40 + w_58,
+                sqrt_w_66 - self.L - w_40 - w_58,
+                sqrt_w_74 - self.L - w_40 + self.sway * sin_w_9,
             ],
             jacobian: [
                 [
@@ -3682,100 +3465,100 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                     platform_q3 * S::from_f64(2.0),
                 ],
                 [
-                    w_18 * sqrt_w_28 / w_28,
-                    w_24 * sqrt_w_28 / w_28,
-                    a1_on_platform_z * sqrt_w_28 / w_28,
-                    S::from_f64(2.0) * sqrt_w_28
-                        * (w_18 * (platform_q0 * w_72 - platform_q3 * w_10 * w_23)
-                            + w_24 * (platform_q0 * w_73 + platform_q3 * w_10 * w_13)
-                            - w_75) / w_28,
-                    w_79 / w_28,
-                    w_83 / w_28,
-                    -(S::from_f64(2.0) * sqrt_w_28
-                        * (w_85 - w_87
-                            - a1_on_platform_z
-                                * (w_10 * (platform_q2 * w_23 + platform_q1 * w_13)
-                                    - platform_q3 * w_74)) / w_28),
+                    w_20 * sqrt_w_31 / w_31,
+                    w_27 * sqrt_w_31 / w_31,
+                    a1_on_platform_z * sqrt_w_31 / w_31,
+                    S::from_f64(2.0) * sqrt_w_31
+                        * (w_20 * (platform_q0 * w_75 - w_26 * w_76)
+                            + w_27 * (platform_q0 * w_77 + w_13 * w_76) - w_79) / w_31,
+                    S::from_f64(2.0) * sqrt_w_31
+                        * (w_20 * (platform_q1 * w_75 + w_26 * w_80)
+                            + w_27 * (w_13 * w_80 - w_21 * w_81 - w_15 * w_83) + w_84)
+                        / w_31,
+                    S::from_f64(2.0) * sqrt_w_31
+                        * (w_20 * (w_26 * w_85 - w_21 * w_87 - w_15 * w_88)
+                            + w_27 * (platform_q2 * w_77 + w_13 * w_85) + w_89) / w_31,
+                    -(w_97 / w_31),
                 ],
                 [
-                    w_31 * sqrt_w_36 / w_36,
-                    w_34 * sqrt_w_36 / w_36,
-                    a2_on_platform_z * sqrt_w_36 / w_36,
-                    S::from_f64(2.0) * sqrt_w_36
-                        * (w_31 * (platform_q0 * w_88 - platform_q3 * w_10 * w_33)
-                            + w_34 * (platform_q0 * w_89 + platform_q3 * w_10 * w_29)
-                            - w_91) / w_36,
-                    w_93 / w_36,
-                    w_95 / w_36,
-                    -(S::from_f64(2.0) * sqrt_w_36
-                        * (w_96 - w_97
-                            - a2_on_platform_z
-                                * (w_10 * (platform_q2 * w_33 + platform_q1 * w_29)
-                                    - platform_q3 * w_90)) / w_36),
+                    w_34 * sqrt_w_39 / w_39,
+                    w_37 * sqrt_w_39 / w_39,
+                    a2_on_platform_z * sqrt_w_39 / w_39,
+                    S::from_f64(2.0) * sqrt_w_39
+                        * (w_34 * (platform_q0 * w_98 - w_36 * w_76)
+                            + w_37 * (platform_q0 * w_99 + w_32 * w_76) - w_101) / w_39,
+                    S::from_f64(2.0) * sqrt_w_39
+                        * (w_34 * (platform_q1 * w_98 + w_36 * w_80)
+                            + w_37 * (w_32 * w_80 - w_35 * w_81 - w_33 * w_83) + w_102)
+                        / w_39,
+                    S::from_f64(2.0) * sqrt_w_39
+                        * (w_34 * (w_36 * w_85 - w_35 * w_87 - w_33 * w_88)
+                            + w_37 * (platform_q2 * w_99 + w_32 * w_85) + w_103) / w_39,
+                    -(w_105 / w_39),
                 ],
                 [
-                    w_41 * sqrt_w_46 / w_46,
-                    w_44 * sqrt_w_46 / w_46,
-                    b1_on_platform_z * sqrt_w_46 / w_46,
-                    S::from_f64(2.0) * sqrt_w_46
-                        * (w_41 * (platform_q0 * w_98 - platform_q3 * w_10 * w_43)
-                            + w_44 * (platform_q0 * w_99 + platform_q3 * w_10 * w_39)
-                            - w_101) / w_46,
-                    w_103 / w_46,
-                    w_105 / w_46,
-                    -(S::from_f64(2.0) * sqrt_w_46
-                        * (w_106 - w_107
-                            - b1_on_platform_z
-                                * (w_10 * (platform_q2 * w_43 + platform_q1 * w_39)
-                                    - platform_q3 * w_100)) / w_46),
+                    w_44 * sqrt_w_49 / w_49,
+                    w_47 * sqrt_w_49 / w_49,
+                    b1_on_platform_z * sqrt_w_49 / w_49,
+                    S::from_f64(2.0) * sqrt_w_49
+                        * (w_44 * (platform_q0 * w_106 - w_46 * w_76)
+                            + w_47 * (platform_q0 * w_107 + w_42 * w_76) - w_109) / w_49,
+                    S::from_f64(2.0) * sqrt_w_49
+                        * (w_44 * (platform_q1 * w_106 + w_46 * w_80)
+                            + w_47 * (w_42 * w_80 - w_45 * w_81 - w_43 * w_83) + w_110)
+                        / w_49,
+                    S::from_f64(2.0) * sqrt_w_49
+                        * (w_44 * (w_46 * w_85 - w_45 * w_87 - w_43 * w_88)
+                            + w_47 * (platform_q2 * w_107 + w_42 * w_85) + w_111) / w_49,
+                    -(w_113 / w_49),
                 ],
                 [
-                    w_49 * sqrt_w_54 / w_54,
-                    w_52 * sqrt_w_54 / w_54,
-                    b2_on_platform_z * sqrt_w_54 / w_54,
-                    S::from_f64(2.0) * sqrt_w_54
-                        * (w_49 * (platform_q0 * w_108 - platform_q3 * w_10 * w_51)
-                            + w_52 * (platform_q0 * w_109 + platform_q3 * w_10 * w_47)
-                            - w_111) / w_54,
-                    w_113 / w_54,
-                    w_115 / w_54,
-                    -(S::from_f64(2.0) * sqrt_w_54
-                        * (w_116 - w_117
-                            - b2_on_platform_z
-                                * (w_10 * (platform_q2 * w_51 + platform_q1 * w_47)
-                                    - platform_q3 * w_110)) / w_54),
+                    w_52 * sqrt_w_57 / w_57,
+                    w_55 * sqrt_w_57 / w_57,
+                    b2_on_platform_z * sqrt_w_57 / w_57,
+                    S::from_f64(2.0) * sqrt_w_57
+                        * (w_52 * (platform_q0 * w_114 - w_54 * w_76)
+                            + w_55 * (platform_q0 * w_115 + w_50 * w_76) - w_117) / w_57,
+                    S::from_f64(2.0) * sqrt_w_57
+                        * (w_52 * (platform_q1 * w_114 + w_54 * w_80)
+                            + w_55 * (w_50 * w_80 - w_53 * w_81 - w_51 * w_83) + w_118)
+                        / w_57,
+                    S::from_f64(2.0) * sqrt_w_57
+                        * (w_52 * (w_54 * w_85 - w_53 * w_87 - w_51 * w_88)
+                            + w_55 * (platform_q2 * w_115 + w_50 * w_85) + w_119) / w_57,
+                    -(w_121 / w_57),
                 ],
                 [
-                    w_58 * sqrt_w_63 / w_63,
-                    w_61 * sqrt_w_63 / w_63,
-                    c1_on_platform_z * sqrt_w_63 / w_63,
-                    S::from_f64(2.0) * sqrt_w_63
-                        * (w_58 * (platform_q0 * w_118 - platform_q3 * w_10 * w_60)
-                            + w_61 * (platform_q0 * w_119 + platform_q3 * w_10 * w_56)
-                            - w_121) / w_63,
-                    w_123 / w_63,
-                    w_125 / w_63,
-                    -(S::from_f64(2.0) * sqrt_w_63
-                        * (w_126 - w_127
-                            - c1_on_platform_z
-                                * (w_10 * (platform_q2 * w_60 + platform_q1 * w_56)
-                                    - platform_q3 * w_120)) / w_63),
+                    w_61 * sqrt_w_66 / w_66,
+                    w_64 * sqrt_w_66 / w_66,
+                    c1_on_platform_z * sqrt_w_66 / w_66,
+                    S::from_f64(2.0) * sqrt_w_66
+                        * (w_61 * (platform_q0 * w_122 - w_63 * w_76)
+                            + w_64 * (platform_q0 * w_123 + w_59 * w_76) - w_125) / w_66,
+                    S::from_f64(2.0) * sqrt_w_66
+                        * (w_61 * (platform_q1 * w_122 + w_63 * w_80)
+                            + w_64 * (w_59 * w_80 - w_62 * w_81 - w_60 * w_83) + w_126)
+                        / w_66,
+                    S::from_f64(2.0) * sqrt_w_66
+                        * (w_61 * (w_63 * w_85 - w_62 * w_87 - w_60 * w_88)
+                            + w_64 * (platform_q2 * w_123 + w_59 * w_85) + w_127) / w_66,
+                    -(w_129 / w_66),
                 ],
                 [
-                    w_66 * sqrt_w_71 / w_71,
-                    w_69 * sqrt_w_71 / w_71,
-                    c2_on_platform_z * sqrt_w_71 / w_71,
-                    S::from_f64(2.0) * sqrt_w_71
-                        * (w_66 * (platform_q0 * w_128 - platform_q3 * w_10 * w_68)
-                            + w_69 * (platform_q0 * w_129 + platform_q3 * w_10 * w_64)
-                            - w_131) / w_71,
-                    w_133 / w_71,
-                    w_135 / w_71,
-                    -(S::from_f64(2.0) * sqrt_w_71
-                        * (w_136 - w_137
-                            - c2_on_platform_z
-                                * (w_10 * (platform_q2 * w_68 + platform_q1 * w_64)
-                                    - platform_q3 * w_130)) / w_71),
+                    w_69 * sqrt_w_74 / w_74,
+                    w_72 * sqrt_w_74 / w_74,
+                    c2_on_platform_z * sqrt_w_74 / w_74,
+                    S::from_f64(2.0) * sqrt_w_74
+                        * (w_69 * (platform_q0 * w_130 - w_71 * w_76)
+                            + w_72 * (platform_q0 * w_131 + w_67 * w_76) - w_133) / w_74,
+                    S::from_f64(2.0) * sqrt_w_74
+                        * (w_69 * (platform_q1 * w_130 + w_71 * w_80)
+                            + w_72 * (w_67 * w_80 - w_70 * w_81 - w_68 * w_83) + w_134)
+                        / w_74,
+                    S::from_f64(2.0) * sqrt_w_74
+                        * (w_69 * (w_71 * w_85 - w_70 * w_87 - w_68 * w_88)
+                            + w_72 * (platform_q2 * w_131 + w_67 * w_85) + w_135) / w_74,
+                    -(w_137 / w_74),
                 ],
             ],
             time_derivative: [
@@ -3925,7 +3708,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 58 additions, 121 multiplications, 1 division, 12 sine-cosine pairs.
+    /// Operations: 58 additions, 100 multiplications, 1 division, 12 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 7]) -> [S; 75] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -3997,66 +3780,67 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 + platform_q3_squared);
         let w_6 = S::from_f64(2.0) * w_5 * (platform_q2_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let w_7 = platform_q1 * platform_q2;
-        let w_8 = platform_q0 * platform_q3;
-        let w_9 = w_7 - w_8;
-        let w_10 = self.r * S::from_f64(2.0) * sin_a1_head_angle;
+        let w_7 = self.r * S::from_f64(2.0);
+        let w_8 = sin_a1_head_angle * w_7;
+        let w_9 = platform_q1 * platform_q2;
+        let w_10 = platform_q0 * platform_q3;
+        let w_11 = w_5 * (w_9 - w_10);
         let a1_on_platform_x = platform_x - w_6 * self.r * cos_a1_head_angle
-            + w_5 * w_9 * w_10;
-        let w_11 = w_7 + w_8;
-        let w_12 = self.r * S::from_f64(2.0) * cos_a1_head_angle;
-        let w_13 = S::from_f64(2.0) * w_5 * (platform_q1_squared + platform_q3_squared)
+            + w_8 * w_11;
+        let w_12 = cos_a1_head_angle * w_7;
+        let w_13 = w_5 * (w_9 + w_10);
+        let w_14 = S::from_f64(2.0) * w_5 * (platform_q1_squared + platform_q3_squared)
             - S::from_f64(1.0);
-        let a1_on_platform_y = platform_y + w_5 * w_11 * w_12
-            - w_13 * self.r * sin_a1_head_angle;
-        let w_14 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_15 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_5 * (w_12 * w_14 + w_10 * w_15) + platform_z;
+        let a1_on_platform_y = platform_y + w_12 * w_13
+            - w_14 * self.r * sin_a1_head_angle;
+        let w_15 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_16 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_5 * (w_12 * w_15 + w_8 * w_16) + platform_z;
         let a2_on_ground_x = self.R * cos_a2_foot_angle;
         let a2_on_ground_y = self.R * sin_a2_foot_angle;
-        let w_16 = self.r * S::from_f64(2.0) * sin_a2_head_angle;
+        let w_17 = w_7 * sin_a2_head_angle;
         let a2_on_platform_x = platform_x - w_6 * self.r * cos_a2_head_angle
-            + w_5 * w_9 * w_16;
-        let w_17 = self.r * S::from_f64(2.0) * cos_a2_head_angle;
-        let a2_on_platform_y = platform_y + w_5 * w_11 * w_17
-            - w_13 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_5 * (w_14 * w_17 + w_15 * w_16) + platform_z;
+            + w_11 * w_17;
+        let w_18 = w_7 * cos_a2_head_angle;
+        let a2_on_platform_y = platform_y + w_13 * w_18
+            - w_14 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_5 * (w_15 * w_18 + w_16 * w_17) + platform_z;
         let b1_on_ground_x = self.R * cos_b1_foot_angle;
         let b1_on_ground_y = self.R * sin_b1_foot_angle;
-        let w_18 = self.r * S::from_f64(2.0) * sin_b1_head_angle;
+        let w_19 = w_7 * sin_b1_head_angle;
         let b1_on_platform_x = platform_x - w_6 * self.r * cos_b1_head_angle
-            + w_5 * w_9 * w_18;
-        let w_19 = self.r * S::from_f64(2.0) * cos_b1_head_angle;
-        let b1_on_platform_y = platform_y + w_5 * w_11 * w_19
-            - w_13 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_5 * (w_14 * w_19 + w_15 * w_18) + platform_z;
+            + w_11 * w_19;
+        let w_20 = w_7 * cos_b1_head_angle;
+        let b1_on_platform_y = platform_y + w_13 * w_20
+            - w_14 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_5 * (w_15 * w_20 + w_16 * w_19) + platform_z;
         let b2_on_ground_x = self.R * cos_b2_foot_angle;
         let b2_on_ground_y = self.R * sin_b2_foot_angle;
-        let w_20 = self.r * S::from_f64(2.0) * sin_b2_head_angle;
+        let w_21 = w_7 * sin_b2_head_angle;
         let b2_on_platform_x = platform_x - w_6 * self.r * cos_b2_head_angle
-            + w_5 * w_9 * w_20;
-        let w_21 = self.r * S::from_f64(2.0) * cos_b2_head_angle;
-        let b2_on_platform_y = platform_y + w_5 * w_11 * w_21
-            - w_13 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_5 * (w_14 * w_21 + w_15 * w_20) + platform_z;
+            + w_11 * w_21;
+        let w_22 = w_7 * cos_b2_head_angle;
+        let b2_on_platform_y = platform_y + w_13 * w_22
+            - w_14 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_5 * (w_15 * w_22 + w_16 * w_21) + platform_z;
         let c1_on_ground_x = self.R * cos_c1_foot_angle;
         let c1_on_ground_y = self.R * sin_c1_foot_angle;
-        let w_22 = self.r * S::from_f64(2.0) * sin_c1_head_angle;
+        let w_23 = w_7 * sin_c1_head_angle;
         let c1_on_platform_x = platform_x - w_6 * self.r * cos_c1_head_angle
-            + w_5 * w_9 * w_22;
-        let w_23 = self.r * S::from_f64(2.0) * cos_c1_head_angle;
-        let c1_on_platform_y = platform_y + w_5 * w_11 * w_23
-            - w_13 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_5 * (w_14 * w_23 + w_15 * w_22) + platform_z;
+            + w_11 * w_23;
+        let w_24 = w_7 * cos_c1_head_angle;
+        let c1_on_platform_y = platform_y + w_13 * w_24
+            - w_14 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_5 * (w_15 * w_24 + w_16 * w_23) + platform_z;
         let c2_on_ground_x = self.R * cos_c2_foot_angle;
         let c2_on_ground_y = self.R * sin_c2_foot_angle;
-        let w_24 = self.r * S::from_f64(2.0) * sin_c2_head_angle;
+        let w_25 = w_7 * sin_c2_head_angle;
         let c2_on_platform_x = platform_x - w_6 * self.r * cos_c2_head_angle
-            + w_5 * w_9 * w_24;
-        let w_25 = self.r * S::from_f64(2.0) * cos_c2_head_angle;
-        let c2_on_platform_y = platform_y + w_5 * w_11 * w_25
-            - w_13 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_5 * (w_14 * w_25 + w_15 * w_24) + platform_z;
+            + w_11 * w_25;
+        let w_26 = w_7 * cos_c2_head_angle;
+        let c2_on_platform_y = platform_y + w_13 * w_26
+            - w_14 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_5 * (w_15 * w_26 + w_16 * w_25) + platform_z;
         [
             a1_on_ground_x,
             a1_on_ground_y,
@@ -4183,7 +3967,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 1326 additions, 2326 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
+    /// Operations: 1326 additions, 2128 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -4202,148 +3986,332 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let w = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_2 = platform_q2_squared + platform_q3_squared;
-        let w_3 = w * S::from_f64(2.0) * w_2 - S::from_f64(1.0);
-        let w_4 = platform_q1 * platform_q2;
-        let w_5 = platform_q0 * platform_q3;
-        let w_6 = w_4 - w_5;
-        let w_7 = platform_x - self.k_6 - w_3 * self.k_7 + w * w_6 * self.k_8;
-        let w_8 = w_4 + w_5;
-        let w_9 = platform_q1_squared + platform_q3_squared;
-        let w_10 = w * S::from_f64(2.0) * w_9 - S::from_f64(1.0);
-        let w_11 = platform_y - self.k_9 + w * w_8 * self.k_10 - w_10 * self.k_11;
-        let w_12 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_13 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
-        let w_14 = self.k_10 * w_12 + self.k_8 * w_13;
-        let a1_on_platform_z = w * w_14 + platform_z;
-        let w_15 = w_7 * w_7 + w_11 * w_11 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_15 = w_15.sqrt();
-        let a1_leg_by_platform_x = w_7 * sqrt_w_15 / w_15;
-        let l_lambda_a1_leg_platform_x = a1_leg_by_platform_x * self.inverse_platform_x;
         let w_squared = w * w;
-        let w_16 = self.k_3 - w_squared * self.k_2;
-        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_16;
-        let platform_norm_by_platform_q0 = platform_q0 * S::from_f64(2.0);
-        let w_17 = self.k * (platform_q1_squared + platform_q2_squared);
+        let w_2 = platform_q0 * platform_q2_dot;
+        let w_3 = platform_q2 * platform_q0_dot;
+        let w_4 = platform_q3 * platform_q1_dot;
+        let w_5 = platform_q1 * platform_q3_dot;
+        let w_6 = w_2 - w_3 - w_4 + w_5;
+        let w_7 = platform_q0 * platform_q3_dot;
+        let w_8 = platform_q3 * platform_q0_dot;
+        let w_9 = platform_q1 * platform_q2_dot;
+        let w_10 = platform_q2 * platform_q1_dot;
+        let w_11 = w_7 - w_8 - w_9 + w_10;
+        let w_12 = platform_q0 * platform_q1_dot;
+        let w_13 = platform_q1 * platform_q0_dot;
+        let w_14 = platform_q2 * platform_q3_dot;
+        let w_15 = platform_q3 * platform_q2_dot;
+        let w_16 = w_12 - w_13 - w_14 + w_15;
+        let w_17 = platform_q1 * platform_q1_dot;
+        let w_18 = platform_q2 * platform_q2_dot;
+        let w_19 = platform_q3 * platform_q3_dot;
+        let w_20 = platform_q0 * platform_q0_dot + w_17 + w_18 + w_19;
+        let w_21 = self.A * w_20;
+        let w_22 = w_squared * (w_6 * w_11 * self.k_45 - w_16 * w_21);
+        let w_23 = w_squared * (w_11 * w_16 * self.k_46 - w_6 * w_21);
+        let w_24 = w * w_squared;
+        let w_25 = self.k_47 * w_11 * w_20;
+        let w_26 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
+            + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
+        let rhs_platform_q0 = S::from_f64(8.0) * w
+            * (platform_q1 * w_22 + platform_q2 * w_23) - platform_q3 * w_24 * w_25
+            - platform_q0 * self.k_3 * w_26;
+        let w_27 = self.k_3 - w_squared * self.k;
+        let w_28 = platform_q2 * platform_q3;
+        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_27
+            + w_squared * self.k_4 * w_28;
+        let w_29 = self.k * (platform_q1_squared + platform_q2_squared);
         let mass_platform_q0_platform_q0 = w_squared
-            * (w_17 + platform_q3_squared * self.k_2) + platform_q0_squared * self.k_3;
+            * (w_29 + platform_q3_squared * self.k_2) + platform_q0_squared * self.k_3;
         let inverse_platform_q0 = S::from_f64(1.0) / mass_platform_q0_platform_q0;
-        let l_lambda_platform_norm_platform_q0 = platform_norm_by_platform_q0
-            * inverse_platform_q0;
-        let w_18 = self.k_3 - w_squared * self.k;
-        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_18
-            + platform_q2 * platform_q3 * w_squared * self.k_4;
-        let l_platform_q3_platform_q0 = mass_platform_q3_platform_q0
-            * inverse_platform_q0;
-        let k_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_18
-            + platform_q0 * platform_q2 * w_squared * self.k_5
-            - mass_platform_q1_platform_q0 * l_platform_q3_platform_q0;
-        let w_19 = self.k * (platform_q0_squared + platform_q3_squared);
-        let mass_platform_q1_platform_q1 = w_squared
-            * (w_19 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
         let l_platform_q1_platform_q0 = mass_platform_q1_platform_q0
             * inverse_platform_q0;
+        let rhs_platform_q1 = S::from_f64(8.0) * w
+            * (platform_q3 * w_23 - platform_q0 * w_22) + platform_q2 * w_24 * w_25
+            - platform_q1 * self.k_3 * w_26
+            - rhs_platform_q0 * l_platform_q1_platform_q0;
+        let w_30 = self.k_3 - w_squared * self.k_2;
+        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_30;
+        let l_platform_q3_platform_q0 = mass_platform_q3_platform_q0
+            * inverse_platform_q0;
+        let w_31 = self.k * (platform_q0_squared + platform_q3_squared);
+        let mass_platform_q1_platform_q1 = w_squared
+            * (w_31 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
         let pivot_platform_q1 = mass_platform_q1_platform_q1
             - mass_platform_q1_platform_q0 * l_platform_q1_platform_q0;
         let inverse_platform_q1 = S::from_f64(1.0) / pivot_platform_q1;
-        let k_lambda_platform_norm_platform_q1 = platform_q1 * S::from_f64(2.0)
-            - mass_platform_q1_platform_q0 * l_lambda_platform_norm_platform_q0;
-        let l_lambda_platform_norm_platform_q1 = inverse_platform_q1
-            * k_lambda_platform_norm_platform_q1;
-        let mass_platform_q2_platform_q0 = w_squared
-            * (platform_q1 * platform_q3 * self.k_5 - platform_q0 * platform_q2 * self.k)
-            + platform_q0 * platform_q2 * self.k_3;
+        let w_32 = platform_q0 * platform_q2;
+        let k_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_27
+            + w_squared * self.k_5 * w_32
+            - mass_platform_q1_platform_q0 * l_platform_q3_platform_q0;
+        let l_platform_q3_platform_q1 = inverse_platform_q1 * k_platform_q3_platform_q1;
+        let mass_platform_q2_platform_q2 = w_squared
+            * (w_31 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
+        let w_33 = platform_q1 * platform_q3;
+        let mass_platform_q2_platform_q0 = w_squared * (self.k_5 * w_33 - self.k * w_32)
+            + self.k_3 * w_32;
         let l_platform_q2_platform_q0 = mass_platform_q2_platform_q0
             * inverse_platform_q0;
-        let k_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_16
+        let k_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_30
             - mass_platform_q1_platform_q0 * l_platform_q2_platform_q0;
-        let l_platform_q3_platform_q1 = inverse_platform_q1 * k_platform_q3_platform_q1;
-        let k_platform_q3_platform_q2 = w_squared
-            * (platform_q1 * platform_q0 * self.k_4 - platform_q2 * platform_q3 * self.k)
-            + platform_q2 * platform_q3 * self.k_3
-            - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
-            - k_platform_q2_platform_q1 * l_platform_q3_platform_q1;
-        let mass_platform_q2_platform_q2 = w_squared
-            * (w_19 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
         let l_platform_q2_platform_q1 = inverse_platform_q1 * k_platform_q2_platform_q1;
         let pivot_platform_q2 = mass_platform_q2_platform_q2
             - mass_platform_q2_platform_q0 * l_platform_q2_platform_q0
             - k_platform_q2_platform_q1 * l_platform_q2_platform_q1;
         let inverse_platform_q2 = S::from_f64(1.0) / pivot_platform_q2;
+        let w_34 = platform_q1 * platform_q0;
+        let k_platform_q3_platform_q2 = w_squared * (self.k_4 * w_34 - self.k * w_28)
+            + self.k_3 * w_28 - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
+            - k_platform_q2_platform_q1 * l_platform_q3_platform_q1;
+        let l_platform_q3_platform_q2 = inverse_platform_q2 * k_platform_q3_platform_q2;
+        let minus_rhs_platform_q2 = S::from_f64(8.0) * w
+            * (platform_q3 * w_22 + platform_q0 * w_23) + platform_q1 * w_24 * w_25
+            + platform_q2 * self.k_3 * w_26 + rhs_platform_q0 * l_platform_q2_platform_q0
+            + l_platform_q2_platform_q1 * rhs_platform_q1;
+        let rhs_platform_q3 = S::from_f64(8.0) * w
+            * (platform_q2 * w_22 - platform_q1 * w_23) + platform_q0 * w_24 * w_25
+            - platform_q3 * self.k_3 * w_26 - rhs_platform_q0 * l_platform_q3_platform_q0
+            - l_platform_q3_platform_q1 * rhs_platform_q1
+            + l_platform_q3_platform_q2 * minus_rhs_platform_q2;
+        let platform_norm_by_platform_q0 = platform_q0 * S::from_f64(2.0);
+        let l_lambda_platform_norm_platform_q0 = platform_norm_by_platform_q0
+            * inverse_platform_q0;
+        let k_lambda_platform_norm_platform_q1 = platform_q1 * S::from_f64(2.0)
+            - mass_platform_q1_platform_q0 * l_lambda_platform_norm_platform_q0;
+        let l_lambda_platform_norm_platform_q1 = inverse_platform_q1
+            * k_lambda_platform_norm_platform_q1;
         let k_lambda_platform_norm_platform_q2 = platform_q2 * S::from_f64(2.0)
             - mass_platform_q2_platform_q0 * l_lambda_platform_norm_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_platform_norm_platform_q1;
         let l_lambda_platform_norm_platform_q2 = inverse_platform_q2
             * k_lambda_platform_norm_platform_q2;
-        let k_lambda_platform_norm_platform_q3 = platform_q3 * S::from_f64(2.0)
-            - mass_platform_q3_platform_q0 * l_lambda_platform_norm_platform_q0
-            - k_platform_q3_platform_q1 * l_lambda_platform_norm_platform_q1
-            - k_platform_q3_platform_q2 * l_lambda_platform_norm_platform_q2;
         let mass_platform_q3_platform_q3 = w_squared
-            * (w_17 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
-        let l_platform_q3_platform_q2 = inverse_platform_q2 * k_platform_q3_platform_q2;
+            * (w_29 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
         let pivot_platform_q3 = mass_platform_q3_platform_q3
             - mass_platform_q3_platform_q0 * l_platform_q3_platform_q0
             - k_platform_q3_platform_q1 * l_platform_q3_platform_q1
             - k_platform_q3_platform_q2 * l_platform_q3_platform_q2;
         let inverse_platform_q3 = S::from_f64(1.0) / pivot_platform_q3;
-        let w_20 = w - w_squared * w_2;
-        let w_21 = platform_q3 * w_20;
-        let w_22 = platform_q0 * w * self.k_11 + self.k_10 * w_21
-            + platform_q3 * w_squared * w_6 * self.k_8;
-        let w_23 = w - w_squared * w_9;
-        let w_24 = platform_q3 * w_23;
-        let w_25 = platform_q0 * w * self.k_7 - platform_q3 * w_squared * w_8 * self.k_10
-            - self.k_8 * w_24;
-        let w_26 = w_squared * w_14;
-        let w_27 = w * (platform_q2 * self.k_11 + platform_q1 * self.k_7)
-            - platform_q3 * w_26;
-        let w_28 = w_7 * w_22 - w_11 * w_25 - a1_on_platform_z * w_27;
-        let w_29 = w_squared * (w_2 * self.k_10 - w_6 * self.k_8);
-        let w_30 = platform_q0 * w_29 - platform_q3 * w * self.k_11;
-        let w_31 = w_squared * (self.k_8 * w_9 - w_8 * self.k_10);
-        let w_32 = platform_q0 * w_31 + platform_q3 * w * self.k_7;
-        let w_33 = platform_q0 * w_26
-            + w * (platform_q2 * self.k_7 - platform_q1 * self.k_11);
-        let w_34 = w_7 * w_30 + w_11 * w_32 - a1_on_platform_z * w_33;
-        let a1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_15 * w_34 / w_15;
+        let k_lambda_platform_norm_platform_q3 = platform_q3 * S::from_f64(2.0)
+            - mass_platform_q3_platform_q0 * l_lambda_platform_norm_platform_q0
+            - k_platform_q3_platform_q1 * l_lambda_platform_norm_platform_q1
+            - k_platform_q3_platform_q2 * l_lambda_platform_norm_platform_q2;
+        let l_lambda_platform_norm_platform_q3 = inverse_platform_q3
+            * k_lambda_platform_norm_platform_q3;
+        let rhs_lambda_platform_norm = l_lambda_platform_norm_platform_q2
+            * minus_rhs_platform_q2 - S::from_f64(2.0) * w_26
+            - rhs_platform_q0 * l_lambda_platform_norm_platform_q0
+            - l_lambda_platform_norm_platform_q1 * rhs_platform_q1
+            - l_lambda_platform_norm_platform_q3 * rhs_platform_q3;
+        let w_35 = platform_q2_squared + platform_q3_squared;
+        let w_36 = w * S::from_f64(2.0) * w_35 - S::from_f64(1.0);
+        let w_37 = platform_q1 * platform_q2;
+        let w_38 = platform_q0 * platform_q3;
+        let w_39 = w_37 - w_38;
+        let w_40 = w_39 * self.k_8;
+        let w_41 = platform_x - self.k_6 - w_36 * self.k_7 + w * w_40;
+        let w_42 = w_37 + w_38;
+        let w_43 = w_42 * self.k_10;
+        let w_44 = platform_q1_squared + platform_q3_squared;
+        let w_45 = w * S::from_f64(2.0) * w_44 - S::from_f64(1.0);
+        let w_46 = platform_y - self.k_9 + w * w_43 - w_45 * self.k_11;
+        let w_47 = w_33 - w_32;
+        let w_48 = w_28 + w_34;
+        let w_49 = self.k_10 * w_47 + self.k_8 * w_48;
+        let a1_on_platform_z = w * w_49 + platform_z;
+        let w_50 = w_41 * w_41 + w_46 * w_46 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_50 = w_50.sqrt();
+        let w_51 = platform_q1 * self.k_11;
+        let w_52 = w - w_squared * w_35;
+        let w_53 = platform_q2 * w_52;
+        let w_54 = platform_q2 * w_39;
+        let w_55 = w * w_51 - self.k_10 * w_53 - w_squared * self.k_8 * w_54;
+        let w_56 = w_squared * (self.k_8 * w_44 - w_43);
+        let w_57 = platform_q1 * self.k_7;
+        let w_58 = platform_q2 * w_56 + w * w_57;
+        let w_59 = platform_q3 * self.k_11;
+        let w_60 = platform_q0 * self.k_7;
+        let w_61 = w_squared * w_49;
+        let w_62 = w * (w_59 - w_60) - platform_q2 * w_61;
+        let w_63 = w_41 * w_55 + w_46 * w_58 + a1_on_platform_z * w_62;
+        let w_64 = w_squared * (w_35 * self.k_10 - w_40);
+        let w_65 = platform_q0 * w_64 - w * w_59;
+        let w_66 = platform_q3 * self.k_7;
+        let w_67 = platform_q0 * w_56 + w * w_66;
+        let w_68 = platform_q2 * self.k_7;
+        let w_69 = platform_q0 * w_61 + w * (w_68 - w_51);
+        let w_70 = w_41 * w_65 + w_46 * w_67 - a1_on_platform_z * w_69;
+        let a1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_50 * w_70 / w_50;
         let l_lambda_a1_leg_platform_q0 = a1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_35 = platform_q1 * w_29 + platform_q2 * w * self.k_11;
-        let w_36 = platform_q1 * w_23;
-        let w_37 = platform_q2 * w * self.k_7 - platform_q1 * w_squared * w_8 * self.k_10
-            - self.k_8 * w_36;
-        let w_38 = w * (platform_q3 * self.k_7 + platform_q0 * self.k_11)
-            - platform_q1 * w_26;
-        let w_39 = w_7 * w_35 + w_11 * w_37 + a1_on_platform_z * w_38;
-        let k_lambda_a1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_15 * w_39 / w_15
+        let w_71 = platform_q2 * self.k_11;
+        let w_72 = platform_q1 * w_64 + w * w_71;
+        let w_73 = platform_q1 * w_42;
+        let w_74 = w - w_squared * w_44;
+        let w_75 = platform_q1 * w_74;
+        let w_76 = w * w_68 - w_squared * self.k_10 * w_73 - self.k_8 * w_75;
+        let w_77 = platform_q0 * self.k_11;
+        let w_78 = w * (w_66 + w_77) - platform_q1 * w_61;
+        let w_79 = w_41 * w_72 + w_46 * w_76 + a1_on_platform_z * w_78;
+        let k_lambda_a1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_50 * w_79 / w_50
             - mass_platform_q1_platform_q0 * l_lambda_a1_leg_platform_q0;
         let l_lambda_a1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a1_leg_platform_q1;
-        let w_40 = platform_q2 * w_20;
-        let w_41 = platform_q1 * w * self.k_11 - self.k_10 * w_40
-            - platform_q2 * w_squared * w_6 * self.k_8;
-        let w_42 = platform_q2 * w_31 + platform_q1 * w * self.k_7;
-        let w_43 = w * (platform_q3 * self.k_11 - platform_q0 * self.k_7)
-            - platform_q2 * w_26;
-        let w_44 = w_7 * w_41 + w_11 * w_42 + a1_on_platform_z * w_43;
-        let k_lambda_a1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_15 * w_44 / w_15
+        let k_lambda_a1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_50 * w_63 / w_50
             - mass_platform_q2_platform_q0 * l_lambda_a1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a1_leg_platform_q1;
         let l_lambda_a1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a1_leg_platform_q2;
-        let minus_k_lambda_a1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_15 * w_28
-            / w_15 + mass_platform_q3_platform_q0 * l_lambda_a1_leg_platform_q0
+        let w_80 = w_18 + w_19;
+        let w_81 = w_squared * w_35 * w_20 - w * w_80;
+        let w_82 = w_39 * w_20;
+        let w_83 = w_7 + w_8 - w_9 - w_10;
+        let w_84 = platform_x_dot + w_81 * self.k_48 - w_squared * self.k_49 * w_82
+            - w * self.k_8 * w_83;
+        let w_85 = w_7 + w_8 + w_9 + w_10;
+        let w_86 = w_42 * w_20;
+        let w_87 = w_17 + w_19;
+        let w_88 = w_squared * w_44 * w_20 - w * w_87;
+        let w_89 = platform_y_dot + w * self.k_10 * w_85 - w_squared * self.k_48 * w_86
+            + self.k_49 * w_88;
+        let w_90 = w_12 + w_13 + w_14 + w_15;
+        let w_91 = w_2 + w_3 - w_4 - w_5;
+        let w_92 = w * (self.k_8 * w_90 - self.k_10 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_48 + w_48 * self.k_49) + platform_z_dot;
+        let w_93 = w_41 * w_84 + w_46 * w_89 + a1_on_platform_z * w_92;
+        let w_94 = platform_q3 * w_52;
+        let w_95 = platform_q3 * w_39;
+        let w_96 = w * w_77 + self.k_10 * w_94 + w_squared * self.k_8 * w_95;
+        let w_97 = platform_q3 * w_42;
+        let w_98 = platform_q3 * w_74;
+        let w_99 = w * w_60 - w_squared * self.k_10 * w_97 - self.k_8 * w_98;
+        let w_100 = w * (w_71 + w_57) - platform_q3 * w_61;
+        let w_101 = w_41 * w_96 - w_46 * w_99 - a1_on_platform_z * w_100;
+        let w_50_squared = w_50 * w_50;
+        let w_102 = w_93
+            * ((w_101 * platform_q3_dot - w_70 * platform_q0_dot - w_79 * platform_q1_dot
+                - w_63 * platform_q2_dot) / w_50_squared);
+        let w_103 = platform_q3 * w_20;
+        let w_104 = platform_q0 * w_83 - w_39 * platform_q0_dot + w_103;
+        let w_105 = w_20 * w_24 * (w_39 * self.k_51 - w_35 * self.k_50);
+        let w_106 = self.k_11 * platform_q3_dot;
+        let w_107 = w_41
+            * (w_squared
+                * (self.k_8 * w_104 + w_35 * self.k_10 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_48) + platform_q0 * w_105 - w * w_106);
+        let w_108 = w_103 + w_42 * platform_q0_dot + platform_q0 * w_85;
+        let w_109 = w_20 * w_24 * (w_42 * self.k_50 - w_44 * self.k_51);
+        let w_110 = self.k_7 * platform_q3_dot;
+        let w_111 = w_46
+            * (w_squared
+                * (self.k_8 * w_44 * platform_q0_dot - self.k_10 * w_108
+                    + platform_q0 * self.k_49 * w_87) + platform_q0 * w_109 + w * w_110);
+        let w_112 = platform_q2 * w_20;
+        let w_113 = w_47 * platform_q0_dot - platform_q0 * w_91 - w_112;
+        let w_114 = platform_q1 * w_20;
+        let w_115 = w_114 + w_48 * platform_q0_dot + platform_q0 * w_90;
+        let w_116 = w_20 * w_24 * (w_47 * self.k_50 + w_48 * self.k_51);
+        let w_117 = self.k_7 * platform_q2_dot;
+        let w_118 = self.k_11 * platform_q1_dot;
+        let w_119 = w_65 * w_84 + w_107 + w_67 * w_89 + w_111 - w_69 * w_92
+            - a1_on_platform_z
+                * (w_squared * (self.k_10 * w_113 + self.k_8 * w_115)
+                    - platform_q0 * w_116 + w * (w_117 - w_118));
+        let w_120 = platform_q1 * w_83 - w_112 - w_39 * platform_q1_dot;
+        let w_121 = self.k_11 * platform_q2_dot;
+        let w_122 = w_41
+            * (w_squared
+                * (self.k_8 * w_120 + w_35 * self.k_10 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_48) + platform_q1 * w_105 + w * w_121);
+        let w_123 = w_squared * (w_112 + w_42 * platform_q1_dot + platform_q1 * w_85);
+        let w_124 = platform_q1 * w_86;
+        let w_125 = S::from_f64(4.0) * w_20;
+        let w_126 = w_44 * w_24 * w_125 - S::from_f64(2.0) * w_squared * (w_20 + w_87);
+        let w_127 = platform_q1 * w_126 + w_74 * platform_q1_dot;
+        let w_128 = platform_q1 * w_91 - w_103 - w_47 * platform_q1_dot;
+        let w_129 = platform_q0 * w_20;
+        let w_130 = w_129 + w_48 * platform_q1_dot + platform_q1 * w_90;
+        let w_131 = self.k_11 * platform_q0_dot;
+        let w_132 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_128 - self.k_8 * w_130) + w * (w_110 + w_131)
+                + platform_q1 * w_116);
+        let w_133 = w_72 * w_84 + w_122 + w_76 * w_89
+            + w_46
+                * (w * w_117 - self.k_10 * w_123 + w_24 * self.k_50 * w_124
+                    - self.k_8 * w_127) + w_78 * w_92 + w_132;
+        let w_134 = w_squared * (platform_q2 * w_83 - w_114 - w_39 * platform_q2_dot);
+        let w_135 = w_35 * w_24 * w_125 - S::from_f64(2.0) * w_squared * (w_20 + w_80);
+        let w_136 = platform_q2 * w_135 + w_52 * platform_q2_dot;
+        let w_137 = platform_q2 * w_82;
+        let w_138 = w_114 + w_42 * platform_q2_dot + platform_q2 * w_85;
+        let w_139 = self.k_7 * platform_q1_dot;
+        let w_140 = w_46
+            * (w_squared
+                * (self.k_8 * w_44 * platform_q2_dot - self.k_10 * w_138
+                    + platform_q2 * self.k_49 * w_87) + platform_q2 * w_109 + w * w_139);
+        let w_141 = platform_q2 * w_91 - w_47 * platform_q2_dot + w_129;
+        let w_142 = w_103 + w_48 * platform_q2_dot + platform_q2 * w_90;
+        let w_143 = self.k_7 * platform_q0_dot;
+        let w_144 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_141 - self.k_8 * w_142) + w * (w_106 - w_143)
+                + platform_q2 * w_116);
+        let w_145 = w_55 * w_84
+            + w_41
+                * (self.k_8 * w_134 + w * w_118 - self.k_10 * w_136
+                    + w_24 * self.k_51 * w_137) + w_58 * w_89 + w_140 + w_62 * w_92
+            + w_144;
+        let w_146 = w_squared * (w_39 * platform_q3_dot - w_129 - platform_q3 * w_83);
+        let w_147 = platform_q3 * w_135 + w_52 * platform_q3_dot;
+        let w_148 = platform_q3 * w_82;
+        let w_149 = w_squared * (w_129 + w_42 * platform_q3_dot + platform_q3 * w_85);
+        let w_150 = platform_q3 * w_86;
+        let w_151 = platform_q3 * w_126 + w_74 * platform_q3_dot;
+        let w_152 = w_46
+            * (w * w_143 - self.k_10 * w_149 + w_24 * self.k_50 * w_150
+                - self.k_8 * w_151);
+        let w_153 = platform_q3 * w_91 - w_114 - w_47 * platform_q3_dot;
+        let w_154 = w_112 + w_48 * platform_q3_dot + platform_q3 * w_90;
+        let w_155 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_153 - self.k_8 * w_154) + w * (w_121 + w_139)
+                + platform_q3 * w_116);
+        let w_156 = w_96 * w_84
+            + w_41
+                * (self.k_8 * w_146 + w * w_131 + self.k_10 * w_147
+                    - w_24 * self.k_51 * w_148) - w_99 * w_89 - w_152 - w_100 * w_92
+            - w_155;
+        let w_157 = S::from_f64(2.0)
+            * (w_102
+                + (platform_q0_dot * w_119 + platform_q1_dot * w_133
+                    + platform_q2_dot * w_145 - platform_q3_dot * w_156) / w_50);
+        let w_158 = w_157
+            + (platform_x_dot * w_84 + platform_y_dot * w_89 + platform_z_dot * w_92)
+                / w_50
+            - w_93
+                * ((w_41 * platform_x_dot + w_46 * platform_y_dot
+                    + a1_on_platform_z * platform_z_dot) / w_50_squared);
+        let w_159 = self.w * t;
+        let w_160 = self.k_12 + w_159;
+        let w_161 = self.k_25 + w_159;
+        let w_162 = self.k_38 + w_159;
+        let (
+            [sin_w_159,
+            sin_w_160,
+            sin_w_161,
+            sin_w_162,
+            ],
+            [cos_w_159,
+            cos_w_160,
+            cos_w_161,
+            cos_w_162,
+            ],
+        ) = S::sin_cos_each([w_159, w_160, w_161, w_162]);
+        let minus_k_lambda_a1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_50 * w_101
+            / w_50 + mass_platform_q3_platform_q0 * l_lambda_a1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a1_leg_platform_q2;
         let minus_l_lambda_a1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a1_leg_platform_q3;
-        let k_lambda_a1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
-            * minus_l_lambda_a1_leg_platform_q3
-            - platform_norm_by_platform_q0 * l_lambda_a1_leg_platform_q0
-            - k_lambda_platform_norm_platform_q1 * l_lambda_a1_leg_platform_q1
-            - k_lambda_platform_norm_platform_q2 * l_lambda_a1_leg_platform_q2;
-        let l_lambda_platform_norm_platform_q3 = inverse_platform_q3
-            * k_lambda_platform_norm_platform_q3;
+        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_50 / w_50;
+        let l_lambda_a1_leg_platform_z = a1_leg_by_platform_z * self.inverse_platform_x;
         let minus_pivot_lambda_platform_norm = platform_norm_by_platform_q0
             * l_lambda_platform_norm_platform_q0
             + k_lambda_platform_norm_platform_q1 * l_lambda_platform_norm_platform_q1
@@ -4351,258 +4319,154 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + k_lambda_platform_norm_platform_q3 * l_lambda_platform_norm_platform_q3;
         let minus_inverse_lambda_platform_norm = S::from_f64(1.0)
             / minus_pivot_lambda_platform_norm;
+        let k_lambda_a1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
+            * minus_l_lambda_a1_leg_platform_q3
+            - platform_norm_by_platform_q0 * l_lambda_a1_leg_platform_q0
+            - k_lambda_platform_norm_platform_q1 * l_lambda_a1_leg_platform_q1
+            - k_lambda_platform_norm_platform_q2 * l_lambda_a1_leg_platform_q2;
         let minus_l_lambda_a1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a1_leg_lambda_platform_norm;
-        let a1_leg_by_platform_y = w_11 * sqrt_w_15 / w_15;
-        let l_lambda_a1_leg_platform_y = a1_leg_by_platform_y * self.inverse_platform_x;
-        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_15 / w_15;
-        let l_lambda_a1_leg_platform_z = a1_leg_by_platform_z * self.inverse_platform_x;
-        let w_45 = a1_leg_by_platform_x * l_lambda_a1_leg_platform_x
-            + a1_leg_by_platform_y * l_lambda_a1_leg_platform_y
-            + a1_leg_by_platform_z * l_lambda_a1_leg_platform_z
-            + a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
-            + k_lambda_a1_leg_platform_q1 * l_lambda_a1_leg_platform_q1
-            + k_lambda_a1_leg_platform_q2 * l_lambda_a1_leg_platform_q2
-            + minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a1_leg_platform_q3;
-        let pivot_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
-            * minus_l_lambda_a1_leg_lambda_platform_norm - w_45;
-        let inverse_lambda_a1_leg = S::from_f64(1.0) / pivot_lambda_a1_leg;
-        let w_46 = platform_q1 * platform_q1_dot;
-        let w_47 = platform_q2 * platform_q2_dot;
-        let w_48 = platform_q3 * platform_q3_dot;
-        let w_49 = platform_q0 * platform_q0_dot + w_46 + w_47 + w_48;
-        let w_50 = w_47 + w_48;
-        let w_51 = w_squared * w_2 * w_49 - w * w_50;
-        let w_52 = platform_q0 * platform_q3_dot;
-        let w_53 = platform_q3 * platform_q0_dot;
-        let w_54 = platform_q1 * platform_q2_dot;
-        let w_55 = platform_q2 * platform_q1_dot;
-        let w_56 = w_52 + w_53 - w_54 - w_55;
-        let w_57 = platform_x_dot + w_51 * self.k_48 - w_squared * w_6 * w_49 * self.k_49
-            - w * self.k_8 * w_56;
-        let w_58 = w_52 + w_53 + w_54 + w_55;
-        let w_59 = w_46 + w_48;
-        let w_60 = w_squared * w_9 * w_49 - w * w_59;
-        let w_61 = platform_y_dot + w * self.k_10 * w_58
-            - w_squared * w_8 * w_49 * self.k_48 + self.k_49 * w_60;
-        let w_62 = platform_q0 * platform_q1_dot;
-        let w_63 = platform_q1 * platform_q0_dot;
-        let w_64 = platform_q2 * platform_q3_dot;
-        let w_65 = platform_q3 * platform_q2_dot;
-        let w_66 = w_62 + w_63 + w_64 + w_65;
-        let w_67 = platform_q0 * platform_q2_dot;
-        let w_68 = platform_q2 * platform_q0_dot;
-        let w_69 = platform_q3 * platform_q1_dot;
-        let w_70 = platform_q1 * platform_q3_dot;
-        let w_71 = w_67 + w_68 - w_69 - w_70;
-        let w_72 = w * (self.k_8 * w_66 - self.k_10 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_48 + w_13 * self.k_49) + platform_z_dot;
-        let w_73 = w_7 * w_57 + w_11 * w_61 + a1_on_platform_z * w_72;
-        let w_15_squared = w_15 * w_15;
-        let w_74 = platform_q3 * w_49;
-        let w_75 = platform_q0 * w_56 - w_6 * platform_q0_dot + w_74;
-        let w_76 = w * w_squared;
-        let w_77 = w_49 * w_76 * (w_6 * self.k_51 - w_2 * self.k_50);
-        let w_78 = w_7
-            * (w_squared
-                * (self.k_8 * w_75 + w_2 * self.k_10 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_48) + platform_q0 * w_77
-                - w * self.k_11 * platform_q3_dot);
-        let w_79 = w_74 + w_8 * platform_q0_dot + platform_q0 * w_58;
-        let w_80 = w_49 * w_76 * (w_8 * self.k_50 - w_9 * self.k_51);
-        let w_81 = w_11
-            * (w_squared
-                * (self.k_8 * w_9 * platform_q0_dot - self.k_10 * w_79
-                    + platform_q0 * self.k_49 * w_59) + platform_q0 * w_80
-                + w * self.k_7 * platform_q3_dot);
-        let w_82 = platform_q2 * w_49;
-        let w_83 = w_12 * platform_q0_dot - platform_q0 * w_71 - w_82;
-        let w_84 = platform_q1 * w_49;
-        let w_85 = w_84 + w_13 * platform_q0_dot + platform_q0 * w_66;
-        let w_86 = w_49 * w_76 * (w_12 * self.k_50 + w_13 * self.k_51);
-        let w_87 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_83 + self.k_8 * w_85) - platform_q0 * w_86
-                + w * (self.k_7 * platform_q2_dot - self.k_11 * platform_q1_dot));
-        let w_88 = platform_q1 * w_56 - w_82 - w_6 * platform_q1_dot;
-        let w_89 = w_7
-            * (w_squared
-                * (self.k_8 * w_88 + w_2 * self.k_10 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_48) + platform_q1 * w_77
-                + w * self.k_11 * platform_q2_dot);
-        let w_90 = w_squared * (w_82 + w_8 * platform_q1_dot + platform_q1 * w_58);
-        let w_91 = S::from_f64(4.0) * w_9 * w_49 * w_76
-            - S::from_f64(2.0) * w_squared * (w_49 + w_59);
-        let w_92 = platform_q1 * w_91 + w_23 * platform_q1_dot;
-        let w_93 = w_11
-            * (w * self.k_7 * platform_q2_dot - self.k_10 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_50 - self.k_8 * w_92);
-        let w_94 = platform_q1 * w_71 - w_74 - w_12 * platform_q1_dot;
-        let w_95 = platform_q0 * w_49;
-        let w_96 = w_95 + w_13 * platform_q1_dot + platform_q1 * w_66;
-        let w_97 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_94 - self.k_8 * w_96)
-                + w * (self.k_7 * platform_q3_dot + self.k_11 * platform_q0_dot)
-                + platform_q1 * w_86);
-        let w_98 = platform_q1_dot
-            * (w_35 * w_57 + w_89 + w_37 * w_61 + w_93 + w_38 * w_72 + w_97);
-        let w_99 = w_squared * (platform_q2 * w_56 - w_84 - w_6 * platform_q2_dot);
-        let w_100 = S::from_f64(4.0) * w_2 * w_49 * w_76
-            - S::from_f64(2.0) * w_squared * (w_49 + w_50);
-        let w_101 = platform_q2 * w_100 + w_20 * platform_q2_dot;
-        let w_102 = w_7
-            * (self.k_8 * w_99 + w * self.k_11 * platform_q1_dot - self.k_10 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_51);
-        let w_103 = w_84 + w_8 * platform_q2_dot + platform_q2 * w_58;
-        let w_104 = w_11
-            * (w_squared
-                * (self.k_8 * w_9 * platform_q2_dot - self.k_10 * w_103
-                    + platform_q2 * self.k_49 * w_59) + platform_q2 * w_80
-                + w * self.k_7 * platform_q1_dot);
-        let w_105 = platform_q2 * w_71 - w_12 * platform_q2_dot + w_95;
-        let w_106 = w_74 + w_13 * platform_q2_dot + platform_q2 * w_66;
-        let w_107 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_105 - self.k_8 * w_106)
-                + w * (self.k_11 * platform_q3_dot - self.k_7 * platform_q0_dot)
-                + platform_q2 * w_86);
-        let w_108 = platform_q2_dot
-            * (w_41 * w_57 + w_102 + w_42 * w_61 + w_104 + w_43 * w_72 + w_107);
-        let w_109 = w_squared * (w_6 * platform_q3_dot - w_95 - platform_q3 * w_56);
-        let w_110 = platform_q3 * w_100 + w_20 * platform_q3_dot;
-        let w_111 = w_7
-            * (self.k_8 * w_109 + w * self.k_11 * platform_q0_dot + self.k_10 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_51);
-        let w_112 = w_squared * (w_95 + w_8 * platform_q3_dot + platform_q3 * w_58);
-        let w_113 = platform_q3 * w_91 + w_23 * platform_q3_dot;
-        let w_114 = w_11
-            * (w * self.k_7 * platform_q0_dot - self.k_10 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_50 - self.k_8 * w_113);
-        let w_115 = platform_q3 * w_71 - w_84 - w_12 * platform_q3_dot;
-        let w_116 = w_82 + w_13 * platform_q3_dot + platform_q3 * w_66;
-        let w_117 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_115 - self.k_8 * w_116)
-                + w * (self.k_11 * platform_q2_dot + self.k_7 * platform_q1_dot)
-                + platform_q3 * w_86);
-        let w_118 = platform_q3_dot
-            * (w_22 * w_57 + w_111 - w_25 * w_61 - w_114 - w_27 * w_72 - w_117);
-        let w_119 = (platform_q0_dot
-            * (w_30 * w_57 + w_78 + w_32 * w_61 + w_81 - w_33 * w_72 - w_87) + w_98
-            + w_108 - w_118) / w_15;
-        let w_120 = S::from_f64(2.0)
-            * (w_73
-                * ((w_28 * platform_q3_dot - w_34 * platform_q0_dot
-                    - w_39 * platform_q1_dot - w_44 * platform_q2_dot) / w_15_squared)
-                + w_119);
-        let w_121 = w_120
-            + (platform_x_dot * w_57 + platform_y_dot * w_61 + platform_z_dot * w_72)
-                / w_15
-            - w_73
-                * ((w_7 * platform_x_dot + w_11 * platform_y_dot
-                    + a1_on_platform_z * platform_z_dot) / w_15_squared);
-        let w_122 = self.w * t;
-        let w_123 = self.k_12 + w_122;
-        let w_124 = self.k_25 + w_122;
-        let w_125 = self.k_38 + w_122;
-        let (
-            [sin_w_122,
-            sin_w_123,
-            sin_w_124,
-            sin_w_125,
-            ],
-            [cos_w_122,
-            cos_w_123,
-            cos_w_124,
-            cos_w_125,
-            ],
-        ) = S::sin_cos_each([w_122, w_123, w_124, w_125]);
-        let w_126 = w_67 - w_68 - w_69 + w_70;
-        let w_127 = w_52 - w_53 - w_54 + w_55;
-        let w_128 = w_62 - w_63 - w_64 + w_65;
-        let w_129 = w_squared * (w_126 * w_127 * self.k_45 - self.A * w_128 * w_49);
-        let w_130 = w_squared * (w_127 * w_128 * self.k_46 - self.A * w_126 * w_49);
-        let w_131 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
-            + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
-        let rhs_platform_q0 = S::from_f64(8.0) * w
-            * (platform_q1 * w_129 + platform_q2 * w_130)
-            - platform_q3 * w_127 * w_49 * w_76 * self.k_47
-            - platform_q0 * self.k_3 * w_131;
-        let rhs_platform_q1 = S::from_f64(8.0) * w
-            * (platform_q3 * w_130 - platform_q0 * w_129)
-            + platform_q2 * w_127 * w_49 * w_76 * self.k_47
-            - platform_q1 * self.k_3 * w_131
-            - rhs_platform_q0 * l_platform_q1_platform_q0;
-        let w_132 = S::from_f64(8.0) * w * (platform_q3 * w_129 + platform_q0 * w_130)
-            + platform_q1 * w_127 * w_49 * w_76 * self.k_47
-            + platform_q2 * self.k_3 * w_131;
-        let minus_rhs_platform_q2 = w_132 + rhs_platform_q0 * l_platform_q2_platform_q0
-            + l_platform_q2_platform_q1 * rhs_platform_q1;
-        let w_133 = S::from_f64(8.0) * w * (platform_q2 * w_129 - platform_q1 * w_130)
-            + platform_q0 * w_127 * w_49 * w_76 * self.k_47
-            - platform_q3 * self.k_3 * w_131;
-        let rhs_platform_q3 = w_133 - rhs_platform_q0 * l_platform_q3_platform_q0
-            - l_platform_q3_platform_q1 * rhs_platform_q1
-            + l_platform_q3_platform_q2 * minus_rhs_platform_q2;
-        let rhs_lambda_platform_norm = l_lambda_platform_norm_platform_q2
-            * minus_rhs_platform_q2 - S::from_f64(2.0) * w_131
-            - rhs_platform_q0 * l_lambda_platform_norm_platform_q0
-            - l_lambda_platform_norm_platform_q1 * rhs_platform_q1
-            - l_lambda_platform_norm_platform_q3 * rhs_platform_q3;
-        let rhs_lambda_a1_leg = self.minus_rhs_platform_z * l_lambda_a1_leg_platform_z
-            - (sqrt_w_15 * w_121 + sin_w_122 * self.k_54)
+        let rhs_lambda_a1_leg = l_lambda_a1_leg_platform_q2 * minus_rhs_platform_q2
+            - (sqrt_w_50 * w_158 + sin_w_159 * self.k_54)
             - rhs_platform_q0 * l_lambda_a1_leg_platform_q0
             - l_lambda_a1_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_a1_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_a1_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_a1_leg_platform_z
             + minus_l_lambda_a1_leg_lambda_platform_norm * rhs_lambda_platform_norm;
-        let w_134 = platform_x - self.k_13 - w_3 * self.k_14 + w * w_6 * self.k_15;
-        let w_135 = platform_y - self.k_16 + w * w_8 * self.k_17 - w_10 * self.k_18;
-        let w_136 = w_12 * self.k_17 + w_13 * self.k_15;
-        let a2_on_platform_z = w * w_136 + platform_z;
-        let w_137 = w_134 * w_134 + w_135 * w_135 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_137 = w_137.sqrt();
-        let w_138 = platform_q0 * w * self.k_18 + w_21 * self.k_17
-            + platform_q3 * w_squared * w_6 * self.k_15;
-        let w_139 = platform_q0 * w * self.k_14
-            - platform_q3 * w_squared * w_8 * self.k_17 - w_24 * self.k_15;
-        let w_140 = w_squared * w_136;
-        let w_141 = w * (platform_q2 * self.k_18 + platform_q1 * self.k_14)
-            - platform_q3 * w_140;
-        let w_142 = w_134 * w_138 - w_135 * w_139 - a2_on_platform_z * w_141;
-        let w_143 = w_squared * (w_2 * self.k_17 - w_6 * self.k_15);
-        let w_144 = platform_q0 * w_143 - platform_q3 * w * self.k_18;
-        let w_145 = w_squared * (w_9 * self.k_15 - w_8 * self.k_17);
-        let w_146 = platform_q0 * w_145 + platform_q3 * w * self.k_14;
-        let w_147 = platform_q0 * w_140
-            + w * (platform_q2 * self.k_14 - platform_q1 * self.k_18);
-        let w_148 = w_134 * w_144 + w_135 * w_146 - a2_on_platform_z * w_147;
-        let a2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_137 * w_148 / w_137;
+        let w_163 = w_39 * self.k_15;
+        let w_164 = platform_x - self.k_13 - w_36 * self.k_14 + w * w_163;
+        let w_165 = w_42 * self.k_17;
+        let w_166 = platform_y - self.k_16 + w * w_165 - w_45 * self.k_18;
+        let w_167 = w_47 * self.k_17 + w_48 * self.k_15;
+        let a2_on_platform_z = w * w_167 + platform_z;
+        let w_168 = w_164 * w_164 + w_166 * w_166 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_168 = w_168.sqrt();
+        let w_169 = platform_q1 * self.k_18;
+        let w_170 = w * w_169 - w_53 * self.k_17 - w_squared * w_54 * self.k_15;
+        let w_171 = w_squared * (w_44 * self.k_15 - w_165);
+        let w_172 = platform_q1 * self.k_14;
+        let w_173 = platform_q2 * w_171 + w * w_172;
+        let w_174 = platform_q3 * self.k_18;
+        let w_175 = platform_q0 * self.k_14;
+        let w_176 = w_squared * w_167;
+        let w_177 = w * (w_174 - w_175) - platform_q2 * w_176;
+        let w_178 = w_164 * w_170 + w_166 * w_173 + a2_on_platform_z * w_177;
+        let w_179 = w_squared * (w_35 * self.k_17 - w_163);
+        let w_180 = platform_q0 * w_179 - w * w_174;
+        let w_181 = platform_q3 * self.k_14;
+        let w_182 = platform_q0 * w_171 + w * w_181;
+        let w_183 = platform_q2 * self.k_14;
+        let w_184 = platform_q0 * w_176 + w * (w_183 - w_169);
+        let w_185 = w_164 * w_180 + w_166 * w_182 - a2_on_platform_z * w_184;
+        let a2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_168 * w_185 / w_168;
         let l_lambda_a2_leg_platform_q0 = a2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_149 = platform_q1 * w_143 + platform_q2 * w * self.k_18;
-        let w_150 = platform_q2 * w * self.k_14
-            - platform_q1 * w_squared * w_8 * self.k_17 - w_36 * self.k_15;
-        let w_151 = w * (platform_q3 * self.k_14 + platform_q0 * self.k_18)
-            - platform_q1 * w_140;
-        let w_152 = w_134 * w_149 + w_135 * w_150 + a2_on_platform_z * w_151;
-        let k_lambda_a2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_137 * w_152 / w_137
+        let w_186 = platform_q2 * self.k_18;
+        let w_187 = platform_q1 * w_179 + w * w_186;
+        let w_188 = w * w_183 - w_squared * w_73 * self.k_17 - w_75 * self.k_15;
+        let w_189 = platform_q0 * self.k_18;
+        let w_190 = w * (w_181 + w_189) - platform_q1 * w_176;
+        let w_191 = w_164 * w_187 + w_166 * w_188 + a2_on_platform_z * w_190;
+        let k_lambda_a2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_168 * w_191 / w_168
             - mass_platform_q1_platform_q0 * l_lambda_a2_leg_platform_q0;
         let l_lambda_a2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a2_leg_platform_q1;
-        let w_153 = platform_q1 * w * self.k_18 - w_40 * self.k_17
-            - platform_q2 * w_squared * w_6 * self.k_15;
-        let w_154 = platform_q2 * w_145 + platform_q1 * w * self.k_14;
-        let w_155 = w * (platform_q3 * self.k_18 - platform_q0 * self.k_14)
-            - platform_q2 * w_140;
-        let w_156 = w_134 * w_153 + w_135 * w_154 + a2_on_platform_z * w_155;
-        let k_lambda_a2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_137 * w_156 / w_137
+        let k_lambda_a2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_168 * w_178 / w_168
             - mass_platform_q2_platform_q0 * l_lambda_a2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a2_leg_platform_q1;
         let l_lambda_a2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a2_leg_platform_q2;
-        let minus_k_lambda_a2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_137 * w_142
-            / w_137 + mass_platform_q3_platform_q0 * l_lambda_a2_leg_platform_q0
+        let w_192 = platform_x_dot + w_81 * self.k_55 - w_squared * w_82 * self.k_56
+            - w * self.k_15 * w_83;
+        let w_193 = platform_y_dot + w * self.k_17 * w_85 - w_squared * w_86 * self.k_55
+            + w_88 * self.k_56;
+        let w_194 = w * (self.k_15 * w_90 - self.k_17 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_55 + w_48 * self.k_56) + platform_z_dot;
+        let w_195 = w_164 * w_192 + w_166 * w_193 + a2_on_platform_z * w_194;
+        let w_196 = w * w_189 + w_94 * self.k_17 + w_squared * w_95 * self.k_15;
+        let w_197 = w * w_175 - w_squared * w_97 * self.k_17 - w_98 * self.k_15;
+        let w_198 = w * (w_186 + w_172) - platform_q3 * w_176;
+        let w_199 = w_164 * w_196 - w_166 * w_197 - a2_on_platform_z * w_198;
+        let w_168_squared = w_168 * w_168;
+        let w_200 = w_195
+            * ((w_199 * platform_q3_dot - w_185 * platform_q0_dot
+                - w_191 * platform_q1_dot - w_178 * platform_q2_dot) / w_168_squared);
+        let w_201 = w_20 * w_24 * (w_39 * self.k_58 - w_35 * self.k_57);
+        let w_202 = self.k_18 * platform_q3_dot;
+        let w_203 = w_164
+            * (w_squared
+                * (self.k_15 * w_104 + w_35 * self.k_17 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_55) + platform_q0 * w_201 - w * w_202);
+        let w_204 = w_20 * w_24 * (w_42 * self.k_57 - w_44 * self.k_58);
+        let w_205 = self.k_14 * platform_q3_dot;
+        let w_206 = w_166
+            * (w_squared
+                * (w_44 * self.k_15 * platform_q0_dot - self.k_17 * w_108
+                    + platform_q0 * w_87 * self.k_56) + platform_q0 * w_204 + w * w_205);
+        let w_207 = w_20 * w_24 * (w_47 * self.k_57 + w_48 * self.k_58);
+        let w_208 = self.k_14 * platform_q2_dot;
+        let w_209 = self.k_18 * platform_q1_dot;
+        let w_210 = w_180 * w_192 + w_203 + w_182 * w_193 + w_206 - w_184 * w_194
+            - a2_on_platform_z
+                * (w_squared * (self.k_17 * w_113 + self.k_15 * w_115)
+                    - platform_q0 * w_207 + w * (w_208 - w_209));
+        let w_211 = self.k_18 * platform_q2_dot;
+        let w_212 = w_164
+            * (w_squared
+                * (self.k_15 * w_120 + w_35 * self.k_17 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_55) + platform_q1 * w_201 + w * w_211);
+        let w_213 = self.k_18 * platform_q0_dot;
+        let w_214 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_128 - self.k_15 * w_130) + w * (w_205 + w_213)
+                + platform_q1 * w_207);
+        let w_215 = w_187 * w_192 + w_212 + w_188 * w_193
+            + w_166
+                * (w * w_208 - self.k_17 * w_123 + w_24 * w_124 * self.k_57
+                    - self.k_15 * w_127) + w_190 * w_194 + w_214;
+        let w_216 = self.k_14 * platform_q1_dot;
+        let w_217 = w_166
+            * (w_squared
+                * (w_44 * self.k_15 * platform_q2_dot - self.k_17 * w_138
+                    + platform_q2 * w_87 * self.k_56) + platform_q2 * w_204 + w * w_216);
+        let w_218 = self.k_14 * platform_q0_dot;
+        let w_219 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_141 - self.k_15 * w_142) + w * (w_202 - w_218)
+                + platform_q2 * w_207);
+        let w_220 = w_170 * w_192
+            + w_164
+                * (self.k_15 * w_134 + w * w_209 - self.k_17 * w_136
+                    + w_24 * w_137 * self.k_58) + w_173 * w_193 + w_217 + w_177 * w_194
+            + w_219;
+        let w_221 = w_166
+            * (w * w_218 - self.k_17 * w_149 + w_24 * w_150 * self.k_57
+                - self.k_15 * w_151);
+        let w_222 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_153 - self.k_15 * w_154) + w * (w_211 + w_216)
+                + platform_q3 * w_207);
+        let w_223 = w_196 * w_192
+            + w_164
+                * (self.k_15 * w_146 + w * w_213 + self.k_17 * w_147
+                    - w_24 * w_148 * self.k_58) - w_197 * w_193 - w_221 - w_198 * w_194
+            - w_222;
+        let w_224 = S::from_f64(2.0)
+            * (w_200
+                + (platform_q0_dot * w_210 + platform_q1_dot * w_215
+                    + platform_q2_dot * w_220 - platform_q3_dot * w_223) / w_168);
+        let w_225 = w_224
+            + (platform_x_dot * w_192 + platform_y_dot * w_193 + platform_z_dot * w_194)
+                / w_168
+            - w_195
+                * ((w_164 * platform_x_dot + w_166 * platform_y_dot
+                    + a2_on_platform_z * platform_z_dot) / w_168_squared);
+        let w_226 = sin_w_159 * self.k_52;
+        let w_227 = self.k_53 * sin_w_160;
+        let minus_k_lambda_a2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_168 * w_199
+            / w_168 + mass_platform_q3_platform_q0 * l_lambda_a2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a2_leg_platform_q2;
         let minus_l_lambda_a2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a2_leg_platform_q3;
+        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_168 / w_168;
+        let l_lambda_a2_leg_platform_z = a2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_a2_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_a2_leg_platform_q0
@@ -4610,172 +4474,175 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_a2_leg_platform_q2;
         let minus_l_lambda_a2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a2_leg_lambda_platform_norm;
-        let a2_leg_by_platform_x = w_134 * sqrt_w_137 / w_137;
+        let a1_leg_by_platform_x = w_41 * sqrt_w_50 / w_50;
+        let l_lambda_a1_leg_platform_x = a1_leg_by_platform_x * self.inverse_platform_x;
+        let a1_leg_by_platform_y = w_46 * sqrt_w_50 / w_50;
+        let l_lambda_a1_leg_platform_y = a1_leg_by_platform_y * self.inverse_platform_x;
+        let w_228 = a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
+            + k_lambda_a1_leg_platform_q1 * l_lambda_a1_leg_platform_q1
+            + k_lambda_a1_leg_platform_q2 * l_lambda_a1_leg_platform_q2
+            + minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a1_leg_platform_q3
+            + a1_leg_by_platform_x * l_lambda_a1_leg_platform_x
+            + a1_leg_by_platform_y * l_lambda_a1_leg_platform_y
+            + a1_leg_by_platform_z * l_lambda_a1_leg_platform_z;
+        let pivot_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
+            * minus_l_lambda_a1_leg_lambda_platform_norm - w_228;
+        let inverse_lambda_a1_leg = S::from_f64(1.0) / pivot_lambda_a1_leg;
+        let a2_leg_by_platform_x = w_164 * sqrt_w_168 / w_168;
         let l_lambda_a2_leg_platform_x = a2_leg_by_platform_x * self.inverse_platform_x;
-        let a2_leg_by_platform_y = w_135 * sqrt_w_137 / w_137;
+        let a2_leg_by_platform_y = w_166 * sqrt_w_168 / w_168;
         let l_lambda_a2_leg_platform_y = a2_leg_by_platform_y * self.inverse_platform_x;
-        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_137 / w_137;
-        let l_lambda_a2_leg_platform_z = a2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_a2_leg_lambda_platform_norm
-            - a1_leg_by_platform_x * l_lambda_a2_leg_platform_x
-            - a1_leg_by_platform_y * l_lambda_a2_leg_platform_y
-            - a1_leg_by_platform_z * l_lambda_a2_leg_platform_z
             - a1_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
             - k_lambda_a1_leg_platform_q1 * l_lambda_a2_leg_platform_q1
             - k_lambda_a1_leg_platform_q2 * l_lambda_a2_leg_platform_q2
-            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3;
+            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3
+            - a1_leg_by_platform_x * l_lambda_a2_leg_platform_x
+            - a1_leg_by_platform_y * l_lambda_a2_leg_platform_y
+            - a1_leg_by_platform_z * l_lambda_a2_leg_platform_z;
         let l_lambda_a2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_a2_leg_lambda_a1_leg;
-        let w_157 = a2_leg_by_platform_x * l_lambda_a2_leg_platform_x
-            + a2_leg_by_platform_y * l_lambda_a2_leg_platform_y
-            + a2_leg_by_platform_z * l_lambda_a2_leg_platform_z
-            + a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
-            + k_lambda_a2_leg_platform_q1 * l_lambda_a2_leg_platform_q1
-            + k_lambda_a2_leg_platform_q2 * l_lambda_a2_leg_platform_q2
-            + minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3;
-        let pivot_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
-            * minus_l_lambda_a2_leg_lambda_platform_norm - w_157
-            - k_lambda_a2_leg_lambda_a1_leg * l_lambda_a2_leg_lambda_a1_leg;
-        let inverse_lambda_a2_leg = S::from_f64(1.0) / pivot_lambda_a2_leg;
-        let w_158 = platform_x_dot + w_51 * self.k_55
-            - w_squared * w_6 * w_49 * self.k_56 - w * self.k_15 * w_56;
-        let w_159 = platform_y_dot + w * self.k_17 * w_58
-            - w_squared * w_8 * w_49 * self.k_55 + w_60 * self.k_56;
-        let w_160 = w * (self.k_15 * w_66 - self.k_17 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_55 + w_13 * self.k_56) + platform_z_dot;
-        let w_161 = w_134 * w_158 + w_135 * w_159 + a2_on_platform_z * w_160;
-        let w_137_squared = w_137 * w_137;
-        let w_162 = w_49 * w_76 * (w_6 * self.k_58 - w_2 * self.k_57);
-        let w_163 = w_134
-            * (w_squared
-                * (self.k_15 * w_75 + w_2 * self.k_17 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_55) + platform_q0 * w_162
-                - w * self.k_18 * platform_q3_dot);
-        let w_164 = w_49 * w_76 * (w_8 * self.k_57 - w_9 * self.k_58);
-        let w_165 = w_135
-            * (w_squared
-                * (w_9 * self.k_15 * platform_q0_dot - self.k_17 * w_79
-                    + platform_q0 * w_59 * self.k_56) + platform_q0 * w_164
-                + w * self.k_14 * platform_q3_dot);
-        let w_166 = w_49 * w_76 * (w_12 * self.k_57 + w_13 * self.k_58);
-        let w_167 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_83 + self.k_15 * w_85) - platform_q0 * w_166
-                + w * (self.k_14 * platform_q2_dot - self.k_18 * platform_q1_dot));
-        let w_168 = w_134
-            * (w_squared
-                * (self.k_15 * w_88 + w_2 * self.k_17 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_55) + platform_q1 * w_162
-                + w * self.k_18 * platform_q2_dot);
-        let w_169 = w_135
-            * (w * self.k_14 * platform_q2_dot - self.k_17 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_57 - self.k_15 * w_92);
-        let w_170 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_94 - self.k_15 * w_96)
-                + w * (self.k_14 * platform_q3_dot + self.k_18 * platform_q0_dot)
-                + platform_q1 * w_166);
-        let w_171 = platform_q1_dot
-            * (w_149 * w_158 + w_168 + w_150 * w_159 + w_169 + w_151 * w_160 + w_170);
-        let w_172 = w_134
-            * (self.k_15 * w_99 + w * self.k_18 * platform_q1_dot - self.k_17 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_58);
-        let w_173 = w_135
-            * (w_squared
-                * (w_9 * self.k_15 * platform_q2_dot - self.k_17 * w_103
-                    + platform_q2 * w_59 * self.k_56) + platform_q2 * w_164
-                + w * self.k_14 * platform_q1_dot);
-        let w_174 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_105 - self.k_15 * w_106)
-                + w * (self.k_18 * platform_q3_dot - self.k_14 * platform_q0_dot)
-                + platform_q2 * w_166);
-        let w_175 = platform_q2_dot
-            * (w_153 * w_158 + w_172 + w_154 * w_159 + w_173 + w_155 * w_160 + w_174);
-        let w_176 = w_134
-            * (self.k_15 * w_109 + w * self.k_18 * platform_q0_dot + self.k_17 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_58);
-        let w_177 = w_135
-            * (w * self.k_14 * platform_q0_dot - self.k_17 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_57 - self.k_15 * w_113);
-        let w_178 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_115 - self.k_15 * w_116)
-                + w * (self.k_18 * platform_q2_dot + self.k_14 * platform_q1_dot)
-                + platform_q3 * w_166);
-        let w_179 = platform_q3_dot
-            * (w_138 * w_158 + w_176 - w_139 * w_159 - w_177 - w_141 * w_160 - w_178);
-        let w_180 = (platform_q0_dot
-            * (w_144 * w_158 + w_163 + w_146 * w_159 + w_165 - w_147 * w_160 - w_167)
-            + w_171 + w_175 - w_179) / w_137;
-        let w_181 = S::from_f64(2.0)
-            * (w_161
-                * ((w_142 * platform_q3_dot - w_148 * platform_q0_dot
-                    - w_152 * platform_q1_dot - w_156 * platform_q2_dot) / w_137_squared)
-                + w_180);
-        let w_182 = w_181
-            + (platform_x_dot * w_158 + platform_y_dot * w_159 + platform_z_dot * w_160)
-                / w_137
-            - w_161
-                * ((w_134 * platform_x_dot + w_135 * platform_y_dot
-                    + a2_on_platform_z * platform_z_dot) / w_137_squared);
-        let w_183 = sin_w_122 * self.k_52;
-        let w_184 = self.k_53 * sin_w_123;
-        let rhs_lambda_a2_leg = self.minus_rhs_platform_z * l_lambda_a2_leg_platform_z
-            - (sqrt_w_137 * w_182 + w_183 - w_184)
+        let rhs_lambda_a2_leg = l_lambda_a2_leg_platform_q2 * minus_rhs_platform_q2
+            - (sqrt_w_168 * w_225 + w_226 - w_227)
             - rhs_platform_q0 * l_lambda_a2_leg_platform_q0
             - l_lambda_a2_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_a2_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_a2_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_a2_leg_platform_z
             + minus_l_lambda_a2_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_a2_leg_lambda_a1_leg * rhs_lambda_a1_leg;
-        let w_185 = platform_x - self.k_19 - w_3 * self.k_20 + w * w_6 * self.k_21;
-        let w_186 = platform_y - self.k_22 + w * w_8 * self.k_23 - w_10 * self.k_24;
-        let w_187 = w_12 * self.k_23 + w_13 * self.k_21;
-        let b1_on_platform_z = w * w_187 + platform_z;
-        let w_188 = w_185 * w_185 + w_186 * w_186 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_188 = w_188.sqrt();
-        let w_189 = platform_q0 * w * self.k_24 + w_21 * self.k_23
-            + platform_q3 * w_squared * w_6 * self.k_21;
-        let w_190 = platform_q0 * w * self.k_20
-            - platform_q3 * w_squared * w_8 * self.k_23 - w_24 * self.k_21;
-        let w_191 = w_squared * w_187;
-        let w_192 = w * (platform_q2 * self.k_24 + platform_q1 * self.k_20)
-            - platform_q3 * w_191;
-        let w_193 = w_185 * w_189 - w_186 * w_190 - b1_on_platform_z * w_192;
-        let w_194 = w_squared * (w_2 * self.k_23 - w_6 * self.k_21);
-        let w_195 = platform_q0 * w_194 - platform_q3 * w * self.k_24;
-        let w_196 = w_squared * (w_9 * self.k_21 - w_8 * self.k_23);
-        let w_197 = platform_q0 * w_196 + platform_q3 * w * self.k_20;
-        let w_198 = platform_q0 * w_191
-            + w * (platform_q2 * self.k_20 - platform_q1 * self.k_24);
-        let w_199 = w_185 * w_195 + w_186 * w_197 - b1_on_platform_z * w_198;
-        let b1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_188 * w_199 / w_188;
+        let w_229 = w_39 * self.k_21;
+        let w_230 = platform_x - self.k_19 - w_36 * self.k_20 + w * w_229;
+        let w_231 = w_42 * self.k_23;
+        let w_232 = platform_y - self.k_22 + w * w_231 - w_45 * self.k_24;
+        let w_233 = w_47 * self.k_23 + w_48 * self.k_21;
+        let b1_on_platform_z = w * w_233 + platform_z;
+        let w_234 = w_230 * w_230 + w_232 * w_232 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_234 = w_234.sqrt();
+        let w_235 = platform_q1 * self.k_24;
+        let w_236 = w * w_235 - w_53 * self.k_23 - w_squared * w_54 * self.k_21;
+        let w_237 = w_squared * (w_44 * self.k_21 - w_231);
+        let w_238 = platform_q1 * self.k_20;
+        let w_239 = platform_q2 * w_237 + w * w_238;
+        let w_240 = platform_q3 * self.k_24;
+        let w_241 = platform_q0 * self.k_20;
+        let w_242 = w_squared * w_233;
+        let w_243 = w * (w_240 - w_241) - platform_q2 * w_242;
+        let w_244 = w_230 * w_236 + w_232 * w_239 + b1_on_platform_z * w_243;
+        let w_245 = w_squared * (w_35 * self.k_23 - w_229);
+        let w_246 = platform_q0 * w_245 - w * w_240;
+        let w_247 = platform_q3 * self.k_20;
+        let w_248 = platform_q0 * w_237 + w * w_247;
+        let w_249 = platform_q2 * self.k_20;
+        let w_250 = platform_q0 * w_242 + w * (w_249 - w_235);
+        let w_251 = w_230 * w_246 + w_232 * w_248 - b1_on_platform_z * w_250;
+        let b1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_234 * w_251 / w_234;
         let l_lambda_b1_leg_platform_q0 = b1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_200 = platform_q1 * w_194 + platform_q2 * w * self.k_24;
-        let w_201 = platform_q2 * w * self.k_20
-            - platform_q1 * w_squared * w_8 * self.k_23 - w_36 * self.k_21;
-        let w_202 = w * (platform_q3 * self.k_20 + platform_q0 * self.k_24)
-            - platform_q1 * w_191;
-        let w_203 = w_185 * w_200 + w_186 * w_201 + b1_on_platform_z * w_202;
-        let k_lambda_b1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_188 * w_203 / w_188
+        let w_252 = platform_q2 * self.k_24;
+        let w_253 = platform_q1 * w_245 + w * w_252;
+        let w_254 = w * w_249 - w_squared * w_73 * self.k_23 - w_75 * self.k_21;
+        let w_255 = platform_q0 * self.k_24;
+        let w_256 = w * (w_247 + w_255) - platform_q1 * w_242;
+        let w_257 = w_230 * w_253 + w_232 * w_254 + b1_on_platform_z * w_256;
+        let k_lambda_b1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_234 * w_257 / w_234
             - mass_platform_q1_platform_q0 * l_lambda_b1_leg_platform_q0;
         let l_lambda_b1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b1_leg_platform_q1;
-        let w_204 = platform_q1 * w * self.k_24 - w_40 * self.k_23
-            - platform_q2 * w_squared * w_6 * self.k_21;
-        let w_205 = platform_q2 * w_196 + platform_q1 * w * self.k_20;
-        let w_206 = w * (platform_q3 * self.k_24 - platform_q0 * self.k_20)
-            - platform_q2 * w_191;
-        let w_207 = w_185 * w_204 + w_186 * w_205 + b1_on_platform_z * w_206;
-        let k_lambda_b1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_188 * w_207 / w_188
+        let k_lambda_b1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_234 * w_244 / w_234
             - mass_platform_q2_platform_q0 * l_lambda_b1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b1_leg_platform_q1;
         let l_lambda_b1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b1_leg_platform_q2;
-        let minus_k_lambda_b1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_188 * w_193
-            / w_188 + mass_platform_q3_platform_q0 * l_lambda_b1_leg_platform_q0
+        let w_258 = platform_x_dot + w_81 * self.k_59 - w_squared * w_82 * self.k_60
+            - w * self.k_21 * w_83;
+        let w_259 = platform_y_dot + w * self.k_23 * w_85 - w_squared * w_86 * self.k_59
+            + w_88 * self.k_60;
+        let w_260 = w * (self.k_21 * w_90 - self.k_23 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_59 + w_48 * self.k_60) + platform_z_dot;
+        let w_261 = w_230 * w_258 + w_232 * w_259 + b1_on_platform_z * w_260;
+        let w_262 = w * w_255 + w_94 * self.k_23 + w_squared * w_95 * self.k_21;
+        let w_263 = w * w_241 - w_squared * w_97 * self.k_23 - w_98 * self.k_21;
+        let w_264 = w * (w_252 + w_238) - platform_q3 * w_242;
+        let w_265 = w_230 * w_262 - w_232 * w_263 - b1_on_platform_z * w_264;
+        let w_234_squared = w_234 * w_234;
+        let w_266 = w_261
+            * ((w_265 * platform_q3_dot - w_251 * platform_q0_dot
+                - w_257 * platform_q1_dot - w_244 * platform_q2_dot) / w_234_squared);
+        let w_267 = w_20 * w_24 * (w_39 * self.k_62 - w_35 * self.k_61);
+        let w_268 = self.k_24 * platform_q3_dot;
+        let w_269 = w_230
+            * (w_squared
+                * (self.k_21 * w_104 + w_35 * self.k_23 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_59) + platform_q0 * w_267 - w * w_268);
+        let w_270 = w_20 * w_24 * (w_42 * self.k_61 - w_44 * self.k_62);
+        let w_271 = self.k_20 * platform_q3_dot;
+        let w_272 = w_232
+            * (w_squared
+                * (w_44 * self.k_21 * platform_q0_dot - self.k_23 * w_108
+                    + platform_q0 * w_87 * self.k_60) + platform_q0 * w_270 + w * w_271);
+        let w_273 = w_20 * w_24 * (w_47 * self.k_61 + w_48 * self.k_62);
+        let w_274 = self.k_20 * platform_q2_dot;
+        let w_275 = self.k_24 * platform_q1_dot;
+        let w_276 = w_246 * w_258 + w_269 + w_248 * w_259 + w_272 - w_250 * w_260
+            - b1_on_platform_z
+                * (w_squared * (self.k_23 * w_113 + self.k_21 * w_115)
+                    - platform_q0 * w_273 + w * (w_274 - w_275));
+        let w_277 = self.k_24 * platform_q2_dot;
+        let w_278 = w_230
+            * (w_squared
+                * (self.k_21 * w_120 + w_35 * self.k_23 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_59) + platform_q1 * w_267 + w * w_277);
+        let w_279 = self.k_24 * platform_q0_dot;
+        let w_280 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_128 - self.k_21 * w_130) + w * (w_271 + w_279)
+                + platform_q1 * w_273);
+        let w_281 = w_253 * w_258 + w_278 + w_254 * w_259
+            + w_232
+                * (w * w_274 - self.k_23 * w_123 + w_24 * w_124 * self.k_61
+                    - self.k_21 * w_127) + w_256 * w_260 + w_280;
+        let w_282 = self.k_20 * platform_q1_dot;
+        let w_283 = w_232
+            * (w_squared
+                * (w_44 * self.k_21 * platform_q2_dot - self.k_23 * w_138
+                    + platform_q2 * w_87 * self.k_60) + platform_q2 * w_270 + w * w_282);
+        let w_284 = self.k_20 * platform_q0_dot;
+        let w_285 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_141 - self.k_21 * w_142) + w * (w_268 - w_284)
+                + platform_q2 * w_273);
+        let w_286 = w_236 * w_258
+            + w_230
+                * (self.k_21 * w_134 + w * w_275 - self.k_23 * w_136
+                    + w_24 * w_137 * self.k_62) + w_239 * w_259 + w_283 + w_243 * w_260
+            + w_285;
+        let w_287 = w_232
+            * (w * w_284 - self.k_23 * w_149 + w_24 * w_150 * self.k_61
+                - self.k_21 * w_151);
+        let w_288 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_153 - self.k_21 * w_154) + w * (w_277 + w_282)
+                + platform_q3 * w_273);
+        let w_289 = w_262 * w_258
+            + w_230
+                * (self.k_21 * w_146 + w * w_279 + self.k_23 * w_147
+                    - w_24 * w_148 * self.k_62) - w_263 * w_259 - w_287 - w_264 * w_260
+            - w_288;
+        let w_290 = S::from_f64(2.0)
+            * (w_266
+                + (platform_q0_dot * w_276 + platform_q1_dot * w_281
+                    + platform_q2_dot * w_286 - platform_q3_dot * w_289) / w_234);
+        let w_291 = w_290
+            + (platform_x_dot * w_258 + platform_y_dot * w_259 + platform_z_dot * w_260)
+                / w_234
+            - w_261
+                * ((w_230 * platform_x_dot + w_232 * platform_y_dot
+                    + b1_on_platform_z * platform_z_dot) / w_234_squared);
+        let minus_k_lambda_b1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_234 * w_265
+            / w_234 + mass_platform_q3_platform_q0 * l_lambda_b1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b1_leg_platform_q2;
         let minus_l_lambda_b1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b1_leg_platform_q3;
+        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_234 / w_234;
+        let l_lambda_b1_leg_platform_z = b1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b1_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_b1_leg_platform_q0
@@ -4783,184 +4650,186 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b1_leg_platform_q2;
         let minus_l_lambda_b1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b1_leg_lambda_platform_norm;
-        let b1_leg_by_platform_x = w_185 * sqrt_w_188 / w_188;
+        let b1_leg_by_platform_x = w_230 * sqrt_w_234 / w_234;
         let l_lambda_b1_leg_platform_x = b1_leg_by_platform_x * self.inverse_platform_x;
-        let b1_leg_by_platform_y = w_186 * sqrt_w_188 / w_188;
+        let b1_leg_by_platform_y = w_232 * sqrt_w_234 / w_234;
         let l_lambda_b1_leg_platform_y = b1_leg_by_platform_y * self.inverse_platform_x;
-        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_188 / w_188;
-        let l_lambda_b1_leg_platform_z = b1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b1_leg_lambda_platform_norm
-            - a1_leg_by_platform_x * l_lambda_b1_leg_platform_x
-            - a1_leg_by_platform_y * l_lambda_b1_leg_platform_y
-            - a1_leg_by_platform_z * l_lambda_b1_leg_platform_z
             - a1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
             - k_lambda_a1_leg_platform_q1 * l_lambda_b1_leg_platform_q1
             - k_lambda_a1_leg_platform_q2 * l_lambda_b1_leg_platform_q2
-            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3;
+            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3
+            - a1_leg_by_platform_x * l_lambda_b1_leg_platform_x
+            - a1_leg_by_platform_y * l_lambda_b1_leg_platform_y
+            - a1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
         let l_lambda_b1_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_b1_leg_lambda_a1_leg;
+        let w_292 = a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
+            + k_lambda_a2_leg_platform_q1 * l_lambda_a2_leg_platform_q1
+            + k_lambda_a2_leg_platform_q2 * l_lambda_a2_leg_platform_q2
+            + minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3
+            + a2_leg_by_platform_x * l_lambda_a2_leg_platform_x
+            + a2_leg_by_platform_y * l_lambda_a2_leg_platform_y
+            + a2_leg_by_platform_z * l_lambda_a2_leg_platform_z;
+        let pivot_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
+            * minus_l_lambda_a2_leg_lambda_platform_norm - w_292
+            - k_lambda_a2_leg_lambda_a1_leg * l_lambda_a2_leg_lambda_a1_leg;
+        let inverse_lambda_a2_leg = S::from_f64(1.0) / pivot_lambda_a2_leg;
         let k_lambda_b1_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
             * minus_l_lambda_b1_leg_lambda_platform_norm
-            - a2_leg_by_platform_x * l_lambda_b1_leg_platform_x
-            - a2_leg_by_platform_y * l_lambda_b1_leg_platform_y
-            - a2_leg_by_platform_z * l_lambda_b1_leg_platform_z
             - a2_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
             - k_lambda_a2_leg_platform_q1 * l_lambda_b1_leg_platform_q1
             - k_lambda_a2_leg_platform_q2 * l_lambda_b1_leg_platform_q2
             - minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3
+            - a2_leg_by_platform_x * l_lambda_b1_leg_platform_x
+            - a2_leg_by_platform_y * l_lambda_b1_leg_platform_y
+            - a2_leg_by_platform_z * l_lambda_b1_leg_platform_z
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_b1_leg_lambda_a1_leg;
         let l_lambda_b1_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b1_leg_lambda_a2_leg;
-        let w_208 = b1_leg_by_platform_x * l_lambda_b1_leg_platform_x
-            + b1_leg_by_platform_y * l_lambda_b1_leg_platform_y
-            + b1_leg_by_platform_z * l_lambda_b1_leg_platform_z
-            + b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
-            + k_lambda_b1_leg_platform_q1 * l_lambda_b1_leg_platform_q1
-            + k_lambda_b1_leg_platform_q2 * l_lambda_b1_leg_platform_q2
-            + minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3;
-        let pivot_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
-            * minus_l_lambda_b1_leg_lambda_platform_norm - w_208
-            - k_lambda_b1_leg_lambda_a1_leg * l_lambda_b1_leg_lambda_a1_leg
-            - k_lambda_b1_leg_lambda_a2_leg * l_lambda_b1_leg_lambda_a2_leg;
-        let inverse_lambda_b1_leg = S::from_f64(1.0) / pivot_lambda_b1_leg;
-        let w_209 = platform_x_dot + w_51 * self.k_59
-            - w_squared * w_6 * w_49 * self.k_60 - w * self.k_21 * w_56;
-        let w_210 = platform_y_dot + w * self.k_23 * w_58
-            - w_squared * w_8 * w_49 * self.k_59 + w_60 * self.k_60;
-        let w_211 = w * (self.k_21 * w_66 - self.k_23 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_59 + w_13 * self.k_60) + platform_z_dot;
-        let w_212 = w_185 * w_209 + w_186 * w_210 + b1_on_platform_z * w_211;
-        let w_188_squared = w_188 * w_188;
-        let w_213 = w_49 * w_76 * (w_6 * self.k_62 - w_2 * self.k_61);
-        let w_214 = w_185
-            * (w_squared
-                * (self.k_21 * w_75 + w_2 * self.k_23 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_59) + platform_q0 * w_213
-                - w * self.k_24 * platform_q3_dot);
-        let w_215 = w_49 * w_76 * (w_8 * self.k_61 - w_9 * self.k_62);
-        let w_216 = w_186
-            * (w_squared
-                * (w_9 * self.k_21 * platform_q0_dot - self.k_23 * w_79
-                    + platform_q0 * w_59 * self.k_60) + platform_q0 * w_215
-                + w * self.k_20 * platform_q3_dot);
-        let w_217 = w_49 * w_76 * (w_12 * self.k_61 + w_13 * self.k_62);
-        let w_218 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_83 + self.k_21 * w_85) - platform_q0 * w_217
-                + w * (self.k_20 * platform_q2_dot - self.k_24 * platform_q1_dot));
-        let w_219 = w_185
-            * (w_squared
-                * (self.k_21 * w_88 + w_2 * self.k_23 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_59) + platform_q1 * w_213
-                + w * self.k_24 * platform_q2_dot);
-        let w_220 = w_186
-            * (w * self.k_20 * platform_q2_dot - self.k_23 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_61 - self.k_21 * w_92);
-        let w_221 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_94 - self.k_21 * w_96)
-                + w * (self.k_20 * platform_q3_dot + self.k_24 * platform_q0_dot)
-                + platform_q1 * w_217);
-        let w_222 = platform_q1_dot
-            * (w_200 * w_209 + w_219 + w_201 * w_210 + w_220 + w_202 * w_211 + w_221);
-        let w_223 = w_185
-            * (self.k_21 * w_99 + w * self.k_24 * platform_q1_dot - self.k_23 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_62);
-        let w_224 = w_186
-            * (w_squared
-                * (w_9 * self.k_21 * platform_q2_dot - self.k_23 * w_103
-                    + platform_q2 * w_59 * self.k_60) + platform_q2 * w_215
-                + w * self.k_20 * platform_q1_dot);
-        let w_225 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_105 - self.k_21 * w_106)
-                + w * (self.k_24 * platform_q3_dot - self.k_20 * platform_q0_dot)
-                + platform_q2 * w_217);
-        let w_226 = platform_q2_dot
-            * (w_204 * w_209 + w_223 + w_205 * w_210 + w_224 + w_206 * w_211 + w_225);
-        let w_227 = w_185
-            * (self.k_21 * w_109 + w * self.k_24 * platform_q0_dot + self.k_23 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_62);
-        let w_228 = w_186
-            * (w * self.k_20 * platform_q0_dot - self.k_23 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_61 - self.k_21 * w_113);
-        let w_229 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_115 - self.k_21 * w_116)
-                + w * (self.k_24 * platform_q2_dot + self.k_20 * platform_q1_dot)
-                + platform_q3 * w_217);
-        let w_230 = platform_q3_dot
-            * (w_189 * w_209 + w_227 - w_190 * w_210 - w_228 - w_192 * w_211 - w_229);
-        let w_231 = (platform_q0_dot
-            * (w_195 * w_209 + w_214 + w_197 * w_210 + w_216 - w_198 * w_211 - w_218)
-            + w_222 + w_226 - w_230) / w_188;
-        let w_232 = S::from_f64(2.0)
-            * (w_212
-                * ((w_193 * platform_q3_dot - w_199 * platform_q0_dot
-                    - w_203 * platform_q1_dot - w_207 * platform_q2_dot) / w_188_squared)
-                + w_231);
-        let w_233 = w_232
-            + (platform_x_dot * w_209 + platform_y_dot * w_210 + platform_z_dot * w_211)
-                / w_188
-            - w_212
-                * ((w_185 * platform_x_dot + w_186 * platform_y_dot
-                    + b1_on_platform_z * platform_z_dot) / w_188_squared);
-        let rhs_lambda_b1_leg = self.minus_rhs_platform_z * l_lambda_b1_leg_platform_z
-            - (sqrt_w_188 * w_233 + w_183 + w_184)
+        let rhs_lambda_b1_leg = l_lambda_b1_leg_platform_q2 * minus_rhs_platform_q2
+            - (sqrt_w_234 * w_291 + w_226 + w_227)
             - rhs_platform_q0 * l_lambda_b1_leg_platform_q0
             - l_lambda_b1_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_b1_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_b1_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_b1_leg_platform_z
             + minus_l_lambda_b1_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_b1_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b1_leg_lambda_a2_leg * rhs_lambda_a2_leg;
-        let w_234 = platform_x - self.k_26 - w_3 * self.k_27 + w * w_6 * self.k_28;
-        let w_235 = platform_y - self.k_29 + w * w_8 * self.k_30 - w_10 * self.k_31;
-        let w_236 = w_12 * self.k_30 + w_13 * self.k_28;
-        let b2_on_platform_z = w * w_236 + platform_z;
-        let w_237 = w_234 * w_234 + w_235 * w_235 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_237 = w_237.sqrt();
-        let w_238 = platform_q0 * w * self.k_31 + w_21 * self.k_30
-            + platform_q3 * w_squared * w_6 * self.k_28;
-        let w_239 = platform_q0 * w * self.k_27
-            - platform_q3 * w_squared * w_8 * self.k_30 - w_24 * self.k_28;
-        let w_240 = w_squared * w_236;
-        let w_241 = w * (platform_q2 * self.k_31 + platform_q1 * self.k_27)
-            - platform_q3 * w_240;
-        let w_242 = w_234 * w_238 - w_235 * w_239 - b2_on_platform_z * w_241;
-        let w_243 = w_squared * (w_2 * self.k_30 - w_6 * self.k_28);
-        let w_244 = platform_q0 * w_243 - platform_q3 * w * self.k_31;
-        let w_245 = w_squared * (w_9 * self.k_28 - w_8 * self.k_30);
-        let w_246 = platform_q0 * w_245 + platform_q3 * w * self.k_27;
-        let w_247 = platform_q0 * w_240
-            + w * (platform_q2 * self.k_27 - platform_q1 * self.k_31);
-        let w_248 = w_234 * w_244 + w_235 * w_246 - b2_on_platform_z * w_247;
-        let b2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_237 * w_248 / w_237;
+        let w_293 = w_39 * self.k_28;
+        let w_294 = platform_x - self.k_26 - w_36 * self.k_27 + w * w_293;
+        let w_295 = w_42 * self.k_30;
+        let w_296 = platform_y - self.k_29 + w * w_295 - w_45 * self.k_31;
+        let w_297 = w_47 * self.k_30 + w_48 * self.k_28;
+        let b2_on_platform_z = w * w_297 + platform_z;
+        let w_298 = w_294 * w_294 + w_296 * w_296 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_298 = w_298.sqrt();
+        let w_299 = platform_q1 * self.k_31;
+        let w_300 = w * w_299 - w_53 * self.k_30 - w_squared * w_54 * self.k_28;
+        let w_301 = w_squared * (w_44 * self.k_28 - w_295);
+        let w_302 = platform_q1 * self.k_27;
+        let w_303 = platform_q2 * w_301 + w * w_302;
+        let w_304 = platform_q3 * self.k_31;
+        let w_305 = platform_q0 * self.k_27;
+        let w_306 = w_squared * w_297;
+        let w_307 = w * (w_304 - w_305) - platform_q2 * w_306;
+        let w_308 = w_294 * w_300 + w_296 * w_303 + b2_on_platform_z * w_307;
+        let w_309 = w_squared * (w_35 * self.k_30 - w_293);
+        let w_310 = platform_q0 * w_309 - w * w_304;
+        let w_311 = platform_q3 * self.k_27;
+        let w_312 = platform_q0 * w_301 + w * w_311;
+        let w_313 = platform_q2 * self.k_27;
+        let w_314 = platform_q0 * w_306 + w * (w_313 - w_299);
+        let w_315 = w_294 * w_310 + w_296 * w_312 - b2_on_platform_z * w_314;
+        let b2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_298 * w_315 / w_298;
         let l_lambda_b2_leg_platform_q0 = b2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_249 = platform_q1 * w_243 + platform_q2 * w * self.k_31;
-        let w_250 = platform_q2 * w * self.k_27
-            - platform_q1 * w_squared * w_8 * self.k_30 - w_36 * self.k_28;
-        let w_251 = w * (platform_q3 * self.k_27 + platform_q0 * self.k_31)
-            - platform_q1 * w_240;
-        let w_252 = w_234 * w_249 + w_235 * w_250 + b2_on_platform_z * w_251;
-        let k_lambda_b2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_237 * w_252 / w_237
+        let w_316 = platform_q2 * self.k_31;
+        let w_317 = platform_q1 * w_309 + w * w_316;
+        let w_318 = w * w_313 - w_squared * w_73 * self.k_30 - w_75 * self.k_28;
+        let w_319 = platform_q0 * self.k_31;
+        let w_320 = w * (w_311 + w_319) - platform_q1 * w_306;
+        let w_321 = w_294 * w_317 + w_296 * w_318 + b2_on_platform_z * w_320;
+        let k_lambda_b2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_298 * w_321 / w_298
             - mass_platform_q1_platform_q0 * l_lambda_b2_leg_platform_q0;
         let l_lambda_b2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b2_leg_platform_q1;
-        let w_253 = platform_q1 * w * self.k_31 - w_40 * self.k_30
-            - platform_q2 * w_squared * w_6 * self.k_28;
-        let w_254 = platform_q2 * w_245 + platform_q1 * w * self.k_27;
-        let w_255 = w * (platform_q3 * self.k_31 - platform_q0 * self.k_27)
-            - platform_q2 * w_240;
-        let w_256 = w_234 * w_253 + w_235 * w_254 + b2_on_platform_z * w_255;
-        let k_lambda_b2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_237 * w_256 / w_237
+        let k_lambda_b2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_298 * w_308 / w_298
             - mass_platform_q2_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b2_leg_platform_q1;
         let l_lambda_b2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b2_leg_platform_q2;
-        let minus_k_lambda_b2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_237 * w_242
-            / w_237 + mass_platform_q3_platform_q0 * l_lambda_b2_leg_platform_q0
+        let w_322 = platform_x_dot + w_81 * self.k_63 - w_squared * w_82 * self.k_64
+            - w * self.k_28 * w_83;
+        let w_323 = platform_y_dot + w * self.k_30 * w_85 - w_squared * w_86 * self.k_63
+            + w_88 * self.k_64;
+        let w_324 = w * (self.k_28 * w_90 - self.k_30 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_63 + w_48 * self.k_64) + platform_z_dot;
+        let w_325 = w_294 * w_322 + w_296 * w_323 + b2_on_platform_z * w_324;
+        let w_326 = w * w_319 + w_94 * self.k_30 + w_squared * w_95 * self.k_28;
+        let w_327 = w * w_305 - w_squared * w_97 * self.k_30 - w_98 * self.k_28;
+        let w_328 = w * (w_316 + w_302) - platform_q3 * w_306;
+        let w_329 = w_294 * w_326 - w_296 * w_327 - b2_on_platform_z * w_328;
+        let w_298_squared = w_298 * w_298;
+        let w_330 = w_325
+            * ((w_329 * platform_q3_dot - w_315 * platform_q0_dot
+                - w_321 * platform_q1_dot - w_308 * platform_q2_dot) / w_298_squared);
+        let w_331 = w_20 * w_24 * (w_39 * self.k_66 - w_35 * self.k_65);
+        let w_332 = self.k_31 * platform_q3_dot;
+        let w_333 = w_294
+            * (w_squared
+                * (self.k_28 * w_104 + w_35 * self.k_30 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_63) + platform_q0 * w_331 - w * w_332);
+        let w_334 = w_20 * w_24 * (w_42 * self.k_65 - w_44 * self.k_66);
+        let w_335 = self.k_27 * platform_q3_dot;
+        let w_336 = w_296
+            * (w_squared
+                * (w_44 * self.k_28 * platform_q0_dot - self.k_30 * w_108
+                    + platform_q0 * w_87 * self.k_64) + platform_q0 * w_334 + w * w_335);
+        let w_337 = w_20 * w_24 * (w_47 * self.k_65 + w_48 * self.k_66);
+        let w_338 = self.k_27 * platform_q2_dot;
+        let w_339 = self.k_31 * platform_q1_dot;
+        let w_340 = w_310 * w_322 + w_333 + w_312 * w_323 + w_336 - w_314 * w_324
+            - b2_on_platform_z
+                * (w_squared * (self.k_30 * w_113 + self.k_28 * w_115)
+                    - platform_q0 * w_337 + w * (w_338 - w_339));
+        let w_341 = self.k_31 * platform_q2_dot;
+        let w_342 = w_294
+            * (w_squared
+                * (self.k_28 * w_120 + w_35 * self.k_30 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_63) + platform_q1 * w_331 + w * w_341);
+        let w_343 = self.k_31 * platform_q0_dot;
+        let w_344 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_128 - self.k_28 * w_130) + w * (w_335 + w_343)
+                + platform_q1 * w_337);
+        let w_345 = w_317 * w_322 + w_342 + w_318 * w_323
+            + w_296
+                * (w * w_338 - self.k_30 * w_123 + w_24 * w_124 * self.k_65
+                    - self.k_28 * w_127) + w_320 * w_324 + w_344;
+        let w_346 = self.k_27 * platform_q1_dot;
+        let w_347 = w_296
+            * (w_squared
+                * (w_44 * self.k_28 * platform_q2_dot - self.k_30 * w_138
+                    + platform_q2 * w_87 * self.k_64) + platform_q2 * w_334 + w * w_346);
+        let w_348 = self.k_27 * platform_q0_dot;
+        let w_349 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_141 - self.k_28 * w_142) + w * (w_332 - w_348)
+                + platform_q2 * w_337);
+        let w_350 = w_300 * w_322
+            + w_294
+                * (self.k_28 * w_134 + w * w_339 - self.k_30 * w_136
+                    + w_24 * w_137 * self.k_66) + w_303 * w_323 + w_347 + w_307 * w_324
+            + w_349;
+        let w_351 = w_296
+            * (w * w_348 - self.k_30 * w_149 + w_24 * w_150 * self.k_65
+                - self.k_28 * w_151);
+        let w_352 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_153 - self.k_28 * w_154) + w * (w_341 + w_346)
+                + platform_q3 * w_337);
+        let w_353 = w_326 * w_322
+            + w_294
+                * (self.k_28 * w_146 + w * w_343 + self.k_30 * w_147
+                    - w_24 * w_148 * self.k_66) - w_327 * w_323 - w_351 - w_328 * w_324
+            - w_352;
+        let w_354 = S::from_f64(2.0)
+            * (w_330
+                + (platform_q0_dot * w_340 + platform_q1_dot * w_345
+                    + platform_q2_dot * w_350 - platform_q3_dot * w_353) / w_298);
+        let w_355 = w_354
+            + (platform_x_dot * w_322 + platform_y_dot * w_323 + platform_z_dot * w_324)
+                / w_298
+            - w_325
+                * ((w_294 * platform_x_dot + w_296 * platform_y_dot
+                    + b2_on_platform_z * platform_z_dot) / w_298_squared);
+        let w_356 = self.k_53 * sin_w_161;
+        let minus_k_lambda_b2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_298 * w_329
+            / w_298 + mass_platform_q3_platform_q0 * l_lambda_b2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b2_leg_platform_q2;
         let minus_l_lambda_b2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b2_leg_platform_q3;
+        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_298 / w_298;
+        let l_lambda_b2_leg_platform_z = b2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b2_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_b2_leg_platform_q0
@@ -4968,200 +4837,200 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b2_leg_platform_q2;
         let minus_l_lambda_b2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b2_leg_lambda_platform_norm;
-        let b2_leg_by_platform_x = w_234 * sqrt_w_237 / w_237;
+        let b2_leg_by_platform_x = w_294 * sqrt_w_298 / w_298;
         let l_lambda_b2_leg_platform_x = b2_leg_by_platform_x * self.inverse_platform_x;
-        let b2_leg_by_platform_y = w_235 * sqrt_w_237 / w_237;
+        let b2_leg_by_platform_y = w_296 * sqrt_w_298 / w_298;
         let l_lambda_b2_leg_platform_y = b2_leg_by_platform_y * self.inverse_platform_x;
-        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_237 / w_237;
-        let l_lambda_b2_leg_platform_z = b2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b2_leg_lambda_platform_norm
-            - a1_leg_by_platform_x * l_lambda_b2_leg_platform_x
-            - a1_leg_by_platform_y * l_lambda_b2_leg_platform_y
-            - a1_leg_by_platform_z * l_lambda_b2_leg_platform_z
             - a1_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_lambda_a1_leg_platform_q1 * l_lambda_b2_leg_platform_q1
             - k_lambda_a1_leg_platform_q2 * l_lambda_b2_leg_platform_q2
-            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3;
+            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
+            - a1_leg_by_platform_x * l_lambda_b2_leg_platform_x
+            - a1_leg_by_platform_y * l_lambda_b2_leg_platform_y
+            - a1_leg_by_platform_z * l_lambda_b2_leg_platform_z;
         let l_lambda_b2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_b2_leg_lambda_a1_leg;
         let k_lambda_b2_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
             * minus_l_lambda_b2_leg_lambda_platform_norm
-            - a2_leg_by_platform_x * l_lambda_b2_leg_platform_x
-            - a2_leg_by_platform_y * l_lambda_b2_leg_platform_y
-            - a2_leg_by_platform_z * l_lambda_b2_leg_platform_z
             - a2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_lambda_a2_leg_platform_q1 * l_lambda_b2_leg_platform_q1
             - k_lambda_a2_leg_platform_q2 * l_lambda_b2_leg_platform_q2
             - minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
+            - a2_leg_by_platform_x * l_lambda_b2_leg_platform_x
+            - a2_leg_by_platform_y * l_lambda_b2_leg_platform_y
+            - a2_leg_by_platform_z * l_lambda_b2_leg_platform_z
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg;
         let l_lambda_b2_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b2_leg_lambda_a2_leg;
+        let w_357 = b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
+            + k_lambda_b1_leg_platform_q1 * l_lambda_b1_leg_platform_q1
+            + k_lambda_b1_leg_platform_q2 * l_lambda_b1_leg_platform_q2
+            + minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3
+            + b1_leg_by_platform_x * l_lambda_b1_leg_platform_x
+            + b1_leg_by_platform_y * l_lambda_b1_leg_platform_y
+            + b1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
+        let pivot_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
+            * minus_l_lambda_b1_leg_lambda_platform_norm - w_357
+            - k_lambda_b1_leg_lambda_a1_leg * l_lambda_b1_leg_lambda_a1_leg
+            - k_lambda_b1_leg_lambda_a2_leg * l_lambda_b1_leg_lambda_a2_leg;
+        let inverse_lambda_b1_leg = S::from_f64(1.0) / pivot_lambda_b1_leg;
         let k_lambda_b2_leg_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
             * minus_l_lambda_b2_leg_lambda_platform_norm
-            - b1_leg_by_platform_x * l_lambda_b2_leg_platform_x
-            - b1_leg_by_platform_y * l_lambda_b2_leg_platform_y
-            - b1_leg_by_platform_z * l_lambda_b2_leg_platform_z
             - b1_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_lambda_b1_leg_platform_q1 * l_lambda_b2_leg_platform_q1
             - k_lambda_b1_leg_platform_q2 * l_lambda_b2_leg_platform_q2
             - minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
+            - b1_leg_by_platform_x * l_lambda_b2_leg_platform_x
+            - b1_leg_by_platform_y * l_lambda_b2_leg_platform_y
+            - b1_leg_by_platform_z * l_lambda_b2_leg_platform_z
             - k_lambda_b1_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_b2_leg_lambda_a2_leg;
         let l_lambda_b2_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_b2_leg_lambda_b1_leg;
-        let w_257 = b2_leg_by_platform_x * l_lambda_b2_leg_platform_x
-            + b2_leg_by_platform_y * l_lambda_b2_leg_platform_y
-            + b2_leg_by_platform_z * l_lambda_b2_leg_platform_z
-            + b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
-            + k_lambda_b2_leg_platform_q1 * l_lambda_b2_leg_platform_q1
-            + k_lambda_b2_leg_platform_q2 * l_lambda_b2_leg_platform_q2
-            + minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3;
-        let pivot_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
-            * minus_l_lambda_b2_leg_lambda_platform_norm - w_257
-            - k_lambda_b2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg
-            - k_lambda_b2_leg_lambda_a2_leg * l_lambda_b2_leg_lambda_a2_leg
-            - k_lambda_b2_leg_lambda_b1_leg * l_lambda_b2_leg_lambda_b1_leg;
-        let inverse_lambda_b2_leg = S::from_f64(1.0) / pivot_lambda_b2_leg;
-        let w_258 = platform_x_dot + w_51 * self.k_63
-            - w_squared * w_6 * w_49 * self.k_64 - w * self.k_28 * w_56;
-        let w_259 = platform_y_dot + w * self.k_30 * w_58
-            - w_squared * w_8 * w_49 * self.k_63 + w_60 * self.k_64;
-        let w_260 = w * (self.k_28 * w_66 - self.k_30 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_63 + w_13 * self.k_64) + platform_z_dot;
-        let w_261 = w_234 * w_258 + w_235 * w_259 + b2_on_platform_z * w_260;
-        let w_237_squared = w_237 * w_237;
-        let w_262 = w_49 * w_76 * (w_6 * self.k_66 - w_2 * self.k_65);
-        let w_263 = w_234
-            * (w_squared
-                * (self.k_28 * w_75 + w_2 * self.k_30 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_63) + platform_q0 * w_262
-                - w * self.k_31 * platform_q3_dot);
-        let w_264 = w_49 * w_76 * (w_8 * self.k_65 - w_9 * self.k_66);
-        let w_265 = w_235
-            * (w_squared
-                * (w_9 * self.k_28 * platform_q0_dot - self.k_30 * w_79
-                    + platform_q0 * w_59 * self.k_64) + platform_q0 * w_264
-                + w * self.k_27 * platform_q3_dot);
-        let w_266 = w_49 * w_76 * (w_12 * self.k_65 + w_13 * self.k_66);
-        let w_267 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_83 + self.k_28 * w_85) - platform_q0 * w_266
-                + w * (self.k_27 * platform_q2_dot - self.k_31 * platform_q1_dot));
-        let w_268 = w_234
-            * (w_squared
-                * (self.k_28 * w_88 + w_2 * self.k_30 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_63) + platform_q1 * w_262
-                + w * self.k_31 * platform_q2_dot);
-        let w_269 = w_235
-            * (w * self.k_27 * platform_q2_dot - self.k_30 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_65 - self.k_28 * w_92);
-        let w_270 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_94 - self.k_28 * w_96)
-                + w * (self.k_27 * platform_q3_dot + self.k_31 * platform_q0_dot)
-                + platform_q1 * w_266);
-        let w_271 = platform_q1_dot
-            * (w_249 * w_258 + w_268 + w_250 * w_259 + w_269 + w_251 * w_260 + w_270);
-        let w_272 = w_234
-            * (self.k_28 * w_99 + w * self.k_31 * platform_q1_dot - self.k_30 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_66);
-        let w_273 = w_235
-            * (w_squared
-                * (w_9 * self.k_28 * platform_q2_dot - self.k_30 * w_103
-                    + platform_q2 * w_59 * self.k_64) + platform_q2 * w_264
-                + w * self.k_27 * platform_q1_dot);
-        let w_274 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_105 - self.k_28 * w_106)
-                + w * (self.k_31 * platform_q3_dot - self.k_27 * platform_q0_dot)
-                + platform_q2 * w_266);
-        let w_275 = platform_q2_dot
-            * (w_253 * w_258 + w_272 + w_254 * w_259 + w_273 + w_255 * w_260 + w_274);
-        let w_276 = w_234
-            * (self.k_28 * w_109 + w * self.k_31 * platform_q0_dot + self.k_30 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_66);
-        let w_277 = w_235
-            * (w * self.k_27 * platform_q0_dot - self.k_30 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_65 - self.k_28 * w_113);
-        let w_278 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_115 - self.k_28 * w_116)
-                + w * (self.k_31 * platform_q2_dot + self.k_27 * platform_q1_dot)
-                + platform_q3 * w_266);
-        let w_279 = platform_q3_dot
-            * (w_238 * w_258 + w_276 - w_239 * w_259 - w_277 - w_241 * w_260 - w_278);
-        let w_280 = (platform_q0_dot
-            * (w_244 * w_258 + w_263 + w_246 * w_259 + w_265 - w_247 * w_260 - w_267)
-            + w_271 + w_275 - w_279) / w_237;
-        let w_281 = S::from_f64(2.0)
-            * (w_261
-                * ((w_242 * platform_q3_dot - w_248 * platform_q0_dot
-                    - w_252 * platform_q1_dot - w_256 * platform_q2_dot) / w_237_squared)
-                + w_280);
-        let w_282 = w_281
-            + (platform_x_dot * w_258 + platform_y_dot * w_259 + platform_z_dot * w_260)
-                / w_237
-            - w_261
-                * ((w_234 * platform_x_dot + w_235 * platform_y_dot
-                    + b2_on_platform_z * platform_z_dot) / w_237_squared);
-        let w_283 = self.k_53 * sin_w_124;
-        let rhs_lambda_b2_leg = self.minus_rhs_platform_z * l_lambda_b2_leg_platform_z
-            - (sqrt_w_237 * w_282 + w_183 - w_283)
+        let rhs_lambda_b2_leg = l_lambda_b2_leg_platform_q2 * minus_rhs_platform_q2
+            - (sqrt_w_298 * w_355 + w_226 - w_356)
             - rhs_platform_q0 * l_lambda_b2_leg_platform_q0
             - l_lambda_b2_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_b2_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_b2_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_b2_leg_platform_z
             + minus_l_lambda_b2_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_b2_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b2_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_b2_leg_lambda_b1_leg * rhs_lambda_b1_leg;
-        let w_284 = platform_x - self.k_32 - w_3 * self.k_33 + w * w_6 * self.k_34;
-        let w_285 = platform_y - self.k_35 + w * w_8 * self.k_36 - w_10 * self.k_37;
-        let w_286 = w_12 * self.k_36 + w_13 * self.k_34;
-        let c1_on_platform_z = w * w_286 + platform_z;
-        let w_287 = w_284 * w_284 + w_285 * w_285 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_287 = w_287.sqrt();
-        let w_288 = platform_q0 * w * self.k_37 + w_21 * self.k_36
-            + platform_q3 * w_squared * w_6 * self.k_34;
-        let w_289 = platform_q0 * w * self.k_33
-            - platform_q3 * w_squared * w_8 * self.k_36 - w_24 * self.k_34;
-        let w_290 = w_squared * w_286;
-        let w_291 = w * (platform_q2 * self.k_37 + platform_q1 * self.k_33)
-            - platform_q3 * w_290;
-        let w_292 = w_284 * w_288 - w_285 * w_289 - c1_on_platform_z * w_291;
-        let w_293 = w_squared * (w_2 * self.k_36 - w_6 * self.k_34);
-        let w_294 = platform_q0 * w_293 - platform_q3 * w * self.k_37;
-        let w_295 = w_squared * (w_9 * self.k_34 - w_8 * self.k_36);
-        let w_296 = platform_q0 * w_295 + platform_q3 * w * self.k_33;
-        let w_297 = platform_q0 * w_290
-            + w * (platform_q2 * self.k_33 - platform_q1 * self.k_37);
-        let w_298 = w_284 * w_294 + w_285 * w_296 - c1_on_platform_z * w_297;
-        let c1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_287 * w_298 / w_287;
+        let w_358 = w_39 * self.k_34;
+        let w_359 = platform_x - self.k_32 - w_36 * self.k_33 + w * w_358;
+        let w_360 = w_42 * self.k_36;
+        let w_361 = platform_y - self.k_35 + w * w_360 - w_45 * self.k_37;
+        let w_362 = w_47 * self.k_36 + w_48 * self.k_34;
+        let c1_on_platform_z = w * w_362 + platform_z;
+        let w_363 = w_359 * w_359 + w_361 * w_361 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_363 = w_363.sqrt();
+        let w_364 = platform_q1 * self.k_37;
+        let w_365 = w * w_364 - w_53 * self.k_36 - w_squared * w_54 * self.k_34;
+        let w_366 = w_squared * (w_44 * self.k_34 - w_360);
+        let w_367 = platform_q1 * self.k_33;
+        let w_368 = platform_q2 * w_366 + w * w_367;
+        let w_369 = platform_q3 * self.k_37;
+        let w_370 = platform_q0 * self.k_33;
+        let w_371 = w_squared * w_362;
+        let w_372 = w * (w_369 - w_370) - platform_q2 * w_371;
+        let w_373 = w_359 * w_365 + w_361 * w_368 + c1_on_platform_z * w_372;
+        let w_374 = w_squared * (w_35 * self.k_36 - w_358);
+        let w_375 = platform_q0 * w_374 - w * w_369;
+        let w_376 = platform_q3 * self.k_33;
+        let w_377 = platform_q0 * w_366 + w * w_376;
+        let w_378 = platform_q2 * self.k_33;
+        let w_379 = platform_q0 * w_371 + w * (w_378 - w_364);
+        let w_380 = w_359 * w_375 + w_361 * w_377 - c1_on_platform_z * w_379;
+        let c1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_363 * w_380 / w_363;
         let l_lambda_c1_leg_platform_q0 = c1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_299 = platform_q1 * w_293 + platform_q2 * w * self.k_37;
-        let w_300 = platform_q2 * w * self.k_33
-            - platform_q1 * w_squared * w_8 * self.k_36 - w_36 * self.k_34;
-        let w_301 = w * (platform_q3 * self.k_33 + platform_q0 * self.k_37)
-            - platform_q1 * w_290;
-        let w_302 = w_284 * w_299 + w_285 * w_300 + c1_on_platform_z * w_301;
-        let k_lambda_c1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_287 * w_302 / w_287
+        let w_381 = platform_q2 * self.k_37;
+        let w_382 = platform_q1 * w_374 + w * w_381;
+        let w_383 = w * w_378 - w_squared * w_73 * self.k_36 - w_75 * self.k_34;
+        let w_384 = platform_q0 * self.k_37;
+        let w_385 = w * (w_376 + w_384) - platform_q1 * w_371;
+        let w_386 = w_359 * w_382 + w_361 * w_383 + c1_on_platform_z * w_385;
+        let k_lambda_c1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_363 * w_386 / w_363
             - mass_platform_q1_platform_q0 * l_lambda_c1_leg_platform_q0;
         let l_lambda_c1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c1_leg_platform_q1;
-        let w_303 = platform_q1 * w * self.k_37 - w_40 * self.k_36
-            - platform_q2 * w_squared * w_6 * self.k_34;
-        let w_304 = platform_q2 * w_295 + platform_q1 * w * self.k_33;
-        let w_305 = w * (platform_q3 * self.k_37 - platform_q0 * self.k_33)
-            - platform_q2 * w_290;
-        let w_306 = w_284 * w_303 + w_285 * w_304 + c1_on_platform_z * w_305;
-        let k_lambda_c1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_287 * w_306 / w_287
+        let k_lambda_c1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_363 * w_373 / w_363
             - mass_platform_q2_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c1_leg_platform_q1;
         let l_lambda_c1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c1_leg_platform_q2;
-        let minus_k_lambda_c1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_287 * w_292
-            / w_287 + mass_platform_q3_platform_q0 * l_lambda_c1_leg_platform_q0
+        let w_387 = platform_x_dot + w_81 * self.k_67 - w_squared * w_82 * self.k_68
+            - w * self.k_34 * w_83;
+        let w_388 = platform_y_dot + w * self.k_36 * w_85 - w_squared * w_86 * self.k_67
+            + w_88 * self.k_68;
+        let w_389 = w * (self.k_34 * w_90 - self.k_36 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_67 + w_48 * self.k_68) + platform_z_dot;
+        let w_390 = w_359 * w_387 + w_361 * w_388 + c1_on_platform_z * w_389;
+        let w_391 = w * w_384 + w_94 * self.k_36 + w_squared * w_95 * self.k_34;
+        let w_392 = w * w_370 - w_squared * w_97 * self.k_36 - w_98 * self.k_34;
+        let w_393 = w * (w_381 + w_367) - platform_q3 * w_371;
+        let w_394 = w_359 * w_391 - w_361 * w_392 - c1_on_platform_z * w_393;
+        let w_363_squared = w_363 * w_363;
+        let w_395 = w_390
+            * ((w_394 * platform_q3_dot - w_380 * platform_q0_dot
+                - w_386 * platform_q1_dot - w_373 * platform_q2_dot) / w_363_squared);
+        let w_396 = w_20 * w_24 * (w_39 * self.k_70 - w_35 * self.k_69);
+        let w_397 = self.k_37 * platform_q3_dot;
+        let w_398 = w_359
+            * (w_squared
+                * (self.k_34 * w_104 + w_35 * self.k_36 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_67) + platform_q0 * w_396 - w * w_397);
+        let w_399 = w_20 * w_24 * (w_42 * self.k_69 - w_44 * self.k_70);
+        let w_400 = self.k_33 * platform_q3_dot;
+        let w_401 = w_361
+            * (w_squared
+                * (w_44 * self.k_34 * platform_q0_dot - self.k_36 * w_108
+                    + platform_q0 * w_87 * self.k_68) + platform_q0 * w_399 + w * w_400);
+        let w_402 = w_20 * w_24 * (w_47 * self.k_69 + w_48 * self.k_70);
+        let w_403 = self.k_33 * platform_q2_dot;
+        let w_404 = self.k_37 * platform_q1_dot;
+        let w_405 = w_375 * w_387 + w_398 + w_377 * w_388 + w_401 - w_379 * w_389
+            - c1_on_platform_z
+                * (w_squared * (self.k_36 * w_113 + self.k_34 * w_115)
+                    - platform_q0 * w_402 + w * (w_403 - w_404));
+        let w_406 = self.k_37 * platform_q2_dot;
+        let w_407 = w_359
+            * (w_squared
+                * (self.k_34 * w_120 + w_35 * self.k_36 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_67) + platform_q1 * w_396 + w * w_406);
+        let w_408 = self.k_37 * platform_q0_dot;
+        let w_409 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_128 - self.k_34 * w_130) + w * (w_400 + w_408)
+                + platform_q1 * w_402);
+        let w_410 = w_382 * w_387 + w_407 + w_383 * w_388
+            + w_361
+                * (w * w_403 - self.k_36 * w_123 + w_24 * w_124 * self.k_69
+                    - self.k_34 * w_127) + w_385 * w_389 + w_409;
+        let w_411 = self.k_33 * platform_q1_dot;
+        let w_412 = w_361
+            * (w_squared
+                * (w_44 * self.k_34 * platform_q2_dot - self.k_36 * w_138
+                    + platform_q2 * w_87 * self.k_68) + platform_q2 * w_399 + w * w_411);
+        let w_413 = self.k_33 * platform_q0_dot;
+        let w_414 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_141 - self.k_34 * w_142) + w * (w_397 - w_413)
+                + platform_q2 * w_402);
+        let w_415 = w_365 * w_387
+            + w_359
+                * (self.k_34 * w_134 + w * w_404 - self.k_36 * w_136
+                    + w_24 * w_137 * self.k_70) + w_368 * w_388 + w_412 + w_372 * w_389
+            + w_414;
+        let w_416 = w_361
+            * (w * w_413 - self.k_36 * w_149 + w_24 * w_150 * self.k_69
+                - self.k_34 * w_151);
+        let w_417 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_153 - self.k_34 * w_154) + w * (w_406 + w_411)
+                + platform_q3 * w_402);
+        let w_418 = w_391 * w_387
+            + w_359
+                * (self.k_34 * w_146 + w * w_408 + self.k_36 * w_147
+                    - w_24 * w_148 * self.k_70) - w_392 * w_388 - w_416 - w_393 * w_389
+            - w_417;
+        let w_419 = S::from_f64(2.0)
+            * (w_395
+                + (platform_q0_dot * w_405 + platform_q1_dot * w_410
+                    + platform_q2_dot * w_415 - platform_q3_dot * w_418) / w_363);
+        let w_420 = w_419
+            + (platform_x_dot * w_387 + platform_y_dot * w_388 + platform_z_dot * w_389)
+                / w_363
+            - w_390
+                * ((w_359 * platform_x_dot + w_361 * platform_y_dot
+                    + c1_on_platform_z * platform_z_dot) / w_363_squared);
+        let minus_k_lambda_c1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_363 * w_394
+            / w_363 + mass_platform_q3_platform_q0 * l_lambda_c1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c1_leg_platform_q2;
         let minus_l_lambda_c1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c1_leg_platform_q3;
+        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_363 / w_363;
+        let l_lambda_c1_leg_platform_z = c1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c1_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_c1_leg_platform_q0
@@ -5169,215 +5038,217 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_c1_leg_platform_q2;
         let minus_l_lambda_c1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c1_leg_lambda_platform_norm;
-        let c1_leg_by_platform_x = w_284 * sqrt_w_287 / w_287;
+        let c1_leg_by_platform_x = w_359 * sqrt_w_363 / w_363;
         let l_lambda_c1_leg_platform_x = c1_leg_by_platform_x * self.inverse_platform_x;
-        let c1_leg_by_platform_y = w_285 * sqrt_w_287 / w_287;
+        let c1_leg_by_platform_y = w_361 * sqrt_w_363 / w_363;
         let l_lambda_c1_leg_platform_y = c1_leg_by_platform_y * self.inverse_platform_x;
-        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_287 / w_287;
-        let l_lambda_c1_leg_platform_z = c1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
-            - a1_leg_by_platform_x * l_lambda_c1_leg_platform_x
-            - a1_leg_by_platform_y * l_lambda_c1_leg_platform_y
-            - a1_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - a1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_lambda_a1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             - k_lambda_a1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
-            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3;
+            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
+            - a1_leg_by_platform_x * l_lambda_c1_leg_platform_x
+            - a1_leg_by_platform_y * l_lambda_c1_leg_platform_y
+            - a1_leg_by_platform_z * l_lambda_c1_leg_platform_z;
         let l_lambda_c1_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_c1_leg_lambda_a1_leg;
         let k_lambda_c1_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
-            - a2_leg_by_platform_x * l_lambda_c1_leg_platform_x
-            - a2_leg_by_platform_y * l_lambda_c1_leg_platform_y
-            - a2_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - a2_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_lambda_a2_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             - k_lambda_a2_leg_platform_q2 * l_lambda_c1_leg_platform_q2
             - minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
+            - a2_leg_by_platform_x * l_lambda_c1_leg_platform_x
+            - a2_leg_by_platform_y * l_lambda_c1_leg_platform_y
+            - a2_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg;
         let l_lambda_c1_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_c1_leg_lambda_a2_leg;
         let k_lambda_c1_leg_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
-            - b1_leg_by_platform_x * l_lambda_c1_leg_platform_x
-            - b1_leg_by_platform_y * l_lambda_c1_leg_platform_y
-            - b1_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - b1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_lambda_b1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             - k_lambda_b1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
             - minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
+            - b1_leg_by_platform_x * l_lambda_c1_leg_platform_x
+            - b1_leg_by_platform_y * l_lambda_c1_leg_platform_y
+            - b1_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - k_lambda_b1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg;
         let l_lambda_c1_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_c1_leg_lambda_b1_leg;
+        let w_421 = b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
+            + k_lambda_b2_leg_platform_q1 * l_lambda_b2_leg_platform_q1
+            + k_lambda_b2_leg_platform_q2 * l_lambda_b2_leg_platform_q2
+            + minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
+            + b2_leg_by_platform_x * l_lambda_b2_leg_platform_x
+            + b2_leg_by_platform_y * l_lambda_b2_leg_platform_y
+            + b2_leg_by_platform_z * l_lambda_b2_leg_platform_z;
+        let pivot_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
+            * minus_l_lambda_b2_leg_lambda_platform_norm - w_421
+            - k_lambda_b2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg
+            - k_lambda_b2_leg_lambda_a2_leg * l_lambda_b2_leg_lambda_a2_leg
+            - k_lambda_b2_leg_lambda_b1_leg * l_lambda_b2_leg_lambda_b1_leg;
+        let inverse_lambda_b2_leg = S::from_f64(1.0) / pivot_lambda_b2_leg;
         let k_lambda_c1_leg_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
-            - b2_leg_by_platform_x * l_lambda_c1_leg_platform_x
-            - b2_leg_by_platform_y * l_lambda_c1_leg_platform_y
-            - b2_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - b2_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_lambda_b2_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             - k_lambda_b2_leg_platform_q2 * l_lambda_c1_leg_platform_q2
             - minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
+            - b2_leg_by_platform_x * l_lambda_c1_leg_platform_x
+            - b2_leg_by_platform_y * l_lambda_c1_leg_platform_y
+            - b2_leg_by_platform_z * l_lambda_c1_leg_platform_z
             - k_lambda_b2_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
             - k_lambda_b2_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg;
         let l_lambda_c1_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c1_leg_lambda_b2_leg;
-        let w_307 = c1_leg_by_platform_x * l_lambda_c1_leg_platform_x
-            + c1_leg_by_platform_y * l_lambda_c1_leg_platform_y
-            + c1_leg_by_platform_z * l_lambda_c1_leg_platform_z
-            + c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
-            + k_lambda_c1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
-            + k_lambda_c1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
-            + minus_k_lambda_c1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3;
-        let pivot_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
-            * minus_l_lambda_c1_leg_lambda_platform_norm - w_307
-            - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
-            - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
-            - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg
-            - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c1_leg_lambda_b2_leg;
-        let inverse_lambda_c1_leg = S::from_f64(1.0) / pivot_lambda_c1_leg;
-        let w_308 = platform_x_dot + w_51 * self.k_67
-            - w_squared * w_6 * w_49 * self.k_68 - w * self.k_34 * w_56;
-        let w_309 = platform_y_dot + w * self.k_36 * w_58
-            - w_squared * w_8 * w_49 * self.k_67 + w_60 * self.k_68;
-        let w_310 = w * (self.k_34 * w_66 - self.k_36 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_67 + w_13 * self.k_68) + platform_z_dot;
-        let w_311 = w_284 * w_308 + w_285 * w_309 + c1_on_platform_z * w_310;
-        let w_287_squared = w_287 * w_287;
-        let w_312 = w_49 * w_76 * (w_6 * self.k_70 - w_2 * self.k_69);
-        let w_313 = w_284
-            * (w_squared
-                * (self.k_34 * w_75 + w_2 * self.k_36 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_67) + platform_q0 * w_312
-                - w * self.k_37 * platform_q3_dot);
-        let w_314 = w_49 * w_76 * (w_8 * self.k_69 - w_9 * self.k_70);
-        let w_315 = w_285
-            * (w_squared
-                * (w_9 * self.k_34 * platform_q0_dot - self.k_36 * w_79
-                    + platform_q0 * w_59 * self.k_68) + platform_q0 * w_314
-                + w * self.k_33 * platform_q3_dot);
-        let w_316 = w_49 * w_76 * (w_12 * self.k_69 + w_13 * self.k_70);
-        let w_317 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_83 + self.k_34 * w_85) - platform_q0 * w_316
-                + w * (self.k_33 * platform_q2_dot - self.k_37 * platform_q1_dot));
-        let w_318 = w_284
-            * (w_squared
-                * (self.k_34 * w_88 + w_2 * self.k_36 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_67) + platform_q1 * w_312
-                + w * self.k_37 * platform_q2_dot);
-        let w_319 = w_285
-            * (w * self.k_33 * platform_q2_dot - self.k_36 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_69 - self.k_34 * w_92);
-        let w_320 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_94 - self.k_34 * w_96)
-                + w * (self.k_33 * platform_q3_dot + self.k_37 * platform_q0_dot)
-                + platform_q1 * w_316);
-        let w_321 = platform_q1_dot
-            * (w_299 * w_308 + w_318 + w_300 * w_309 + w_319 + w_301 * w_310 + w_320);
-        let w_322 = w_284
-            * (self.k_34 * w_99 + w * self.k_37 * platform_q1_dot - self.k_36 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_70);
-        let w_323 = w_285
-            * (w_squared
-                * (w_9 * self.k_34 * platform_q2_dot - self.k_36 * w_103
-                    + platform_q2 * w_59 * self.k_68) + platform_q2 * w_314
-                + w * self.k_33 * platform_q1_dot);
-        let w_324 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_105 - self.k_34 * w_106)
-                + w * (self.k_37 * platform_q3_dot - self.k_33 * platform_q0_dot)
-                + platform_q2 * w_316);
-        let w_325 = platform_q2_dot
-            * (w_303 * w_308 + w_322 + w_304 * w_309 + w_323 + w_305 * w_310 + w_324);
-        let w_326 = w_284
-            * (self.k_34 * w_109 + w * self.k_37 * platform_q0_dot + self.k_36 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_70);
-        let w_327 = w_285
-            * (w * self.k_33 * platform_q0_dot - self.k_36 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_69 - self.k_34 * w_113);
-        let w_328 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_115 - self.k_34 * w_116)
-                + w * (self.k_37 * platform_q2_dot + self.k_33 * platform_q1_dot)
-                + platform_q3 * w_316);
-        let w_329 = platform_q3_dot
-            * (w_288 * w_308 + w_326 - w_289 * w_309 - w_327 - w_291 * w_310 - w_328);
-        let w_330 = (platform_q0_dot
-            * (w_294 * w_308 + w_313 + w_296 * w_309 + w_315 - w_297 * w_310 - w_317)
-            + w_321 + w_325 - w_329) / w_287;
-        let w_331 = S::from_f64(2.0)
-            * (w_311
-                * ((w_292 * platform_q3_dot - w_298 * platform_q0_dot
-                    - w_302 * platform_q1_dot - w_306 * platform_q2_dot) / w_287_squared)
-                + w_330);
-        let w_332 = w_331
-            + (platform_x_dot * w_308 + platform_y_dot * w_309 + platform_z_dot * w_310)
-                / w_287
-            - w_311
-                * ((w_284 * platform_x_dot + w_285 * platform_y_dot
-                    + c1_on_platform_z * platform_z_dot) / w_287_squared);
-        let rhs_lambda_c1_leg = self.minus_rhs_platform_z * l_lambda_c1_leg_platform_z
-            - (sqrt_w_287 * w_332 + w_183 + w_283)
+        let rhs_lambda_c1_leg = l_lambda_c1_leg_platform_q2 * minus_rhs_platform_q2
+            - (sqrt_w_363 * w_420 + w_226 + w_356)
             - rhs_platform_q0 * l_lambda_c1_leg_platform_q0
             - l_lambda_c1_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_c1_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_c1_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_c1_leg_platform_z
             + minus_l_lambda_c1_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_c1_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_c1_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_c1_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c1_leg_lambda_b2_leg * rhs_lambda_b2_leg;
-        let w_333 = platform_x - self.k_39 - w_3 * self.k_40 + w * w_6 * self.k_41;
-        let w_334 = platform_y - self.k_42 + w * w_8 * self.k_43 - w_10 * self.k_44;
-        let w_335 = w_12 * self.k_43 + w_13 * self.k_41;
-        let c2_on_platform_z = w * w_335 + platform_z;
-        let w_336 = w_333 * w_333 + w_334 * w_334 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_336 = w_336.sqrt();
-        let w_337 = platform_q0 * w * self.k_44 + w_21 * self.k_43
-            + platform_q3 * w_squared * w_6 * self.k_41;
-        let w_338 = platform_q0 * w * self.k_40
-            - platform_q3 * w_squared * w_8 * self.k_43 - w_24 * self.k_41;
-        let w_339 = w_squared * w_335;
-        let w_340 = w * (platform_q2 * self.k_44 + platform_q1 * self.k_40)
-            - platform_q3 * w_339;
-        let w_341 = w_333 * w_337 - w_334 * w_338 - c2_on_platform_z * w_340;
-        let w_342 = w_squared * (w_2 * self.k_43 - w_6 * self.k_41);
-        let w_343 = platform_q0 * w_342 - platform_q3 * w * self.k_44;
-        let w_344 = w_squared * (w_9 * self.k_41 - w_8 * self.k_43);
-        let w_345 = platform_q0 * w_344 + platform_q3 * w * self.k_40;
-        let w_346 = platform_q0 * w_339
-            + w * (platform_q2 * self.k_40 - platform_q1 * self.k_44);
-        let w_347 = w_333 * w_343 + w_334 * w_345 - c2_on_platform_z * w_346;
-        let c2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_336 * w_347 / w_336;
+        let w_422 = w_39 * self.k_41;
+        let w_423 = platform_x - self.k_39 - w_36 * self.k_40 + w * w_422;
+        let w_424 = w_42 * self.k_43;
+        let w_425 = platform_y - self.k_42 + w * w_424 - w_45 * self.k_44;
+        let w_426 = w_47 * self.k_43 + w_48 * self.k_41;
+        let c2_on_platform_z = w * w_426 + platform_z;
+        let w_427 = w_423 * w_423 + w_425 * w_425 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_427 = w_427.sqrt();
+        let w_428 = platform_q1 * self.k_44;
+        let w_429 = w * w_428 - w_53 * self.k_43 - w_squared * w_54 * self.k_41;
+        let w_430 = w_squared * (w_44 * self.k_41 - w_424);
+        let w_431 = platform_q1 * self.k_40;
+        let w_432 = platform_q2 * w_430 + w * w_431;
+        let w_433 = platform_q3 * self.k_44;
+        let w_434 = platform_q0 * self.k_40;
+        let w_435 = w_squared * w_426;
+        let w_436 = w * (w_433 - w_434) - platform_q2 * w_435;
+        let w_437 = w_423 * w_429 + w_425 * w_432 + c2_on_platform_z * w_436;
+        let w_438 = w_squared * (w_35 * self.k_43 - w_422);
+        let w_439 = platform_q0 * w_438 - w * w_433;
+        let w_440 = platform_q3 * self.k_40;
+        let w_441 = platform_q0 * w_430 + w * w_440;
+        let w_442 = platform_q2 * self.k_40;
+        let w_443 = platform_q0 * w_435 + w * (w_442 - w_428);
+        let w_444 = w_423 * w_439 + w_425 * w_441 - c2_on_platform_z * w_443;
+        let c2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_427 * w_444 / w_427;
         let l_lambda_c2_leg_platform_q0 = c2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_348 = platform_q1 * w_342 + platform_q2 * w * self.k_44;
-        let w_349 = platform_q2 * w * self.k_40
-            - platform_q1 * w_squared * w_8 * self.k_43 - w_36 * self.k_41;
-        let w_350 = w * (platform_q3 * self.k_40 + platform_q0 * self.k_44)
-            - platform_q1 * w_339;
-        let w_351 = w_333 * w_348 + w_334 * w_349 + c2_on_platform_z * w_350;
-        let k_lambda_c2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_336 * w_351 / w_336
+        let w_445 = platform_q2 * self.k_44;
+        let w_446 = platform_q1 * w_438 + w * w_445;
+        let w_447 = w * w_442 - w_squared * w_73 * self.k_43 - w_75 * self.k_41;
+        let w_448 = platform_q0 * self.k_44;
+        let w_449 = w * (w_440 + w_448) - platform_q1 * w_435;
+        let w_450 = w_423 * w_446 + w_425 * w_447 + c2_on_platform_z * w_449;
+        let k_lambda_c2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_427 * w_450 / w_427
             - mass_platform_q1_platform_q0 * l_lambda_c2_leg_platform_q0;
         let l_lambda_c2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c2_leg_platform_q1;
-        let w_352 = platform_q1 * w * self.k_44 - w_40 * self.k_43
-            - platform_q2 * w_squared * w_6 * self.k_41;
-        let w_353 = platform_q2 * w_344 + platform_q1 * w * self.k_40;
-        let w_354 = w * (platform_q3 * self.k_44 - platform_q0 * self.k_40)
-            - platform_q2 * w_339;
-        let w_355 = w_333 * w_352 + w_334 * w_353 + c2_on_platform_z * w_354;
-        let k_lambda_c2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_336 * w_355 / w_336
+        let k_lambda_c2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_427 * w_437 / w_427
             - mass_platform_q2_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c2_leg_platform_q1;
         let l_lambda_c2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c2_leg_platform_q2;
-        let minus_k_lambda_c2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_336 * w_341
-            / w_336 + mass_platform_q3_platform_q0 * l_lambda_c2_leg_platform_q0
+        let w_451 = platform_x_dot + w_81 * self.k_71 - w_squared * w_82 * self.k_72
+            - w * self.k_41 * w_83;
+        let w_452 = platform_y_dot + w * self.k_43 * w_85 - w_squared * w_86 * self.k_71
+            + w_88 * self.k_72;
+        let w_453 = w * (self.k_41 * w_90 - self.k_43 * w_91)
+            - w_squared * w_20 * (w_47 * self.k_71 + w_48 * self.k_72) + platform_z_dot;
+        let w_454 = w_423 * w_451 + w_425 * w_452 + c2_on_platform_z * w_453;
+        let w_455 = w * w_448 + w_94 * self.k_43 + w_squared * w_95 * self.k_41;
+        let w_456 = w * w_434 - w_squared * w_97 * self.k_43 - w_98 * self.k_41;
+        let w_457 = w * (w_445 + w_431) - platform_q3 * w_435;
+        let w_458 = w_423 * w_455 - w_425 * w_456 - c2_on_platform_z * w_457;
+        let w_427_squared = w_427 * w_427;
+        let w_459 = w_454
+            * ((w_458 * platform_q3_dot - w_444 * platform_q0_dot
+                - w_450 * platform_q1_dot - w_437 * platform_q2_dot) / w_427_squared);
+        let w_460 = w_20 * w_24 * (w_39 * self.k_74 - w_35 * self.k_73);
+        let w_461 = self.k_44 * platform_q3_dot;
+        let w_462 = w_423
+            * (w_squared
+                * (self.k_41 * w_104 + w_35 * self.k_43 * platform_q0_dot
+                    + platform_q0 * w_80 * self.k_71) + platform_q0 * w_460 - w * w_461);
+        let w_463 = w_20 * w_24 * (w_42 * self.k_73 - w_44 * self.k_74);
+        let w_464 = self.k_40 * platform_q3_dot;
+        let w_465 = w_425
+            * (w_squared
+                * (w_44 * self.k_41 * platform_q0_dot - self.k_43 * w_108
+                    + platform_q0 * w_87 * self.k_72) + platform_q0 * w_463 + w * w_464);
+        let w_466 = w_20 * w_24 * (w_47 * self.k_73 + w_48 * self.k_74);
+        let w_467 = self.k_40 * platform_q2_dot;
+        let w_468 = self.k_44 * platform_q1_dot;
+        let w_469 = w_439 * w_451 + w_462 + w_441 * w_452 + w_465 - w_443 * w_453
+            - c2_on_platform_z
+                * (w_squared * (self.k_43 * w_113 + self.k_41 * w_115)
+                    - platform_q0 * w_466 + w * (w_467 - w_468));
+        let w_470 = self.k_44 * platform_q2_dot;
+        let w_471 = w_423
+            * (w_squared
+                * (self.k_41 * w_120 + w_35 * self.k_43 * platform_q1_dot
+                    + platform_q1 * w_80 * self.k_71) + platform_q1 * w_460 + w * w_470);
+        let w_472 = self.k_44 * platform_q0_dot;
+        let w_473 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_128 - self.k_41 * w_130) + w * (w_464 + w_472)
+                + platform_q1 * w_466);
+        let w_474 = w_446 * w_451 + w_471 + w_447 * w_452
+            + w_425
+                * (w * w_467 - self.k_43 * w_123 + w_24 * w_124 * self.k_73
+                    - self.k_41 * w_127) + w_449 * w_453 + w_473;
+        let w_475 = self.k_40 * platform_q1_dot;
+        let w_476 = w_425
+            * (w_squared
+                * (w_44 * self.k_41 * platform_q2_dot - self.k_43 * w_138
+                    + platform_q2 * w_87 * self.k_72) + platform_q2 * w_463 + w * w_475);
+        let w_477 = self.k_40 * platform_q0_dot;
+        let w_478 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_141 - self.k_41 * w_142) + w * (w_461 - w_477)
+                + platform_q2 * w_466);
+        let w_479 = w_429 * w_451
+            + w_423
+                * (self.k_41 * w_134 + w * w_468 - self.k_43 * w_136
+                    + w_24 * w_137 * self.k_74) + w_432 * w_452 + w_476 + w_436 * w_453
+            + w_478;
+        let w_480 = w_425
+            * (w * w_477 - self.k_43 * w_149 + w_24 * w_150 * self.k_73
+                - self.k_41 * w_151);
+        let w_481 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_153 - self.k_41 * w_154) + w * (w_470 + w_475)
+                + platform_q3 * w_466);
+        let w_482 = w_455 * w_451
+            + w_423
+                * (self.k_41 * w_146 + w * w_472 + self.k_43 * w_147
+                    - w_24 * w_148 * self.k_74) - w_456 * w_452 - w_480 - w_457 * w_453
+            - w_481;
+        let w_483 = S::from_f64(2.0)
+            * (w_459
+                + (platform_q0_dot * w_469 + platform_q1_dot * w_474
+                    + platform_q2_dot * w_479 - platform_q3_dot * w_482) / w_427);
+        let w_484 = w_483
+            + (platform_x_dot * w_451 + platform_y_dot * w_452 + platform_z_dot * w_453)
+                / w_427
+            - w_454
+                * ((w_423 * platform_x_dot + w_425 * platform_y_dot
+                    + c2_on_platform_z * platform_z_dot) / w_427_squared);
+        let w_485 = sqrt_w_427 * w_484 + w_226 - self.k_53 * sin_w_162;
+        let minus_k_lambda_c2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_427 * w_458
+            / w_427 + mass_platform_q3_platform_q0 * l_lambda_c2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c2_leg_platform_q2;
         let minus_l_lambda_c2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c2_leg_platform_q3;
+        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_427 / w_427;
+        let l_lambda_c2_leg_platform_z = c2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c2_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_c2_leg_platform_q0
@@ -5385,181 +5256,114 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_c2_leg_platform_q2;
         let minus_l_lambda_c2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c2_leg_lambda_platform_norm;
-        let c2_leg_by_platform_x = w_333 * sqrt_w_336 / w_336;
+        let c2_leg_by_platform_x = w_423 * sqrt_w_427 / w_427;
         let l_lambda_c2_leg_platform_x = c2_leg_by_platform_x * self.inverse_platform_x;
-        let c2_leg_by_platform_y = w_334 * sqrt_w_336 / w_336;
+        let c2_leg_by_platform_y = w_425 * sqrt_w_427 / w_427;
         let l_lambda_c2_leg_platform_y = c2_leg_by_platform_y * self.inverse_platform_x;
-        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_336 / w_336;
-        let l_lambda_c2_leg_platform_z = c2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
-            - a1_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            - a1_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            - a1_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - a1_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_a1_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_a1_leg_platform_q2 * l_lambda_c2_leg_platform_q2
-            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3;
+            - minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            - a1_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            - a1_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            - a1_leg_by_platform_z * l_lambda_c2_leg_platform_z;
         let l_lambda_c2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_c2_leg_lambda_a1_leg;
         let k_lambda_c2_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
-            - a2_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            - a2_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            - a2_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - a2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_a2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_a2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
             - minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            - a2_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            - a2_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            - a2_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg;
         let l_lambda_c2_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_c2_leg_lambda_a2_leg;
         let k_lambda_c2_leg_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
-            - b1_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            - b1_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            - b1_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - b1_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_b1_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_b1_leg_platform_q2 * l_lambda_c2_leg_platform_q2
             - minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            - b1_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            - b1_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            - b1_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - k_lambda_b1_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg;
         let l_lambda_c2_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_c2_leg_lambda_b1_leg;
         let k_lambda_c2_leg_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
-            - b2_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            - b2_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            - b2_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - b2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_b2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_b2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
             - minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            - b2_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            - b2_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            - b2_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - k_lambda_b2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
             - k_lambda_b2_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg;
         let l_lambda_c2_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c2_leg_lambda_b2_leg;
+        let w_486 = c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
+            + k_lambda_c1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
+            + k_lambda_c1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
+            + minus_k_lambda_c1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
+            + c1_leg_by_platform_x * l_lambda_c1_leg_platform_x
+            + c1_leg_by_platform_y * l_lambda_c1_leg_platform_y
+            + c1_leg_by_platform_z * l_lambda_c1_leg_platform_z;
+        let pivot_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
+            * minus_l_lambda_c1_leg_lambda_platform_norm - w_486
+            - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
+            - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
+            - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg
+            - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c1_leg_lambda_b2_leg;
+        let inverse_lambda_c1_leg = S::from_f64(1.0) / pivot_lambda_c1_leg;
         let k_lambda_c2_leg_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
-            - c1_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            - c1_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            - c1_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - c1_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_c1_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_c1_leg_platform_q2 * l_lambda_c2_leg_platform_q2
             - minus_k_lambda_c1_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            - c1_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            - c1_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            - c1_leg_by_platform_z * l_lambda_c2_leg_platform_z
             - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
             - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
             - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
             - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c2_leg_lambda_b2_leg;
         let l_lambda_c2_leg_lambda_c1_leg = inverse_lambda_c1_leg
             * k_lambda_c2_leg_lambda_c1_leg;
-        let w_356 = c2_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            + c2_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            + c2_leg_by_platform_z * l_lambda_c2_leg_platform_z
-            + c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
-            + k_lambda_c2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
-            + k_lambda_c2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
-            + minus_k_lambda_c2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3;
-        let pivot_lambda_c2_leg = k_lambda_c2_leg_lambda_platform_norm
-            * minus_l_lambda_c2_leg_lambda_platform_norm - w_356
-            - k_lambda_c2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
-            - k_lambda_c2_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
-            - k_lambda_c2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
-            - k_lambda_c2_leg_lambda_b2_leg * l_lambda_c2_leg_lambda_b2_leg
-            - k_lambda_c2_leg_lambda_c1_leg * l_lambda_c2_leg_lambda_c1_leg;
-        let w_357 = platform_x_dot + w_51 * self.k_71
-            - w_squared * w_6 * w_49 * self.k_72 - w * self.k_41 * w_56;
-        let w_358 = platform_y_dot + w * self.k_43 * w_58
-            - w_squared * w_8 * w_49 * self.k_71 + w_60 * self.k_72;
-        let w_359 = w * (self.k_41 * w_66 - self.k_43 * w_71)
-            - w_squared * w_49 * (w_12 * self.k_71 + w_13 * self.k_72) + platform_z_dot;
-        let w_360 = w_333 * w_357 + w_334 * w_358 + c2_on_platform_z * w_359;
-        let w_336_squared = w_336 * w_336;
-        let w_361 = w_49 * w_76 * (w_6 * self.k_74 - w_2 * self.k_73);
-        let w_362 = w_333
-            * (w_squared
-                * (self.k_41 * w_75 + w_2 * self.k_43 * platform_q0_dot
-                    + platform_q0 * w_50 * self.k_71) + platform_q0 * w_361
-                - w * self.k_44 * platform_q3_dot);
-        let w_363 = w_49 * w_76 * (w_8 * self.k_73 - w_9 * self.k_74);
-        let w_364 = w_334
-            * (w_squared
-                * (w_9 * self.k_41 * platform_q0_dot - self.k_43 * w_79
-                    + platform_q0 * w_59 * self.k_72) + platform_q0 * w_363
-                + w * self.k_40 * platform_q3_dot);
-        let w_365 = w_49 * w_76 * (w_12 * self.k_73 + w_13 * self.k_74);
-        let w_366 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_83 + self.k_41 * w_85) - platform_q0 * w_365
-                + w * (self.k_40 * platform_q2_dot - self.k_44 * platform_q1_dot));
-        let w_367 = w_333
-            * (w_squared
-                * (self.k_41 * w_88 + w_2 * self.k_43 * platform_q1_dot
-                    + platform_q1 * w_50 * self.k_71) + platform_q1 * w_361
-                + w * self.k_44 * platform_q2_dot);
-        let w_368 = w_334
-            * (w * self.k_40 * platform_q2_dot - self.k_43 * w_90
-                + platform_q1 * w_8 * w_49 * w_76 * self.k_73 - self.k_41 * w_92);
-        let w_369 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_94 - self.k_41 * w_96)
-                + w * (self.k_40 * platform_q3_dot + self.k_44 * platform_q0_dot)
-                + platform_q1 * w_365);
-        let w_370 = platform_q1_dot
-            * (w_348 * w_357 + w_367 + w_349 * w_358 + w_368 + w_350 * w_359 + w_369);
-        let w_371 = w_333
-            * (self.k_41 * w_99 + w * self.k_44 * platform_q1_dot - self.k_43 * w_101
-                + platform_q2 * w_6 * w_49 * w_76 * self.k_74);
-        let w_372 = w_334
-            * (w_squared
-                * (w_9 * self.k_41 * platform_q2_dot - self.k_43 * w_103
-                    + platform_q2 * w_59 * self.k_72) + platform_q2 * w_363
-                + w * self.k_40 * platform_q1_dot);
-        let w_373 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_105 - self.k_41 * w_106)
-                + w * (self.k_44 * platform_q3_dot - self.k_40 * platform_q0_dot)
-                + platform_q2 * w_365);
-        let w_374 = platform_q2_dot
-            * (w_352 * w_357 + w_371 + w_353 * w_358 + w_372 + w_354 * w_359 + w_373);
-        let w_375 = w_333
-            * (self.k_41 * w_109 + w * self.k_44 * platform_q0_dot + self.k_43 * w_110
-                - platform_q3 * w_6 * w_49 * w_76 * self.k_74);
-        let w_376 = w_334
-            * (w * self.k_40 * platform_q0_dot - self.k_43 * w_112
-                + platform_q3 * w_8 * w_49 * w_76 * self.k_73 - self.k_41 * w_113);
-        let w_377 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_115 - self.k_41 * w_116)
-                + w * (self.k_44 * platform_q2_dot + self.k_40 * platform_q1_dot)
-                + platform_q3 * w_365);
-        let w_378 = platform_q3_dot
-            * (w_337 * w_357 + w_375 - w_338 * w_358 - w_376 - w_340 * w_359 - w_377);
-        let w_379 = (platform_q0_dot
-            * (w_343 * w_357 + w_362 + w_345 * w_358 + w_364 - w_346 * w_359 - w_366)
-            + w_370 + w_374 - w_378) / w_336;
-        let w_380 = S::from_f64(2.0)
-            * (w_360
-                * ((w_341 * platform_q3_dot - w_347 * platform_q0_dot
-                    - w_351 * platform_q1_dot - w_355 * platform_q2_dot) / w_336_squared)
-                + w_379);
-        let w_381 = w_380
-            + (platform_x_dot * w_357 + platform_y_dot * w_358 + platform_z_dot * w_359)
-                / w_336
-            - w_360
-                * ((w_333 * platform_x_dot + w_334 * platform_y_dot
-                    + c2_on_platform_z * platform_z_dot) / w_336_squared);
-        let w_382 = sqrt_w_336 * w_381 + w_183 - self.k_53 * sin_w_125;
-        let rhs_lambda_c2_leg = self.minus_rhs_platform_z * l_lambda_c2_leg_platform_z
-            - w_382 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
+        let rhs_lambda_c2_leg = l_lambda_c2_leg_platform_q2 * minus_rhs_platform_q2
+            - w_485 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
             - l_lambda_c2_leg_platform_q1 * rhs_platform_q1
-            + l_lambda_c2_leg_platform_q2 * minus_rhs_platform_q2
             + minus_l_lambda_c2_leg_platform_q3 * rhs_platform_q3
+            + self.minus_rhs_platform_z * l_lambda_c2_leg_platform_z
             + minus_l_lambda_c2_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_c2_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_c2_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_c2_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c2_leg_lambda_b2_leg * rhs_lambda_b2_leg
             - l_lambda_c2_leg_lambda_c1_leg * rhs_lambda_c1_leg;
+        let w_487 = c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
+            + k_lambda_c2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
+            + k_lambda_c2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
+            + minus_k_lambda_c2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            + c2_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            + c2_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            + c2_leg_by_platform_z * l_lambda_c2_leg_platform_z;
+        let pivot_lambda_c2_leg = k_lambda_c2_leg_lambda_platform_norm
+            * minus_l_lambda_c2_leg_lambda_platform_norm - w_487
+            - k_lambda_c2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
+            - k_lambda_c2_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
+            - k_lambda_c2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
+            - k_lambda_c2_leg_lambda_b2_leg * l_lambda_c2_leg_lambda_b2_leg
+            - k_lambda_c2_leg_lambda_c1_leg * l_lambda_c2_leg_lambda_c1_leg;
         let lambda_c2_leg = S::from_f64(1.0) / pivot_lambda_c2_leg * rhs_lambda_c2_leg;
         let lambda_c1_leg = inverse_lambda_c1_leg * rhs_lambda_c1_leg
             - l_lambda_c2_leg_lambda_c1_leg * lambda_c2_leg;
@@ -5616,14 +5420,14 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_b2_leg_platform_q1 * lambda_b2_leg
             - l_lambda_c1_leg_platform_q1 * lambda_c1_leg
             - l_lambda_c2_leg_platform_q1 * lambda_c2_leg;
-        let w_383 = cos_w_122 * self.k_76;
-        let w_384 = self.k_77 * cos_w_123;
-        let w_385 = self.k_77 * cos_w_124;
-        let w_386 = self.minus_rhs_platform_z * platform_z_dot
-            + lambda_a1_leg * cos_w_122 * self.k_78 + lambda_a2_leg * (w_383 - w_384)
-            + lambda_b1_leg * (w_383 + w_384) + lambda_b2_leg * (w_383 - w_385)
-            + lambda_c1_leg * (w_383 + w_385)
-            + lambda_c2_leg * (w_383 - self.k_77 * cos_w_125);
+        let w_488 = cos_w_159 * self.k_76;
+        let w_489 = self.k_77 * cos_w_160;
+        let w_490 = self.k_77 * cos_w_161;
+        let w_491 = self.minus_rhs_platform_z * platform_z_dot
+            + lambda_a1_leg * cos_w_159 * self.k_78 + lambda_a2_leg * (w_488 - w_489)
+            + lambda_b1_leg * (w_488 + w_489) + lambda_b2_leg * (w_488 - w_490)
+            + lambda_c1_leg * (w_488 + w_490)
+            + lambda_c2_leg * (w_488 - self.k_77 * cos_w_162);
         sim_kernel::Dynamics {
             accelerations: [
                 -(l_lambda_a1_leg_platform_x * lambda_a1_leg
@@ -5668,14 +5472,11 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 lambda_c1_leg,
                 lambda_c2_leg,
             ],
-            power: -w_386,
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(
-                    mass_platform_q0_platform_q0,
-                    mass_platform_q0_platform_q0,
-                )
+            power: -w_491,
+            refused: sim_kernel::pivot_is_refused(
+                mass_platform_q0_platform_q0,
+                mass_platform_q0_platform_q0,
+            )
                 | sim_kernel::pivot_is_refused(
                     pivot_platform_q1,
                     mass_platform_q1_platform_q1,
@@ -5687,16 +5488,18 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     pivot_platform_q3,
                     mass_platform_q3_platform_q3,
-                )
+                ) | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_platform_norm,
                     minus_pivot_lambda_platform_norm,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_45)
-                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_157)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_208)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_257)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_307)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_356),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_228)
+                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_292)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_357)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_421)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_486)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_487),
         }
     }
 }

@@ -203,13 +203,14 @@ pub struct TopPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Top<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 9 additions, 9 multiplications, 1 division.
+    /// Operations: 9 additions, 8 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> TopPrepared<S> {
         let l_squared = self.l * self.l;
         let w = self.m * l_squared;
         let inertia_about_pivot = self.A + w;
-        let w_2 = self.C * S::from_f64(2.0);
+        let w_2 = self.m * self.l;
+        let w_3 = self.C * S::from_f64(2.0);
         TopPrepared {
             C: self.C,
             A: self.A,
@@ -219,10 +220,10 @@ impl<S: sim_kernel::Scalar> Top<S> {
             k_2: self.C - self.A,
             k_3: self.A - self.C,
             g: self.g,
-            k_4: self.m * self.l,
-            k_5: w_2,
-            k_6: w_2 - self.A * S::from_f64(2.0) - self.m * l_squared * S::from_f64(2.0),
-            k_7: self.m * self.l * self.g,
+            k_4: w_2,
+            k_5: w_3,
+            k_6: w_3 - self.A * S::from_f64(2.0) - self.m * l_squared * S::from_f64(2.0),
+            k_7: self.g * w_2,
             k_8: self.A - self.C + w,
             inverse_theta: S::from_f64(1.0) / inertia_about_pivot,
             k_9: self.C - self.A - w,
@@ -250,13 +251,14 @@ impl<S: sim_kernel::Scalar> Top<S> {
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 7 additions, 20 multiplications, 1 sine-cosine pair.
+    /// Operations: 7 additions, 19 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, theta, _] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta], [cos_theta]) = S::sin_cos_each([theta]);
         let l_squared = self.l * self.l;
+        let w = self.C * psi_dot;
         [
             sin_theta * theta_dot
                 * (psi_dot * cos_theta
@@ -264,8 +266,8 @@ impl<S: sim_kernel::Scalar> Top<S> {
                         + self.m * l_squared * S::from_f64(2.0)) - self.C * phi_dot),
             sin_theta
                 * (cos_theta * psi_dot * psi_dot * (self.C - self.A - self.m * l_squared)
-                    + self.C * psi_dot * phi_dot),
-            -(sin_theta * self.C * psi_dot * theta_dot),
+                    + phi_dot * w),
+            -(sin_theta * theta_dot * w),
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -329,21 +331,22 @@ impl<S: sim_kernel::Scalar> Top<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 6 additions, 17 multiplications, 2 sine-cosine pairs.
+    /// Operations: 6 additions, 16 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_phi, sin_theta], [cos_phi, cos_theta]) = S::sin_cos_each([phi, theta]);
-        let w = theta_dot * cos_phi + psi_dot * sin_theta * sin_phi;
-        let w_2 = cos_phi * psi_dot * sin_theta - theta_dot * sin_phi;
-        let w_3 = phi_dot + psi_dot * cos_theta;
+        let w = psi_dot * sin_theta;
+        let w_2 = theta_dot * cos_phi + sin_phi * w;
+        let w_3 = cos_phi * w - theta_dot * sin_phi;
+        let w_4 = phi_dot + psi_dot * cos_theta;
         (S::from_f64(0.5) * self.A + S::from_f64(0.5) * self.m * self.l * self.l)
-            * (w * w + w_2 * w_2) + w_3 * w_3 * S::from_f64(0.5) * self.C
+            * (w_2 * w_2 + w_3 * w_3) + w_4 * w_4 * S::from_f64(0.5) * self.C
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 3 additions, 12 multiplications, 2 sine-cosine pairs.
+    /// Operations: 3 additions, 11 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -356,9 +359,10 @@ impl<S: sim_kernel::Scalar> Top<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, _] = *qd;
         let ([sin_theta, sin_phi], [_, cos_phi]) = S::sin_cos_each([theta, phi]);
+        let w = sin_theta * psi_dot;
         self.m * self.l * self.g * sin_theta
-            * (cos_phi * (cos_phi * theta_dot + sin_theta * psi_dot * sin_phi)
-                - sin_phi * (sin_theta * cos_phi * psi_dot - theta_dot * sin_phi))
+            * (cos_phi * (cos_phi * theta_dot + sin_phi * w)
+                - sin_phi * (cos_phi * w - theta_dot * sin_phi))
     }
     /// Outputs, 4, in SI units.
     ///
@@ -418,21 +422,24 @@ impl<S: sim_kernel::Scalar> Top<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 8 additions, 24 multiplications, 3 sine-cosine pairs.
+    /// Operations: 8 additions, 19 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 22] {
         let [psi, theta, phi] = *q;
+        let w = S::from_f64(2.0) * self.l;
         let ([sin_psi, sin_theta, sin_phi], [cos_psi, cos_theta, cos_phi]) = S::sin_cos_each([
             psi,
             theta,
             phi,
         ]);
-        let w = S::from_f64(2.0) * self.l;
-        let w_2 = self.l * sin_psi * sin_theta;
-        let w_3 = self.l * sin_theta * cos_psi;
-        let w_4 = -w_3;
-        let w_5 = self.l * cos_theta;
-        let w_6 = self.l * S::from_f64(0.8);
+        let w_2 = sin_psi * sin_theta;
+        let w_3 = sin_theta * cos_psi;
+        let w_4 = self.l * w_2;
+        let w_5 = self.l * w_3;
+        let w_6 = -w_5;
+        let w_7 = self.l * cos_theta;
+        let w_8 = self.l * S::from_f64(0.8);
+        let w_9 = cos_theta * sin_phi;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -440,22 +447,22 @@ impl<S: sim_kernel::Scalar> Top<S> {
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            sin_psi * sin_theta * w,
-            -(sin_theta * w * cos_psi),
+            w * w_2,
+            -(w * w_3),
             w * cos_theta,
-            w_2,
             w_4,
-            w_5,
             w_6,
-            sin_psi * sin_theta,
-            -(sin_theta * cos_psi),
-            cos_theta,
+            w_7,
+            w_8,
             w_2,
+            -w_3,
+            cos_theta,
             w_4,
-            w_5,
-            w_2 + w_6 * (cos_psi * cos_phi - sin_psi * cos_theta * sin_phi),
-            w_6 * (sin_psi * cos_phi + cos_psi * cos_theta * sin_phi) - w_3,
-            w_5 + sin_theta * w_6 * sin_phi,
+            w_6,
+            w_7,
+            w_4 + w_8 * (cos_psi * cos_phi - sin_psi * w_9),
+            w_8 * (sin_psi * cos_phi + cos_psi * w_9) - w_5,
+            w_7 + sin_theta * w_8 * sin_phi,
         ]
     }
     /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
@@ -512,7 +519,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 10 additions, 36 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 10 additions, 34 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -525,36 +532,38 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
         let rhs_psi = sin_theta * theta_dot
             * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
+        let w = self.C * psi_dot;
+        let mass_phi_psi = self.C * cos_theta;
         let mass_psi_psi = self.C * cos_theta * cos_theta
             + sin_theta * sin_theta * self.inertia_about_pivot;
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
-        let mass_phi_psi = self.C * cos_theta;
         let l_phi_psi = mass_phi_psi * inverse_psi;
         let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
         let phi_ddot = S::from_f64(1.0) / pivot_phi
-            * (self.C * sin_theta * psi_dot * theta_dot - rhs_psi * l_phi_psi);
+            * (sin_theta * theta_dot * w - rhs_psi * l_phi_psi);
+        let w_2 = sin_theta * psi_dot;
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_psi * inverse_psi - l_phi_psi * phi_ddot,
                 sin_theta
-                    * (self.k_7 + cos_theta * psi_dot * psi_dot * self.k_8
-                        - self.C * psi_dot * phi_dot) * self.inverse_theta,
+                    * (self.k_7 + cos_theta * psi_dot * psi_dot * self.k_8 - phi_dot * w)
+                    * self.inverse_theta,
                 phi_ddot,
             ],
             multipliers: [],
             power: self.k_7 * sin_theta
-                * (cos_phi * (cos_phi * theta_dot + sin_theta * sin_phi * psi_dot)
-                    - sin_phi * (sin_theta * psi_dot * cos_phi - sin_phi * theta_dot)),
-            refused: sim_kernel::pivot_is_refused(
-                self.inertia_about_pivot,
-                self.inertia_about_pivot,
-            ) | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C),
+                * (cos_phi * (cos_phi * theta_dot + sin_phi * w_2)
+                    - sin_phi * (cos_phi * w_2 - sin_phi * theta_dot)),
+            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(
+                    self.inertia_about_pivot,
+                    self.inertia_about_pivot,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.C),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 82 additions, 191 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 82 additions, 170 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -565,113 +574,112 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
+        let rhs_psi = sin_theta * theta_dot
+            * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
+        let w = psi_dot * theta_dot;
+        let mass_phi_psi = self.C * cos_theta;
         let sin_theta_squared = sin_theta * sin_theta;
         let mass_psi_psi = self.C * cos_theta * cos_theta
             + sin_theta_squared * self.inertia_about_pivot;
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
-        let w = cos_theta * psi_dot;
-        let w_2 = phi_dot + w;
-        let w_3 = phi_dot - w_2;
-        let w_4 = cos_phi * w_3;
-        let w_5 = sin_phi * theta_dot;
-        let w_6 = sin_theta * psi_dot * cos_phi - w_5;
-        let w_7 = psi_dot
-            * (cos_theta * cos_phi * w_2 * self.k_2 + sin_theta * w_6 * self.k_3)
-            + self.A * psi_dot
-                * (cos_theta * cos_phi * phi_dot - sin_theta * sin_phi * theta_dot);
-        let w_8 = self.k_4
-            * (cos_theta * cos_phi * self.g
-                - self.l * psi_dot * (cos_theta * w_4 + sin_theta * (w_6 - w_5))) - w_7;
-        let w_9 = cos_phi * theta_dot;
-        let w_10 = w_9 + sin_theta * sin_phi * psi_dot;
-        let w_11 = psi_dot
-            * (cos_theta * sin_phi * w_2 * self.k_3 + sin_theta * self.k_2 * w_10)
-            - self.A * psi_dot
-                * (cos_theta * sin_phi * phi_dot + sin_theta * cos_phi * theta_dot);
-        let w_12 = sin_phi * w_3;
-        let w_13 = w_9 + w_10;
-        let w_14 = w_11
-            + self.k_4
-                * (cos_theta * sin_phi * self.g
-                    - self.l * psi_dot * (cos_theta * w_12 + sin_theta * w_13));
-        let mass_phi_psi = self.C * cos_theta;
         let l_phi_psi = mass_phi_psi * inverse_psi;
+        let w_2 = cos_theta * cos_phi;
+        let w_3 = cos_theta * psi_dot;
+        let w_4 = phi_dot + w_3;
+        let w_5 = phi_dot - w_4;
+        let w_6 = cos_phi * w_5;
+        let w_7 = sin_theta * cos_phi;
+        let w_8 = sin_phi * theta_dot;
+        let w_9 = psi_dot * w_7 - w_8;
+        let w_10 = sin_theta * sin_phi;
+        let w_11 = psi_dot * (w_4 * self.k_2 * w_2 + sin_theta * w_9 * self.k_3)
+            + self.A * psi_dot * (phi_dot * w_2 - theta_dot * w_10);
+        let w_12 = self.k_4
+            * (w_2 * self.g
+                - self.l * psi_dot * (cos_theta * w_6 + sin_theta * (w_9 - w_8))) - w_11;
+        let w_13 = cos_theta * sin_phi;
+        let w_14 = cos_phi * theta_dot;
+        let w_15 = w_14 + psi_dot * w_10;
+        let w_16 = psi_dot * (w_4 * w_13 * self.k_3 + sin_theta * self.k_2 * w_15)
+            - self.A * psi_dot * (phi_dot * w_13 + theta_dot * w_7);
+        let w_17 = sin_phi * w_5;
+        let w_18 = w_14 + w_15;
+        let w_19 = w_16
+            + self.k_4
+                * (w_13 * self.g
+                    - self.l * psi_dot * (cos_theta * w_17 + sin_theta * w_18));
         let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let rhs_psi = sin_theta * theta_dot
-            * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
-        let phi_ddot = inverse_phi
-            * (self.C * sin_theta * psi_dot * theta_dot - rhs_psi * l_phi_psi);
-        let w_15 = sin_theta * (sin_phi * w_8 - cos_phi * w_14 + self.C * phi_ddot);
-        let w_16 = cos_theta * sin_phi * psi_dot * theta_dot;
-        let w_17 = sin_phi
-            * ((sin_theta * cos_phi * self.g - self.l * (w_6 * w_3 + w_16)) * self.k_4
-                - (w_6 * w_2 * self.k_2 + self.A * (w_6 * phi_dot + w_16)));
-        let w_18 = cos_theta * psi_dot * cos_phi * theta_dot;
-        let w_19 = cos_phi
-            * (w_2 * w_10 * self.k_3 - self.A * (phi_dot * w_10 - w_18)
-                + (sin_theta * sin_phi * self.g - self.l * (w_10 * w_3 - w_18))
-                    * self.k_4);
+        let phi_ddot = inverse_phi * (self.C * sin_theta * w - rhs_psi * l_phi_psi);
+        let w_20 = sin_theta * (sin_phi * w_12 - cos_phi * w_19 + self.C * phi_ddot);
+        let w_21 = w_13 * w;
+        let w_22 = w * w_2;
+        let w_23 = cos_phi
+            * (w_4 * w_15 * self.k_3 - self.A * (phi_dot * w_15 - w_22)
+                + (w_10 * self.g - self.l * (w_15 * w_5 - w_22)) * self.k_4);
+        let w_24 = sin_phi
+            * ((w_7 * self.g - self.l * (w_9 * w_5 + w_21)) * self.k_4
+                - (w_9 * w_4 * self.k_2 + self.A * (w_9 * phi_dot + w_21))) - w_23;
         let psi_ddot = rhs_psi * inverse_psi - l_phi_psi * phi_ddot;
-        let w_20 = w_15 + cos_theta * (w_17 - w_19)
+        let w_25 = w_20 + cos_theta * w_24
             + psi_dot * theta_dot * (self.C - sin_theta_squared * self.k_5)
             + S::from_f64(2.0) * psi_ddot * cos_theta * sin_theta * self.k_9;
-        let w_21 = inverse_phi
-            * (self.C * (cos_theta * psi_dot * theta_dot + sin_theta * psi_ddot)
-                - l_phi_psi * w_20);
-        let w_22 = self.k * (sin_theta * w_12 - cos_theta * w_13);
-        let w_23 = self.k_3 * (sin_theta * sin_phi * w_2 + cos_theta * w_10)
-            - self.A * (sin_theta * sin_phi * phi_dot - cos_theta * cos_phi * theta_dot);
-        let w_24 = self.k_2 * (sin_theta * cos_phi * w_2 + cos_theta * w_6)
-            + self.A * (sin_theta * cos_phi * phi_dot + cos_theta * sin_phi * theta_dot);
-        let w_25 = w_24 + self.k * (sin_theta * w_4 + cos_theta * (w_5 - w_6));
-        let w_26 = sin_theta
-            * (cos_phi * (w_22 - w_23) - sin_phi * w_25
-                + self.C * cos_theta * theta_dot);
-        let w_27 = inverse_phi * (self.C * sin_theta * theta_dot - l_phi_psi * w_26);
-        let w_28 = sin_phi * w_2 * self.k_2 - self.A * sin_phi * (w - phi_dot)
-            - self.k * sin_phi * (w - phi_dot + w_2);
-        let w_29 = self.k * cos_phi * (phi_dot - w - w_2);
-        let w_30 = cos_phi * w_2 * self.k_3 - self.A * cos_phi * (phi_dot - w);
+        let w_26 = inverse_phi
+            * (self.C * (cos_theta * w + sin_theta * psi_ddot) - l_phi_psi * w_25);
+        let w_27 = self.k * (sin_theta * w_17 - cos_theta * w_18);
+        let w_28 = self.k_3 * (w_4 * w_10 + cos_theta * w_15)
+            - self.A * (phi_dot * w_10 - theta_dot * w_2);
+        let w_29 = self.k_2 * (w_7 * w_4 + cos_theta * w_9)
+            + self.A * (w_7 * phi_dot + theta_dot * w_13)
+            + self.k * (sin_theta * w_6 + cos_theta * (w_8 - w_9));
+        let w_30 = self.C * theta_dot;
         let w_31 = sin_theta
-            * (sin_phi * w_28 + cos_phi * (w_29 - w_30) + self.C * cos_theta * psi_dot);
-        let w_32 = inverse_phi * (self.C * sin_theta * psi_dot - l_phi_psi * w_31);
-        let w_33 = self.C * sin_theta * (cos_phi * w_10 - sin_phi * w_6);
-        let w_34 = inverse_phi * l_phi_psi * w_33;
+            * (cos_phi * (w_27 - w_28) - sin_phi * w_29 + cos_theta * w_30);
+        let w_32 = inverse_phi * (sin_theta * w_30 - l_phi_psi * w_31);
+        let w_33 = sin_phi * w_4 * self.k_2 - self.A * sin_phi * (w_3 - phi_dot)
+            - self.k * sin_phi * (w_3 - phi_dot + w_4);
+        let w_34 = self.k * cos_phi * (phi_dot - w_3 - w_4);
+        let w_35 = cos_phi * w_4 * self.k_3 - self.A * cos_phi * (phi_dot - w_3);
+        let w_36 = self.C * psi_dot;
+        let w_37 = sin_theta
+            * (sin_phi * w_33 + cos_phi * (w_34 - w_35) + cos_theta * w_36);
+        let w_38 = inverse_phi * (sin_theta * w_36 - l_phi_psi * w_37);
+        let w_39 = self.C * sin_theta * (cos_phi * w_15 - sin_phi * w_9);
+        let w_40 = inverse_phi * l_phi_psi * w_39;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
-                    inverse_psi * w_20 - l_phi_psi * w_21,
+                    inverse_psi * w_25 - l_phi_psi * w_26,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
-                    self.inverse_theta * (cos_phi * w_8 + sin_phi * w_14),
+                    self.inverse_theta * (cos_phi * w_12 + sin_phi * w_19),
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), w_21, S::from_f64(0.0)],
+                [S::from_f64(0.0), w_26, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
-                    inverse_psi * w_26 - l_phi_psi * w_27,
                     inverse_psi * w_31 - l_phi_psi * w_32,
-                    inverse_psi * w_33 + l_phi_psi * w_34,
+                    inverse_psi * w_37 - l_phi_psi * w_38,
+                    inverse_psi * w_39 + l_phi_psi * w_40,
                 ],
                 [
-                    self.inverse_theta * (sin_phi * (w_23 - w_22) - cos_phi * w_25),
-                    self.inverse_theta * (cos_phi * w_28 + sin_phi * (w_30 - w_29)),
-                    -(self.inverse_theta * self.C * (cos_phi * w_6 + sin_phi * w_10)),
+                    self.inverse_theta * (sin_phi * (w_28 - w_27) - cos_phi * w_29),
+                    self.inverse_theta * (cos_phi * w_33 + sin_phi * (w_35 - w_34)),
+                    -(self.inverse_theta * self.C * (cos_phi * w_9 + sin_phi * w_15)),
                 ],
-                [w_27, w_32, -w_34],
+                [w_32, w_38, -w_40],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],
-            refused: sim_kernel::pivot_is_refused(
-                self.inertia_about_pivot,
-                self.inertia_about_pivot,
-            ) | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C),
+            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+                | sim_kernel::pivot_is_refused(
+                    self.inertia_about_pivot,
+                    self.inertia_about_pivot,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.C),
         }
     }
 }

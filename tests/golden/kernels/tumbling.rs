@@ -203,6 +203,7 @@ pub struct TumblingPrepared<S = ::core::primitive::f64> {
     k_9: S,
     k_10: S,
     k_11: S,
+    inverse_phi: S,
     k_12: S,
     k_13: S,
     k_14: S,
@@ -212,7 +213,7 @@ pub struct TumblingPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Tumbling<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 16 additions, 3 multiplications.
+    /// Operations: 16 additions, 3 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> TumblingPrepared<S> {
         let w = self.B * S::from_f64(2.0);
@@ -232,6 +233,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             k_9: w_2 - w,
             k_10: self.C + self.B - self.A,
             k_11: self.B - self.A - self.C,
+            inverse_phi: S::from_f64(1.0) / self.C,
             k_12: self.B - self.C,
             k_13: self.C - self.A,
             k_14: self.B - self.C - self.A,
@@ -267,7 +269,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 22 additions, 45 multiplications, 2 sine-cosine pairs.
+    /// Operations: 22 additions, 43 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, theta, phi] = *q;
@@ -288,14 +290,15 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             * (cos_theta * psi_dot * psi_dot
                 * (self.C - self.B * cos_phi_squared - self.A * sin_phi_squared)
                 + psi_dot * phi_dot * (w_4 + (self.A + self.C - self.B)));
+        let w_7 = sin_phi * theta_dot;
+        let w_8 = sin_theta * psi_dot;
         [
             w_5
                 + sin_phi * cos_phi
                     * (psi_dot * phi_dot * sin_theta * sin_theta * (w - w_2)
                         + cos_theta * theta_dot * theta_dot * (self.A - self.B)),
-            w_6 + sin_phi * cos_phi * theta_dot * phi_dot * w_3,
-            (sin_theta * psi_dot * cos_phi - sin_phi * theta_dot)
-                * (cos_phi * theta_dot + sin_theta * sin_phi * psi_dot)
+            w_6 + cos_phi * w_7 * phi_dot * w_3,
+            (cos_phi * w_8 - w_7) * (cos_phi * theta_dot + sin_phi * w_8)
                 * (self.B - self.A) - sin_theta * self.C * psi_dot * theta_dot,
         ]
     }
@@ -358,14 +361,15 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 5 additions, 16 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 15 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_phi, sin_theta], [cos_phi, cos_theta]) = S::sin_cos_each([phi, theta]);
-        let w_x = theta_dot * cos_phi + psi_dot * sin_theta * sin_phi;
-        let w_y = cos_phi * psi_dot * sin_theta - theta_dot * sin_phi;
+        let w = psi_dot * sin_theta;
+        let w_x = theta_dot * cos_phi + sin_phi * w;
+        let w_y = cos_phi * w - theta_dot * sin_phi;
         let w_z = phi_dot + psi_dot * cos_theta;
         w_x * w_x * S::from_f64(0.5) * self.A + w_y * w_y * S::from_f64(0.5) * self.B
             + w_z * w_z * S::from_f64(0.5) * self.C
@@ -386,7 +390,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Outputs, 7, in SI units.
     ///
-    /// Operations: 15 additions, 49 multiplications, 3 sine-cosine pairs.
+    /// Operations: 15 additions, 43 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn outputs(
         &self,
@@ -403,19 +407,23 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             theta,
             psi,
         ]);
-        let w_x = theta_dot * cos_phi + psi_dot * sin_theta * sin_phi;
-        let w_y = cos_phi * psi_dot * sin_theta - theta_dot * sin_phi;
+        let w = psi_dot * sin_theta;
+        let w_x = theta_dot * cos_phi + sin_phi * w;
+        let w_y = cos_phi * w - theta_dot * sin_phi;
         let w_z = phi_dot + psi_dot * cos_theta;
-        let w = w_y * self.B * (sin_phi * cos_psi + cos_phi * cos_theta * sin_psi);
-        let w_2 = w_y * self.B * (cos_phi * cos_theta * cos_psi - sin_phi * sin_psi);
+        let w_2 = sin_phi * cos_theta;
+        let w_3 = w_x * self.A;
+        let w_4 = sin_theta * self.C;
+        let w_5 = cos_phi * cos_theta;
+        let w_6 = w_y * self.B;
         [
             w_x,
             w_y,
             w_z,
-            w_x * self.A * (cos_phi * cos_psi - sin_phi * cos_theta * sin_psi)
-                + sin_theta * w_z * sin_psi * self.C - w,
-            w_x * self.A * (cos_phi * sin_psi + sin_phi * cos_theta * cos_psi) + w_2
-                - sin_theta * w_z * cos_psi * self.C,
+            (cos_phi * cos_psi - sin_psi * w_2) * w_3 + w_z * sin_psi * w_4
+                - (sin_phi * cos_psi + sin_psi * w_5) * w_6,
+            w_3 * (cos_phi * sin_psi + cos_psi * w_2)
+                + w_6 * (cos_psi * w_5 - sin_phi * sin_psi) - w_z * cos_psi * w_4,
             sin_theta * (sin_phi * w_x * self.A + cos_phi * w_y * self.B)
                 + cos_theta * w_z * self.C,
             w_x * w_x * self.A * S::from_f64(0.5) + w_y * w_y * self.B * S::from_f64(0.5)
@@ -425,7 +433,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 48 additions, 105 multiplications, 3 sine-cosine pairs.
+    /// Operations: 48 additions, 97 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn output_rates(
         &self,
@@ -450,33 +458,33 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
         let w_6 = sin_phi * w_4;
         let w_7 = phi_ddot - psi_dot * theta_dot * sin_theta + cos_theta * psi_ddot;
         let w_z = phi_dot + w;
-        let w_x = cos_phi * theta_dot + psi_dot * sin_phi * sin_theta;
-        let w_8 = cos_theta * phi_dot;
-        let w_9 = psi_dot + w_8;
-        let w_10 = cos_phi * w_9 - theta_dot * sin_phi * sin_theta;
-        let w_11 = cos_psi * w_z;
-        let w_12 = self.A
-            * (w_5 * (cos_phi * cos_psi - cos_theta * sin_phi * sin_psi)
-                - w_x * (sin_psi * w_10 + sin_phi * w_11));
-        let w_13 = cos_phi * (theta_dot * (phi_dot - w) - w_2) + w_6;
-        let w_y = cos_phi * psi_dot * sin_theta - theta_dot * sin_phi;
-        let w_14 = self.B
-            * ((sin_phi * cos_psi + cos_phi * cos_theta * sin_psi) * w_13
-                - w_y
-                    * (cos_phi * (w_11 - theta_dot * sin_theta * sin_psi)
-                        - sin_phi * sin_psi * w_9));
-        let w_15 = self.C
-            * (psi_dot * sin_theta * sin_psi * w_z
-                - cos_psi * (theta_dot * cos_theta * w_z + sin_theta * w_7));
+        let w_8 = cos_theta * sin_psi;
+        let w_9 = cos_phi * cos_psi;
+        let w_10 = psi_dot * sin_theta;
+        let w_x = cos_phi * theta_dot + sin_phi * w_10;
+        let w_11 = cos_theta * phi_dot;
+        let w_12 = psi_dot + w_11;
+        let w_13 = theta_dot * sin_theta;
+        let w_14 = cos_phi * w_12 - sin_phi * w_13;
+        let w_15 = cos_psi * w_z;
         let w_16 = self.A
-            * (w_5 * (cos_phi * sin_psi + cos_theta * sin_phi * cos_psi)
-                + w_x * (cos_psi * w_10 - sin_phi * sin_psi * w_z));
-        let w_17 = w_y
-            * (cos_phi * (sin_psi * (w + phi_dot) + theta_dot * sin_theta * cos_psi)
-                + sin_phi * cos_psi * (w_8 + psi_dot));
-        let w_18 = sin_theta
+            * (w_5 * (w_9 - sin_phi * w_8) - w_x * (sin_psi * w_14 + sin_phi * w_15));
+        let w_17 = sin_phi * cos_psi;
+        let w_18 = cos_phi * (theta_dot * (phi_dot - w) - w_2) + w_6;
+        let w_y = cos_phi * w_10 - theta_dot * sin_phi;
+        let w_19 = self.B
+            * ((w_17 + cos_phi * w_8) * w_18
+                - w_y * (cos_phi * (w_15 - sin_psi * w_13) - sin_phi * sin_psi * w_12));
+        let w_20 = self.A
+            * (w_5 * (cos_phi * sin_psi + cos_theta * w_17)
+                + w_x * (cos_psi * w_14 - sin_phi * sin_psi * w_z));
+        let w_21 = w_18 * (cos_theta * w_9 - sin_phi * sin_psi)
+            + w_y
+                * (cos_phi * (sin_psi * (w + phi_dot) + cos_psi * w_13)
+                    + sin_phi * cos_psi * (w_11 + psi_dot));
+        let w_22 = sin_theta
             * (self.A * (cos_phi * phi_dot * w_x + sin_phi * w_5)
-                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_13)
+                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_18)
                 - theta_dot * w_z * self.C);
         [
             w_5,
@@ -484,16 +492,16 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             w_7,
             self.C
                 * (sin_theta * (psi_dot * cos_psi * w_z + w_7 * sin_psi)
-                    + theta_dot * cos_theta * sin_psi * w_z) + w_12 + w_14,
-            w_15 + w_16
-                - self.B
-                    * (w_13 * (cos_phi * cos_theta * cos_psi - sin_phi * sin_psi)
-                        + w_17),
-            w_18
+                    + theta_dot * w_8 * w_z) + w_16 + w_19,
+            self.C
+                * (sin_psi * w_10 * w_z
+                    - cos_psi * (theta_dot * cos_theta * w_z + sin_theta * w_7)) + w_20
+                - self.B * w_21,
+            w_22
                 + cos_theta
                     * (theta_dot * (sin_phi * self.A * w_x + cos_phi * self.B * w_y)
                         + w_7 * self.C),
-            w_5 * self.A * w_x - self.B * w_y * w_13 + w_7 * w_z * self.C,
+            w_5 * self.A * w_x - self.B * w_y * w_18 + w_7 * w_z * self.C,
         ]
             .into()
     }
@@ -513,7 +521,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 13 additions, 28 multiplications, 3 sine-cosine pairs.
+    /// Operations: 13 additions, 22 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 30] {
         let [psi, theta, phi] = *q;
@@ -523,35 +531,39 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             theta,
         ]);
         let w = cos_psi * cos_phi;
-        let w_2 = sin_psi * cos_theta * sin_phi;
-        let w_3 = w - w_2;
-        let w_4 = cos_phi * sin_psi + cos_psi * cos_theta * sin_phi;
-        let w_5 = sin_phi * sin_theta;
-        let w_6 = S::from_f64(0.7) * (cos_psi * sin_phi + cos_phi * sin_psi * cos_theta);
-        let w_7 = cos_psi * cos_phi * cos_theta;
-        let w_8 = sin_psi * sin_phi;
-        let w_9 = cos_phi * sin_theta * S::from_f64(0.7);
+        let w_2 = sin_psi * sin_phi;
+        let w_3 = cos_theta * w_2;
+        let w_4 = w - w_3;
+        let w_5 = cos_phi * sin_psi;
+        let w_6 = cos_psi * sin_phi;
+        let w_7 = w_5 + cos_theta * w_6;
+        let w_8 = sin_phi * sin_theta;
+        let w_9 = S::from_f64(0.7) * (w_6 + cos_theta * w_5);
+        let w_10 = cos_theta * w;
+        let w_11 = cos_phi * sin_theta * S::from_f64(0.7);
+        let w_12 = sin_psi * sin_theta;
+        let w_13 = cos_psi * sin_theta;
         [
-            w_3,
             w_4,
-            w_5,
-            -w_6,
-            S::from_f64(0.7) * (w_7 - w_8),
-            w_9,
-            w_2 - w,
-            -w_4,
-            -w_5,
-            w_6,
-            S::from_f64(0.7) * (w_8 - w_7),
+            w_7,
+            w_8,
             -w_9,
-            w_3,
+            S::from_f64(0.7) * (w_10 - w_2),
+            w_11,
+            w_3 - w,
+            -w_7,
+            -w_8,
+            w_9,
+            S::from_f64(0.7) * (w_2 - w_10),
+            -w_11,
             w_4,
-            w_5,
-            -(sin_psi * sin_theta * S::from_f64(0.3)),
-            cos_psi * sin_theta * S::from_f64(0.3),
+            w_7,
+            w_8,
+            -(S::from_f64(0.3) * w_12),
+            S::from_f64(0.3) * w_13,
             -(cos_theta * S::from_f64(0.3)),
-            sin_psi * sin_theta * S::from_f64(0.5),
-            -(cos_psi * sin_theta * S::from_f64(0.5)),
+            w_12 * S::from_f64(0.5),
+            -(w_13 * S::from_f64(0.5)),
             cos_theta * S::from_f64(0.5),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -616,7 +628,7 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 23 additions, 62 multiplications, 3 divisions, 2 sine-cosine pairs.
+    /// Operations: 23 additions, 60 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -627,57 +639,57 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let sin_theta_squared = sin_theta * sin_theta;
-        let sin_phi_squared = sin_phi * sin_phi;
-        let w = self.A * sin_phi_squared;
         let cos_phi_squared = cos_phi * cos_phi;
-        let w_2 = self.B * cos_phi_squared;
-        let mass_psi_psi = sin_theta_squared * (w + w_2)
-            + self.C * cos_theta * cos_theta;
-        let mass_theta_psi = sin_theta * sin_phi * cos_phi * self.k;
-        let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
-        let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
-        let l_psi_theta = mass_theta_psi * inverse_theta;
-        let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta;
-        let inverse_psi = S::from_f64(1.0) / pivot_psi;
+        let w = self.B * cos_phi_squared;
+        let sin_phi_squared = sin_phi * sin_phi;
+        let w_2 = self.A * sin_phi_squared;
         let w_3 = sin_phi_squared * self.k_9;
-        let w_4 = sin_theta * theta_dot
+        let w_4 = sin_phi * theta_dot;
+        let rhs_theta = sin_theta
+            * (cos_theta * psi_dot * psi_dot * (w + w_2 - self.C)
+                + psi_dot * phi_dot * (w_3 + self.k_11))
+            + cos_phi * w_4 * phi_dot * self.k_9;
+        let w_5 = sin_theta * sin_phi;
+        let rhs_phi = self.k * (sin_theta * cos_phi * psi_dot - w_4)
+            * (cos_phi * theta_dot + w_5 * psi_dot)
+            + sin_theta * self.C * psi_dot * theta_dot;
+        let w_6 = sin_theta * theta_dot
             * (cos_theta * psi_dot
                 * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
                 + phi_dot * (w_3 + self.k_10));
-        let rhs_theta = sin_theta
-            * (cos_theta * psi_dot * psi_dot * (w_2 + w - self.C)
-                + psi_dot * phi_dot * (w_3 + self.k_11))
-            + sin_phi * cos_phi * theta_dot * phi_dot * self.k_9;
-        let rhs_psi = w_4
+        let sin_theta_squared = sin_theta * sin_theta;
+        let mass_theta_psi = cos_phi * self.k * w_5;
+        let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
+        let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
+        let l_psi_theta = mass_theta_psi * inverse_theta;
+        let mass_phi_psi = self.C * cos_theta;
+        let l_psi_phi = mass_phi_psi * self.inverse_phi;
+        let rhs_psi = w_6
             + sin_phi * cos_phi
                 * (sin_theta_squared * psi_dot * phi_dot * self.k_8
                     + cos_theta * self.k_4 * theta_dot * theta_dot)
-            - rhs_theta * l_psi_theta;
-        let mass_phi_psi = self.C * cos_theta;
-        let l_phi_psi = mass_phi_psi * inverse_psi;
-        let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
-        let w_5 = self.k * (sin_theta * cos_phi * psi_dot - sin_phi * theta_dot)
-            * (cos_phi * theta_dot + sin_theta * sin_phi * psi_dot)
-            + sin_theta * self.C * psi_dot * theta_dot;
-        let phi_ddot = S::from_f64(1.0) / pivot_phi * (w_5 - l_phi_psi * rhs_psi);
-        let psi_ddot = inverse_psi * rhs_psi - l_phi_psi * phi_ddot;
+            - rhs_theta * l_psi_theta - rhs_phi * l_psi_phi;
+        let mass_psi_psi = sin_theta_squared * (w_2 + w)
+            + self.C * cos_theta * cos_theta;
+        let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta
+            - mass_phi_psi * l_psi_phi;
+        let psi_ddot = S::from_f64(1.0) / pivot_psi * rhs_psi;
         sim_kernel::Dynamics {
             accelerations: [
                 psi_ddot,
                 rhs_theta * inverse_theta - l_psi_theta * psi_ddot,
-                phi_ddot,
+                rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot,
             ],
             multipliers: [],
             power: S::from_f64(0.0),
             refused: sim_kernel::pivot_is_refused(mass_theta_theta, mass_theta_theta)
-                | sim_kernel::pivot_is_refused(pivot_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C),
+                | sim_kernel::pivot_is_refused(self.C, self.C)
+                | sim_kernel::pivot_is_refused(pivot_psi, mass_psi_psi),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 109 additions, 254 multiplications, 3 divisions, 2 sine-cosine pairs.
+    /// Operations: 108 additions, 228 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -688,140 +700,144 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let sin_theta_squared = sin_theta * sin_theta;
-        let sin_phi_squared = sin_phi * sin_phi;
-        let w = self.A * sin_phi_squared;
         let cos_phi_squared = cos_phi * cos_phi;
-        let w_2 = self.B * cos_phi_squared;
-        let mass_psi_psi = sin_theta_squared * (w + w_2)
-            + self.C * cos_theta * cos_theta;
-        let mass_theta_psi = sin_theta * sin_phi * cos_phi * self.k;
+        let w = self.B * cos_phi_squared;
+        let sin_phi_squared = sin_phi * sin_phi;
+        let w_2 = self.A * sin_phi_squared;
+        let w_3 = sin_phi_squared * self.k_9;
+        let w_4 = cos_phi * theta_dot;
+        let rhs_theta = sin_theta
+            * (cos_theta * psi_dot * psi_dot * (w + w_2 - self.C)
+                + psi_dot * phi_dot * (w_3 + self.k_11))
+            + sin_phi * phi_dot * w_4 * self.k_9;
+        let w_5 = sin_theta * cos_phi;
+        let w_y = psi_dot * w_5 - sin_phi * theta_dot;
+        let w_6 = sin_theta * sin_phi;
+        let w_x = w_4 + w_6 * psi_dot;
+        let w_7 = w_y * w_x;
+        let w_8 = self.C * psi_dot;
+        let w_9 = sin_theta * theta_dot * w_8;
+        let rhs_phi = self.k * w_7 + w_9;
+        let w_10 = sin_theta * theta_dot
+            * (cos_theta * psi_dot
+                * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
+                + phi_dot * (w_3 + self.k_10));
+        let sin_theta_squared = sin_theta * sin_theta;
+        let w_11 = cos_phi * self.k;
+        let mass_theta_psi = w_6 * w_11;
         let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
         let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
         let l_psi_theta = mass_theta_psi * inverse_theta;
-        let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta;
-        let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_y = sin_theta * cos_phi * psi_dot - sin_phi * theta_dot;
-        let w_x = cos_phi * theta_dot + sin_theta * sin_phi * psi_dot;
-        let w_3 = sin_theta * self.C * psi_dot * theta_dot;
-        let w_4 = cos_theta * psi_dot;
-        let w_z = phi_dot + w_4;
-        let w_5 = psi_dot
-            * (cos_phi * cos_theta * w_z * self.k_2 + sin_theta * w_y * self.k_12)
-            + self.A * psi_dot
-                * (cos_phi * cos_theta * phi_dot - sin_theta * sin_phi * theta_dot);
-        let w_6 = psi_dot
-            * (sin_phi * cos_theta * w_z * self.k_3 + sin_theta * w_x * self.k_13)
-            - self.B * psi_dot
-                * (sin_phi * cos_theta * phi_dot + sin_theta * cos_phi * theta_dot);
         let mass_phi_psi = self.C * cos_theta;
-        let l_phi_psi = mass_phi_psi * inverse_psi;
-        let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let w_7 = sin_phi_squared * self.k_9;
-        let w_8 = sin_theta * theta_dot
-            * (cos_theta * psi_dot
-                * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
-                + phi_dot * (w_7 + self.k_10));
-        let rhs_theta = sin_theta
-            * (cos_theta * psi_dot * psi_dot * (w_2 + w - self.C)
-                + psi_dot * phi_dot * (w_7 + self.k_11))
-            + sin_phi * cos_phi * theta_dot * phi_dot * self.k_9;
-        let rhs_psi = w_8
-            + sin_phi * cos_phi
-                * (sin_theta_squared * psi_dot * phi_dot * self.k_8
-                    + cos_theta * self.k_4 * theta_dot * theta_dot)
-            - rhs_theta * l_psi_theta;
-        let phi_ddot = inverse_phi * (self.k * w_y * w_x + w_3 - l_phi_psi * rhs_psi);
-        let w_9 = sin_theta
-            * (w_y * w_x * self.k_4 - w_3 - sin_phi * w_5 - cos_phi * w_6
-                + self.C * phi_ddot);
-        let w_10 = w_y * phi_dot + sin_phi * cos_theta * psi_dot * theta_dot;
-        let w_11 = w_y * w_z * self.k_2 + self.A * w_10;
-        let w_12 = phi_dot * w_x - cos_phi * cos_theta * psi_dot * theta_dot;
-        let w_13 = w_z * w_x * self.k_3 - self.B * w_12;
-        let w_14 = sin_phi * w_y + cos_phi * w_x;
-        let w_15 = self.C * theta_dot;
-        let w_16 = self.k_4 * w_14 - w_15;
-        let psi_ddot = inverse_psi * rhs_psi - l_phi_psi * phi_ddot;
+        let l_psi_phi = mass_phi_psi * self.inverse_phi;
+        let mass_psi_psi = sin_theta_squared * (w_2 + w)
+            + self.C * cos_theta * cos_theta;
+        let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta
+            - mass_phi_psi * l_psi_phi;
+        let inverse_psi = S::from_f64(1.0) / pivot_psi;
+        let w_12 = cos_theta * psi_dot;
+        let w_z = phi_dot + w_12;
+        let w_13 = cos_phi * cos_theta;
+        let w_14 = psi_dot * (w_z * self.k_2 * w_13 + sin_theta * w_y * self.k_12)
+            + self.A * psi_dot * (phi_dot * w_13 - w_6 * theta_dot);
+        let w_15 = sin_phi * cos_theta;
+        let w_16 = psi_dot * (w_z * w_15 * self.k_3 + sin_theta * w_x * self.k_13)
+            - self.B * psi_dot * (phi_dot * w_15 + sin_theta * w_4);
+        let psi_ddot = inverse_psi
+            * (w_10
+                + sin_phi * cos_phi
+                    * (sin_theta_squared * psi_dot * phi_dot * self.k_8
+                        + cos_theta * self.k_4 * theta_dot * theta_dot)
+                - rhs_theta * l_psi_theta - rhs_phi * l_psi_phi);
+        let w_17 = sin_theta
+            * (self.k_4 * w_7 - w_9 - sin_phi * w_14 - cos_phi * w_16
+                + self.C * (rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot));
+        let w_18 = w_z * self.k_2;
+        let w_19 = w_y * phi_dot + psi_dot * theta_dot * w_15;
+        let w_20 = w_y * w_18 + self.A * w_19;
+        let w_21 = phi_dot * w_x - w_12 * w_4;
+        let w_22 = w_z * w_x * self.k_3 - self.B * w_21;
+        let w_23 = sin_phi * w_y + cos_phi * w_x;
+        let w_24 = self.C * theta_dot;
+        let w_25 = self.k_4 * w_23 - w_24;
         let theta_ddot = rhs_theta * inverse_theta - l_psi_theta * psi_ddot;
-        let w_17 = sin_phi * cos_phi * cos_theta * self.k;
-        let w_18 = w_9
-            - cos_theta * (sin_phi * w_11 + cos_phi * w_13 + cos_theta * psi_dot * w_16)
-            - S::from_f64(2.0) * psi_ddot * sin_theta * cos_theta * (w + w_2 - self.C)
-            - theta_ddot * w_17;
-        let w_19 = sin_phi * w_6 - cos_phi * w_5 - psi_ddot * w_17;
-        let w_20 = w_18 - l_psi_theta * w_19;
-        let w_21 = self.k * w_14 + w_15;
-        let w_22 = inverse_phi
-            * (cos_theta * psi_dot * w_21 + sin_theta * self.C * psi_ddot
-                - l_phi_psi * w_20);
-        let w_23 = inverse_psi * w_20 - l_phi_psi * w_22;
-        let w_24 = w_y * w_z * self.k_13 + self.B * w_10;
-        let w_25 = w_z * self.k_2 * w_x + self.A * w_12 + w_13;
+        let w_26 = w_11 * w_15;
+        let w_27 = w_17
+            - cos_theta * (sin_phi * w_20 + cos_phi * w_22 + cos_theta * psi_dot * w_25)
+            - S::from_f64(2.0) * psi_ddot * sin_theta * cos_theta * (w_2 + w - self.C)
+            - theta_ddot * w_26;
+        let w_28 = sin_phi * w_16 - cos_phi * w_14 - psi_ddot * w_26;
+        let w_29 = self.k * w_23 + w_24;
+        let w_30 = cos_theta * psi_dot * w_29 + sin_theta * self.C * psi_ddot;
+        let w_31 = inverse_psi * (w_27 - l_psi_theta * w_28 - l_psi_phi * w_30);
+        let w_32 = w_y * w_z * self.k_13 + self.B * w_19;
+        let w_33 = w_18 * w_x + self.A * w_21 + w_22;
         let w_x_squared = w_x * w_x;
         let w_y_squared = w_y * w_y;
-        let w_26 = S::from_f64(2.0) * psi_ddot * sin_theta_squared * sin_phi * cos_phi
-            * self.k;
-        let w_27 = sin_theta * (w_7 + self.k_4);
-        let w_28 = sin_phi * (w_11 - w_24) + cos_phi * w_25 + psi_ddot * w_27
-            + S::from_f64(2.0) * theta_ddot * sin_phi * cos_phi * self.k;
-        let w_29 = sin_theta * (cos_phi * (w_24 - w_11) + sin_phi * w_25)
-            - cos_theta * (self.k * w_x_squared + self.k_4 * w_y_squared) - w_26
-            + theta_ddot * w_27 - l_psi_theta * w_28;
-        let w_30 = inverse_phi
-            * (self.k_4 * w_x_squared + self.k * w_y_squared - l_phi_psi * w_29);
-        let w_31 = inverse_psi * w_29 - l_phi_psi * w_30;
-        let w_32 = self.k_2 * (sin_theta * cos_phi * w_z + cos_theta * w_y)
-            + self.A * (sin_theta * cos_phi * phi_dot + sin_phi * cos_theta * theta_dot);
-        let w_33 = self.k_3 * (sin_theta * sin_phi * w_z + cos_theta * w_x)
-            - self.B * (sin_theta * sin_phi * phi_dot - cos_phi * cos_theta * theta_dot);
-        let w_34 = sin_phi * w_33 - cos_phi * w_32;
-        let w_35 = sin_theta * (sin_phi * w_32 + cos_phi * w_33)
-            + cos_theta * sin_theta * w_16 + l_psi_theta * w_34;
-        let w_36 = inverse_phi * (sin_theta * w_21 + l_phi_psi * w_35);
-        let w_37 = inverse_psi * w_35 + l_phi_psi * w_36;
-        let w_38 = sin_phi * w_z * self.k_2 - self.A * sin_phi * (w_4 - phi_dot);
-        let w_39 = cos_phi * w_z * self.k_3 - self.B * cos_phi * (phi_dot - w_4);
-        let w_40 = sin_theta * self.C * psi_dot;
-        let w_41 = cos_phi * w_38 + sin_phi * w_39;
-        let w_42 = sin_theta * (sin_phi * w_38 - cos_phi * w_39)
-            - cos_theta * (cos_phi * w_y * self.k_4 + sin_phi * self.k * w_x - w_40)
-            - l_psi_theta * w_41;
-        let w_43 = inverse_phi
-            * (cos_phi * self.k * w_y + sin_phi * w_x * self.k_4 + w_40
-                - l_phi_psi * w_42);
-        let w_44 = inverse_psi * w_42 - l_phi_psi * w_43;
-        let w_45 = w_y * self.k_14;
-        let w_46 = w_x * self.k_15;
-        let w_47 = cos_phi * w_45 + sin_phi * w_46;
-        let w_48 = sin_theta * (sin_phi * w_45 - cos_phi * w_46) - l_psi_theta * w_47;
-        let w_49 = inverse_phi * l_phi_psi * w_48;
-        let w_50 = inverse_psi * w_48 + l_phi_psi * w_49;
+        let w_34 = sin_phi * w_11;
+        let w_35 = sin_theta * (w_3 + self.k_4);
+        let w_36 = sin_theta * (cos_phi * (w_32 - w_20) + sin_phi * w_33)
+            - cos_theta * (self.k * w_x_squared + self.k_4 * w_y_squared)
+            - S::from_f64(2.0) * psi_ddot * sin_theta_squared * w_34 + theta_ddot * w_35;
+        let w_37 = sin_phi * (w_20 - w_32) + cos_phi * w_33 + psi_ddot * w_35
+            + S::from_f64(2.0) * theta_ddot * w_34;
+        let w_38 = self.k_4 * w_x_squared + self.k * w_y_squared;
+        let w_39 = inverse_psi * (w_36 - l_psi_theta * w_37 - l_psi_phi * w_38);
+        let w_40 = self.k_2 * (w_5 * w_z + cos_theta * w_y)
+            + self.A * (w_5 * phi_dot + theta_dot * w_15);
+        let w_41 = self.k_3 * (w_6 * w_z + cos_theta * w_x)
+            - self.B * (w_6 * phi_dot - cos_theta * w_4);
+        let w_42 = sin_phi * w_41 - cos_phi * w_40;
+        let w_43 = sin_theta * w_29;
+        let w_44 = inverse_psi
+            * (sin_theta * (sin_phi * w_40 + cos_phi * w_41)
+                + cos_theta * sin_theta * w_25 + l_psi_theta * w_42 + l_psi_phi * w_43);
+        let w_45 = sin_phi * w_z * self.k_2 - self.A * sin_phi * (w_12 - phi_dot);
+        let w_46 = cos_phi * w_z * self.k_3 - self.B * cos_phi * (phi_dot - w_12);
+        let w_47 = sin_theta * w_8;
+        let w_48 = cos_phi * w_45 + sin_phi * w_46;
+        let w_49 = w_11 * w_y + sin_phi * w_x * self.k_4 + w_47;
+        let w_50 = sin_theta * (sin_phi * w_45 - cos_phi * w_46)
+            - cos_theta * (cos_phi * w_y * self.k_4 + sin_phi * self.k * w_x - w_47)
+            - l_psi_theta * w_48 - l_psi_phi * w_49;
+        let w_51 = inverse_psi * w_50;
+        let w_52 = w_y * self.k_14;
+        let w_53 = w_x * self.k_15;
+        let w_54 = cos_phi * w_52 + sin_phi * w_53;
+        let w_55 = inverse_psi
+            * (sin_theta * (sin_phi * w_52 - cos_phi * w_53) - l_psi_theta * w_54);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [S::from_f64(0.0), w_23, w_31],
+                [S::from_f64(0.0), w_31, w_39],
                 [
                     S::from_f64(0.0),
-                    inverse_theta * w_19 - l_psi_theta * w_23,
                     inverse_theta * w_28 - l_psi_theta * w_31,
+                    inverse_theta * w_37 - l_psi_theta * w_39,
                 ],
-                [S::from_f64(0.0), w_22, w_30],
+                [
+                    S::from_f64(0.0),
+                    self.inverse_phi * w_30 - l_psi_phi * w_31,
+                    self.inverse_phi * w_38 - l_psi_phi * w_39,
+                ],
             ],
             accelerations_by_speeds: [
-                [-w_37, w_44, w_50],
+                [-w_44, w_51, w_55],
                 [
-                    inverse_theta * w_34 + l_psi_theta * w_37,
-                    inverse_theta * w_41 - l_psi_theta * w_44,
-                    inverse_theta * w_47 - l_psi_theta * w_50,
+                    inverse_theta * w_42 + l_psi_theta * w_44,
+                    inverse_theta * w_48 - l_psi_theta * w_51,
+                    inverse_theta * w_54 - l_psi_theta * w_55,
                 ],
-                [w_36, w_43, -w_49],
+                [
+                    self.inverse_phi * w_43 + l_psi_phi * w_44,
+                    self.inverse_phi * w_49 - l_psi_phi * w_51,
+                    -(l_psi_phi * w_55),
+                ],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],
             refused: sim_kernel::pivot_is_refused(mass_theta_theta, mass_theta_theta)
-                | sim_kernel::pivot_is_refused(pivot_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C),
+                | sim_kernel::pivot_is_refused(self.C, self.C)
+                | sim_kernel::pivot_is_refused(pivot_psi, mass_psi_psi),
         }
     }
 }

@@ -410,7 +410,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 31 additions, 68 multiplications, 1 division.
+    /// Operations: 31 additions, 60 multiplications, 1 division.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
@@ -430,19 +430,15 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let mass_body_q1_body_q0 = body_q1 * body_q0 * w_6
             + body_q2 * body_q3 * w_squared * w_7;
         let w_8 = w_4 - w_2;
-        let mass_body_q2_body_q0 = w_squared
-            * (body_q1 * body_q3 * w_8 - body_q0 * body_q2 * w_3)
-            + body_q0 * body_q2 * w_5;
-        let w_9 = w_2 - w_3;
-        let mass_body_q3_body_q0 = w_squared
-            * (body_q1 * body_q2 * w_9 - body_q0 * body_q3 * w_4)
-            + body_q0 * body_q3 * w_5;
-        let mass_body_q2_body_q1 = w_squared
-            * (body_q0 * body_q3 * w_9 - body_q1 * body_q2 * w_4)
-            + body_q1 * body_q2 * w_5;
-        let mass_body_q3_body_q1 = w_squared
-            * (body_q0 * body_q2 * w_8 - body_q1 * body_q3 * w_3)
-            + body_q1 * body_q3 * w_5;
+        let w_9 = body_q1 * body_q3;
+        let w_10 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (w_8 * w_9 - w_3 * w_10) + w_5 * w_10;
+        let w_11 = w_2 - w_3;
+        let w_12 = body_q1 * body_q2;
+        let w_13 = body_q0 * body_q3;
+        let mass_body_q3_body_q0 = w_squared * (w_11 * w_12 - w_4 * w_13) + w_5 * w_13;
+        let mass_body_q2_body_q1 = w_squared * (w_11 * w_13 - w_4 * w_12) + w_5 * w_12;
+        let mass_body_q3_body_q1 = w_squared * (w_8 * w_10 - w_3 * w_9) + w_5 * w_9;
         let mass_body_q3_body_q2 = body_q2 * body_q3 * w_6
             + body_q1 * body_q0 * w_squared * w_7;
         [
@@ -771,7 +767,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 92 additions, 160 multiplications, 1 division.
+    /// Operations: 92 additions, 155 multiplications, 1 division.
     #[inline]
     pub fn output_rates(
         &self,
@@ -800,80 +796,83 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_9 = body_q2 * body_q2_dot;
         let w_10 = body_q3 * body_q3_dot;
         let w_11 = body_q0 * body_q0_dot + w_8 + w_9 + w_10;
-        let w_12 = body_q0 * body_q2_ddot - body_q2 * body_q0_ddot
+        let w_12 = S::from_f64(4.0) * w_11;
+        let w_13 = body_q0 * body_q2_ddot - body_q2 * body_q0_ddot
             - body_q3 * body_q1_ddot + body_q1 * body_q3_ddot;
-        let w_13 = body_q0 * body_q2_dot;
-        let w_14 = body_q2 * body_q0_dot;
-        let w_15 = body_q3 * body_q1_dot;
-        let w_16 = body_q1 * body_q3_dot;
-        let w_17 = w_13 - w_14 - w_15 + w_16;
-        let w_18 = body_q0 * body_q3_ddot - body_q3 * body_q0_ddot
+        let w_14 = body_q0 * body_q2_dot;
+        let w_15 = body_q2 * body_q0_dot;
+        let w_16 = body_q3 * body_q1_dot;
+        let w_17 = body_q1 * body_q3_dot;
+        let w_18 = w_14 - w_15 - w_16 + w_17;
+        let w_19 = body_q0 * body_q3_ddot - body_q3 * body_q0_ddot
             - body_q1 * body_q2_ddot + body_q2 * body_q1_ddot;
-        let w_19 = body_q0 * body_q3_dot;
-        let w_20 = body_q3 * body_q0_dot;
-        let w_21 = body_q1 * body_q2_dot;
-        let w_22 = body_q2 * body_q1_dot;
-        let w_23 = w_19 - w_20 - w_21 + w_22;
-        let w_24 = S::from_f64(4.0) * self.B;
-        let w_25 = body_q1 * body_q2;
-        let w_26 = body_q0 * body_q3;
-        let w_27 = w_25 - w_26;
-        let w_28 = S::from_f64(4.0) * self.C;
-        let w_29 = body_q1 * body_q3;
-        let w_30 = body_q0 * body_q2;
-        let w_31 = w_29 + w_30;
-        let w_32 = w_28 * (w_23 * (w_13 + w_14 + w_15 + w_16) + w_18 * w_31);
-        let w_33 = body_q2_squared + body_q3_squared;
-        let w_34 = S::from_f64(2.0) * w * w_33 - S::from_f64(1.0);
-        let w_35 = S::from_f64(4.0) * self.A;
-        let w_36 = w_squared
-            * (w_24 * (w_12 * w_27 - w_17 * (w_19 + w_20 - w_21 - w_22)) + w_32
-                + w_7 * w_11 * w_34 * w_35);
-        let w_37 = self.A * S::from_f64(8.0);
-        let w_38 = w
-            * (w_7 * (w_squared * w_11 * w_33 - w * (w_9 + w_10)) * w_37
-                - w_2 * w_34 * S::from_f64(2.0) * self.A);
-        let w_39 = w * w_squared;
-        let w_40 = self.B * S::from_f64(16.0);
-        let w_41 = S::from_f64(16.0) * self.C;
-        let w_42 = w_25 + w_26;
-        let w_43 = body_q2 * body_q3;
-        let w_44 = body_q0 * body_q1;
-        let w_45 = w_43 - w_44;
-        let w_46 = w_28 * (w_18 * w_45 - w_23 * (w_3 + w_4 - w_5 - w_6));
-        let w_47 = body_q1_squared + body_q3_squared;
-        let w_48 = S::from_f64(2.0) * w * w_47 - S::from_f64(1.0);
-        let w_49 = w_squared
-            * (w_35 * (w_7 * (w_19 + w_20 + w_21 + w_22) + w_2 * w_42) + w_46
-                + w_11 * w_17 * w_24 * w_48);
-        let w_50 = self.A * S::from_f64(16.0);
-        let w_51 = S::from_f64(8.0) * self.B;
-        let w_52 = w
-            * (w_17 * (w_squared * w_11 * w_47 - w * (w_8 + w_10)) * w_51
-                - w_12 * w_48 * S::from_f64(2.0) * self.B);
-        let w_53 = w_29 - w_30;
-        let w_54 = w_43 + w_44;
-        let w_55 = w_24 * (w_17 * (w_3 + w_4 + w_5 + w_6) + w_12 * w_54);
-        let w_56 = body_q1_squared + body_q2_squared;
-        let w_57 = S::from_f64(2.0) * w * w_56 - S::from_f64(1.0);
-        let w_58 = w_squared
-            * (w_35 * (w_2 * w_53 - w_7 * (w_13 + w_14 - w_15 - w_16)) + w_55
-                + w_11 * w_23 * w_28 * w_57);
-        let w_59 = S::from_f64(8.0) * self.C;
-        let w_60 = w
-            * (w_23 * (w_squared * w_11 * w_56 - w * (w_8 + w_9)) * w_59
-                - w_18 * w_57 * S::from_f64(2.0) * self.C);
-        let w_61 = w_11 * w_39
-            * (w_37 * w_7 * w_7 + w_51 * w_17 * w_17 + w_59 * w_23 * w_23);
+        let w_20 = body_q0 * body_q3_dot;
+        let w_21 = body_q3 * body_q0_dot;
+        let w_22 = body_q1 * body_q2_dot;
+        let w_23 = body_q2 * body_q1_dot;
+        let w_24 = w_20 - w_21 - w_22 + w_23;
+        let w_25 = S::from_f64(4.0) * self.B;
+        let w_26 = body_q1 * body_q2;
+        let w_27 = body_q0 * body_q3;
+        let w_28 = w_26 - w_27;
+        let w_29 = S::from_f64(4.0) * self.C;
+        let w_30 = body_q1 * body_q3;
+        let w_31 = body_q0 * body_q2;
+        let w_32 = w_30 + w_31;
+        let w_33 = w_29 * (w_24 * (w_14 + w_15 + w_16 + w_17) + w_19 * w_32);
+        let w_34 = body_q2_squared + body_q3_squared;
+        let w_35 = S::from_f64(2.0) * w * w_34 - S::from_f64(1.0);
+        let w_36 = S::from_f64(4.0) * self.A;
+        let w_37 = w_7 * w_36;
+        let w_38 = w_squared
+            * (w_25 * (w_13 * w_28 - w_18 * (w_20 + w_21 - w_22 - w_23)) + w_33
+                + w_11 * w_35 * w_37);
+        let w_39 = self.A * S::from_f64(8.0);
+        let w_40 = w
+            * (w_7 * (w_squared * w_11 * w_34 - w * (w_9 + w_10)) * w_39
+                - w_2 * w_35 * S::from_f64(2.0) * self.A);
+        let w_41 = w * w_squared;
+        let w_42 = self.B * S::from_f64(16.0);
+        let w_43 = S::from_f64(16.0) * self.C;
+        let w_44 = w_26 + w_27;
+        let w_45 = body_q2 * body_q3;
+        let w_46 = body_q0 * body_q1;
+        let w_47 = w_45 - w_46;
+        let w_48 = w_29 * (w_19 * w_47 - w_24 * (w_3 + w_4 - w_5 - w_6));
+        let w_49 = body_q1_squared + body_q3_squared;
+        let w_50 = S::from_f64(2.0) * w * w_49 - S::from_f64(1.0);
+        let w_51 = w_18 * w_25;
+        let w_52 = w_squared
+            * (w_36 * (w_7 * (w_20 + w_21 + w_22 + w_23) + w_2 * w_44) + w_48
+                + w_11 * w_50 * w_51);
+        let w_53 = self.A * S::from_f64(16.0);
+        let w_54 = S::from_f64(8.0) * self.B;
+        let w_55 = w
+            * (w_18 * (w_squared * w_11 * w_49 - w * (w_8 + w_10)) * w_54
+                - w_13 * w_50 * S::from_f64(2.0) * self.B);
+        let w_56 = w_30 - w_31;
+        let w_57 = w_45 + w_46;
+        let w_58 = w_25 * (w_18 * (w_3 + w_4 + w_5 + w_6) + w_13 * w_57);
+        let w_59 = body_q1_squared + body_q2_squared;
+        let w_60 = S::from_f64(2.0) * w * w_59 - S::from_f64(1.0);
+        let w_61 = w_24 * w_29;
+        let w_62 = w_squared
+            * (w_36 * (w_2 * w_56 - w_7 * (w_14 + w_15 - w_16 - w_17)) + w_58
+                + w_11 * w_60 * w_61);
+        let w_63 = S::from_f64(8.0) * self.C;
+        let w_64 = w
+            * (w_24 * (w_squared * w_11 * w_59 - w * (w_8 + w_9)) * w_63
+                - w_19 * w_60 * S::from_f64(2.0) * self.C);
+        let w_65 = w_11 * w_41
+            * (w_39 * w_7 * w_7 + w_54 * w_18 * w_18 + w_63 * w_24 * w_24);
         [
-            S::from_f64(2.0) * w * w_2 - S::from_f64(4.0) * w_squared * w_7 * w_11,
-            S::from_f64(2.0) * w * w_12 - S::from_f64(4.0) * w_squared * w_11 * w_17,
-            S::from_f64(2.0) * w * w_18 - S::from_f64(4.0) * w_squared * w_11 * w_23,
-            w_36 + w_38 - w_11 * w_39 * (w_17 * w_27 * w_40 + w_23 * w_31 * w_41),
-            w_49 - w_11 * w_39 * (w_7 * w_42 * w_50 + w_23 * w_41 * w_45) + w_52,
-            w_58 - w_11 * w_39 * (w_7 * w_50 * w_53 + w_17 * w_40 * w_54) + w_60,
-            w_squared * (w_2 * w_7 * w_35 + w_12 * w_17 * w_24 + w_18 * w_23 * w_28)
-                - w_61,
+            S::from_f64(2.0) * w * w_2 - w_squared * w_7 * w_12,
+            S::from_f64(2.0) * w * w_13 - w_squared * w_12 * w_18,
+            S::from_f64(2.0) * w * w_19 - w_squared * w_12 * w_24,
+            w_38 + w_40 - w_11 * w_41 * (w_18 * w_28 * w_42 + w_24 * w_32 * w_43),
+            w_52 - w_11 * w_41 * (w_7 * w_44 * w_53 + w_24 * w_43 * w_47) + w_55,
+            w_62 - w_11 * w_41 * (w_7 * w_53 * w_56 + w_18 * w_42 * w_57) + w_64,
+            w_squared * (w_2 * w_37 + w_13 * w_51 + w_19 * w_61) - w_65,
         ]
             .into()
     }
@@ -955,7 +954,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Declared start: values or guesses of the coordinates (7), and speeds (7), in SI units; 0 where nothing is declared.
     ///
-    /// Operations: 4 additions, 20 multiplications, 4 divisions, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 15 multiplications, 4 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn initial(&self) -> sim_kernel::Initial<[S; 7]> {
         let w = S::from_f64(0.5) * self.theta0;
@@ -966,10 +965,11 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         ]);
         let c = cos_w * w_2;
         let s = w_2 * sin_w;
-        let w_3 = S::from_f64(0.5) * w_2 * sin_w * self.H * sin_theta0 / self.A
-            + S::from_f64(0.5) * cos_w * w_2 * self.H * cos_theta0 / self.C;
-        let w_4 = S::from_f64(0.5) * cos_w * w_2 * self.H * sin_theta0 / self.A
-            - S::from_f64(0.5) * w_2 * sin_w * self.H * cos_theta0 / self.C;
+        let w_3 = S::from_f64(0.5) * w_2;
+        let w_4 = self.H * sin_theta0;
+        let w_5 = self.H * cos_theta0;
+        let w_6 = sin_w * w_3 * w_4 / self.A + cos_w * w_3 * w_5 / self.C;
+        let w_7 = cos_w * w_3 * w_4 / self.A - sin_w * w_3 * w_5 / self.C;
         sim_kernel::Initial {
             positions: [
                 S::from_f64(0.0),
@@ -984,10 +984,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                -w_3,
-                w_4,
-                w_4,
-                w_3,
+                -w_6,
+                w_7,
+                w_7,
+                w_6,
             ],
         }
     }
@@ -1023,7 +1023,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 96 additions, 187 multiplications, 6 divisions.
+    /// Operations: 96 additions, 179 multiplications, 6 divisions.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1055,31 +1055,42 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
         let rhs_body_q0 = S::from_f64(8.0) * w
             * (body_q1 * w_6 + body_q2 * w_7 + body_q3 * w_8) - body_q0 * self.k_5 * w_9;
+        let w_10 = self.k_5 - w_squared * self.k_2;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_10
+            + body_q2 * body_q3 * w_squared * self.k_6;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
         let inverse_body_q0 = S::from_f64(1.0) / mass_body_q0_body_q0;
-        let w_10 = self.k_5 - w_squared * self.k_2;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_10
-            + body_q2 * body_q3 * w_squared * self.k_6;
         let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
+        let rhs_body_q1 = S::from_f64(8.0) * w
+            * (body_q3 * w_7 - body_q0 * w_6 - body_q2 * w_8) - body_q1 * self.k_5 * w_9
+            - rhs_body_q0 * l_body_q1_body_q0;
+        let w_11 = body_q1 * body_q3;
+        let w_12 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_11 - self.k_3 * w_12)
+            + self.k_5 * w_12;
+        let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
                 + body_q2_squared * self.k_4) + body_q1_squared * self.k_5;
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let rhs_body_q1 = S::from_f64(8.0) * w
-            * (body_q3 * w_7 - body_q0 * w_6 - body_q2 * w_8) - body_q1 * self.k_5 * w_9
-            - rhs_body_q0 * l_body_q1_body_q0;
-        let mass_body_q2_body_q0 = w_squared
-            * (body_q1 * body_q3 * self.k_7 - body_q0 * body_q2 * self.k_3)
-            + body_q0 * body_q2 * self.k_5;
-        let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
-        let k_body_q2_body_q1 = w_squared
-            * (body_q0 * body_q3 * self.k_8 - body_q1 * body_q2 * self.k_4)
-            + body_q1 * body_q2 * self.k_5 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_13 = body_q0 * body_q3;
+        let w_14 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_13 - self.k_4 * w_14)
+            + self.k_5 * w_14 - mass_body_q1_body_q0 * l_body_q2_body_q0;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
+        let rhs_body_q2 = S::from_f64(8.0) * w
+            * (body_q1 * w_8 - body_q3 * w_6 - body_q0 * w_7) - body_q2 * self.k_5 * w_9
+            - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_14 - self.k_4 * w_13)
+            + self.k_5 * w_13;
+        let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_12 - self.k_3 * w_11)
+            + self.k_5 * w_11 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
                 + body_q1_squared * self.k_4) + body_q2_squared * self.k_5;
@@ -1087,22 +1098,15 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let rhs_body_q2 = S::from_f64(8.0) * w
-            * (body_q1 * w_8 - body_q3 * w_6 - body_q0 * w_7) - body_q2 * self.k_5 * w_9
-            - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
-        let mass_body_q3_body_q0 = w_squared
-            * (body_q1 * body_q2 * self.k_8 - body_q0 * body_q3 * self.k_4)
-            + body_q0 * body_q3 * self.k_5;
-        let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared
-            * (body_q0 * body_q2 * self.k_7 - body_q1 * body_q3 * self.k_3)
-            + body_q1 * body_q3 * self.k_5 - mass_body_q1_body_q0 * l_body_q3_body_q0;
-        let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
         let k_body_q3_body_q2 = body_q2 * body_q3 * w_10
             + body_q1 * body_q0 * w_squared * self.k_6
             - mass_body_q2_body_q0 * l_body_q3_body_q0
             - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
+        let rhs_body_q3 = S::from_f64(8.0) * w
+            * (body_q2 * w_6 - body_q1 * w_7 - body_q0 * w_8) - body_q3 * self.k_5 * w_9
+            - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
+            - l_body_q3_body_q2 * rhs_body_q2;
         let mass_body_q3_body_q3 = w_squared
             * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
                 + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
@@ -1111,10 +1115,6 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - k_body_q3_body_q1 * l_body_q3_body_q1
             - k_body_q3_body_q2 * l_body_q3_body_q2;
         let inverse_body_q3 = S::from_f64(1.0) / pivot_body_q3;
-        let rhs_body_q3 = S::from_f64(8.0) * w
-            * (body_q2 * w_6 - body_q1 * w_7 - body_q0 * w_8) - body_q3 * self.k_5 * w_9
-            - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
-            - l_body_q3_body_q2 * rhs_body_q2;
         let body_norm_by_body_q0 = body_q0 * S::from_f64(2.0);
         let l_lambda_body_norm_body_q0 = body_norm_by_body_q0 * inverse_body_q0;
         let k_lambda_body_norm_body_q1 = body_q1 * S::from_f64(2.0)
@@ -1161,15 +1161,15 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             ],
             multipliers: [lambda_body_norm],
             power: S::from_f64(0.0),
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(
-                    mass_body_q0_body_q0,
-                    mass_body_q0_body_q0,
-                ) | sim_kernel::pivot_is_refused(pivot_body_q1, mass_body_q1_body_q1)
+            refused: sim_kernel::pivot_is_refused(
+                mass_body_q0_body_q0,
+                mass_body_q0_body_q0,
+            ) | sim_kernel::pivot_is_refused(pivot_body_q1, mass_body_q1_body_q1)
                 | sim_kernel::pivot_is_refused(pivot_body_q2, mass_body_q2_body_q2)
                 | sim_kernel::pivot_is_refused(pivot_body_q3, mass_body_q3_body_q3)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_body_norm,
                     minus_pivot_lambda_body_norm,
@@ -1178,7 +1178,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     }
     /// The derivatives of accelerations (7 rows) and multipliers (1 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 666 additions, 1188 multiplications, 6 divisions.
+    /// Operations: 666 additions, 1116 multiplications, 6 divisions.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1195,77 +1195,74 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let w = S::from_f64(1.0)
             / (body_q0_squared + body_q1_squared + body_q2_squared + body_q3_squared);
         let w_squared = w * w;
+        let w_2 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
+            + body_q1 * body_q3_dot;
+        let w_3 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
+            + body_q2 * body_q1_dot;
+        let w_4 = w_2 * w_3;
+        let w_5 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
+            + body_q3 * body_q2_dot;
+        let w_6 = body_q0 * body_q0_dot + body_q1 * body_q1_dot + body_q2 * body_q2_dot
+            + body_q3 * body_q3_dot;
+        let w_7 = w_5 * w_6;
+        let w_8 = w_squared * (self.k_9 * w_4 - self.A * w_7);
+        let w_9 = body_q1 * w_8;
+        let w_10 = w_3 * w_5;
+        let w_11 = w_2 * w_6;
+        let w_12 = w_squared * (self.k_10 * w_10 - self.B * w_11);
+        let w_13 = body_q2 * w_12;
+        let w_14 = w_2 * w_5;
+        let w_15 = w_3 * w_6;
+        let w_16 = w_squared * (self.k_11 * w_14 - self.C * w_15);
+        let w_17 = body_q3 * w_16;
+        let w_18 = w_9 + w_13 + w_17;
+        let w_19 = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
+            + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
+        let rhs_body_q0 = S::from_f64(8.0) * w * w_18 - body_q0 * self.k_5 * w_19;
+        let w_20 = body_q3 * w_12;
+        let w_21 = body_q0 * w_8;
+        let w_22 = body_q2 * w_16;
+        let w_23 = self.k_5 - w_squared * self.k_2;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_23
+            + body_q2 * body_q3 * w_squared * self.k_6;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
         let inverse_body_q0 = S::from_f64(1.0) / mass_body_q0_body_q0;
-        let w_2 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
-            + body_q2 * body_q1_dot;
-        let w_3 = body_q2_dot * w_2;
-        let w_4 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
-            + body_q1 * body_q3_dot;
-        let w_5 = body_q3_dot * w_4;
-        let w_6 = body_q0 * body_q0_dot + body_q1 * body_q1_dot + body_q2 * body_q2_dot
-            + body_q3 * body_q3_dot;
-        let w_7 = body_q1_dot * w_6;
-        let w_8 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
-            + body_q3 * body_q2_dot;
-        let w_9 = body_q0_dot * w_8;
-        let w_10 = w * w_squared;
-        let w_11 = self.k_2 * w_8 * w_6;
-        let w_12 = w_10 * (self.k_6 * w_4 * w_2 + w_11);
-        let w_13 = w_squared * (self.k_9 * (w_3 + w_5) - self.A * (w_7 + w_9))
-            + body_q0 * w_12;
-        let w_14 = body_q1_dot * w_2;
-        let w_15 = body_q3_dot * w_8;
-        let w_16 = body_q2_dot * w_6;
-        let w_17 = body_q0_dot * w_4;
-        let w_18 = self.k_3 * w_4 * w_6;
-        let w_19 = w_10 * (self.k_7 * w_2 * w_8 + w_18);
-        let w_20 = w_squared * (self.k_10 * (w_14 + w_15) - self.B * (w_16 + w_17))
-            + body_q0 * w_19;
-        let w_21 = body_q1_dot * w_4;
-        let w_22 = body_q2_dot * w_8;
-        let w_23 = body_q3_dot * w_6;
-        let w_24 = body_q0_dot * w_2;
-        let w_25 = self.k_4 * w_2 * w_6;
-        let w_26 = w_squared * (self.k_11 * (w_21 + w_22) - self.C * (w_23 + w_24))
-            + body_q0 * w_10 * (self.k_8 * w_4 * w_8 + w_25);
-        let w_27 = S::from_f64(8.0) * w
-            * (body_q1 * w_13 + body_q2 * w_20 + body_q3 * w_26);
-        let w_28 = w_squared * (w_4 * w_2 * self.k_9 - self.A * w_8 * w_6);
-        let w_29 = body_q1 * w_28;
-        let w_30 = w_squared * (w_2 * w_8 * self.k_10 - self.B * w_4 * w_6);
-        let w_31 = body_q2 * w_30;
-        let w_32 = w_squared * (w_4 * w_8 * self.k_11 - self.C * w_2 * w_6);
-        let w_33 = body_q3 * w_32;
-        let w_34 = w_29 + w_31 + w_33;
+        let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
+        let rhs_body_q1 = S::from_f64(8.0) * w * (w_20 - w_21 - w_22)
+            - body_q1 * self.k_5 * w_19 - rhs_body_q0 * l_body_q1_body_q0;
+        let w_24 = body_q1 * w_16;
+        let w_25 = body_q3 * w_8;
+        let w_26 = body_q0 * w_12;
+        let w_27 = body_q1 * body_q3;
+        let w_28 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_27 - self.k_3 * w_28)
+            + self.k_5 * w_28;
+        let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
                 + body_q2_squared * self.k_4) + body_q1_squared * self.k_5;
-        let w_35 = self.k_5 - w_squared * self.k_2;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_35
-            + body_q2 * body_q3 * w_squared * self.k_6;
-        let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let w_36 = body_q3 * w_30;
-        let w_37 = body_q0 * w_28;
-        let w_38 = body_q2 * w_32;
-        let w_39 = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
-            + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
-        let rhs_body_q0 = S::from_f64(8.0) * w * w_34 - body_q0 * self.k_5 * w_39;
-        let rhs_body_q1 = S::from_f64(8.0) * w * (w_36 - w_37 - w_38)
-            - body_q1 * self.k_5 * w_39 - rhs_body_q0 * l_body_q1_body_q0;
-        let mass_body_q2_body_q0 = w_squared
-            * (body_q1 * body_q3 * self.k_7 - body_q0 * body_q2 * self.k_3)
-            + body_q0 * body_q2 * self.k_5;
-        let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
-        let k_body_q2_body_q1 = w_squared
-            * (body_q0 * body_q3 * self.k_8 - body_q1 * body_q2 * self.k_4)
-            + body_q1 * body_q2 * self.k_5 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_29 = body_q0 * body_q3;
+        let w_30 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_29 - self.k_4 * w_30)
+            + self.k_5 * w_30 - mass_body_q1_body_q0 * l_body_q2_body_q0;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
+        let rhs_body_q2 = S::from_f64(8.0) * w * (w_24 - w_25 - w_26)
+            - body_q2 * self.k_5 * w_19 - rhs_body_q0 * l_body_q2_body_q0
+            - l_body_q2_body_q1 * rhs_body_q1;
+        let w_31 = body_q2 * w_8;
+        let w_32 = body_q1 * w_12;
+        let w_33 = body_q0 * w_16;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_30 - self.k_4 * w_29)
+            + self.k_5 * w_29;
+        let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_28 - self.k_3 * w_27)
+            + self.k_5 * w_27 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
                 + body_q1_squared * self.k_4) + body_q2_squared * self.k_5;
@@ -1273,25 +1270,40 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let w_40 = body_q1 * w_32;
-        let w_41 = body_q3 * w_28;
-        let w_42 = body_q0 * w_30;
-        let rhs_body_q2 = S::from_f64(8.0) * w * (w_40 - w_41 - w_42)
-            - body_q2 * self.k_5 * w_39 - rhs_body_q0 * l_body_q2_body_q0
-            - l_body_q2_body_q1 * rhs_body_q1;
-        let mass_body_q3_body_q0 = w_squared
-            * (body_q1 * body_q2 * self.k_8 - body_q0 * body_q3 * self.k_4)
-            + body_q0 * body_q3 * self.k_5;
-        let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared
-            * (body_q0 * body_q2 * self.k_7 - body_q1 * body_q3 * self.k_3)
-            + body_q1 * body_q3 * self.k_5 - mass_body_q1_body_q0 * l_body_q3_body_q0;
-        let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
-        let k_body_q3_body_q2 = body_q2 * body_q3 * w_35
+        let k_body_q3_body_q2 = body_q2 * body_q3 * w_23
             + body_q1 * body_q0 * w_squared * self.k_6
             - mass_body_q2_body_q0 * l_body_q3_body_q0
             - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
+        let rhs_body_q3 = S::from_f64(8.0) * w * (w_31 - w_32 - w_33)
+            - body_q3 * self.k_5 * w_19 - rhs_body_q0 * l_body_q3_body_q0
+            - l_body_q3_body_q1 * rhs_body_q1 - l_body_q3_body_q2 * rhs_body_q2;
+        let w_34 = body_q2_dot * w_3;
+        let w_35 = body_q3_dot * w_2;
+        let w_36 = body_q1_dot * w_6;
+        let w_37 = body_q0_dot * w_5;
+        let w_38 = w * w_squared;
+        let w_39 = self.k_2 * w_7;
+        let w_40 = w_38 * (self.k_6 * w_4 + w_39);
+        let w_41 = w_squared * (self.k_9 * (w_34 + w_35) - self.A * (w_36 + w_37))
+            + body_q0 * w_40;
+        let w_42 = body_q1_dot * w_3;
+        let w_43 = body_q3_dot * w_5;
+        let w_44 = body_q2_dot * w_6;
+        let w_45 = body_q0_dot * w_2;
+        let w_46 = self.k_3 * w_11;
+        let w_47 = w_38 * (self.k_7 * w_10 + w_46);
+        let w_48 = w_squared * (self.k_10 * (w_42 + w_43) - self.B * (w_44 + w_45))
+            + body_q0 * w_47;
+        let w_49 = body_q1_dot * w_2;
+        let w_50 = body_q2_dot * w_5;
+        let w_51 = body_q3_dot * w_6;
+        let w_52 = body_q0_dot * w_3;
+        let w_53 = self.k_4 * w_15;
+        let w_54 = w_squared * (self.k_11 * (w_49 + w_50) - self.C * (w_51 + w_52))
+            + body_q0 * w_38 * (self.k_8 * w_14 + w_53);
+        let w_55 = S::from_f64(8.0) * w
+            * (body_q1 * w_41 + body_q2 * w_48 + body_q3 * w_54);
         let mass_body_q3_body_q3 = w_squared
             * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
                 + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
@@ -1300,12 +1312,6 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - k_body_q3_body_q1 * l_body_q3_body_q1
             - k_body_q3_body_q2 * l_body_q3_body_q2;
         let inverse_body_q3 = S::from_f64(1.0) / pivot_body_q3;
-        let w_43 = body_q2 * w_28;
-        let w_44 = body_q1 * w_30;
-        let w_45 = body_q0 * w_32;
-        let rhs_body_q3 = S::from_f64(8.0) * w * (w_43 - w_44 - w_45)
-            - body_q3 * self.k_5 * w_39 - rhs_body_q0 * l_body_q3_body_q0
-            - l_body_q3_body_q1 * rhs_body_q1 - l_body_q3_body_q2 * rhs_body_q2;
         let body_norm_by_body_q0 = body_q0 * S::from_f64(2.0);
         let l_lambda_body_norm_body_q0 = body_norm_by_body_q0 * inverse_body_q0;
         let k_lambda_body_norm_body_q1 = body_q1 * S::from_f64(2.0)
@@ -1328,7 +1334,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let minus_inverse_lambda_body_norm = S::from_f64(1.0)
             / minus_pivot_lambda_body_norm;
         let lambda_body_norm = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * w_39 + rhs_body_q0 * l_lambda_body_norm_body_q0
+            * (S::from_f64(2.0) * w_19 + rhs_body_q0 * l_lambda_body_norm_body_q0
                 + l_lambda_body_norm_body_q1 * rhs_body_q1
                 + l_lambda_body_norm_body_q2 * rhs_body_q2
                 + l_lambda_body_norm_body_q3 * rhs_body_q3);
@@ -1340,451 +1346,453 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let body_q1_ddot = inverse_body_q1 * rhs_body_q1
             - l_body_q2_body_q1 * body_q2_ddot - l_body_q3_body_q1 * body_q3_ddot
             - l_lambda_body_norm_body_q1 * lambda_body_norm;
-        let w_46 = w_squared * self.k_15;
-        let w_47 = body_q1 * (w_46 - body_q0_squared * w_10 * self.k_16 - self.k)
-            + body_q0 * body_q2 * body_q3 * w_10 * self.k_19;
-        let w_48 = w_squared * self.k_20;
-        let w_49 = body_q2 * (body_q0_squared * w_10 * self.k_17 - w_48 + self.k)
-            + body_q1 * body_q0 * body_q3 * w_10 * self.k_21;
-        let w_50 = w_squared * self.k_22;
-        let w_51 = body_q3 * (w_50 - body_q0_squared * w_10 * self.k_18 - self.k)
-            + body_q1 * body_q0 * body_q2 * w_10 * self.k_23;
-        let w_52 = S::from_f64(2.0) * lambda_body_norm;
-        let w_53 = self.k_5 * w_39;
+        let w_56 = w_squared * self.k_15;
+        let w_57 = body_q2 * w_29;
+        let w_58 = body_q1 * (w_56 - body_q0_squared * w_38 * self.k_16 - self.k)
+            + w_38 * self.k_19 * w_57;
+        let w_59 = w_squared * self.k_20;
+        let w_60 = body_q1 * w_29;
+        let w_61 = body_q2 * (body_q0_squared * w_38 * self.k_17 - w_59 + self.k)
+            + w_38 * self.k_21 * w_60;
+        let w_62 = w_squared * self.k_22;
+        let w_63 = body_q0 * w_30;
+        let w_64 = body_q3 * (w_62 - body_q0_squared * w_38 * self.k_18 - self.k)
+            + w_38 * self.k_23 * w_63;
+        let w_65 = S::from_f64(2.0) * lambda_body_norm;
+        let w_66 = self.k_5 * w_19;
         let body_q0_ddot = rhs_body_q0 * inverse_body_q0
             - l_body_q1_body_q0 * body_q1_ddot - l_body_q2_body_q0 * body_q2_ddot
             - l_body_q3_body_q0 * body_q3_ddot
             - l_lambda_body_norm_body_q0 * lambda_body_norm;
-        let w_54 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
-            * (w_10
+        let w_67 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
+            * (w_38
                 * (body_q1_squared * self.k_12 + body_q2_squared * self.k_13
                     + body_q3_squared * self.k_14) - self.k);
-        let w_55 = w_27 - S::from_f64(16.0) * body_q0 * w_squared * w_34
+        let w_68 = w_55 - S::from_f64(16.0) * body_q0 * w_squared * w_18
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_47 - body_q2_ddot * w_49 + body_q3_ddot * w_51)
-            - w_52 - w_53 + w_54;
-        let w_56 = self.A * w_squared;
-        let w_57 = body_q3_squared * self.k_25;
-        let w_58 = body_q2_squared * self.k_26;
-        let w_59 = body_q0 * body_q0_squared;
-        let w_60 = body_q1_ddot
-            * (body_q0 * (w_56 - w_10 * (w_57 + w_58)) - w_10 * w_59 * self.k_24);
-        let w_61 = S::from_f64(8.0)
-            * (w * (body_q3 * w_20 - w_28 - body_q0 * w_13 - body_q2 * w_26) - w_60);
-        let w_62 = w_squared * self.k_10;
-        let w_63 = body_q2 * (w_62 + body_q0_squared * self.k_7 * w_10)
-            - body_q1 * body_q0 * body_q3 * self.k_3 * w_10;
-        let w_64 = w_squared * self.k_27;
-        let w_65 = body_q3 * (w_64 + body_q0_squared * w_10 * self.k_28)
-            + body_q1 * body_q0 * body_q2 * self.k_4 * w_10;
-        let w_66 = w_61
+                * (body_q1_ddot * w_58 - body_q2_ddot * w_61 + body_q3_ddot * w_64)
+            - w_65 - w_66 + w_67;
+        let w_69 = self.A * w_squared;
+        let w_70 = body_q3_squared * self.k_25;
+        let w_71 = body_q2_squared * self.k_26;
+        let w_72 = body_q0 * body_q0_squared;
+        let w_73 = body_q1_ddot
+            * (body_q0 * (w_69 - w_38 * (w_70 + w_71)) - w_38 * w_72 * self.k_24);
+        let w_74 = S::from_f64(8.0)
+            * (w * (body_q3 * w_48 - w_8 - body_q0 * w_41 - body_q2 * w_54) - w_73);
+        let w_75 = w_squared * self.k_10;
+        let w_76 = body_q2 * (w_75 + body_q0_squared * self.k_7 * w_38)
+            - self.k_3 * w_38 * w_60;
+        let w_77 = w_squared * self.k_27;
+        let w_78 = body_q3 * (w_77 + body_q0_squared * w_38 * self.k_28)
+            + self.k_4 * w_38 * w_63;
+        let w_79 = w_74
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_38 - w_36) + body_q0_squared * w_28)
-            + S::from_f64(4.0) * (body_q3_ddot * w_63 - body_q2_ddot * w_65)
-            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_47;
-        let w_67 = w_66 - l_body_q1_body_q0 * w_55;
-        let w_68 = body_q3_squared * self.k_24;
-        let w_69 = body_q1_squared * self.k_26;
-        let w_70 = w_squared * self.B;
-        let w_71 = body_q2_ddot
-            * (body_q0 * (w_10 * (w_68 + w_69) - w_70) + w_10 * w_59 * self.k_25);
-        let w_72 = S::from_f64(8.0)
-            * (w * (body_q1 * w_26 - body_q3 * w_13 - w_30 - body_q0 * w_20) + w_71);
-        let w_73 = w_10
-            * (body_q0 * body_q2 * body_q3 * self.k_2
-                + body_q1 * body_q0_squared * self.k_30)
-            + body_q1 * w_squared * self.k_29;
-        let w_74 = w_72
+                * (body_q0 * (w_22 - w_20) + body_q0_squared * w_8)
+            + S::from_f64(4.0) * (body_q3_ddot * w_76 - body_q2_ddot * w_78)
+            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_58;
+        let w_80 = w_79 - l_body_q1_body_q0 * w_68;
+        let w_81 = body_q3_squared * self.k_24;
+        let w_82 = body_q1_squared * self.k_26;
+        let w_83 = w_squared * self.B;
+        let w_84 = body_q2_ddot
+            * (body_q0 * (w_38 * (w_81 + w_82) - w_83) + w_38 * w_72 * self.k_25);
+        let w_85 = S::from_f64(8.0)
+            * (w * (body_q1 * w_54 - body_q3 * w_41 - w_12 - body_q0 * w_48) + w_84);
+        let w_86 = body_q1 * self.k_29;
+        let w_87 = w_38
+            * (body_q2 * self.k_2 * w_29 + body_q1 * body_q0_squared * self.k_30)
+            + w_squared * w_86;
+        let w_88 = w_85
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_41 - w_40) + body_q0_squared * w_30)
-            - S::from_f64(4.0) * (body_q1_ddot * w_65 + body_q3_ddot * w_73)
-            - S::from_f64(1.3333333333333333) * body_q0_ddot * w_49;
-        let w_75 = w_74 - l_body_q2_body_q0 * w_55 - l_body_q2_body_q1 * w_67;
-        let w_76 = body_q2_squared * self.k_24;
-        let w_77 = body_q1_squared * self.k_25;
-        let w_78 = w_squared * self.C;
-        let w_79 = body_q3_ddot
-            * (body_q0 * (w_10 * (w_76 + w_77) - w_78) + w_10 * w_59 * self.k_26);
-        let w_80 = S::from_f64(8.0)
-            * (w * (body_q2 * w_13 - body_q1 * w_20 - w_32 - body_q0 * w_26) + w_79);
-        let w_81 = w_80
+                * (body_q0 * (w_25 - w_24) + body_q0_squared * w_12)
+            - S::from_f64(4.0) * (body_q1_ddot * w_78 + body_q3_ddot * w_87)
+            - S::from_f64(1.3333333333333333) * body_q0_ddot * w_61;
+        let w_89 = w_88 - l_body_q2_body_q0 * w_68 - l_body_q2_body_q1 * w_80;
+        let w_90 = body_q2_squared * self.k_24;
+        let w_91 = body_q1_squared * self.k_25;
+        let w_92 = w_squared * self.C;
+        let w_93 = body_q3_ddot
+            * (body_q0 * (w_38 * (w_90 + w_91) - w_92) + w_38 * w_72 * self.k_26);
+        let w_94 = S::from_f64(8.0)
+            * (w * (body_q2 * w_41 - body_q1 * w_48 - w_16 - body_q0 * w_54) + w_93);
+        let w_95 = w_94
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_44 - w_43) + body_q0_squared * w_32)
-            + S::from_f64(4.0) * (body_q1_ddot * w_63 - body_q2_ddot * w_73)
-            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_51;
-        let w_82 = w_81 - l_body_q3_body_q0 * w_55 - l_body_q3_body_q1 * w_67
-            - l_body_q3_body_q2 * w_75;
-        let w_83 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_55
-                + l_lambda_body_norm_body_q1 * w_67 + l_lambda_body_norm_body_q2 * w_75
-                + l_lambda_body_norm_body_q3 * w_82);
-        let w_84 = inverse_body_q3 * w_82 - l_lambda_body_norm_body_q3 * w_83;
-        let w_85 = inverse_body_q2 * w_75 - l_body_q3_body_q2 * w_84
-            - l_lambda_body_norm_body_q2 * w_83;
-        let w_86 = inverse_body_q1 * w_67 - l_body_q2_body_q1 * w_85
-            - l_body_q3_body_q1 * w_84 - l_lambda_body_norm_body_q1 * w_83;
-        let w_87 = body_q0_dot * w_6;
-        let w_88 = w_squared
-            * (self.A * (w_87 - body_q1_dot * w_8) + body_q3_dot * w_2 * self.k_9
-                + body_q2_dot * w_4 * self.k_29) + body_q1 * w_12;
-        let w_89 = w_10 * (w_2 * w_8 * self.k_31 - w_18);
-        let w_90 = w_squared * (self.B * (w_21 + w_23) + self.k_10 * (w_22 + w_24))
-            + body_q1 * w_89;
-        let w_91 = w_10 * (w_4 * w_8 * self.k_28 - w_25);
-        let w_92 = w_squared
-            * (self.C * (w_14 - w_16) + body_q3_dot * w_8 * self.k_27
-                + body_q0_dot * w_4 * self.k_11) + body_q1 * w_91;
-        let w_93 = body_q2_squared * self.k_25;
-        let w_94 = body_q3_squared * self.k_26;
-        let w_95 = body_q1 * body_q1_squared;
-        let w_96 = body_q0_ddot
-            * (body_q1 * (w_56 - w_10 * (w_93 + w_94)) - w_10 * self.k_24 * w_95);
-        let w_97 = S::from_f64(8.0)
-            * (w * (w_28 + body_q1 * w_88 - body_q2 * w_90 - body_q3 * w_92) - w_96);
-        let w_98 = body_q2 * (w_squared * self.k_11 + body_q1_squared * self.k_8 * w_10)
-            - body_q1 * body_q0 * body_q3 * self.k_4 * w_10;
-        let w_99 = w_10
-            * (body_q1 * body_q0 * body_q2 * self.k_3
-                + body_q1_squared * body_q3 * self.k_31)
-            + body_q3 * w_squared * self.k_33;
-        let w_100 = body_q0 * (body_q1_squared * w_10 * self.k_16 + self.k - w_46)
-            + body_q1 * body_q2 * body_q3 * w_10 * self.k_32;
-        let w_101 = w_97
+                * (body_q0 * (w_32 - w_31) + body_q0_squared * w_16)
+            + S::from_f64(4.0) * (body_q1_ddot * w_76 - body_q2_ddot * w_87)
+            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_64;
+        let w_96 = w_95 - l_body_q3_body_q0 * w_68 - l_body_q3_body_q1 * w_80
+            - l_body_q3_body_q2 * w_89;
+        let w_97 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_68
+                + l_lambda_body_norm_body_q1 * w_80 + l_lambda_body_norm_body_q2 * w_89
+                + l_lambda_body_norm_body_q3 * w_96);
+        let w_98 = inverse_body_q3 * w_96 - l_lambda_body_norm_body_q3 * w_97;
+        let w_99 = inverse_body_q2 * w_89 - l_body_q3_body_q2 * w_98
+            - l_lambda_body_norm_body_q2 * w_97;
+        let w_100 = inverse_body_q1 * w_80 - l_body_q2_body_q1 * w_99
+            - l_body_q3_body_q1 * w_98 - l_lambda_body_norm_body_q1 * w_97;
+        let w_101 = body_q0_dot * w_6;
+        let w_102 = w_squared
+            * (self.A * (w_101 - body_q1_dot * w_5) + body_q3_dot * w_3 * self.k_9
+                + body_q2_dot * w_2 * self.k_29) + body_q1 * w_40;
+        let w_103 = w_38 * (w_10 * self.k_31 - w_46);
+        let w_104 = w_squared * (self.B * (w_49 + w_51) + self.k_10 * (w_50 + w_52))
+            + body_q1 * w_103;
+        let w_105 = w_38 * (w_14 * self.k_28 - w_53);
+        let w_106 = w_squared
+            * (self.C * (w_42 - w_44) + body_q3_dot * w_5 * self.k_27
+                + body_q0_dot * w_2 * self.k_11) + body_q1 * w_105;
+        let w_107 = body_q2_squared * self.k_25;
+        let w_108 = body_q3_squared * self.k_26;
+        let w_109 = body_q1 * body_q1_squared;
+        let w_110 = body_q0_ddot
+            * (body_q1 * (w_69 - w_38 * (w_107 + w_108)) - w_38 * self.k_24 * w_109);
+        let w_111 = S::from_f64(8.0)
+            * (w * (w_8 + body_q1 * w_102 - body_q2 * w_104 - body_q3 * w_106) - w_110);
+        let w_112 = body_q2 * (w_squared * self.k_11 + body_q1_squared * self.k_8 * w_38)
+            - self.k_4 * w_38 * w_60;
+        let w_113 = body_q3 * self.k_33;
+        let w_114 = w_38
+            * (body_q0 * self.k_3 * w_30 + body_q1_squared * body_q3 * self.k_31)
+            + w_squared * w_113;
+        let w_115 = body_q3 * w_30;
+        let w_116 = body_q0 * (body_q1_squared * w_38 * self.k_16 + self.k - w_56)
+            + w_38 * self.k_32 * w_115;
+        let w_117 = w_111
             - S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_31 + w_33) + body_q1_squared * w_28)
-            + S::from_f64(4.0) * (body_q3_ddot * w_98 - body_q2_ddot * w_99)
-            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_100;
-        let w_102 = S::from_f64(8.0) * w
-            * (body_q2 * w_92 - body_q0 * w_88 - body_q3 * w_90);
-        let w_103 = body_q2 * (w_50 - self.k - body_q1_squared * w_10 * self.k_18)
-            + body_q1 * body_q0 * body_q3 * w_10 * self.k_23;
-        let w_104 = body_q3 * (self.k - w_48 + body_q1_squared * w_10 * self.k_17)
-            + body_q1 * body_q0 * body_q2 * w_10 * self.k_21;
-        let w_105 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
-            * (w_10
+                * (body_q1 * (w_13 + w_17) + body_q1_squared * w_8)
+            + S::from_f64(4.0) * (body_q3_ddot * w_112 - body_q2_ddot * w_114)
+            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_116;
+        let w_118 = S::from_f64(8.0) * w
+            * (body_q2 * w_106 - body_q0 * w_102 - body_q3 * w_104);
+        let w_119 = body_q2 * (w_62 - self.k - body_q1_squared * w_38 * self.k_18)
+            + w_38 * w_60 * self.k_23;
+        let w_120 = body_q3 * (self.k - w_59 + body_q1_squared * w_38 * self.k_17)
+            + w_38 * self.k_21 * w_63;
+        let w_121 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
+            * (w_38
                 * (body_q0_squared * self.k_12 + body_q3_squared * self.k_13
                     + body_q2_squared * self.k_14) - self.k);
-        let w_106 = S::from_f64(16.0) * body_q1 * w_squared * (w_37 - w_36 + w_38)
-            + w_102
+        let w_122 = S::from_f64(16.0) * body_q1 * w_squared * (w_21 - w_20 + w_22)
+            + w_118
             + S::from_f64(1.3333333333333333)
-                * (body_q2_ddot * w_103 - body_q0_ddot * w_100 - body_q3_ddot * w_104)
-            - w_52 - w_53 + w_105;
-        let w_107 = w_106 - l_body_q1_body_q0 * w_101;
-        let w_108 = body_q0_squared * self.k_25;
-        let w_109 = body_q2_ddot
-            * (body_q1 * (w_10 * (w_108 + w_68) - w_78) + w_10 * self.k_26 * w_95);
-        let w_110 = S::from_f64(8.0)
-            * (w * (w_32 - body_q3 * w_88 + body_q0 * w_90 - body_q1 * w_92) + w_109);
-        let w_111 = body_q0
-            * (w_squared * self.k_29 + body_q1_squared * w_10 * self.k_30)
-            + body_q1 * body_q2 * body_q3 * self.k_2 * w_10;
-        let w_112 = w_110
+                * (body_q2_ddot * w_119 - body_q0_ddot * w_116 - body_q3_ddot * w_120)
+            - w_65 - w_66 + w_121;
+        let w_123 = w_122 - l_body_q1_body_q0 * w_117;
+        let w_124 = body_q0_squared * self.k_25;
+        let w_125 = body_q2_ddot
+            * (body_q1 * (w_38 * (w_124 + w_81) - w_92) + w_38 * self.k_26 * w_109);
+        let w_126 = S::from_f64(8.0)
+            * (w * (w_16 - body_q3 * w_102 + body_q0 * w_104 - body_q1 * w_106) + w_125);
+        let w_127 = body_q0
+            * (w_squared * self.k_29 + body_q1_squared * w_38 * self.k_30)
+            + self.k_2 * w_38 * w_115;
+        let w_128 = w_126
             + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_42 + w_41) - body_q1_squared * w_32)
-            - S::from_f64(4.0) * (body_q0_ddot * w_99 + body_q3_ddot * w_111)
-            + S::from_f64(1.3333333333333333) * body_q1_ddot * w_103;
-        let w_113 = w_112 - l_body_q2_body_q0 * w_101 - l_body_q2_body_q1 * w_107;
-        let w_114 = body_q0_squared * self.k_26;
-        let w_115 = body_q3_ddot
-            * (body_q1 * (w_70 - w_10 * (w_114 + w_76)) - w_10 * self.k_25 * w_95);
-        let w_116 = S::from_f64(8.0)
-            * (w * (body_q2 * w_88 - w_30 + body_q1 * w_90 + body_q0 * w_92) - w_115);
-        let w_117 = w_116
+                * (body_q1 * (w_26 + w_25) - body_q1_squared * w_16)
+            - S::from_f64(4.0) * (body_q0_ddot * w_114 + body_q3_ddot * w_127)
+            + S::from_f64(1.3333333333333333) * body_q1_ddot * w_119;
+        let w_129 = w_128 - l_body_q2_body_q0 * w_117 - l_body_q2_body_q1 * w_123;
+        let w_130 = body_q0_squared * self.k_26;
+        let w_131 = body_q3_ddot
+            * (body_q1 * (w_83 - w_38 * (w_130 + w_90)) - w_38 * self.k_25 * w_109);
+        let w_132 = S::from_f64(8.0)
+            * (w * (body_q2 * w_102 - w_12 + body_q1 * w_104 + body_q0 * w_106) - w_131);
+        let w_133 = w_132
             + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_45 - w_43) + body_q1_squared * w_30)
-            + S::from_f64(4.0) * (body_q0_ddot * w_98 - body_q2_ddot * w_111)
-            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_104;
-        let w_118 = w_117 - l_body_q3_body_q0 * w_101 - l_body_q3_body_q1 * w_107
-            - l_body_q3_body_q2 * w_113;
-        let w_119 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_101
-                + l_lambda_body_norm_body_q1 * w_107 + l_lambda_body_norm_body_q2 * w_113
-                + l_lambda_body_norm_body_q3 * w_118);
-        let w_120 = inverse_body_q3 * w_118 - l_lambda_body_norm_body_q3 * w_119;
-        let w_121 = inverse_body_q2 * w_113 - l_body_q3_body_q2 * w_120
-            - l_lambda_body_norm_body_q2 * w_119;
-        let w_122 = inverse_body_q1 * w_107 - l_body_q2_body_q1 * w_121
-            - l_body_q3_body_q1 * w_120 - l_lambda_body_norm_body_q1 * w_119;
-        let w_123 = w_10 * (w_4 * w_2 * self.k_30 - w_11);
-        let w_124 = w_squared
-            * (self.A * (w_22 - w_23) + body_q1_dot * w_4 * self.k_29
-                + body_q0_dot * w_2 * self.k_9) + body_q2 * w_123;
-        let w_125 = w_squared
-            * (self.B * (w_87 - body_q2_dot * w_4) + body_q3_dot * w_2 * self.k_33
-                + body_q1_dot * w_8 * self.k_10) + body_q2 * w_19;
-        let w_126 = w_squared * (self.C * (w_3 + w_7) + self.k_11 * (w_5 + w_9))
-            + body_q2 * w_91;
-        let w_127 = body_q1_squared * self.k_24;
-        let w_128 = body_q2 * body_q2_squared;
-        let w_129 = body_q0_ddot
-            * (body_q2 * (w_70 - w_10 * (w_127 + w_94)) - w_10 * self.k_25 * w_128);
-        let w_130 = S::from_f64(8.0)
-            * (w * (w_30 - body_q1 * w_124 + body_q2 * w_125 - body_q3 * w_126) - w_129);
-        let w_131 = w_10
-            * (body_q1 * body_q0 * body_q2 * self.k_2
-                + body_q2_squared * body_q3 * self.k_30)
-            + body_q3 * w_squared * self.k_29;
-        let w_132 = body_q1 * (w_64 + body_q2_squared * w_10 * self.k_28)
-            + body_q0 * body_q2 * body_q3 * self.k_4 * w_10;
-        let w_133 = body_q0 * (body_q2_squared * w_10 * self.k_17 + self.k - w_48)
-            + body_q1 * body_q2 * body_q3 * w_10 * self.k_21;
-        let w_134 = w_130
+                * (body_q1 * (w_33 - w_31) + body_q1_squared * w_12)
+            + S::from_f64(4.0) * (body_q0_ddot * w_112 - body_q2_ddot * w_127)
+            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_120;
+        let w_134 = w_133 - l_body_q3_body_q0 * w_117 - l_body_q3_body_q1 * w_123
+            - l_body_q3_body_q2 * w_129;
+        let w_135 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_117
+                + l_lambda_body_norm_body_q1 * w_123 + l_lambda_body_norm_body_q2 * w_129
+                + l_lambda_body_norm_body_q3 * w_134);
+        let w_136 = inverse_body_q3 * w_134 - l_lambda_body_norm_body_q3 * w_135;
+        let w_137 = inverse_body_q2 * w_129 - l_body_q3_body_q2 * w_136
+            - l_lambda_body_norm_body_q2 * w_135;
+        let w_138 = inverse_body_q1 * w_123 - l_body_q2_body_q1 * w_137
+            - l_body_q3_body_q1 * w_136 - l_lambda_body_norm_body_q1 * w_135;
+        let w_139 = w_38 * (w_4 * self.k_30 - w_39);
+        let w_140 = w_squared
+            * (self.A * (w_50 - w_51) + body_q1_dot * w_2 * self.k_29
+                + body_q0_dot * w_3 * self.k_9) + body_q2 * w_139;
+        let w_141 = w_squared
+            * (self.B * (w_101 - body_q2_dot * w_2) + body_q3_dot * w_3 * self.k_33
+                + body_q1_dot * w_5 * self.k_10) + body_q2 * w_47;
+        let w_142 = w_squared * (self.C * (w_34 + w_36) + self.k_11 * (w_35 + w_37))
+            + body_q2 * w_105;
+        let w_143 = body_q1_squared * self.k_24;
+        let w_144 = body_q2 * body_q2_squared;
+        let w_145 = body_q0_ddot
+            * (body_q2 * (w_83 - w_38 * (w_143 + w_108)) - w_38 * self.k_25 * w_144);
+        let w_146 = S::from_f64(8.0)
+            * (w * (w_12 - body_q1 * w_140 + body_q2 * w_141 - body_q3 * w_142) - w_145);
+        let w_147 = body_q3 * self.k_29;
+        let w_148 = w_38
+            * (body_q0 * self.k_2 * w_30 + body_q2_squared * body_q3 * self.k_30)
+            + w_squared * w_147;
+        let w_149 = body_q1 * (w_77 + body_q2_squared * w_38 * self.k_28)
+            + self.k_4 * w_38 * w_57;
+        let w_150 = body_q0 * (body_q2_squared * w_38 * self.k_17 + self.k - w_59)
+            + w_38 * self.k_21 * w_115;
+        let w_151 = w_146
             - S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_29 + w_33) + body_q2_squared * w_30)
-            - S::from_f64(4.0) * (body_q1_ddot * w_131 + body_q3_ddot * w_132)
-            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_133;
-        let w_135 = body_q0_squared * self.k_24;
-        let w_136 = body_q1_ddot
-            * (body_q2 * (w_10 * (w_135 + w_57) - w_78) + w_10 * self.k_26 * w_128);
-        let w_137 = S::from_f64(8.0)
-            * (w * (body_q0 * w_124 - w_32 + body_q3 * w_125 + body_q2 * w_126) + w_136);
-        let w_138 = body_q0 * (w_62 + body_q2_squared * self.k_7 * w_10)
-            - body_q1 * body_q2 * body_q3 * self.k_3 * w_10;
-        let w_139 = body_q1 * (self.k - w_50 + body_q2_squared * w_10 * self.k_18)
-            + body_q0 * body_q2 * body_q3 * w_10 * self.k_34;
-        let w_140 = w_137
+                * (body_q2 * (w_9 + w_17) + body_q2_squared * w_12)
+            - S::from_f64(4.0) * (body_q1_ddot * w_148 + body_q3_ddot * w_149)
+            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_150;
+        let w_152 = body_q0_squared * self.k_24;
+        let w_153 = body_q1_ddot
+            * (body_q2 * (w_38 * (w_152 + w_70) - w_92) + w_38 * self.k_26 * w_144);
+        let w_154 = S::from_f64(8.0)
+            * (w * (body_q0 * w_140 - w_16 + body_q3 * w_141 + body_q2 * w_142) + w_153);
+        let w_155 = body_q0 * (w_75 + body_q2_squared * self.k_7 * w_38)
+            - self.k_3 * w_38 * w_115;
+        let w_156 = body_q1 * (self.k - w_62 + body_q2_squared * w_38 * self.k_18)
+            + w_38 * w_57 * self.k_34;
+        let w_157 = w_154
             + S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_37 - w_36) + body_q2_squared * w_32)
-            + S::from_f64(4.0) * (body_q3_ddot * w_138 - body_q0_ddot * w_131)
-            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_139;
-        let w_141 = w_140 - l_body_q1_body_q0 * w_134;
-        let w_142 = S::from_f64(8.0) * w
-            * (body_q3 * w_124 - body_q0 * w_125 - body_q1 * w_126);
-        let w_143 = body_q3 * (w_46 - self.k - body_q2_squared * w_10 * self.k_16)
-            + body_q1 * body_q0 * body_q2 * w_10 * self.k_19;
-        let w_144 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
-            * (w_10
+                * (body_q2 * (w_21 - w_20) + body_q2_squared * w_16)
+            + S::from_f64(4.0) * (body_q3_ddot * w_155 - body_q0_ddot * w_148)
+            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_156;
+        let w_158 = w_157 - l_body_q1_body_q0 * w_151;
+        let w_159 = S::from_f64(8.0) * w
+            * (body_q3 * w_140 - body_q0 * w_141 - body_q1 * w_142);
+        let w_160 = body_q3 * (w_56 - self.k - body_q2_squared * w_38 * self.k_16)
+            + w_38 * self.k_19 * w_63;
+        let w_161 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
+            * (w_38
                 * (body_q0_squared * self.k_13 + body_q1_squared * self.k_14
                     + body_q3_squared * self.k_12) - self.k);
-        let w_145 = S::from_f64(16.0) * body_q2 * w_squared * (w_42 - w_40 + w_41)
-            + w_142
+        let w_162 = S::from_f64(16.0) * body_q2 * w_squared * (w_26 - w_24 + w_25)
+            + w_159
             + S::from_f64(1.3333333333333333)
-                * (body_q3_ddot * w_143 - body_q0_ddot * w_133 - body_q1_ddot * w_139)
-            - w_52 - w_53 + w_144;
-        let w_146 = w_145 - l_body_q2_body_q0 * w_134 - l_body_q2_body_q1 * w_141;
-        let w_147 = body_q3_ddot
-            * (body_q2 * (w_56 - w_10 * (w_114 + w_77)) - w_10 * self.k_24 * w_128);
-        let w_148 = S::from_f64(8.0)
-            * (w * (w_28 - body_q2 * w_124 - body_q1 * w_125 + body_q0 * w_126) - w_147);
-        let w_149 = w_148
+                * (body_q3_ddot * w_160 - body_q0_ddot * w_150 - body_q1_ddot * w_156)
+            - w_65 - w_66 + w_161;
+        let w_163 = w_162 - l_body_q2_body_q0 * w_151 - l_body_q2_body_q1 * w_158;
+        let w_164 = body_q3_ddot
+            * (body_q2 * (w_69 - w_38 * (w_130 + w_91)) - w_38 * self.k_24 * w_144);
+        let w_165 = S::from_f64(8.0)
+            * (w * (w_8 - body_q2 * w_140 - body_q1 * w_141 + body_q0 * w_142) - w_164);
+        let w_166 = w_165
             + S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_45 + w_44) - body_q2_squared * w_28)
-            + S::from_f64(4.0) * (body_q1_ddot * w_138 - body_q0_ddot * w_132)
-            + S::from_f64(1.3333333333333333) * body_q2_ddot * w_143;
-        let w_150 = w_149 - l_body_q3_body_q0 * w_134 - l_body_q3_body_q1 * w_141
-            - l_body_q3_body_q2 * w_146;
-        let w_151 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_134
-                + l_lambda_body_norm_body_q1 * w_141 + l_lambda_body_norm_body_q2 * w_146
-                + l_lambda_body_norm_body_q3 * w_150);
-        let w_152 = inverse_body_q3 * w_150 - l_lambda_body_norm_body_q3 * w_151;
-        let w_153 = inverse_body_q2 * w_146 - l_body_q3_body_q2 * w_152
-            - l_lambda_body_norm_body_q2 * w_151;
-        let w_154 = inverse_body_q1 * w_141 - l_body_q2_body_q1 * w_153
-            - l_body_q3_body_q1 * w_152 - l_lambda_body_norm_body_q1 * w_151;
-        let w_155 = w_squared * (self.A * (w_15 + w_16) + self.k_9 * (w_14 + w_17))
-            + body_q3 * w_123;
-        let w_156 = w_squared
-            * (self.B * (w_5 - w_7) + body_q2_dot * w_2 * self.k_33
-                + body_q0_dot * w_8 * self.k_10) + body_q3 * w_89;
-        let w_157 = w_squared
-            * (self.C * (body_q3_dot * w_2 - w_87) + body_q2_dot * w_4 * self.k_27
-                + body_q1_dot * w_8 * self.k_11) + body_q3 * w_91;
-        let w_158 = body_q3 * body_q3_squared;
-        let w_159 = body_q0_ddot
-            * (body_q3 * (w_78 - w_10 * (w_127 + w_93)) - w_10 * self.k_26 * w_158);
-        let w_160 = S::from_f64(8.0)
-            * (w * (w_32 - body_q1 * w_155 - body_q2 * w_156 - body_q3 * w_157) - w_159);
-        let w_161 = body_q1 * (w_62 + body_q3_squared * self.k_7 * w_10)
-            - body_q0 * body_q2 * body_q3 * self.k_3 * w_10;
-        let w_162 = w_10
-            * (body_q1 * body_q0 * body_q3 * self.k_2
-                + body_q2 * body_q3_squared * self.k_30)
+                * (body_q2 * (w_33 + w_32) - body_q2_squared * w_8)
+            + S::from_f64(4.0) * (body_q1_ddot * w_155 - body_q0_ddot * w_149)
+            + S::from_f64(1.3333333333333333) * body_q2_ddot * w_160;
+        let w_167 = w_166 - l_body_q3_body_q0 * w_151 - l_body_q3_body_q1 * w_158
+            - l_body_q3_body_q2 * w_163;
+        let w_168 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_151
+                + l_lambda_body_norm_body_q1 * w_158 + l_lambda_body_norm_body_q2 * w_163
+                + l_lambda_body_norm_body_q3 * w_167);
+        let w_169 = inverse_body_q3 * w_167 - l_lambda_body_norm_body_q3 * w_168;
+        let w_170 = inverse_body_q2 * w_163 - l_body_q3_body_q2 * w_169
+            - l_lambda_body_norm_body_q2 * w_168;
+        let w_171 = inverse_body_q1 * w_158 - l_body_q2_body_q1 * w_170
+            - l_body_q3_body_q1 * w_169 - l_lambda_body_norm_body_q1 * w_168;
+        let w_172 = w_squared * (self.A * (w_43 + w_44) + self.k_9 * (w_42 + w_45))
+            + body_q3 * w_139;
+        let w_173 = w_squared
+            * (self.B * (w_35 - w_36) + body_q2_dot * w_3 * self.k_33
+                + body_q0_dot * w_5 * self.k_10) + body_q3 * w_103;
+        let w_174 = w_squared
+            * (self.C * (body_q3_dot * w_3 - w_101) + body_q2_dot * w_2 * self.k_27
+                + body_q1_dot * w_5 * self.k_11) + body_q3 * w_105;
+        let w_175 = body_q3 * body_q3_squared;
+        let w_176 = body_q0_ddot
+            * (body_q3 * (w_92 - w_38 * (w_143 + w_107)) - w_38 * self.k_26 * w_175);
+        let w_177 = S::from_f64(8.0)
+            * (w * (w_16 - body_q1 * w_172 - body_q2 * w_173 - body_q3 * w_174) - w_176);
+        let w_178 = body_q1 * (w_75 + body_q3_squared * self.k_7 * w_38)
+            - self.k_3 * w_38 * w_57;
+        let w_179 = w_38
+            * (body_q1 * self.k_2 * w_29 + body_q2 * body_q3_squared * self.k_30)
             + body_q2 * w_squared * self.k_29;
-        let w_163 = body_q0 * (body_q3_squared * w_10 * self.k_18 + self.k - w_50)
-            + body_q1 * body_q2 * body_q3 * w_10 * self.k_34;
-        let w_164 = w_160
+        let w_180 = body_q0 * (body_q3_squared * w_38 * self.k_18 + self.k - w_62)
+            + w_38 * w_115 * self.k_34;
+        let w_181 = w_177
             - S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_29 + w_31) + body_q3_squared * w_32)
-            + S::from_f64(4.0) * (body_q2_ddot * w_161 - body_q1_ddot * w_162)
-            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_163;
-        let w_165 = body_q1_ddot
-            * (body_q3 * (w_10 * (w_135 + w_58) - w_70) + w_10 * self.k_25 * w_158);
-        let w_166 = S::from_f64(8.0)
-            * (w * (w_30 + body_q0 * w_155 - body_q3 * w_156 + body_q2 * w_157) + w_165);
-        let w_167 = body_q0 * (w_64 + body_q3_squared * w_10 * self.k_28)
-            + body_q1 * body_q2 * body_q3 * self.k_4 * w_10;
-        let w_168 = body_q1 * (w_48 - self.k - body_q3_squared * w_10 * self.k_17)
-            + body_q0 * body_q2 * body_q3 * w_10 * self.k_35;
-        let w_169 = w_166
+                * (body_q3 * (w_9 + w_13) + body_q3_squared * w_16)
+            + S::from_f64(4.0) * (body_q2_ddot * w_178 - body_q1_ddot * w_179)
+            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_180;
+        let w_182 = body_q1_ddot
+            * (body_q3 * (w_38 * (w_152 + w_71) - w_83) + w_38 * self.k_25 * w_175);
+        let w_183 = S::from_f64(8.0)
+            * (w * (w_12 + body_q0 * w_172 - body_q3 * w_173 + body_q2 * w_174) + w_182);
+        let w_184 = body_q0 * (w_77 + body_q3_squared * w_38 * self.k_28)
+            + self.k_4 * w_38 * w_115;
+        let w_185 = body_q1 * (w_59 - self.k - body_q3_squared * w_38 * self.k_17)
+            + w_38 * w_57 * self.k_35;
+        let w_186 = w_183
             + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_37 + w_38) - body_q3_squared * w_30)
-            - S::from_f64(4.0) * (body_q0_ddot * w_162 + body_q2_ddot * w_167)
-            + S::from_f64(1.3333333333333333) * body_q3_ddot * w_168;
-        let w_170 = w_169 - l_body_q1_body_q0 * w_164;
-        let w_171 = body_q2_ddot
-            * (body_q3 * (w_56 - w_10 * (w_108 + w_69)) - w_10 * self.k_24 * w_158);
-        let w_172 = S::from_f64(8.0)
-            * (w * (body_q3 * w_155 - w_28 + body_q0 * w_156 - body_q1 * w_157) - w_171);
-        let w_173 = body_q2 * (self.k - w_46 + body_q3_squared * w_10 * self.k_16)
-            + body_q1 * body_q0 * body_q3 * w_10 * self.k_32;
-        let w_174 = w_172
+                * (body_q3 * (w_21 + w_22) - body_q3_squared * w_12)
+            - S::from_f64(4.0) * (body_q0_ddot * w_179 + body_q2_ddot * w_184)
+            + S::from_f64(1.3333333333333333) * body_q3_ddot * w_185;
+        let w_187 = w_186 - l_body_q1_body_q0 * w_181;
+        let w_188 = body_q2_ddot
+            * (body_q3 * (w_69 - w_38 * (w_124 + w_82)) - w_38 * self.k_24 * w_175);
+        let w_189 = S::from_f64(8.0)
+            * (w * (body_q3 * w_172 - w_8 + body_q0 * w_173 - body_q1 * w_174) - w_188);
+        let w_190 = body_q2 * (self.k - w_56 + body_q3_squared * w_38 * self.k_16)
+            + w_38 * w_60 * self.k_32;
+        let w_191 = w_189
             + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_42 - w_40) + body_q3_squared * w_28)
-            + S::from_f64(4.0) * (body_q0_ddot * w_161 - body_q1_ddot * w_167)
-            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_173;
-        let w_175 = w_174 - l_body_q2_body_q0 * w_164 - l_body_q2_body_q1 * w_170;
-        let w_176 = S::from_f64(8.0) * w
-            * (body_q1 * w_156 - body_q2 * w_155 + body_q0 * w_157);
-        let w_177 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
-            * (w_10
+                * (body_q3 * (w_26 - w_24) + body_q3_squared * w_8)
+            + S::from_f64(4.0) * (body_q0_ddot * w_178 - body_q1_ddot * w_184)
+            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_190;
+        let w_192 = w_191 - l_body_q2_body_q0 * w_181 - l_body_q2_body_q1 * w_187;
+        let w_193 = S::from_f64(8.0) * w
+            * (body_q1 * w_173 - body_q2 * w_172 + body_q0 * w_174);
+        let w_194 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
+            * (w_38
                 * (body_q0_squared * self.k_14 + body_q1_squared * self.k_13
                     + body_q2_squared * self.k_12) - self.k);
-        let w_178 = S::from_f64(16.0) * body_q3 * w_squared * (w_45 + w_44 - w_43)
-            + w_176
+        let w_195 = S::from_f64(16.0) * body_q3 * w_squared * (w_33 + w_32 - w_31)
+            + w_193
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_168 - body_q0_ddot * w_163 - body_q2_ddot * w_173)
-            - w_52 - w_53 + w_177;
-        let w_179 = w_178 - l_body_q3_body_q0 * w_164 - l_body_q3_body_q1 * w_170
-            - l_body_q3_body_q2 * w_175;
-        let w_180 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_164
-                + l_lambda_body_norm_body_q1 * w_170 + l_lambda_body_norm_body_q2 * w_175
-                + l_lambda_body_norm_body_q3 * w_179);
-        let w_181 = inverse_body_q3 * w_179 - l_lambda_body_norm_body_q3 * w_180;
-        let w_182 = inverse_body_q2 * w_175 - l_body_q3_body_q2 * w_181
-            - l_lambda_body_norm_body_q2 * w_180;
-        let w_183 = inverse_body_q1 * w_170 - l_body_q2_body_q1 * w_182
-            - l_body_q3_body_q1 * w_181 - l_lambda_body_norm_body_q1 * w_180;
-        let w_184 = body_q2 * w_2;
-        let w_185 = body_q3 * w_4;
-        let w_186 = body_q0 * w_8;
-        let w_187 = body_q1 * w_6;
-        let w_188 = w_squared * (self.k_9 * (w_184 + w_185) + self.A * (w_186 - w_187));
-        let w_189 = body_q1 * w_2;
-        let w_190 = body_q3 * w_8;
-        let w_191 = body_q0 * w_4;
-        let w_192 = body_q2 * w_6;
-        let w_193 = w_squared * (self.k_10 * (w_189 + w_190) + self.B * (w_191 - w_192));
-        let w_194 = body_q1 * w_4;
-        let w_195 = body_q2 * w_8;
-        let w_196 = body_q0 * w_2;
-        let w_197 = body_q3 * w_6;
-        let w_198 = w_squared * (self.k_11 * (w_194 + w_195) + self.C * (w_196 - w_197));
-        let w_199 = S::from_f64(8.0) * w
-            * (body_q1 * w_188 + body_q2 * w_193 + body_q3 * w_198)
-            + body_q0 * body_q0_dot * self.k_36;
-        let w_200 = S::from_f64(8.0) * w
-            * (body_q0 * w_188 - body_q3 * w_193 + body_q2 * w_198)
-            - body_q1 * body_q0_dot * self.k_36 + l_body_q1_body_q0 * w_199;
-        let w_201 = S::from_f64(8.0) * w
-            * (body_q3 * w_188 + body_q0 * w_193 - body_q1 * w_198)
-            - body_q2 * body_q0_dot * self.k_36 + l_body_q2_body_q0 * w_199
-            - l_body_q2_body_q1 * w_200;
-        let w_202 = S::from_f64(8.0) * w
-            * (body_q1 * w_193 - body_q2 * w_188 + body_q0 * w_198)
-            - body_q3 * body_q0_dot * self.k_36 + l_body_q3_body_q0 * w_199
-            - l_body_q3_body_q1 * w_200 - l_body_q3_body_q2 * w_201;
-        let w_203 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q0 * w_199 - S::from_f64(4.0) * body_q0_dot
-                - l_lambda_body_norm_body_q1 * w_200 - l_lambda_body_norm_body_q2 * w_201
-                - l_lambda_body_norm_body_q3 * w_202);
-        let w_204 = inverse_body_q3 * w_202 + l_lambda_body_norm_body_q3 * w_203;
-        let w_205 = inverse_body_q2 * w_201 - l_body_q3_body_q2 * w_204
-            + l_lambda_body_norm_body_q2 * w_203;
-        let w_206 = inverse_body_q1 * w_200 - l_body_q2_body_q1 * w_205
-            - l_body_q3_body_q1 * w_204 + l_lambda_body_norm_body_q1 * w_203;
-        let w_207 = body_q0 * w_6;
-        let w_208 = w_squared
-            * (body_q2 * w_4 * self.k_9 - self.A * (w_207 + body_q1 * w_8)
-                + body_q3 * w_2 * self.k_29);
-        let w_209 = w_squared * (self.B * (w_194 - w_197) + self.k_33 * (w_195 + w_196));
-        let w_210 = w_squared
-            * (body_q3 * w_8 * self.k_27 - self.C * (w_189 + w_192)
-                + body_q0 * w_4 * self.k_11);
-        let w_211 = S::from_f64(8.0) * w
-            * (body_q1 * w_208 - body_q2 * w_209 + body_q3 * w_210)
-            - body_q0 * body_q1_dot * self.k_36;
-        let w_212 = S::from_f64(8.0) * w
-            * (body_q0 * w_208 + body_q3 * w_209 + body_q2 * w_210)
-            + body_q1 * body_q1_dot * self.k_36 + l_body_q1_body_q0 * w_211;
-        let w_213 = S::from_f64(8.0) * w
-            * (body_q0 * w_209 - body_q3 * w_208 + body_q1 * w_210)
-            - body_q2 * body_q1_dot * self.k_36 - l_body_q2_body_q0 * w_211
-            + l_body_q2_body_q1 * w_212;
-        let w_214 = S::from_f64(8.0) * w
-            * (body_q2 * w_208 + body_q1 * w_209 - body_q0 * w_210)
-            - body_q3 * body_q1_dot * self.k_36 - l_body_q3_body_q0 * w_211
-            + l_body_q3_body_q1 * w_212 - l_body_q3_body_q2 * w_213;
-        let w_215 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q1 * w_212 - S::from_f64(4.0) * body_q1_dot
-                - l_lambda_body_norm_body_q0 * w_211 - l_lambda_body_norm_body_q2 * w_213
-                - l_lambda_body_norm_body_q3 * w_214);
-        let w_216 = inverse_body_q3 * w_214 + l_lambda_body_norm_body_q3 * w_215;
-        let w_217 = inverse_body_q2 * w_213 - l_body_q3_body_q2 * w_216
-            + l_lambda_body_norm_body_q2 * w_215;
-        let w_218 = l_lambda_body_norm_body_q1 * w_215 - inverse_body_q1 * w_212
-            - l_body_q2_body_q1 * w_217 - l_body_q3_body_q1 * w_216;
-        let w_219 = w_squared
-            * (body_q1 * w_4 * self.k_29 - self.A * (w_195 + w_197)
-                + body_q0 * w_2 * self.k_9);
-        let w_220 = w_squared
-            * (self.B * (body_q2 * w_4 + w_207) + body_q3 * w_2 * self.k_33
-                + body_q1 * w_8 * self.k_10);
-        let w_221 = w_squared * (self.C * (w_184 - w_187) + self.k_27 * (w_185 + w_186));
-        let w_222 = S::from_f64(8.0) * w
-            * (body_q1 * w_219 - body_q2 * w_220 - body_q3 * w_221)
-            - body_q0 * body_q2_dot * self.k_36;
+                * (body_q1_ddot * w_185 - body_q0_ddot * w_180 - body_q2_ddot * w_190)
+            - w_65 - w_66 + w_194;
+        let w_196 = w_195 - l_body_q3_body_q0 * w_181 - l_body_q3_body_q1 * w_187
+            - l_body_q3_body_q2 * w_192;
+        let w_197 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_181
+                + l_lambda_body_norm_body_q1 * w_187 + l_lambda_body_norm_body_q2 * w_192
+                + l_lambda_body_norm_body_q3 * w_196);
+        let w_198 = inverse_body_q3 * w_196 - l_lambda_body_norm_body_q3 * w_197;
+        let w_199 = inverse_body_q2 * w_192 - l_body_q3_body_q2 * w_198
+            - l_lambda_body_norm_body_q2 * w_197;
+        let w_200 = inverse_body_q1 * w_187 - l_body_q2_body_q1 * w_199
+            - l_body_q3_body_q1 * w_198 - l_lambda_body_norm_body_q1 * w_197;
+        let w_201 = body_q2 * w_3;
+        let w_202 = body_q3 * w_2;
+        let w_203 = body_q0 * w_5;
+        let w_204 = body_q1 * w_6;
+        let w_205 = w_squared * (self.k_9 * (w_201 + w_202) + self.A * (w_203 - w_204));
+        let w_206 = body_q1 * w_3;
+        let w_207 = body_q3 * w_5;
+        let w_208 = body_q0 * w_2;
+        let w_209 = body_q2 * w_6;
+        let w_210 = w_squared * (self.k_10 * (w_206 + w_207) + self.B * (w_208 - w_209));
+        let w_211 = body_q1 * w_2;
+        let w_212 = body_q2 * w_5;
+        let w_213 = body_q0 * w_3;
+        let w_214 = body_q3 * w_6;
+        let w_215 = w_squared * (self.k_11 * (w_211 + w_212) + self.C * (w_213 - w_214));
+        let w_216 = body_q0 * self.k_36;
+        let w_217 = S::from_f64(8.0) * w
+            * (body_q1 * w_205 + body_q2 * w_210 + body_q3 * w_215)
+            + body_q0_dot * w_216;
+        let w_218 = body_q1 * self.k_36;
+        let w_219 = S::from_f64(8.0) * w
+            * (body_q0 * w_205 - body_q3 * w_210 + body_q2 * w_215) - body_q0_dot * w_218
+            + l_body_q1_body_q0 * w_217;
+        let w_220 = body_q2 * self.k_36;
+        let w_221 = S::from_f64(8.0) * w
+            * (body_q3 * w_205 + body_q0 * w_210 - body_q1 * w_215) - body_q0_dot * w_220
+            + l_body_q2_body_q0 * w_217 - l_body_q2_body_q1 * w_219;
+        let w_222 = body_q3 * self.k_36;
         let w_223 = S::from_f64(8.0) * w
-            * (body_q2 * w_221 - body_q0 * w_219 - body_q3 * w_220)
-            - body_q1 * body_q2_dot * self.k_36 - l_body_q1_body_q0 * w_222;
-        let w_224 = S::from_f64(8.0) * w
-            * (body_q0 * w_220 - body_q3 * w_219 - body_q1 * w_221)
-            - body_q2 * body_q2_dot * self.k_36 - l_body_q2_body_q0 * w_222
-            - l_body_q2_body_q1 * w_223;
-        let w_225 = S::from_f64(8.0) * w
-            * (body_q2 * w_219 + body_q1 * w_220 + body_q0 * w_221)
-            - body_q3 * body_q2_dot * self.k_36 - l_body_q3_body_q0 * w_222
-            - l_body_q3_body_q1 * w_223 - l_body_q3_body_q2 * w_224;
-        let w_226 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_222
-                + l_lambda_body_norm_body_q1 * w_223 + l_lambda_body_norm_body_q2 * w_224
-                + l_lambda_body_norm_body_q3 * w_225);
-        let w_227 = inverse_body_q3 * w_225 - l_lambda_body_norm_body_q3 * w_226;
-        let w_228 = inverse_body_q2 * w_224 - l_body_q3_body_q2 * w_227
-            - l_lambda_body_norm_body_q2 * w_226;
-        let w_229 = inverse_body_q1 * w_223 - l_body_q2_body_q1 * w_228
-            - l_body_q3_body_q1 * w_227 - l_lambda_body_norm_body_q1 * w_226;
-        let w_230 = w_squared
-            * (body_q2 * w_2 * self.k_33 - self.B * (w_185 + w_187)
-                + body_q0 * w_8 * self.k_10);
-        let w_231 = w_squared * (self.A * (w_190 - w_192) + self.k_29 * (w_189 + w_191));
-        let w_232 = w_squared
-            * (self.C * (body_q3 * w_2 + w_207) + body_q2 * w_4 * self.k_11
-                + body_q1 * w_8 * self.k_27);
+            * (body_q1 * w_210 - body_q2 * w_205 + body_q0 * w_215) - body_q0_dot * w_222
+            + l_body_q3_body_q0 * w_217 - l_body_q3_body_q1 * w_219
+            - l_body_q3_body_q2 * w_221;
+        let w_224 = minus_inverse_lambda_body_norm
+            * (l_lambda_body_norm_body_q0 * w_217 - S::from_f64(4.0) * body_q0_dot
+                - l_lambda_body_norm_body_q1 * w_219 - l_lambda_body_norm_body_q2 * w_221
+                - l_lambda_body_norm_body_q3 * w_223);
+        let w_225 = inverse_body_q3 * w_223 + l_lambda_body_norm_body_q3 * w_224;
+        let w_226 = inverse_body_q2 * w_221 - l_body_q3_body_q2 * w_225
+            + l_lambda_body_norm_body_q2 * w_224;
+        let w_227 = inverse_body_q1 * w_219 - l_body_q2_body_q1 * w_226
+            - l_body_q3_body_q1 * w_225 + l_lambda_body_norm_body_q1 * w_224;
+        let w_228 = body_q0 * w_6;
+        let w_229 = w_squared
+            * (body_q2 * w_2 * self.k_9 - self.A * (w_228 + body_q1 * w_5)
+                + w_3 * w_147);
+        let w_230 = w_squared * (self.B * (w_211 - w_214) + self.k_33 * (w_212 + w_213));
+        let w_231 = w_squared
+            * (body_q3 * w_5 * self.k_27 - self.C * (w_206 + w_209)
+                + body_q0 * w_2 * self.k_11);
+        let w_232 = S::from_f64(8.0) * w
+            * (body_q1 * w_229 - body_q2 * w_230 + body_q3 * w_231)
+            - body_q1_dot * w_216;
         let w_233 = S::from_f64(8.0) * w
-            * (body_q2 * w_230 - body_q1 * w_231 - body_q3 * w_232)
-            - body_q0 * body_q3_dot * self.k_36;
+            * (body_q0 * w_229 + body_q3 * w_230 + body_q2 * w_231) + body_q1_dot * w_218
+            + l_body_q1_body_q0 * w_232;
         let w_234 = S::from_f64(8.0) * w
-            * (body_q0 * w_231 + body_q3 * w_230 + body_q2 * w_232)
-            - body_q1 * body_q3_dot * self.k_36 - l_body_q1_body_q0 * w_233;
+            * (body_q0 * w_230 - body_q3 * w_229 + body_q1 * w_231) - body_q1_dot * w_220
+            - l_body_q2_body_q0 * w_232 + l_body_q2_body_q1 * w_233;
         let w_235 = S::from_f64(8.0) * w
-            * (body_q3 * w_231 - body_q0 * w_230 - body_q1 * w_232)
-            - body_q2 * body_q3_dot * self.k_36 - l_body_q2_body_q0 * w_233
-            - l_body_q2_body_q1 * w_234;
-        let w_236 = S::from_f64(8.0) * w
-            * (body_q0 * w_232 - body_q2 * w_231 - body_q1 * w_230)
-            - body_q3 * body_q3_dot * self.k_36 - l_body_q3_body_q0 * w_233
-            - l_body_q3_body_q1 * w_234 - l_body_q3_body_q2 * w_235;
-        let w_237 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_233
-                + l_lambda_body_norm_body_q1 * w_234 + l_lambda_body_norm_body_q2 * w_235
-                + l_lambda_body_norm_body_q3 * w_236);
-        let w_238 = inverse_body_q3 * w_236 - l_lambda_body_norm_body_q3 * w_237;
-        let w_239 = inverse_body_q2 * w_235 - l_body_q3_body_q2 * w_238
-            - l_lambda_body_norm_body_q2 * w_237;
-        let w_240 = inverse_body_q1 * w_234 - l_body_q2_body_q1 * w_239
-            - l_body_q3_body_q1 * w_238 - l_lambda_body_norm_body_q1 * w_237;
+            * (body_q2 * w_229 + body_q1 * w_230 - body_q0 * w_231) - body_q1_dot * w_222
+            - l_body_q3_body_q0 * w_232 + l_body_q3_body_q1 * w_233
+            - l_body_q3_body_q2 * w_234;
+        let w_236 = minus_inverse_lambda_body_norm
+            * (l_lambda_body_norm_body_q1 * w_233 - S::from_f64(4.0) * body_q1_dot
+                - l_lambda_body_norm_body_q0 * w_232 - l_lambda_body_norm_body_q2 * w_234
+                - l_lambda_body_norm_body_q3 * w_235);
+        let w_237 = inverse_body_q3 * w_235 + l_lambda_body_norm_body_q3 * w_236;
+        let w_238 = inverse_body_q2 * w_234 - l_body_q3_body_q2 * w_237
+            + l_lambda_body_norm_body_q2 * w_236;
+        let w_239 = l_lambda_body_norm_body_q1 * w_236 - inverse_body_q1 * w_233
+            - l_body_q2_body_q1 * w_238 - l_body_q3_body_q1 * w_237;
+        let w_240 = w_squared
+            * (w_2 * w_86 - self.A * (w_212 + w_214) + body_q0 * w_3 * self.k_9);
+        let w_241 = w_squared
+            * (self.B * (body_q2 * w_2 + w_228) + w_3 * w_113
+                + body_q1 * w_5 * self.k_10);
+        let w_242 = w_squared * (self.C * (w_201 - w_204) + self.k_27 * (w_202 + w_203));
+        let w_243 = S::from_f64(8.0) * w
+            * (body_q1 * w_240 - body_q2 * w_241 - body_q3 * w_242)
+            - body_q2_dot * w_216;
+        let w_244 = S::from_f64(8.0) * w
+            * (body_q2 * w_242 - body_q0 * w_240 - body_q3 * w_241) - body_q2_dot * w_218
+            - l_body_q1_body_q0 * w_243;
+        let w_245 = S::from_f64(8.0) * w
+            * (body_q0 * w_241 - body_q3 * w_240 - body_q1 * w_242) - body_q2_dot * w_220
+            - l_body_q2_body_q0 * w_243 - l_body_q2_body_q1 * w_244;
+        let w_246 = S::from_f64(8.0) * w
+            * (body_q2 * w_240 + body_q1 * w_241 + body_q0 * w_242) - body_q2_dot * w_222
+            - l_body_q3_body_q0 * w_243 - l_body_q3_body_q1 * w_244
+            - l_body_q3_body_q2 * w_245;
+        let w_247 = minus_inverse_lambda_body_norm
+            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_243
+                + l_lambda_body_norm_body_q1 * w_244 + l_lambda_body_norm_body_q2 * w_245
+                + l_lambda_body_norm_body_q3 * w_246);
+        let w_248 = inverse_body_q3 * w_246 - l_lambda_body_norm_body_q3 * w_247;
+        let w_249 = inverse_body_q2 * w_245 - l_body_q3_body_q2 * w_248
+            - l_lambda_body_norm_body_q2 * w_247;
+        let w_250 = inverse_body_q1 * w_244 - l_body_q2_body_q1 * w_249
+            - l_body_q3_body_q1 * w_248 - l_lambda_body_norm_body_q1 * w_247;
+        let w_251 = w_squared
+            * (body_q2 * w_3 * self.k_33 - self.B * (w_202 + w_204)
+                + body_q0 * w_5 * self.k_10);
+        let w_252 = w_squared * (self.A * (w_207 - w_209) + self.k_29 * (w_206 + w_208));
+        let w_253 = w_squared
+            * (self.C * (body_q3 * w_3 + w_228) + body_q2 * w_2 * self.k_11
+                + body_q1 * w_5 * self.k_27);
+        let w_254 = S::from_f64(8.0) * w
+            * (body_q2 * w_251 - body_q1 * w_252 - body_q3 * w_253)
+            - body_q3_dot * w_216;
+        let w_255 = S::from_f64(8.0) * w
+            * (body_q0 * w_252 + body_q3 * w_251 + body_q2 * w_253) - body_q3_dot * w_218
+            - l_body_q1_body_q0 * w_254;
+        let w_256 = S::from_f64(8.0) * w
+            * (body_q3 * w_252 - body_q0 * w_251 - body_q1 * w_253) - body_q3_dot * w_220
+            - l_body_q2_body_q0 * w_254 - l_body_q2_body_q1 * w_255;
+        let w_257 = S::from_f64(8.0) * w
+            * (body_q0 * w_253 - body_q2 * w_252 - body_q1 * w_251) - body_q3_dot * w_222
+            - l_body_q3_body_q0 * w_254 - l_body_q3_body_q1 * w_255
+            - l_body_q3_body_q2 * w_256;
+        let w_258 = minus_inverse_lambda_body_norm
+            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_254
+                + l_lambda_body_norm_body_q1 * w_255 + l_lambda_body_norm_body_q2 * w_256
+                + l_lambda_body_norm_body_q3 * w_257);
+        let w_259 = inverse_body_q3 * w_257 - l_lambda_body_norm_body_q3 * w_258;
+        let w_260 = inverse_body_q2 * w_256 - l_body_q3_body_q2 * w_259
+            - l_lambda_body_norm_body_q2 * w_258;
+        let w_261 = inverse_body_q1 * w_255 - l_body_q2_body_q1 * w_260
+            - l_body_q3_body_q1 * w_259 - l_lambda_body_norm_body_q1 * w_258;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
@@ -1818,45 +1826,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_body_q0 * w_55 - l_body_q1_body_q0 * w_86
-                        - l_body_q2_body_q0 * w_85 - l_body_q3_body_q0 * w_84
-                        - l_lambda_body_norm_body_q0 * w_83,
-                    inverse_body_q0 * w_101 - l_body_q1_body_q0 * w_122
-                        - l_body_q2_body_q0 * w_121 - l_body_q3_body_q0 * w_120
-                        - l_lambda_body_norm_body_q0 * w_119,
-                    inverse_body_q0 * w_134 - l_body_q1_body_q0 * w_154
-                        - l_body_q2_body_q0 * w_153 - l_body_q3_body_q0 * w_152
-                        - l_lambda_body_norm_body_q0 * w_151,
-                    inverse_body_q0 * w_164 - l_body_q1_body_q0 * w_183
-                        - l_body_q2_body_q0 * w_182 - l_body_q3_body_q0 * w_181
-                        - l_lambda_body_norm_body_q0 * w_180,
+                    inverse_body_q0 * w_68 - l_body_q1_body_q0 * w_100
+                        - l_body_q2_body_q0 * w_99 - l_body_q3_body_q0 * w_98
+                        - l_lambda_body_norm_body_q0 * w_97,
+                    inverse_body_q0 * w_117 - l_body_q1_body_q0 * w_138
+                        - l_body_q2_body_q0 * w_137 - l_body_q3_body_q0 * w_136
+                        - l_lambda_body_norm_body_q0 * w_135,
+                    inverse_body_q0 * w_151 - l_body_q1_body_q0 * w_171
+                        - l_body_q2_body_q0 * w_170 - l_body_q3_body_q0 * w_169
+                        - l_lambda_body_norm_body_q0 * w_168,
+                    inverse_body_q0 * w_181 - l_body_q1_body_q0 * w_200
+                        - l_body_q2_body_q0 * w_199 - l_body_q3_body_q0 * w_198
+                        - l_lambda_body_norm_body_q0 * w_197,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_86,
-                    w_122,
-                    w_154,
-                    w_183,
+                    w_100,
+                    w_138,
+                    w_171,
+                    w_200,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_85,
-                    w_121,
-                    w_153,
-                    w_182,
+                    w_99,
+                    w_137,
+                    w_170,
+                    w_199,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_84,
-                    w_120,
-                    w_152,
-                    w_181,
+                    w_98,
+                    w_136,
+                    w_169,
+                    w_198,
                 ],
             ],
             accelerations_by_speeds: [
@@ -1891,45 +1899,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    l_lambda_body_norm_body_q0 * w_203 - inverse_body_q0 * w_199
-                        - l_body_q1_body_q0 * w_206 - l_body_q2_body_q0 * w_205
-                        - l_body_q3_body_q0 * w_204,
-                    inverse_body_q0 * w_211 - l_body_q1_body_q0 * w_218
-                        - l_body_q2_body_q0 * w_217 - l_body_q3_body_q0 * w_216
-                        + l_lambda_body_norm_body_q0 * w_215,
-                    inverse_body_q0 * w_222 - l_body_q1_body_q0 * w_229
-                        - l_body_q2_body_q0 * w_228 - l_body_q3_body_q0 * w_227
-                        - l_lambda_body_norm_body_q0 * w_226,
-                    inverse_body_q0 * w_233 - l_body_q1_body_q0 * w_240
-                        - l_body_q2_body_q0 * w_239 - l_body_q3_body_q0 * w_238
-                        - l_lambda_body_norm_body_q0 * w_237,
+                    l_lambda_body_norm_body_q0 * w_224 - inverse_body_q0 * w_217
+                        - l_body_q1_body_q0 * w_227 - l_body_q2_body_q0 * w_226
+                        - l_body_q3_body_q0 * w_225,
+                    inverse_body_q0 * w_232 - l_body_q1_body_q0 * w_239
+                        - l_body_q2_body_q0 * w_238 - l_body_q3_body_q0 * w_237
+                        + l_lambda_body_norm_body_q0 * w_236,
+                    inverse_body_q0 * w_243 - l_body_q1_body_q0 * w_250
+                        - l_body_q2_body_q0 * w_249 - l_body_q3_body_q0 * w_248
+                        - l_lambda_body_norm_body_q0 * w_247,
+                    inverse_body_q0 * w_254 - l_body_q1_body_q0 * w_261
+                        - l_body_q2_body_q0 * w_260 - l_body_q3_body_q0 * w_259
+                        - l_lambda_body_norm_body_q0 * w_258,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_206,
-                    w_218,
-                    w_229,
-                    w_240,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_205,
-                    w_217,
-                    w_228,
-                    w_239,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_204,
-                    w_216,
                     w_227,
+                    w_239,
+                    w_250,
+                    w_261,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_226,
                     w_238,
+                    w_249,
+                    w_260,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_225,
+                    w_237,
+                    w_248,
+                    w_259,
                 ],
             ],
             multipliers_by_positions: [
@@ -1937,10 +1945,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_83,
-                    w_119,
-                    w_151,
-                    w_180,
+                    w_97,
+                    w_135,
+                    w_168,
+                    w_197,
                 ],
             ],
             multipliers_by_speeds: [
@@ -1948,21 +1956,21 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -w_203,
-                    -w_215,
-                    w_226,
-                    w_237,
+                    -w_224,
+                    -w_236,
+                    w_247,
+                    w_258,
                 ],
             ],
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(
-                    mass_body_q0_body_q0,
-                    mass_body_q0_body_q0,
-                ) | sim_kernel::pivot_is_refused(pivot_body_q1, mass_body_q1_body_q1)
+            refused: sim_kernel::pivot_is_refused(
+                mass_body_q0_body_q0,
+                mass_body_q0_body_q0,
+            ) | sim_kernel::pivot_is_refused(pivot_body_q1, mass_body_q1_body_q1)
                 | sim_kernel::pivot_is_refused(pivot_body_q2, mass_body_q2_body_q2)
                 | sim_kernel::pivot_is_refused(pivot_body_q3, mass_body_q3_body_q3)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_body_norm,
                     minus_pivot_lambda_body_norm,

@@ -192,12 +192,13 @@ pub struct WheelPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Wheel<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 15 multiplications, 3 divisions.
+    /// Operations: 14 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> WheelPrepared<S> {
         let r_squared = self.r * self.r;
-        let w = self.m * r_squared * S::from_f64(1.5);
-        let w_2 = self.m * r_squared * S::from_f64(1.25);
+        let w = self.m * self.r;
+        let w_2 = self.m * r_squared * S::from_f64(1.5);
+        let w_3 = self.m * r_squared * S::from_f64(1.25);
         WheelPrepared {
             m: self.m,
             r: self.r,
@@ -205,14 +206,14 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
             k_2: self.m * r_squared,
             mass_phi_phi: self.m * r_squared * S::from_f64(0.5),
             g: self.g,
-            k_3: self.m * self.r,
-            k_4: self.m * self.r * self.g,
+            k_3: w,
+            k_4: self.g * w,
             inverse_x: S::from_f64(1.0) / self.m,
             k_5: self.m * r_squared * S::from_f64(2.0),
-            pivot_roll_dot: w,
-            pivot_nod_dot: w_2,
-            inverse_roll_dot: S::from_f64(1.0) / w,
-            inverse_nod_dot: S::from_f64(1.0) / w_2,
+            pivot_roll_dot: w_2,
+            pivot_nod_dot: w_3,
+            inverse_roll_dot: S::from_f64(1.0) / w_2,
+            inverse_nod_dot: S::from_f64(1.0) / w_3,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
@@ -318,25 +319,27 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// Constraint Jacobian `C_q`, 2 x 5: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 5 additions, 10 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 6 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 5]) -> [[S; 5]; 2] {
         let [_, _, psi, lean, _] = *q;
         let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let minus_slip_x_by_phi = self.r * cos_psi;
+        let minus_slip_y_by_phi = self.r * sin_psi;
         [
             [
                 S::from_f64(1.0),
                 S::from_f64(0.0),
-                -(self.r * sin_lean * cos_psi),
-                -(self.r * sin_psi * cos_lean),
-                -(self.r * cos_psi),
+                -(sin_lean * minus_slip_x_by_phi),
+                -(cos_lean * minus_slip_y_by_phi),
+                -minus_slip_x_by_phi,
             ],
             [
                 S::from_f64(0.0),
                 S::from_f64(1.0),
-                -(self.r * sin_lean * sin_psi),
-                self.r * cos_psi * cos_lean,
-                -(self.r * sin_psi),
+                -(sin_lean * minus_slip_y_by_phi),
+                minus_slip_x_by_phi * cos_lean,
+                -minus_slip_y_by_phi,
             ],
         ]
     }
@@ -349,7 +352,7 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 36 additions, 67 multiplications, 3 sine-cosine pairs.
+    /// Operations: 36 additions, 64 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 2] {
         let [_, _, psi, lean, phi] = *q;
@@ -362,46 +365,47 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
         let w = sin_lean * psi_dot;
         let w_y = phi_dot + w;
         let w_2 = sin_lean * w_y;
-        let w_3 = lean_dot * sin_phi + cos_lean * psi_dot * cos_phi;
-        let w_4 = lean_dot * cos_phi - cos_lean * psi_dot * sin_phi;
-        let w_z = cos_phi * w_3 - sin_phi * w_4;
-        let w_5 = cos_lean * w_z;
-        let w_6 = w_2 + w_5;
-        let w_7 = sin_lean * w_z;
-        let w_8 = sin_phi * w_3;
-        let w_9 = cos_phi * w_4;
-        let w_10 = w - phi_dot;
-        let w_11 = lean_dot * cos_phi * w_10 + cos_lean * phi_dot * psi_dot * sin_phi;
-        let w_12 = lean_dot * sin_phi * w_10 - cos_lean * phi_dot * psi_dot * cos_phi;
-        let w_13 = phi_dot * (w_8 + w_9) + cos_phi * w_11 + sin_phi * w_12;
-        let w_14 = lean_dot * (cos_lean * (w_y + w) - w_7) - cos_lean * w_13;
-        let w_x = w_9 + w_8;
-        let w_15 = cos_lean * w_y - w_7;
-        let w_16 = sin_lean
-            * (psi_dot * w_6 * sin_psi - cos_psi * w_14
-                + lean_dot * (sin_psi * w_x + cos_psi * w_15));
-        let w_17 = psi_dot * w_x
-            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_2 - w_5) + sin_lean * w_13);
-        let w_18 = cos_phi * (w_12 + phi_dot * w_3) - sin_phi * (phi_dot * w_4 + w_11)
-            - psi_dot * w_15;
-        let w_19 = sin_lean
-            * (cos_psi * psi_dot * w_6 + w_14 * sin_psi
-                + lean_dot * (cos_psi * w_x - sin_psi * w_15));
+        let w_3 = cos_lean * psi_dot;
+        let w_4 = lean_dot * sin_phi + cos_phi * w_3;
+        let w_5 = lean_dot * cos_phi - sin_phi * w_3;
+        let w_z = cos_phi * w_4 - sin_phi * w_5;
+        let w_6 = cos_lean * w_z;
+        let w_7 = w_2 + w_6;
+        let w_8 = sin_lean * w_z;
+        let w_9 = sin_phi * w_4;
+        let w_10 = cos_phi * w_5;
+        let w_11 = w - phi_dot;
+        let w_12 = lean_dot * cos_phi * w_11 + phi_dot * sin_phi * w_3;
+        let w_13 = lean_dot * sin_phi * w_11 - phi_dot * cos_phi * w_3;
+        let w_14 = phi_dot * (w_9 + w_10) + cos_phi * w_12 + sin_phi * w_13;
+        let w_15 = lean_dot * (cos_lean * (w_y + w) - w_8) - cos_lean * w_14;
+        let w_x = w_10 + w_9;
+        let w_16 = cos_lean * w_y - w_8;
+        let w_17 = sin_lean
+            * (psi_dot * w_7 * sin_psi - cos_psi * w_15
+                + lean_dot * (sin_psi * w_x + cos_psi * w_16));
+        let w_18 = psi_dot * w_x
+            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_2 - w_6) + sin_lean * w_14);
+        let w_19 = cos_phi * (w_13 + phi_dot * w_4) - sin_phi * (phi_dot * w_5 + w_12)
+            - psi_dot * w_16;
+        let w_20 = sin_lean
+            * (cos_psi * psi_dot * w_7 + w_15 * sin_psi
+                + lean_dot * (cos_psi * w_x - sin_psi * w_16));
         [
             self.r
-                * (w_16
+                * (w_17
                     - cos_lean
-                        * (lean_dot * cos_psi * w_6
-                            + (cos_psi * w_17 + sin_psi * w_18))),
+                        * (lean_dot * cos_psi * w_7
+                            + (cos_psi * w_18 + sin_psi * w_19))),
             self.r
                 * (cos_lean
-                    * (cos_psi * w_18 - sin_psi * w_17 - lean_dot * w_6 * sin_psi)
-                    - w_19),
+                    * (cos_psi * w_19 - sin_psi * w_18 - lean_dot * w_7 * sin_psi)
+                    - w_20),
         ]
     }
     /// `C` (2), `C_q` (2 x 5) and `C_t` (2) together, in SI units, for projection.
     ///
-    /// Operations: 5 additions, 10 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 6 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -410,22 +414,24 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 5]; 2]> {
         let [_, _, psi, lean, _] = *q;
         let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let minus_slip_x_by_phi = self.r * cos_psi;
+        let minus_slip_y_by_phi = self.r * sin_psi;
         sim_kernel::ConstraintLinearization {
             values: [S::from_f64(0.0), S::from_f64(0.0)],
             jacobian: [
                 [
                     S::from_f64(1.0),
                     S::from_f64(0.0),
-                    -(self.r * sin_lean * cos_psi),
-                    -(self.r * sin_psi * cos_lean),
-                    -(self.r * cos_psi),
+                    -(sin_lean * minus_slip_x_by_phi),
+                    -(cos_lean * minus_slip_y_by_phi),
+                    -minus_slip_x_by_phi,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(1.0),
-                    -(self.r * sin_lean * sin_psi),
-                    self.r * cos_psi * cos_lean,
-                    -(self.r * sin_psi),
+                    -(sin_lean * minus_slip_y_by_phi),
+                    minus_slip_x_by_phi * cos_lean,
+                    -minus_slip_y_by_phi,
                 ],
             ],
             time_derivative: [S::from_f64(0.0), S::from_f64(0.0)],
@@ -433,20 +439,21 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 8 additions, 27 multiplications, 2 sine-cosine pairs.
+    /// Operations: 8 additions, 25 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> S {
         let [_, _, _, lean, phi] = *q;
         let [x_dot, y_dot, psi_dot, lean_dot, phi_dot] = *qd;
+        let w = S::from_f64(0.5) * self.m;
         let r_squared = self.r * self.r;
         let ([sin_lean, sin_phi], [cos_lean, cos_phi]) = S::sin_cos_each([lean, phi]);
-        let w = lean_dot * cos_phi - psi_dot * cos_lean * sin_phi;
-        let w_2 = lean_dot * sin_phi + cos_phi * psi_dot * cos_lean;
-        let w_3 = self.m * r_squared * S::from_f64(0.125) * (w * w + w_2 * w_2);
-        let w_4 = lean_dot * lean_dot * sin_lean * sin_lean * S::from_f64(0.5) * self.m
-            * r_squared;
+        let w_2 = psi_dot * cos_lean;
+        let w_3 = lean_dot * cos_phi - sin_phi * w_2;
+        let w_4 = lean_dot * sin_phi + cos_phi * w_2;
+        let w_5 = self.m * r_squared * S::from_f64(0.125) * (w_3 * w_3 + w_4 * w_4);
         let w_y = phi_dot + sin_lean * psi_dot;
-        S::from_f64(0.5) * self.m * (x_dot * x_dot + y_dot * y_dot) + w_3 + w_4
+        w * (x_dot * x_dot + y_dot * y_dot) + w_5
+            + lean_dot * lean_dot * sin_lean * sin_lean * r_squared * w
             + w_y * w_y * self.m * r_squared * S::from_f64(0.25)
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
@@ -532,18 +539,19 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// The generalised speeds `u = W q' + w`, 3, in SI units, in the order of declaration.
     ///
-    /// Operations: 5 additions, 11 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 10 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn generalized_speeds(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 3] {
         let [_, _, _, lean, phi] = *q;
         let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
         let ([sin_lean, sin_phi], [cos_lean, cos_phi]) = S::sin_cos_each([lean, phi]);
-        let w = cos_phi * lean_dot - psi_dot * cos_lean * sin_phi;
-        let w_2 = lean_dot * sin_phi + psi_dot * cos_phi * cos_lean;
+        let w = psi_dot * cos_lean;
+        let w_2 = cos_phi * lean_dot - sin_phi * w;
+        let w_3 = lean_dot * sin_phi + cos_phi * w;
         [
             phi_dot + psi_dot * sin_lean,
-            cos_phi * w + sin_phi * w_2,
-            cos_phi * w_2 - sin_phi * w,
+            cos_phi * w_2 + sin_phi * w_3,
+            cos_phi * w_3 - sin_phi * w_2,
         ]
     }
     /// [`WheelPrepared::dynamics`] once; for many calls with the same parameters [`Self::prepare`] first.
@@ -598,7 +606,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 73 additions, 142 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 73 additions, 134 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -613,89 +621,91 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             psi,
             phi,
         ]);
-        let minus_slip_x_by_lean = self.r * sin_psi * cos_lean;
+        let w = self.mass_phi_phi * psi_dot;
+        let rhs_lean = sin_lean
+            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot)
+                + self.k_4) + cos_lean * phi_dot * w;
+        let w_2 = sin_lean * psi_dot;
+        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_2 + phi_dot);
+        let mass_phi_psi = sin_lean * self.mass_phi_phi;
         let sin_lean_squared = sin_lean * sin_lean;
+        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - cos_lean * lean_dot * w;
+        let minus_slip_y_by_phi = self.r * sin_psi;
+        let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
         let mass_lean_lean = self.k + sin_lean_squared * self.k_2;
         let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
         let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
-        let minus_slip_x_by_psi = self.r * sin_lean * cos_psi;
-        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
-        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let w_y = phi_dot + w_2;
+        let w_3 = sin_lean * w_y;
+        let w_4 = cos_lean * psi_dot;
+        let w_5 = sin_phi * lean_dot + cos_phi * w_4;
+        let w_6 = lean_dot * cos_phi - sin_phi * w_4;
+        let w_z = cos_phi * w_5 - sin_phi * w_6;
+        let w_7 = cos_lean * w_z;
+        let w_8 = w_3 + w_7;
+        let w_9 = w_5 * phi_dot;
+        let w_10 = w_2 - phi_dot;
+        let w_11 = sin_phi * lean_dot * w_10 - cos_phi * w_4 * phi_dot;
+        let w_12 = lean_dot * cos_phi * w_10 + sin_phi * w_4 * phi_dot;
+        let w_13 = phi_dot * w_6;
+        let w_14 = sin_phi * (w_9 + w_11) + cos_phi * (w_12 + w_13);
+        let w_15 = cos_lean * (lean_dot * (w_y + w_2) - w_14)
+            - sin_lean * lean_dot * w_z;
+        let w_x = cos_phi * w_6 + sin_phi * w_5;
+        let w_16 = cos_lean * w_y - sin_lean * w_z;
+        let w_17 = sin_lean
+            * (sin_psi * psi_dot * w_8 - cos_psi * w_15
+                + lean_dot * (sin_psi * w_x + cos_psi * w_16));
+        let w_18 = psi_dot * w_x
+            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_3 - w_7) + sin_lean * w_14);
+        let w_19 = cos_phi * (w_11 + w_9) - sin_phi * (w_13 + w_12) - psi_dot * w_16;
+        let minus_slip_x_by_phi = self.r * cos_psi;
+        let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
         let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
-        let mass_phi_psi = sin_lean * self.mass_phi_phi;
-        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
-            - self.r * cos_psi;
-        let l_phi_psi = mass_phi_psi * inverse_psi;
         let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
+            - minus_slip_x_by_phi;
         let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
-        let minus_pivot_lambda_slip_x = self.inverse_x
-            + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
-            + minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
+            - self.r
+                * (w_17
+                    - cos_lean
+                        * (cos_psi * lean_dot * w_8 + (cos_psi * w_18 + sin_psi * w_19)))
+            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
+        let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+            + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
             + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
         let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
-        let slip_y_by_lean = self.r * cos_psi * cos_lean;
+        let slip_y_by_lean = minus_slip_x_by_phi * cos_lean;
         let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
-        let minus_slip_y_by_psi = self.r * sin_lean * sin_psi;
+        let minus_slip_y_by_psi = sin_lean * minus_slip_y_by_phi;
         let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
         let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
-            - self.r * sin_psi;
+            - minus_slip_y_by_phi;
         let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
         let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
             - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
             - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
         let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
             * k_lambda_slip_y_lambda_slip_x;
-        let w = self.inverse_x + slip_y_by_lean * l_lambda_slip_y_lean
-            + minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
-            + k_lambda_slip_y_phi * l_lambda_slip_y_phi;
-        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
-            * minus_l_lambda_slip_y_lambda_slip_x - w;
-        let rhs_lean = sin_lean
-            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot)
-                + self.k_4) + self.mass_phi_phi * cos_lean * psi_dot * phi_dot;
-        let w_2 = sin_lean * psi_dot;
-        let w_y = phi_dot + w_2;
-        let w_3 = sin_lean * w_y;
-        let w_4 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
-        let w_5 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
-        let w_z = cos_phi * w_4 - sin_phi * w_5;
-        let w_6 = cos_lean * w_z;
-        let w_7 = w_3 + w_6;
-        let w_8 = w_4 * phi_dot;
-        let w_9 = w_2 - phi_dot;
-        let w_10 = sin_phi * lean_dot * w_9 - cos_lean * psi_dot * cos_phi * phi_dot;
-        let w_11 = lean_dot * cos_phi * w_9 + cos_lean * sin_phi * psi_dot * phi_dot;
-        let w_12 = phi_dot * w_5;
-        let w_13 = sin_phi * (w_8 + w_10) + cos_phi * (w_11 + w_12);
-        let w_14 = cos_lean * (lean_dot * (w_y + w_2) - w_13)
-            - sin_lean * lean_dot * w_z;
-        let w_x = cos_phi * w_5 + sin_phi * w_4;
-        let w_15 = cos_lean * w_y - sin_lean * w_z;
-        let w_16 = sin_lean
-            * (sin_psi * psi_dot * w_7 - cos_psi * w_14
-                + lean_dot * (sin_psi * w_x + cos_psi * w_15));
-        let w_17 = psi_dot * w_x
-            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_3 - w_6) + sin_lean * w_13);
-        let w_18 = cos_phi * (w_10 + w_8) - sin_phi * (w_12 + w_11) - psi_dot * w_15;
-        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_2 + phi_dot);
-        let rhs_phi = minus_rhs_psi * l_phi_psi
-            - self.mass_phi_phi * cos_lean * lean_dot * psi_dot;
-        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
-            - self.r
-                * (w_16
-                    - cos_lean
-                        * (cos_psi * lean_dot * w_7 + (cos_psi * w_17 + sin_psi * w_18)))
-            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
-        let w_19 = sin_lean
-            * (cos_psi * psi_dot * w_7 + sin_psi * w_14
-                + lean_dot * (cos_psi * w_x - sin_psi * w_15));
+        let w_20 = sin_lean
+            * (cos_psi * psi_dot * w_8 + sin_psi * w_15
+                + lean_dot * (cos_psi * w_x - sin_psi * w_16));
         let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
             - self.r
                 * (cos_lean
-                    * (cos_psi * w_18 - sin_psi * w_17 - sin_psi * lean_dot * w_7)
-                    - w_19) - rhs_lean * l_lambda_slip_y_lean
-            - minus_rhs_psi * minus_l_lambda_slip_y_psi - l_lambda_slip_y_phi * rhs_phi;
+                    * (cos_psi * w_19 - sin_psi * w_18 - sin_psi * lean_dot * w_8)
+                    - w_20) - minus_rhs_psi * minus_l_lambda_slip_y_psi
+            - rhs_lean * l_lambda_slip_y_lean - l_lambda_slip_y_phi * rhs_phi;
+        let w_21 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
+            + slip_y_by_lean * l_lambda_slip_y_lean
+            + k_lambda_slip_y_phi * l_lambda_slip_y_phi + self.inverse_x;
+        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
+            * minus_l_lambda_slip_y_lambda_slip_x - w_21;
         let lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y * rhs_lambda_slip_y;
         let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
             - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
@@ -713,20 +723,20 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             ],
             multipliers: [lambda_slip_x, lambda_slip_y],
             power: sin_lean * lean_dot * self.k_4,
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
-                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_slip_x,
                     minus_pivot_lambda_slip_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_21),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (2 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 295 additions, 486 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 295 additions, 453 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -741,98 +751,105 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             psi,
             phi,
         ]);
-        let minus_slip_x_by_lean = self.r * sin_psi * cos_lean;
+        let lean_dot_squared = lean_dot * lean_dot;
+        let w = self.k_2 * lean_dot_squared;
+        let w_2 = self.mass_phi_phi * psi_dot;
+        let rhs_lean = sin_lean
+            * (cos_lean * (self.k * psi_dot * psi_dot - w) + self.k_4)
+            + cos_lean * phi_dot * w_2;
+        let w_3 = sin_lean * psi_dot;
+        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
+        let mass_phi_psi = sin_lean * self.mass_phi_phi;
         let sin_lean_squared = sin_lean * sin_lean;
-        let w = sin_lean_squared * self.k_2;
-        let mass_lean_lean = self.k + w;
-        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
-        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
-        let minus_slip_x_by_psi = self.r * sin_lean * cos_psi;
         let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
-        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
-        let mass_phi_psi = sin_lean * self.mass_phi_phi;
-        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
-            - self.r * cos_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - cos_lean * lean_dot * w_2;
+        let minus_slip_y_by_phi = self.r * sin_psi;
+        let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
+        let w_4 = sin_lean_squared * self.k_2;
+        let mass_lean_lean = self.k + w_4;
+        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
+        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
+        let w_y = phi_dot + w_3;
+        let w_5 = sin_lean * w_y;
+        let w_6 = cos_lean * psi_dot;
+        let w_7 = sin_phi * lean_dot + cos_phi * w_6;
+        let w_8 = lean_dot * cos_phi - sin_phi * w_6;
+        let w_z = cos_phi * w_7 - sin_phi * w_8;
+        let w_9 = cos_lean * w_z;
+        let w_10 = w_5 + w_9;
+        let w_11 = sin_psi * psi_dot;
+        let w_12 = w_10 * w_11;
+        let w_13 = w_7 * phi_dot;
+        let w_14 = w_3 - phi_dot;
+        let w_15 = sin_phi * lean_dot * w_14 - cos_phi * w_6 * phi_dot;
+        let w_16 = lean_dot * cos_phi * w_14 + sin_phi * w_6 * phi_dot;
+        let w_17 = phi_dot * w_8;
+        let w_18 = sin_phi * (w_13 + w_15) + cos_phi * (w_16 + w_17);
+        let w_19 = sin_lean * lean_dot;
+        let w_20 = cos_lean * (lean_dot * (w_y + w_3) - w_18) - w_19 * w_z;
+        let w_21 = cos_phi * w_8;
+        let w_22 = sin_phi * w_7;
+        let w_x = w_21 + w_22;
+        let w_23 = sin_lean * w_z;
+        let w_24 = cos_lean * w_y - w_23;
+        let w_25 = sin_psi * w_x + cos_psi * w_24;
+        let w_26 = lean_dot * w_25;
+        let w_27 = cos_psi * lean_dot;
+        let w_28 = psi_dot * cos_lean * cos_lean;
+        let w_29 = sin_lean * w_18;
+        let w_30 = psi_dot * w_x + (lean_dot * (w_28 - w_5 - w_9) + w_29);
+        let w_31 = psi_dot * w_24;
+        let w_32 = cos_phi * (w_15 + w_13) - sin_phi * (w_17 + w_16) - w_31;
+        let w_33 = cos_psi * w_30 + sin_psi * w_32;
+        let minus_slip_x_by_phi = self.r * cos_psi;
+        let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
+        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
         let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
+            - minus_slip_x_by_phi;
         let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
-        let minus_pivot_lambda_slip_x = self.inverse_x
-            + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
-            + minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
+            - self.r
+                * (sin_lean * (w_12 - cos_psi * w_20 + w_26)
+                    - cos_lean * (w_10 * w_27 + w_33))
+            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
+        let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
+            + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
             + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
         let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
-        let slip_y_by_lean = self.r * cos_psi * cos_lean;
+        let slip_y_by_lean = minus_slip_x_by_phi * cos_lean;
         let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
-        let minus_slip_y_by_psi = self.r * sin_lean * sin_psi;
+        let minus_slip_y_by_psi = sin_lean * minus_slip_y_by_phi;
         let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
         let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
-            - self.r * sin_psi;
+            - minus_slip_y_by_phi;
         let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
         let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
             - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
             - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
         let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
             * k_lambda_slip_y_lambda_slip_x;
-        let w_2 = self.inverse_x + slip_y_by_lean * l_lambda_slip_y_lean
-            + minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
-            + k_lambda_slip_y_phi * l_lambda_slip_y_phi;
-        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
-            * minus_l_lambda_slip_y_lambda_slip_x - w_2;
-        let inverse_lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y;
-        let w_3 = sin_lean * psi_dot;
-        let w_y = phi_dot + w_3;
-        let w_4 = sin_phi * lean_dot + cos_lean * psi_dot * cos_phi;
-        let w_5 = w_4 * phi_dot;
-        let w_6 = w_3 - phi_dot;
-        let w_7 = sin_phi * lean_dot * w_6 - cos_lean * psi_dot * cos_phi * phi_dot;
-        let w_8 = lean_dot * cos_phi * w_6 + cos_lean * sin_phi * psi_dot * phi_dot;
-        let w_9 = lean_dot * cos_phi - cos_lean * sin_phi * psi_dot;
-        let w_10 = phi_dot * w_9;
-        let w_11 = sin_phi * (w_5 + w_7) + cos_phi * (w_8 + w_10);
-        let w_z = cos_phi * w_4 - sin_phi * w_9;
-        let w_12 = cos_lean * (lean_dot * (w_y + w_3) - w_11)
-            - sin_lean * lean_dot * w_z;
-        let lean_dot_squared = lean_dot * lean_dot;
-        let rhs_lean = sin_lean
-            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot_squared)
-                + self.k_4) + self.mass_phi_phi * cos_lean * psi_dot * phi_dot;
-        let w_13 = sin_lean * w_y;
-        let w_14 = cos_lean * w_z;
-        let w_15 = w_13 + w_14;
-        let w_16 = sin_psi * psi_dot * w_15;
-        let w_17 = cos_phi * w_9;
-        let w_18 = sin_phi * w_4;
-        let w_x = w_17 + w_18;
-        let w_19 = sin_lean * w_z;
-        let w_20 = cos_lean * w_y - w_19;
-        let w_21 = sin_psi * w_x + cos_psi * w_20;
-        let w_22 = lean_dot * w_21;
-        let w_23 = psi_dot * cos_lean * cos_lean;
-        let w_24 = sin_lean * w_11;
-        let w_25 = psi_dot * w_x + (lean_dot * (w_23 - w_13 - w_14) + w_24);
-        let w_26 = psi_dot * w_20;
-        let w_27 = cos_phi * (w_7 + w_5) - sin_phi * (w_10 + w_8) - w_26;
-        let w_28 = cos_psi * w_25 + sin_psi * w_27;
-        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
-        let rhs_phi = minus_rhs_psi * l_phi_psi
-            - self.mass_phi_phi * cos_lean * lean_dot * psi_dot;
-        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
-            - self.r
-                * (sin_lean * (w_16 - cos_psi * w_12 + w_22)
-                    - cos_lean * (cos_psi * lean_dot * w_15 + w_28))
-            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
-        let w_29 = cos_psi * w_27 - sin_psi * w_25;
-        let w_30 = sin_psi * lean_dot * w_15;
-        let w_31 = cos_psi * psi_dot * w_15;
-        let w_32 = cos_psi * w_x - sin_psi * w_20;
-        let w_33 = lean_dot * w_32;
+        let w_34 = cos_psi * w_32 - sin_psi * w_30;
+        let w_35 = sin_psi * lean_dot;
+        let w_36 = w_10 * w_35;
+        let w_37 = cos_psi * psi_dot;
+        let w_38 = w_10 * w_37;
+        let w_39 = cos_psi * w_x - sin_psi * w_24;
+        let w_40 = lean_dot * w_39;
         let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
             - self.r
-                * (cos_lean * (w_29 - w_30) - sin_lean * (w_31 + sin_psi * w_12 + w_33))
-            - rhs_lean * l_lambda_slip_y_lean - minus_rhs_psi * minus_l_lambda_slip_y_psi
+                * (cos_lean * (w_34 - w_36) - sin_lean * (w_38 + sin_psi * w_20 + w_40))
+            - minus_rhs_psi * minus_l_lambda_slip_y_psi - rhs_lean * l_lambda_slip_y_lean
             - l_lambda_slip_y_phi * rhs_phi;
+        let w_41 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
+            + slip_y_by_lean * l_lambda_slip_y_lean
+            + k_lambda_slip_y_phi * l_lambda_slip_y_phi + self.inverse_x;
+        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
+            * minus_l_lambda_slip_y_lambda_slip_x - w_41;
+        let inverse_lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y;
         let lambda_slip_y = inverse_lambda_slip_y * rhs_lambda_slip_y;
         let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
             - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
@@ -841,266 +858,262 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let psi_ddot = minus_l_lambda_slip_x_psi * lambda_slip_x
             - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
             + minus_l_lambda_slip_y_psi * lambda_slip_y;
-        let w_34 = w_12 + psi_ddot;
+        let w_42 = w_20 + psi_ddot;
         let lean_ddot = rhs_lean * inverse_lean
             + minus_l_lambda_slip_x_lean * lambda_slip_x
             - l_lambda_slip_y_lean * lambda_slip_y;
-        let w_35 = self.r
-            * (cos_psi * (sin_lean * w_34 + cos_lean * lean_dot * w_15 + phi_ddot)
-                - sin_lean * (w_16 + w_22) + cos_lean * (w_28 + sin_psi * lean_ddot));
-        let w_36 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
-        let w_37 = self.r * cos_lean * w_36;
-        let w_38 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
-        let w_39 = self.r * sin_lean * w_38;
-        let w_40 = self.r * w_38;
-        let w_41 = w_40 - l_phi_psi * w_39;
-        let w_42 = self.r
-            * (cos_lean * (w_29 - w_30 + cos_psi * lean_ddot)
-                - sin_lean * (sin_psi * w_34 + w_31 + w_33) - sin_psi * phi_ddot);
-        let w_43 = w_42 + minus_l_lambda_slip_x_lean * w_37
-            + minus_l_lambda_slip_x_psi * w_39 - l_lambda_slip_x_phi * w_41;
-        let w_44 = inverse_lambda_slip_y
-            * (w_35 - l_lambda_slip_y_lean * w_37 + minus_l_lambda_slip_y_psi * w_39
-                - l_lambda_slip_y_phi * w_41
-                + minus_l_lambda_slip_y_lambda_slip_x * w_43);
-        let w_45 = minus_l_lambda_slip_y_lambda_slip_x * w_44
-            - minus_inverse_lambda_slip_x * w_43;
-        let w_46 = lean_dot * w_20 + w_12 + psi_ddot;
-        let w_47 = psi_dot
-            * (sin_lean * cos_phi * phi_dot + cos_lean * sin_phi * lean_dot);
-        let w_48 = psi_dot
-            * (sin_lean * sin_phi * phi_dot - cos_lean * lean_dot * cos_phi);
-        let w_49 = psi_dot - w_13 - w_14;
-        let w_50 = cos_phi * w_47 + sin_phi * w_48 - sin_lean * psi_dot * phi_dot
-            - psi_dot * w_49;
-        let w_51 = cos_phi * w_48 - sin_phi * w_47;
-        let w_52 = cos_lean
-            * (lean_dot * (w_y + sin_lean * psi_dot * S::from_f64(2.0)) - w_11)
-            + sin_lean * (w_51 - lean_dot * w_z);
-        let w_53 = lean_dot * (w_15 + w_49)
+        let w_43 = self.r
+            * (cos_psi * (sin_lean * w_42 + cos_lean * lean_dot * w_10 + phi_ddot)
+                - sin_lean * (w_12 + w_26) + cos_lean * (w_33 + sin_psi * lean_ddot));
+        let w_44 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
+        let w_45 = self.r * sin_lean * w_44;
+        let w_46 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
+        let w_47 = self.r * cos_lean * w_46;
+        let w_48 = self.r * w_44;
+        let w_49 = w_48 - l_phi_psi * w_45;
+        let w_50 = self.r
+            * (cos_lean * (w_34 - w_36 + cos_psi * lean_ddot)
+                - sin_lean * (sin_psi * w_42 + w_38 + w_40) - sin_psi * phi_ddot);
+        let w_51 = w_50 + minus_l_lambda_slip_x_psi * w_45
+            + minus_l_lambda_slip_x_lean * w_47 - l_lambda_slip_x_phi * w_49;
+        let w_52 = inverse_lambda_slip_y
+            * (w_43 + minus_l_lambda_slip_y_psi * w_45 - l_lambda_slip_y_lean * w_47
+                - l_lambda_slip_y_phi * w_49
+                + minus_l_lambda_slip_y_lambda_slip_x * w_51);
+        let w_53 = minus_l_lambda_slip_y_lambda_slip_x * w_52
+            - minus_inverse_lambda_slip_x * w_51;
+        let w_54 = lean_dot * w_24 + w_20 + psi_ddot;
+        let w_55 = sin_lean * cos_phi;
+        let w_56 = cos_lean * sin_phi;
+        let w_57 = psi_dot * (phi_dot * w_55 + lean_dot * w_56);
+        let w_58 = sin_lean * sin_phi;
+        let w_59 = cos_lean * cos_phi;
+        let w_60 = psi_dot * (phi_dot * w_58 - lean_dot * w_59);
+        let w_61 = psi_dot - w_5 - w_9;
+        let w_62 = cos_phi * w_57 + sin_phi * w_60 - sin_lean * psi_dot * phi_dot
+            - psi_dot * w_61;
+        let w_63 = cos_phi * w_60 - sin_phi * w_57;
+        let w_64 = cos_lean
+            * (lean_dot * (w_y + sin_lean * psi_dot * S::from_f64(2.0)) - w_18)
+            + sin_lean * (w_63 - lean_dot * w_z);
+        let w_65 = lean_dot * (w_10 + w_61)
             + (lean_dot
                 * (S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0))
-                    + w_13 + w_14) - w_24 - cos_lean * w_51);
-        let w_54 = cos_lean
-            * (sin_psi * w_46 + w_31 - (cos_psi * w_50 + sin_psi * w_52) + w_33)
-            + sin_lean * (cos_psi * (w_26 + lean_ddot) - sin_psi * w_53 + w_29);
-        let w_55 = self.k_2
-            * (psi_dot * (cos_lean * w_4 - sin_lean * cos_phi * w_y) - w_47);
-        let w_56 = self.k_2
-            * (psi_dot * (sin_lean * sin_phi * w_y + cos_lean * w_9) + w_48);
-        let w_57 = cos_lean * (self.g - self.r * cos_lean * lean_dot_squared) * self.k_3;
-        let w_58 = sin_lean * (w_40 - cos_lean * lean_ddot * self.k_5)
-            + S::from_f64(0.25) * (cos_phi * w_55 - sin_phi * w_56)
-            + sin_lean_squared * self.k_2 * lean_dot_squared + w_57;
-        let w_59 = cos_phi * self.k_2
-            * (w_y * w_9 + (w_10 - sin_lean * lean_dot * psi_dot * cos_phi));
-        let w_60 = S::from_f64(0.25) * sin_lean
-            * (sin_phi * self.k_2
-                * (w_4 * w_y + (w_5 - sin_lean * sin_phi * lean_dot * psi_dot)) + w_59);
-        let w_61 = cos_lean
-            * (self.r * w_36 - S::from_f64(0.25) * (sin_phi * w_55 + cos_phi * w_56)
-                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot)) + w_60
-            + lean_dot * psi_dot * (w - self.mass_phi_phi);
-        let w_62 = self.mass_phi_phi
-            * (sin_lean * lean_dot * psi_dot - cos_lean * psi_ddot) - l_phi_psi * w_61;
-        let w_63 = sin_psi
-            * (psi_dot * (cos_lean * w_15 + sin_lean * w_20) + sin_lean * lean_ddot);
-        let w_64 = self.r
-            * (cos_psi * (cos_lean * w_46 - sin_lean * w_53) - w_63
-                + cos_lean * (sin_psi * w_50 - cos_psi * w_52 - w_22) - sin_lean * w_28);
-        let w_65 = w_64 + minus_l_lambda_slip_x_lean * w_58
-            + minus_l_lambda_slip_x_psi * w_61 - l_lambda_slip_x_phi * w_62;
-        let w_66 = inverse_lambda_slip_y
-            * (self.r * w_54 - l_lambda_slip_y_lean * w_58
-                + minus_l_lambda_slip_y_psi * w_61 - l_lambda_slip_y_phi * w_62
-                + minus_l_lambda_slip_y_lambda_slip_x * w_65);
-        let w_67 = minus_l_lambda_slip_y_lambda_slip_x * w_66
-            - minus_inverse_lambda_slip_x * w_65;
-        let w_68 = inverse_phi * w_41 - l_lambda_slip_x_phi * w_45
-            - l_lambda_slip_y_phi * w_44;
-        let w_69 = inverse_phi * w_62 - l_lambda_slip_x_phi * w_67
-            - l_lambda_slip_y_phi * w_66;
-        let w_70 = w_15 + psi_dot;
-        let w_71 = cos_lean * sin_phi * phi_dot + sin_lean * lean_dot * cos_phi;
-        let w_72 = cos_lean * cos_phi * phi_dot - sin_lean * sin_phi * lean_dot;
-        let w_73 = cos_phi * w_71 - sin_phi * w_72;
-        let w_74 = cos_lean * (sin_lean * lean_dot - w_73);
-        let w_75 = sin_psi * lean_dot;
-        let w_76 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_73);
-        let w_77 = w_20 + (cos_phi * w_72 + sin_phi * w_71 - cos_lean * phi_dot);
-        let w_78 = self.r
-            * (sin_lean * (cos_psi * w_70 + sin_psi * w_74)
-                + cos_lean * (w_75 + (sin_psi * w_76 + cos_psi * w_77)));
-        let w_79 = self.k_2 * (cos_lean * cos_phi * w_y + sin_lean * w_4 + w_72);
-        let w_80 = self.k_2 * (sin_lean * w_9 - cos_lean * sin_phi * w_y - w_71);
-        let w_81 = S::from_f64(0.25) * (cos_phi * w_79 - sin_phi * w_80);
-        let w_82 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_79 + cos_phi * w_80)
-                + sin_lean * self.mass_phi_phi * lean_dot);
-        let w_83 = l_phi_psi * w_82 - self.mass_phi_phi * cos_lean * lean_dot;
-        let w_84 = cos_psi * lean_dot;
-        let w_85 = self.r
-            * (sin_lean * (cos_psi * w_74 - sin_psi * w_70)
-                + cos_lean * (w_84 + (cos_psi * w_76 - sin_psi * w_77)))
-            + minus_l_lambda_slip_x_lean * w_81 - minus_l_lambda_slip_x_psi * w_82
-            - l_lambda_slip_x_phi * w_83;
-        let w_86 = inverse_lambda_slip_y
-            * (w_78 - l_lambda_slip_y_lean * w_81 - minus_l_lambda_slip_y_psi * w_82
-                - l_lambda_slip_y_phi * w_83
-                + minus_l_lambda_slip_y_lambda_slip_x * w_85);
-        let w_87 = minus_l_lambda_slip_y_lambda_slip_x * w_86
-            - minus_inverse_lambda_slip_x * w_85;
-        let w_88 = cos_phi * (phi_dot - w_3);
-        let w_89 = sin_phi * w_6;
-        let w_90 = phi_dot - cos_phi * w_88 + sin_phi * w_89;
-        let w_91 = cos_lean * (w_y + w_3 - w_90) - w_19;
-        let w_92 = sin_lean * (w_y - w_90) + w_14 - w_23;
-        let w_93 = cos_phi * w_89 + sin_phi * w_88;
-        let w_94 = self.r
-            * (sin_lean * (sin_psi * w_91 + w_32 + w_84)
+                    + w_5 + w_9) - w_29 - cos_lean * w_63);
+        let w_66 = cos_lean
+            * (sin_psi * w_54 + w_38 - (cos_psi * w_62 + sin_psi * w_64) + w_40)
+            + sin_lean * (cos_psi * (w_31 + lean_ddot) - sin_psi * w_65 + w_34);
+        let w_67 = self.k_2 * (psi_dot * (cos_lean * w_7 - w_y * w_55) - w_57);
+        let w_68 = self.k_2 * (psi_dot * (w_y * w_58 + cos_lean * w_8) + w_60);
+        let w_69 = cos_lean
+            * (self.r * w_46 - S::from_f64(0.25) * (sin_phi * w_67 + cos_phi * w_68)
+                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot));
+        let w_70 = sin_phi * self.k_2 * (w_7 * w_y + (w_13 - sin_phi * psi_dot * w_19))
+            + cos_phi * self.k_2 * (w_y * w_8 + (w_17 - psi_dot * cos_phi * w_19));
+        let w_71 = w_69 + S::from_f64(0.25) * sin_lean * w_70
+            + lean_dot * psi_dot * (w_4 - self.mass_phi_phi);
+        let w_72 = cos_lean * self.k_5;
+        let w_73 = sin_lean * (w_48 - lean_ddot * w_72)
+            + S::from_f64(0.25) * (cos_phi * w_67 - sin_phi * w_68)
+            + sin_lean_squared * w
+            + cos_lean * (self.g - self.r * cos_lean * lean_dot_squared) * self.k_3;
+        let w_74 = self.mass_phi_phi
+            * (sin_lean * lean_dot * psi_dot - cos_lean * psi_ddot) - l_phi_psi * w_71;
+        let w_75 = sin_psi
+            * (psi_dot * (cos_lean * w_10 + sin_lean * w_24) + sin_lean * lean_ddot);
+        let w_76 = self.r
+            * (cos_psi * (cos_lean * w_54 - sin_lean * w_65) - w_75
+                + cos_lean * (sin_psi * w_62 - cos_psi * w_64 - w_26) - sin_lean * w_33);
+        let w_77 = w_76 + minus_l_lambda_slip_x_psi * w_71
+            + minus_l_lambda_slip_x_lean * w_73 - l_lambda_slip_x_phi * w_74;
+        let w_78 = inverse_lambda_slip_y
+            * (self.r * w_66 + minus_l_lambda_slip_y_psi * w_71
+                - l_lambda_slip_y_lean * w_73 - l_lambda_slip_y_phi * w_74
+                + minus_l_lambda_slip_y_lambda_slip_x * w_77);
+        let w_79 = minus_l_lambda_slip_y_lambda_slip_x * w_78
+            - minus_inverse_lambda_slip_x * w_77;
+        let w_80 = inverse_phi * w_49 - l_lambda_slip_x_phi * w_53
+            - l_lambda_slip_y_phi * w_52;
+        let w_81 = inverse_phi * w_74 - l_lambda_slip_x_phi * w_79
+            - l_lambda_slip_y_phi * w_78;
+        let w_82 = w_10 + psi_dot;
+        let w_83 = phi_dot * w_56 + cos_phi * w_19;
+        let w_84 = phi_dot * w_59 - sin_phi * w_19;
+        let w_85 = cos_phi * w_83 - sin_phi * w_84;
+        let w_86 = cos_lean * (w_19 - w_85);
+        let w_87 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_85);
+        let w_88 = w_24 + (cos_phi * w_84 + sin_phi * w_83 - cos_lean * phi_dot);
+        let w_89 = self.r
+            * (sin_lean * (cos_psi * w_82 + sin_psi * w_86)
+                + cos_lean * (w_35 + (sin_psi * w_87 + cos_psi * w_88)));
+        let w_90 = self.k_2 * (w_y * w_59 + sin_lean * w_7 + w_84);
+        let w_91 = self.k_2 * (sin_lean * w_8 - w_y * w_56 - w_83);
+        let w_92 = self.mass_phi_phi * lean_dot;
+        let w_93 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_90 + cos_phi * w_91) + sin_lean * w_92);
+        let w_94 = S::from_f64(0.25) * (cos_phi * w_90 - sin_phi * w_91);
+        let w_95 = l_phi_psi * w_93 - cos_lean * w_92;
+        let w_96 = self.r
+            * (sin_lean * (cos_psi * w_86 - sin_psi * w_82)
+                + cos_lean * (w_27 + (cos_psi * w_87 - sin_psi * w_88)))
+            - minus_l_lambda_slip_x_psi * w_93 + minus_l_lambda_slip_x_lean * w_94
+            - l_lambda_slip_x_phi * w_95;
+        let w_97 = inverse_lambda_slip_y
+            * (w_89 - minus_l_lambda_slip_y_psi * w_93 - l_lambda_slip_y_lean * w_94
+                - l_lambda_slip_y_phi * w_95
+                + minus_l_lambda_slip_y_lambda_slip_x * w_96);
+        let w_98 = minus_l_lambda_slip_y_lambda_slip_x * w_97
+            - minus_inverse_lambda_slip_x * w_96;
+        let w_99 = cos_phi * (phi_dot - w_3);
+        let w_100 = sin_phi * w_14;
+        let w_101 = phi_dot - cos_phi * w_99 + sin_phi * w_100;
+        let w_102 = cos_lean * (w_y + w_3 - w_101) - w_23;
+        let w_103 = sin_lean * (w_y - w_101) + w_9 - w_28;
+        let w_104 = cos_phi * w_100 + sin_phi * w_99;
+        let w_105 = self.r
+            * (sin_lean * (sin_psi * w_102 + w_39 + w_27)
                 + cos_lean
-                    * (sin_psi * w_15 - (sin_psi * (w_92 - psi_dot) + cos_psi * w_93)));
-        let w_95 = self.k_2 * (sin_phi * w_y - w_89);
-        let w_96 = self.k_2 * (cos_phi * w_y + w_88);
-        let w_97 = S::from_f64(0.25) * (cos_phi * w_95 - sin_phi * w_96)
-            - sin_lean * cos_lean * lean_dot * self.k_5;
-        let w_98 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_95 + cos_phi * w_96)
-                + sin_lean * self.mass_phi_phi * psi_dot);
-        let w_99 = l_phi_psi * w_98 - self.mass_phi_phi * cos_lean * psi_dot;
-        let w_100 = self.r
-            * (sin_lean * (cos_psi * w_91 - w_21 - w_75)
+                    * (sin_psi * w_10
+                        - (sin_psi * (w_103 - psi_dot) + cos_psi * w_104)));
+        let w_106 = self.k_2 * (sin_phi * w_y - w_100);
+        let w_107 = self.k_2 * (cos_phi * w_y + w_99);
+        let w_108 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_106 + cos_phi * w_107) + sin_lean * w_2);
+        let w_109 = S::from_f64(0.25) * (cos_phi * w_106 - sin_phi * w_107)
+            - w_19 * w_72;
+        let w_110 = l_phi_psi * w_108 - cos_lean * w_2;
+        let w_111 = self.r
+            * (sin_lean * (cos_psi * w_102 - w_25 - w_35)
                 + cos_lean
-                    * (cos_psi * w_15 + (cos_psi * (psi_dot - w_92) + sin_psi * w_93)));
-        let w_101 = w_100 + minus_l_lambda_slip_x_lean * w_97
-            - minus_l_lambda_slip_x_psi * w_98 - l_lambda_slip_x_phi * w_99;
-        let w_102 = inverse_lambda_slip_y
-            * (w_94 - l_lambda_slip_y_lean * w_97 - minus_l_lambda_slip_y_psi * w_98
-                - l_lambda_slip_y_phi * w_99
-                + minus_l_lambda_slip_y_lambda_slip_x * w_101);
-        let w_103 = minus_l_lambda_slip_y_lambda_slip_x * w_102
-            - minus_inverse_lambda_slip_x * w_101;
-        let w_104 = sin_lean * sin_psi * lean_dot;
-        let w_105 = self.mass_phi_phi * w_z;
-        let w_106 = self.mass_phi_phi * cos_lean * (w_18 + w_17);
-        let w_107 = l_phi_psi * w_106;
-        let w_108 = sin_lean * cos_psi * lean_dot;
-        let w_109 = self.r
-            * (cos_lean * (w_108 - (w_108 + sin_psi * cos_lean * psi_dot))
-                - sin_lean_squared * sin_psi * psi_dot)
-            + minus_l_lambda_slip_x_lean * w_105 - minus_l_lambda_slip_x_psi * w_106
-            - l_lambda_slip_x_phi * w_107;
-        let w_110 = self.r
-            * (cos_lean * (w_104 + (cos_psi * cos_lean * psi_dot - w_104))
-                + sin_lean_squared * cos_psi * psi_dot) - l_lambda_slip_y_lean * w_105
-            - minus_l_lambda_slip_y_psi * w_106 - l_lambda_slip_y_phi * w_107
-            + minus_l_lambda_slip_y_lambda_slip_x * w_109;
-        let w_111 = inverse_lambda_slip_y * w_110;
-        let w_112 = minus_l_lambda_slip_y_lambda_slip_x * w_111
-            - minus_inverse_lambda_slip_x * w_109;
-        let w_113 = inverse_phi * w_83 - l_lambda_slip_x_phi * w_87
-            - l_lambda_slip_y_phi * w_86;
-        let w_114 = inverse_phi * w_99 - l_lambda_slip_x_phi * w_103
-            - l_lambda_slip_y_phi * w_102;
-        let w_115 = inverse_phi * w_107 - l_lambda_slip_x_phi * w_112
-            - l_lambda_slip_y_phi * w_111;
+                    * (cos_psi * w_10
+                        + (cos_psi * (psi_dot - w_103) + sin_psi * w_104)));
+        let w_112 = w_111 - minus_l_lambda_slip_x_psi * w_108
+            + minus_l_lambda_slip_x_lean * w_109 - l_lambda_slip_x_phi * w_110;
+        let w_113 = inverse_lambda_slip_y
+            * (w_105 - minus_l_lambda_slip_y_psi * w_108 - l_lambda_slip_y_lean * w_109
+                - l_lambda_slip_y_phi * w_110
+                + minus_l_lambda_slip_y_lambda_slip_x * w_112);
+        let w_114 = minus_l_lambda_slip_y_lambda_slip_x * w_113
+            - minus_inverse_lambda_slip_x * w_112;
+        let w_115 = sin_psi * w_19;
+        let w_116 = self.mass_phi_phi * cos_lean * (w_22 + w_21);
+        let w_117 = self.mass_phi_phi * w_z;
+        let w_118 = l_phi_psi * w_116;
+        let w_119 = cos_psi * w_19;
+        let w_120 = self.r
+            * (cos_lean * (w_119 - (w_119 + sin_psi * w_6)) - sin_lean_squared * w_11)
+            - minus_l_lambda_slip_x_psi * w_116 + minus_l_lambda_slip_x_lean * w_117
+            - l_lambda_slip_x_phi * w_118;
+        let w_121 = self.r
+            * (cos_lean * (w_115 + (cos_psi * w_6 - w_115)) + sin_lean_squared * w_37)
+            - minus_l_lambda_slip_y_psi * w_116 - l_lambda_slip_y_lean * w_117
+            - l_lambda_slip_y_phi * w_118 + minus_l_lambda_slip_y_lambda_slip_x * w_120;
+        let w_122 = inverse_lambda_slip_y * w_121;
+        let w_123 = minus_l_lambda_slip_y_lambda_slip_x * w_122
+            - minus_inverse_lambda_slip_x * w_120;
+        let w_124 = inverse_phi * w_95 - l_lambda_slip_x_phi * w_98
+            - l_lambda_slip_y_phi * w_97;
+        let w_125 = inverse_phi * w_110 - l_lambda_slip_x_phi * w_114
+            - l_lambda_slip_y_phi * w_113;
+        let w_126 = inverse_phi * w_118 - l_lambda_slip_x_phi * w_123
+            - l_lambda_slip_y_phi * w_122;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_45),
-                    -(self.inverse_x * w_67),
+                    -(self.inverse_x * w_53),
+                    -(self.inverse_x * w_79),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_44),
-                    -(self.inverse_x * w_66),
+                    -(self.inverse_x * w_52),
+                    -(self.inverse_x * w_78),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_psi * w_39 - l_phi_psi * w_68
-                        + minus_l_lambda_slip_x_psi * w_45
-                        + minus_l_lambda_slip_y_psi * w_44,
-                    inverse_psi * w_61 - l_phi_psi * w_69
-                        + minus_l_lambda_slip_x_psi * w_67
-                        + minus_l_lambda_slip_y_psi * w_66,
+                    inverse_psi * w_45 - l_phi_psi * w_80
+                        + minus_l_lambda_slip_x_psi * w_53
+                        + minus_l_lambda_slip_y_psi * w_52,
+                    inverse_psi * w_71 - l_phi_psi * w_81
+                        + minus_l_lambda_slip_x_psi * w_79
+                        + minus_l_lambda_slip_y_psi * w_78,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_lean * w_37 + minus_l_lambda_slip_x_lean * w_45
-                        - l_lambda_slip_y_lean * w_44,
-                    inverse_lean * w_58 + minus_l_lambda_slip_x_lean * w_67
-                        - l_lambda_slip_y_lean * w_66,
+                    inverse_lean * w_47 + minus_l_lambda_slip_x_lean * w_53
+                        - l_lambda_slip_y_lean * w_52,
+                    inverse_lean * w_73 + minus_l_lambda_slip_x_lean * w_79
+                        - l_lambda_slip_y_lean * w_78,
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_68, w_69, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_80, w_81, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_87),
-                    -(self.inverse_x * w_103),
-                    -(self.inverse_x * w_112),
+                    -(self.inverse_x * w_98),
+                    -(self.inverse_x * w_114),
+                    -(self.inverse_x * w_123),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_86),
-                    -(self.inverse_x * w_102),
-                    -(self.inverse_x * w_111),
+                    -(self.inverse_x * w_97),
+                    -(self.inverse_x * w_113),
+                    -(self.inverse_x * w_122),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    minus_l_lambda_slip_x_psi * w_87 - inverse_psi * w_82
-                        - l_phi_psi * w_113 + minus_l_lambda_slip_y_psi * w_86,
-                    minus_l_lambda_slip_x_psi * w_103 - inverse_psi * w_98
-                        - l_phi_psi * w_114 + minus_l_lambda_slip_y_psi * w_102,
-                    minus_l_lambda_slip_x_psi * w_112 - inverse_psi * w_106
-                        - l_phi_psi * w_115 + minus_l_lambda_slip_y_psi * w_111,
+                    minus_l_lambda_slip_x_psi * w_98 - inverse_psi * w_93
+                        - l_phi_psi * w_124 + minus_l_lambda_slip_y_psi * w_97,
+                    minus_l_lambda_slip_x_psi * w_114 - inverse_psi * w_108
+                        - l_phi_psi * w_125 + minus_l_lambda_slip_y_psi * w_113,
+                    minus_l_lambda_slip_x_psi * w_123 - inverse_psi * w_116
+                        - l_phi_psi * w_126 + minus_l_lambda_slip_y_psi * w_122,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_lean * w_81 + minus_l_lambda_slip_x_lean * w_87
-                        - l_lambda_slip_y_lean * w_86,
-                    inverse_lean * w_97 + minus_l_lambda_slip_x_lean * w_103
-                        - l_lambda_slip_y_lean * w_102,
-                    inverse_lean * w_105 + minus_l_lambda_slip_x_lean * w_112
-                        - l_lambda_slip_y_lean * w_111,
+                    inverse_lean * w_94 + minus_l_lambda_slip_x_lean * w_98
+                        - l_lambda_slip_y_lean * w_97,
+                    inverse_lean * w_109 + minus_l_lambda_slip_x_lean * w_114
+                        - l_lambda_slip_y_lean * w_113,
+                    inverse_lean * w_117 + minus_l_lambda_slip_x_lean * w_123
+                        - l_lambda_slip_y_lean * w_122,
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_113, w_114, w_115],
+                [S::from_f64(0.0), S::from_f64(0.0), w_124, w_125, w_126],
             ],
             multipliers_by_positions: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_45, w_67, S::from_f64(0.0)],
-                [S::from_f64(0.0), S::from_f64(0.0), w_44, w_66, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_53, w_79, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_52, w_78, S::from_f64(0.0)],
             ],
             multipliers_by_speeds: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_87, w_103, w_112],
-                [S::from_f64(0.0), S::from_f64(0.0), w_86, w_102, w_111],
+                [S::from_f64(0.0), S::from_f64(0.0), w_98, w_114, w_123],
+                [S::from_f64(0.0), S::from_f64(0.0), w_97, w_113, w_122],
             ],
-            refused: sim_kernel::pivot_is_refused(self.m, self.m)
+            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
-                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_slip_x,
                     minus_pivot_lambda_slip_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_2),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_41),
         }
     }
     /// The kinematic differential equations `q' = N u + n`: speeds (5) of generalised speeds `u` (3), from `u = W q' + w` and what they satisfy by construction. Where `refused` is set a pivot was too small and nothing else holds: no generalised speeds determine the speeds there.
     ///
-    /// Operations: 3 additions, 12 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 3 additions, 11 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn kinematics(
         &self,
@@ -1111,12 +1124,13 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let [_, _, psi, lean, _] = *q;
         let [roll, nod, turn] = *u;
         let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let w = cos_lean * nod;
         let pivot_psi_dot = cos_lean * cos_lean;
         let psi_dot = S::from_f64(1.0) / pivot_psi_dot * cos_lean * turn;
         sim_kernel::Kinematics {
             rates: [
-                self.r * (sin_psi * cos_lean * nod + cos_psi * roll),
-                self.r * (sin_psi * roll - cos_psi * cos_lean * nod),
+                self.r * (sin_psi * w + cos_psi * roll),
+                self.r * (sin_psi * roll - cos_psi * w),
                 psi_dot,
                 nod,
                 roll - sin_lean * psi_dot,
@@ -1133,7 +1147,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ///
     /// with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 5 additions, 31 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 5 additions, 29 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn speed_dynamics(
         &self,
@@ -1148,17 +1162,19 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let inverse_psi_dot = S::from_f64(1.0) / pivot_psi_dot;
         let psi_dot = inverse_psi_dot * cos_lean * turn;
         let psi_by_turn = cos_lean * inverse_psi_dot;
-        let pivot_turn_dot = self.k * pivot_psi_dot * psi_by_turn * psi_by_turn;
+        let w = cos_lean * nod;
+        let w_2 = self.k * pivot_psi_dot;
+        let pivot_turn_dot = psi_by_turn * psi_by_turn * w_2;
         sim_kernel::SpeedDynamics {
             rates: [
-                -(self.k_2 * cos_lean * psi_dot * nod * self.inverse_roll_dot),
+                -(self.k_2 * psi_dot * w * self.inverse_roll_dot),
                 (sin_lean * (self.k_4 - self.k * cos_lean * psi_dot * psi_dot)
                     + cos_lean * psi_dot * roll * self.pivot_roll_dot)
                     * self.inverse_nod_dot,
                 psi_by_turn
                     * (self.mass_phi_phi * cos_lean * nod * (sin_lean * psi_dot - roll)
-                        - self.k * pivot_psi_dot * inverse_psi_dot * sin_lean * cos_lean
-                            * psi_dot * nod) * (S::from_f64(1.0) / pivot_turn_dot),
+                        - inverse_psi_dot * sin_lean * psi_dot * w * w_2)
+                    * (S::from_f64(1.0) / pivot_turn_dot),
             ],
             multipliers: [],
             refused: sim_kernel::pivot_is_refused(

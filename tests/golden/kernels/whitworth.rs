@@ -245,9 +245,9 @@ pub struct WhitworthPrepared<S = ::core::primitive::f64> {
     k_7: S,
     k_8: S,
     inverse_alpha: S,
+    inverse_gamma: S,
     pivot_lambda_drive: S,
     minus_inverse_lambda_drive: S,
-    inverse_gamma: S,
     w: S,
     k_9: S,
     k_10: S,
@@ -259,60 +259,65 @@ pub struct WhitworthPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Whitworth<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 10 additions, 28 multiplications, 3 divisions.
+    /// Operations: 10 additions, 23 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> WhitworthPrepared<S> {
         let c_squared = self.c * self.c;
         let w = c_squared * self.m5;
         let w_2 = c_squared * self.m6;
-        let w_3 = self.c * self.m6 * self.l;
-        let w_4 = self.c * self.m5 * self.l * S::from_f64(0.5);
+        let w_3 = self.c * self.l;
+        let w_4 = self.m6 * w_3;
+        let w_5 = self.m5 * S::from_f64(0.5);
+        let w_6 = w_3 * w_5;
         let l_squared = self.l * self.l;
-        let w_5 = self.m6 * l_squared;
+        let w_7 = self.m6 * l_squared;
         let mass_gamma_gamma = self.m5 * S::from_f64(0.3333333333333333) * l_squared
-            + w_5;
+            + w_7;
+        let w_8 = self.m5 * S::from_f64(0.25);
         let inverse_J2 = S::from_f64(1.0) / self.J2;
-        let w_6 = self.c * self.m6 * self.l * S::from_f64(2.0);
-        let w_7 = self.c * self.m5 * self.l;
+        let w_9 = self.m6 * w_3 * S::from_f64(2.0);
+        let w_10 = self.m5 * w_3;
         WhitworthPrepared {
             J2: self.J2,
             c: self.c,
             mass_beta_beta: self.J4 + w + w_2,
             l: self.l,
-            k: w_3 + w_4,
-            k_2: w_4 + w_3,
+            k: w_4 + w_6,
+            k_2: w_6 + w_4,
             mass_gamma_gamma: mass_gamma_gamma,
             r: self.r,
             d: self.d,
             k_3: self.c * S::from_f64(2.0),
             k_4: self.c * self.m6,
-            k_5: self.c * self.m5 * S::from_f64(0.5),
+            k_5: self.c * w_5,
             k_6: self.m6 * self.l,
-            k_7: self.m5 * self.l * S::from_f64(0.25),
+            k_7: self.l * w_8,
             k_8: self.r * S::from_f64(2.0),
             inverse_alpha: inverse_J2,
+            inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
             pivot_lambda_drive: -inverse_J2,
             minus_inverse_lambda_drive: S::from_f64(1.0) / inverse_J2,
-            inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
             w: self.w,
-            k_9: w_6 + w_7,
-            k_10: w_7 + w_6,
+            k_9: w_9 + w_10,
+            k_10: w_10 + w_9,
             k_11: w_2 + w,
-            k_12: self.m5 * l_squared * S::from_f64(0.25) + w_5,
+            k_12: l_squared * w_8 + w_7,
             k_13: self.l * S::from_f64(2.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
     ///
-    /// Operations: 6 additions, 16 multiplications, 2 sine-cosine pairs.
+    /// Operations: 6 additions, 15 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
         let [_, beta, gamma] = *q;
         let c_squared = self.c * self.c;
         let ([sin_beta, rod_y], [link_y, rod_x]) = S::sin_cos_each([beta, gamma]);
-        let w = self.c * self.m6 * self.l;
-        let w_2 = self.c * self.m5 * self.l * S::from_f64(0.5);
-        let mass_gamma_beta = sin_beta * rod_x * (w + w_2) - link_y * rod_y * (w_2 + w);
+        let w = self.c * self.l;
+        let w_2 = self.m6 * w;
+        let w_3 = self.m5 * S::from_f64(0.5) * w;
+        let mass_gamma_beta = sin_beta * rod_x * (w_2 + w_3)
+            - link_y * rod_y * (w_3 + w_2);
         let l_squared = self.l * self.l;
         [
             [self.J2, S::from_f64(0.0), S::from_f64(0.0)],
@@ -331,20 +336,22 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 5 additions, 16 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 13 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, beta, gamma] = *q;
         let [_, beta_dot, gamma_dot] = *qd;
+        let w = self.c * self.l;
+        let w_2 = self.m6 * w;
+        let w_3 = S::from_f64(0.5) * self.m5 * w;
+        let w_4 = w_2 + w_3;
         let ([sin_beta, rod_y], [link_y, rod_x]) = S::sin_cos_each([beta, gamma]);
-        let w = self.c * self.m6 * self.l;
-        let w_2 = self.c * self.l * S::from_f64(0.5) * self.m5;
-        let w_3 = w + w_2;
+        let w_5 = sin_beta * rod_y;
+        let w_6 = link_y * rod_x;
         [
             S::from_f64(0.0),
-            -(gamma_dot * gamma_dot
-                * (sin_beta * rod_y * w_3 + link_y * rod_x * (w_2 + w))),
-            w_3 * beta_dot * beta_dot * (sin_beta * rod_y + link_y * rod_x),
+            -(gamma_dot * gamma_dot * (w_4 * w_5 + (w_3 + w_2) * w_6)),
+            w_4 * beta_dot * beta_dot * (w_5 + w_6),
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -391,7 +398,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
     }
     /// Constraint Jacobian `C_q`, 3 x 3: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 4 additions, 9 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 8 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
         let [alpha, beta, gamma] = *q;
@@ -400,11 +407,12 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
             gamma,
             alpha,
         ]);
+        let w = sin_beta * sin_alpha;
         [
             [S::from_f64(1.0), S::from_f64(0.0), S::from_f64(0.0)],
             [
-                -(self.r * (link_y * cos_alpha + sin_beta * sin_alpha)),
-                sin_beta * self.r * sin_alpha + link_y * (self.d + self.r * cos_alpha),
+                -(self.r * (link_y * cos_alpha + w)),
+                self.r * w + link_y * (self.d + self.r * cos_alpha),
                 S::from_f64(0.0),
             ],
             [S::from_f64(0.0), self.c * sin_beta, self.l * rod_x],
@@ -441,7 +449,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
     }
     /// `C` (3), `C_q` (3 x 3) and `C_t` (3) together, in SI units, for projection.
     ///
-    /// Operations: 8 additions, 15 multiplications, 3 sine-cosine pairs.
+    /// Operations: 8 additions, 14 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -455,17 +463,18 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
             gamma,
         ]);
         let A_y = self.d + self.r * cos_alpha;
+        let w = self.r * sin_alpha;
         sim_kernel::ConstraintLinearization {
             values: [
                 alpha - t * self.w,
-                A_y * sin_beta - self.r * sin_alpha * link_y,
+                A_y * sin_beta - link_y * w,
                 self.l * rod_y - link_y * self.c,
             ],
             jacobian: [
                 [S::from_f64(1.0), S::from_f64(0.0), S::from_f64(0.0)],
                 [
                     -(self.r * (link_y * cos_alpha + sin_alpha * sin_beta)),
-                    self.r * sin_alpha * sin_beta + link_y * A_y,
+                    sin_beta * w + link_y * A_y,
                     S::from_f64(0.0),
                 ],
                 [S::from_f64(0.0), sin_beta * self.c, self.l * rod_x],
@@ -475,25 +484,27 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 10 additions, 32 multiplications, 2 sine-cosine pairs.
+    /// Operations: 10 additions, 29 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
         let [_, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let ([sin_beta, rod_y], [link_y, rod_x]) = S::sin_cos_each([beta, gamma]);
-        let w = gamma_dot * self.l * rod_y;
-        let w_2 = beta_dot * self.c * link_y - w;
-        let w_3 = gamma_dot * self.l * rod_x;
-        let w_4 = beta_dot * self.c * sin_beta + w_3;
-        let w_5 = self.c * S::from_f64(2.0);
-        let w_6 = beta_dot * link_y * w_5 - w;
-        let w_7 = beta_dot * sin_beta * w_5 + w_3;
-        let w_8 = self.m5 * S::from_f64(0.125) * (w_6 * w_6 + w_7 * w_7);
-        let w_9 = gamma_dot * gamma_dot * S::from_f64(0.041666666666666664) * self.l
+        let w = beta_dot * self.c;
+        let w_2 = gamma_dot * self.l;
+        let w_3 = rod_y * w_2;
+        let w_4 = link_y * w - w_3;
+        let w_5 = w_2 * rod_x;
+        let w_6 = w * sin_beta + w_5;
+        let w_7 = beta_dot * self.c * S::from_f64(2.0);
+        let w_8 = link_y * w_7 - w_3;
+        let w_9 = sin_beta * w_7 + w_5;
+        let w_10 = self.m5 * S::from_f64(0.125) * (w_8 * w_8 + w_9 * w_9);
+        let w_11 = gamma_dot * gamma_dot * S::from_f64(0.041666666666666664) * self.l
             * self.l * self.m5;
-        S::from_f64(0.5) * self.m6 * (w_2 * w_2 + w_4 * w_4) + w_8
+        S::from_f64(0.5) * self.m6 * (w_4 * w_4 + w_6 * w_6) + w_10
             + alpha_dot * alpha_dot * S::from_f64(0.5) * self.J2
-            + beta_dot * beta_dot * S::from_f64(0.5) * self.J4 + w_9
+            + beta_dot * beta_dot * S::from_f64(0.5) * self.J4 + w_11
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -666,7 +677,7 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 33 additions, 71 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 33 additions, 68 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -676,50 +687,50 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 3], [S; 3]> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
         let ([sin_beta, rod_y, sin_alpha], [link_y, rod_x, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let minus_slot_by_alpha = self.r * (link_y * cos_alpha + sin_beta * sin_alpha);
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
-            * self.minus_inverse_lambda_drive;
-        let slot_by_beta = sin_beta * self.r * sin_alpha
-            + link_y * (self.d + self.r * cos_alpha);
+        let w = sin_beta * rod_y;
+        let w_2 = rod_x * link_y;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let minus_rhs_gamma = self.k * beta_dot_squared * (w + w_2);
         let mass_gamma_beta = sin_beta * rod_x * self.k - link_y * rod_y * self.k_2;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
-        let w = minus_slot_by_alpha * minus_l_lambda_slot_alpha
-            + slot_by_beta * l_lambda_slot_beta;
-        let pivot_lambda_slot = minus_l_lambda_slot_alpha
-            * minus_l_lambda_slot_lambda_drive - w;
-        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let w_2 = beta_dot * alpha_dot * self.k_8;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w_3 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let minus_rhs_gamma = self.k * beta_dot_squared
-            * (sin_beta * rod_y + rod_x * link_y);
-        let rhs_beta = gamma_dot_squared
-            * (sin_beta * rod_y * self.k + rod_x * link_y * self.k_2)
+        let rhs_beta = gamma_dot_squared * (self.k * w + self.k_2 * w_2)
             + minus_rhs_gamma * l_beta_gamma;
-        let minus_rhs_lambda_slot = sin_beta
-            * (cos_alpha * (w_2 - w_3) - self.d * beta_dot_squared)
-            + link_y * sin_alpha * (w_3 - w_2) + l_lambda_slot_beta * rhs_beta;
         let guide_by_gamma = self.l * rod_x;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.c * sin_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_3 = sin_beta * sin_alpha;
+        let slot_by_beta = self.r * w_3 + link_y * (self.d + self.r * cos_alpha);
         let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
+        let minus_slot_by_alpha = self.r * (link_y * cos_alpha + w_3);
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
+            * self.minus_inverse_lambda_drive;
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let w_4 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
+            + slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = minus_l_lambda_slot_alpha
+            * minus_l_lambda_slot_lambda_drive - w_4;
+        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let minus_l_lambda_guide_lambda_slot = minus_k_lambda_guide_lambda_slot
             * inverse_lambda_slot;
-        let w_4 = guide_by_gamma * l_lambda_guide_gamma
+        let w_5 = beta_dot * alpha_dot * self.k_8;
+        let w_6 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
+        let minus_rhs_lambda_slot = sin_beta
+            * (cos_alpha * (w_5 - w_6) - self.d * beta_dot_squared)
+            + link_y * sin_alpha * (w_6 - w_5) + l_lambda_slot_beta * rhs_beta;
+        let w_7 = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_4
+        let minus_pivot_lambda_guide = w_7
             + minus_k_lambda_guide_lambda_slot * minus_l_lambda_guide_lambda_slot;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
             * (minus_rhs_gamma * l_lambda_guide_gamma
@@ -744,20 +755,19 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
             power: minus_lambda_drive * self.w,
             refused: sim_kernel::pivot_is_refused(self.J2, self.J2)
                 | sim_kernel::pivot_is_refused(
-                    self.pivot_lambda_drive,
-                    self.inverse_alpha,
-                )
-                | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
                     self.mass_gamma_gamma,
                 ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
-                | sim_kernel::pivot_is_refused(pivot_lambda_slot, w)
-                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_4),
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_drive,
+                    self.inverse_alpha,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_4)
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_7),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (3 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 138 additions, 253 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 138 additions, 237 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -767,206 +777,210 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 3]> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let gamma_dot_squared = gamma_dot * gamma_dot;
         let ([sin_beta, rod_y, sin_alpha], [link_y, rod_x, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let minus_slot_by_alpha = self.r * (link_y * cos_alpha + sin_beta * sin_alpha);
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
-            * self.minus_inverse_lambda_drive;
-        let A_y = self.d + self.r * cos_alpha;
-        let slot_by_beta = sin_beta * self.r * sin_alpha + link_y * A_y;
-        let mass_gamma_beta = sin_beta * rod_x * self.k - link_y * rod_y * self.k_2;
-        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
-        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
-        let w = minus_slot_by_alpha * minus_l_lambda_slot_alpha
-            + slot_by_beta * l_lambda_slot_beta;
-        let pivot_lambda_slot = minus_l_lambda_slot_alpha
-            * minus_l_lambda_slot_lambda_drive - w;
-        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let w_2 = beta_dot * alpha_dot * self.k_8;
+        let w = sin_beta * rod_y;
+        let w_2 = rod_x * link_y;
         let beta_dot_squared = beta_dot * beta_dot;
-        let w_3 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
-        let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_4 = sin_beta * rod_y + rod_x * link_y;
-        let minus_rhs_gamma = self.k * beta_dot_squared * w_4;
-        let rhs_beta = gamma_dot_squared
-            * (sin_beta * rod_y * self.k + rod_x * link_y * self.k_2)
+        let w_3 = w + w_2;
+        let minus_rhs_gamma = self.k * beta_dot_squared * w_3;
+        let w_4 = sin_beta * rod_x;
+        let w_5 = link_y * rod_y;
+        let mass_gamma_beta = self.k * w_4 - self.k_2 * w_5;
+        let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
+        let rhs_beta = gamma_dot_squared * (self.k * w + self.k_2 * w_2)
             + minus_rhs_gamma * l_beta_gamma;
-        let minus_rhs_lambda_slot = sin_beta
-            * (cos_alpha * (w_2 - w_3) - self.d * beta_dot_squared)
-            + link_y * sin_alpha * (w_3 - w_2) + l_lambda_slot_beta * rhs_beta;
         let guide_by_gamma = self.l * rod_x;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
+        let w_6 = self.c * beta_dot_squared;
+        let w_7 = self.l * gamma_dot_squared;
+        let w_8 = rod_y * w_7;
+        let w_9 = link_y * w_6 - w_8;
+        let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.c * sin_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_10 = sin_beta * sin_alpha;
+        let A_y = self.d + self.r * cos_alpha;
+        let slot_by_beta = self.r * w_10 + link_y * A_y;
         let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
+        let w_11 = link_y * cos_alpha;
+        let minus_slot_by_alpha = self.r * (w_11 + w_10);
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
+            * self.minus_inverse_lambda_drive;
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let w_12 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
+            + slot_by_beta * l_lambda_slot_beta;
+        let pivot_lambda_slot = minus_l_lambda_slot_alpha
+            * minus_l_lambda_slot_lambda_drive - w_12;
+        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let minus_l_lambda_guide_lambda_slot = minus_k_lambda_guide_lambda_slot
             * inverse_lambda_slot;
-        let w_5 = guide_by_gamma * l_lambda_guide_gamma
+        let w_13 = beta_dot * alpha_dot * self.k_8;
+        let w_14 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
+        let minus_rhs_lambda_slot = sin_beta
+            * (cos_alpha * (w_13 - w_14) - self.d * beta_dot_squared)
+            + link_y * sin_alpha * (w_14 - w_13) + l_lambda_slot_beta * rhs_beta;
+        let w_15 = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_5
+        let minus_pivot_lambda_guide = w_15
             + minus_k_lambda_guide_lambda_slot * minus_l_lambda_guide_lambda_slot;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
-        let w_6 = self.l * rod_y * gamma_dot_squared;
-        let w_7 = self.c * link_y * beta_dot_squared - w_6;
         let minus_lambda_guide = minus_inverse_lambda_guide
-            * (minus_rhs_gamma * l_lambda_guide_gamma - w_7
+            * (minus_rhs_gamma * l_lambda_guide_gamma - w_9
                 - l_lambda_guide_beta * rhs_beta
                 - minus_l_lambda_guide_lambda_slot * minus_rhs_lambda_slot);
         let minus_lambda_slot = inverse_lambda_slot * minus_rhs_lambda_slot
             + minus_l_lambda_guide_lambda_slot * minus_lambda_guide;
-        let w_8 = link_y * sin_alpha - sin_beta * cos_alpha;
-        let w_9 = self.r * w_8;
-        let w_10 = minus_lambda_slot * w_9;
-        let w_11 = self.inverse_alpha * w_10;
-        let w_12 = self.minus_inverse_lambda_drive * w_11;
-        let w_13 = beta_dot - alpha_dot;
-        let w_14 = alpha_dot - beta_dot;
-        let w_15 = sin_beta * sin_alpha * w_14;
-        let w_16 = cos_alpha * w_14;
-        let w_17 = self.r * (w_15 + link_y * w_16);
+        let w_16 = link_y * sin_alpha;
+        let w_17 = w_16 - sin_beta * cos_alpha;
+        let w_18 = self.r * w_17;
+        let w_19 = minus_lambda_slot * w_18;
+        let w_20 = self.inverse_alpha * w_19;
+        let w_21 = self.minus_inverse_lambda_drive * w_20;
+        let w_22 = beta_dot - alpha_dot;
+        let w_23 = alpha_dot - beta_dot;
+        let w_24 = sin_beta * sin_alpha * w_23;
+        let w_25 = cos_alpha * w_23;
+        let w_26 = self.r * (w_24 + link_y * w_25);
         let beta_ddot = inverse_beta * rhs_beta + l_lambda_slot_beta * minus_lambda_slot
             + l_lambda_guide_beta * minus_lambda_guide;
         let alpha_ddot = self.inverse_alpha * minus_l_lambda_slot_lambda_drive
             * minus_lambda_slot - minus_l_lambda_slot_alpha * minus_lambda_slot;
-        let w_18 = minus_l_lambda_slot_alpha * w_10;
-        let w_19 = minus_l_lambda_slot_lambda_drive * w_11;
-        let w_20 = w_13 * w_17 + w_9 * (beta_ddot - alpha_ddot) + w_18 - w_19
-            + l_lambda_slot_beta * w_10;
-        let w_21 = minus_inverse_lambda_guide
-            * (l_lambda_guide_beta * w_10 + minus_l_lambda_guide_lambda_slot * w_20);
-        let w_22 = inverse_lambda_slot * w_20 - minus_l_lambda_guide_lambda_slot * w_21;
-        let w_23 = w_12 + minus_l_lambda_slot_lambda_drive * w_22;
-        let w_24 = sin_beta * A_y;
-        let w_25 = link_y * self.r * sin_alpha - w_24;
-        let w_26 = alpha_dot * w_17 + alpha_ddot * w_9
-            - beta_dot
-                * (self.r * (w_15 + link_y * cos_alpha * alpha_dot)
-                    - link_y * A_y * beta_dot) - beta_ddot * w_25;
-        let w_27 = link_y * beta_dot_squared * self.k_3 - w_6;
-        let w_28 = self.l * rod_x * gamma_dot_squared;
-        let w_29 = sin_beta * beta_dot_squared * self.k_3 + w_28;
-        let w_30 = self.c * sin_beta * beta_dot_squared + w_28;
+        let w_27 = minus_l_lambda_slot_alpha * w_19;
+        let w_28 = minus_l_lambda_slot_lambda_drive * w_20;
+        let w_29 = w_22 * w_26 + w_18 * (beta_ddot - alpha_ddot) + w_27
+            + l_lambda_slot_beta * w_19 - w_28;
+        let w_30 = minus_inverse_lambda_guide
+            * (l_lambda_guide_beta * w_19 + minus_l_lambda_guide_lambda_slot * w_29);
+        let w_31 = inverse_lambda_slot * w_29 - minus_l_lambda_guide_lambda_slot * w_30;
+        let w_32 = w_21 + minus_l_lambda_slot_lambda_drive * w_31;
+        let w_33 = sin_beta * A_y;
+        let w_34 = self.r * w_16 - w_33;
+        let w_35 = beta_dot_squared * self.k_3;
+        let w_36 = link_y * w_35 - w_8;
+        let w_37 = rod_x * w_7;
+        let w_38 = sin_beta * w_35 + w_37;
+        let w_39 = sin_beta * w_6 + w_37;
         let gamma_ddot = l_lambda_guide_gamma * minus_lambda_guide
             - minus_rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot;
-        let w_31 = rod_x * link_y * self.k_9 + sin_beta * rod_y * self.k_10;
-        let w_32 = S::from_f64(0.5) * gamma_ddot * w_31;
-        let w_33 = link_y
-            * (self.c * minus_lambda_guide - w_7 * self.k_4 - w_27 * self.k_5)
-            - sin_beta * (w_29 * self.k_5 + w_30 * self.k_4) - w_32
-            + minus_lambda_slot * w_25 + beta_dot_squared * self.k_11;
-        let w_34 = S::from_f64(0.5) * beta_ddot * w_31;
-        let w_35 = self.k * beta_dot_squared * (sin_beta * rod_x - link_y * rod_y)
-            - w_34;
-        let w_36 = w_33 - l_beta_gamma * w_35;
-        let w_37 = w_26 - w_18 + w_19 - l_lambda_slot_beta * w_36;
-        let w_38 = minus_inverse_lambda_guide
+        let w_40 = S::from_f64(0.5) * (w_2 * self.k_9 + w * self.k_10);
+        let w_41 = gamma_ddot * w_40;
+        let w_42 = link_y
+            * (self.c * minus_lambda_guide - w_9 * self.k_4 - w_36 * self.k_5)
+            - sin_beta * (w_38 * self.k_5 + w_39 * self.k_4) - w_41
+            + minus_lambda_slot * w_34 + beta_dot_squared * self.k_11;
+        let w_43 = beta_ddot * w_40;
+        let w_44 = self.k * beta_dot_squared * (w_4 - w_5) - w_43;
+        let w_45 = w_42 - l_beta_gamma * w_44;
+        let w_46 = alpha_dot * w_26 + alpha_ddot * w_18
+            - beta_dot * (self.r * (w_24 + w_11 * alpha_dot) - link_y * A_y * beta_dot)
+            - beta_ddot * w_34 - w_27 - l_lambda_slot_beta * w_45 + w_28;
+        let w_47 = minus_inverse_lambda_guide
             * (self.c * (sin_beta * beta_dot_squared - link_y * beta_ddot)
-                - l_lambda_guide_gamma * w_35 - l_lambda_guide_beta * w_36
-                + minus_l_lambda_guide_lambda_slot * w_37);
-        let w_39 = inverse_lambda_slot * w_37 - minus_l_lambda_guide_lambda_slot * w_38;
-        let w_40 = minus_l_lambda_slot_lambda_drive * w_39 - w_12;
-        let w_41 = rod_y
-            * (w_7 * self.k_6 + w_27 * self.k_7 - self.l * minus_lambda_guide)
-            - rod_x * (w_30 * self.k_6 + w_29 * self.k_7) + gamma_dot_squared * self.k_12
-            + w_34;
-        let w_42 = mass_gamma_beta * gamma_dot_squared + w_32 - l_beta_gamma * w_41;
-        let w_43 = l_lambda_slot_beta * w_42;
-        let w_44 = minus_inverse_lambda_guide
+                - l_lambda_guide_gamma * w_44 - l_lambda_guide_beta * w_45
+                + minus_l_lambda_guide_lambda_slot * w_46);
+        let w_48 = inverse_lambda_slot * w_46 - minus_l_lambda_guide_lambda_slot * w_47;
+        let w_49 = minus_l_lambda_slot_lambda_drive * w_48 - w_21;
+        let w_50 = rod_y
+            * (w_9 * self.k_6 + w_36 * self.k_7 - self.l * minus_lambda_guide)
+            - rod_x * (w_39 * self.k_6 + w_38 * self.k_7) + gamma_dot_squared * self.k_12
+            + w_43;
+        let w_51 = mass_gamma_beta * gamma_dot_squared + w_41 - l_beta_gamma * w_50;
+        let w_52 = l_lambda_slot_beta * w_51;
+        let w_53 = minus_inverse_lambda_guide
             * (self.l * (rod_x * gamma_dot_squared + rod_y * gamma_ddot)
-                - l_lambda_guide_gamma * w_41 - l_lambda_guide_beta * w_42
-                - minus_l_lambda_guide_lambda_slot * w_43);
-        let w_45 = inverse_lambda_slot * w_43 + minus_l_lambda_guide_lambda_slot * w_44;
-        let w_46 = minus_l_lambda_slot_lambda_drive * w_45;
-        let w_47 = l_lambda_guide_beta * w_21 - inverse_beta * w_10
-            - l_lambda_slot_beta * w_22;
-        let w_48 = inverse_beta * w_36 - l_lambda_slot_beta * w_39
-            + l_lambda_guide_beta * w_38;
-        let w_49 = inverse_beta * w_42 + l_lambda_slot_beta * w_45
-            + l_lambda_guide_beta * w_44;
-        let w_50 = self.r * (sin_beta * w_16 + link_y * sin_alpha * w_13) + w_13 * w_9;
-        let w_51 = minus_inverse_lambda_guide * minus_l_lambda_guide_lambda_slot * w_50;
-        let w_52 = inverse_lambda_slot * w_50 - minus_l_lambda_guide_lambda_slot * w_51;
-        let w_53 = minus_l_lambda_slot_lambda_drive * w_52;
-        let w_54 = self.k_9 * beta_dot * w_4;
-        let w_55 = l_beta_gamma * w_54;
-        let w_56 = self.r * (alpha_dot * w_8 - link_y * sin_alpha * beta_dot)
-            + beta_dot * (w_24 - w_25) + alpha_dot * w_9 - l_lambda_slot_beta * w_55;
-        let w_57 = minus_inverse_lambda_guide
-            * (l_lambda_guide_gamma * w_54 - link_y * beta_dot * self.k_3
-                - l_lambda_guide_beta * w_55 + minus_l_lambda_guide_lambda_slot * w_56);
-        let w_58 = inverse_lambda_slot * w_56 - minus_l_lambda_guide_lambda_slot * w_57;
-        let w_59 = minus_l_lambda_slot_lambda_drive * w_58;
-        let w_60 = gamma_dot
-            * (sin_beta * rod_y * self.k_9 + rod_x * link_y * self.k_10);
-        let w_61 = l_lambda_slot_beta * w_60;
-        let w_62 = minus_inverse_lambda_guide
-            * (rod_y * gamma_dot * self.k_13 - l_lambda_guide_beta * w_60
-                - minus_l_lambda_guide_lambda_slot * w_61);
-        let w_63 = inverse_lambda_slot * w_61 + minus_l_lambda_guide_lambda_slot * w_62;
-        let w_64 = minus_l_lambda_slot_lambda_drive * w_63;
-        let w_65 = l_lambda_guide_beta * w_51 - l_lambda_slot_beta * w_52;
-        let w_66 = inverse_beta * w_55 - l_lambda_slot_beta * w_58
-            + l_lambda_guide_beta * w_57;
-        let w_67 = inverse_beta * w_60 + l_lambda_slot_beta * w_63
-            + l_lambda_guide_beta * w_62;
+                - l_lambda_guide_gamma * w_50 - l_lambda_guide_beta * w_51
+                - minus_l_lambda_guide_lambda_slot * w_52);
+        let w_54 = inverse_lambda_slot * w_52 + minus_l_lambda_guide_lambda_slot * w_53;
+        let w_55 = minus_l_lambda_slot_lambda_drive * w_54;
+        let w_56 = l_lambda_guide_beta * w_30 - inverse_beta * w_19
+            - l_lambda_slot_beta * w_31;
+        let w_57 = inverse_beta * w_45 - l_lambda_slot_beta * w_48
+            + l_lambda_guide_beta * w_47;
+        let w_58 = inverse_beta * w_51 + l_lambda_slot_beta * w_54
+            + l_lambda_guide_beta * w_53;
+        let w_59 = self.r * (sin_beta * w_25 + link_y * sin_alpha * w_22) + w_22 * w_18;
+        let w_60 = minus_inverse_lambda_guide * minus_l_lambda_guide_lambda_slot * w_59;
+        let w_61 = inverse_lambda_slot * w_59 - minus_l_lambda_guide_lambda_slot * w_60;
+        let w_62 = minus_l_lambda_slot_lambda_drive * w_61;
+        let w_63 = self.k_9 * beta_dot * w_3;
+        let w_64 = l_beta_gamma * w_63;
+        let w_65 = self.r * (alpha_dot * w_17 - beta_dot * w_16)
+            + beta_dot * (w_33 - w_34) + alpha_dot * w_18 - l_lambda_slot_beta * w_64;
+        let w_66 = minus_inverse_lambda_guide
+            * (l_lambda_guide_gamma * w_63 - link_y * beta_dot * self.k_3
+                - l_lambda_guide_beta * w_64 + minus_l_lambda_guide_lambda_slot * w_65);
+        let w_67 = inverse_lambda_slot * w_65 - minus_l_lambda_guide_lambda_slot * w_66;
+        let w_68 = minus_l_lambda_slot_lambda_drive * w_67;
+        let w_69 = gamma_dot * (w * self.k_9 + w_2 * self.k_10);
+        let w_70 = l_lambda_slot_beta * w_69;
+        let w_71 = minus_inverse_lambda_guide
+            * (rod_y * gamma_dot * self.k_13 - l_lambda_guide_beta * w_69
+                - minus_l_lambda_guide_lambda_slot * w_70);
+        let w_72 = inverse_lambda_slot * w_70 + minus_l_lambda_guide_lambda_slot * w_71;
+        let w_73 = minus_l_lambda_slot_lambda_drive * w_72;
+        let w_74 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_61;
+        let w_75 = inverse_beta * w_64 - l_lambda_slot_beta * w_67
+            + l_lambda_guide_beta * w_66;
+        let w_76 = inverse_beta * w_69 + l_lambda_slot_beta * w_72
+            + l_lambda_guide_beta * w_71;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    w_11 - self.inverse_alpha * w_23 + minus_l_lambda_slot_alpha * w_22,
-                    minus_l_lambda_slot_alpha * w_39 - w_11 - self.inverse_alpha * w_40,
-                    self.inverse_alpha * w_46 - minus_l_lambda_slot_alpha * w_45,
+                    w_20 - self.inverse_alpha * w_32 + minus_l_lambda_slot_alpha * w_31,
+                    minus_l_lambda_slot_alpha * w_48 - w_20 - self.inverse_alpha * w_49,
+                    self.inverse_alpha * w_55 - minus_l_lambda_slot_alpha * w_54,
                 ],
-                [w_47, w_48, w_49],
+                [w_56, w_57, w_58],
                 [
-                    l_lambda_guide_gamma * w_21 - l_beta_gamma * w_47,
-                    self.inverse_gamma * w_35 - l_beta_gamma * w_48
-                        + l_lambda_guide_gamma * w_38,
-                    self.inverse_gamma * w_41 - l_beta_gamma * w_49
-                        + l_lambda_guide_gamma * w_44,
+                    l_lambda_guide_gamma * w_30 - l_beta_gamma * w_56,
+                    self.inverse_gamma * w_44 - l_beta_gamma * w_57
+                        + l_lambda_guide_gamma * w_47,
+                    self.inverse_gamma * w_50 - l_beta_gamma * w_58
+                        + l_lambda_guide_gamma * w_53,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_52 - self.inverse_alpha * w_53,
-                    minus_l_lambda_slot_alpha * w_58 - self.inverse_alpha * w_59,
-                    self.inverse_alpha * w_64 - minus_l_lambda_slot_alpha * w_63,
+                    minus_l_lambda_slot_alpha * w_61 - self.inverse_alpha * w_62,
+                    minus_l_lambda_slot_alpha * w_67 - self.inverse_alpha * w_68,
+                    self.inverse_alpha * w_73 - minus_l_lambda_slot_alpha * w_72,
                 ],
-                [w_65, w_66, w_67],
+                [w_74, w_75, w_76],
                 [
-                    l_lambda_guide_gamma * w_51 - l_beta_gamma * w_65,
-                    l_lambda_guide_gamma * w_57 - self.inverse_gamma * w_54
-                        - l_beta_gamma * w_66,
-                    l_lambda_guide_gamma * w_62 - l_beta_gamma * w_67,
+                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_74,
+                    l_lambda_guide_gamma * w_66 - self.inverse_gamma * w_63
+                        - l_beta_gamma * w_75,
+                    l_lambda_guide_gamma * w_71 - l_beta_gamma * w_76,
                 ],
             ],
             multipliers_by_positions: [
-                [w_23, w_40, -w_46],
-                [w_22, w_39, -w_45],
-                [-w_21, -w_38, -w_44],
+                [w_32, w_49, -w_55],
+                [w_31, w_48, -w_54],
+                [-w_30, -w_47, -w_53],
             ],
             multipliers_by_speeds: [
-                [w_53, w_59, -w_64],
-                [w_52, w_58, -w_63],
-                [-w_51, -w_57, -w_62],
+                [w_62, w_68, -w_73],
+                [w_61, w_67, -w_72],
+                [-w_60, -w_66, -w_71],
             ],
             refused: sim_kernel::pivot_is_refused(self.J2, self.J2)
-                | sim_kernel::pivot_is_refused(
-                    self.pivot_lambda_drive,
-                    self.inverse_alpha,
-                )
                 | sim_kernel::pivot_is_refused(
                     self.mass_gamma_gamma,
                     self.mass_gamma_gamma,
                 ) | sim_kernel::pivot_is_refused(pivot_beta, self.mass_beta_beta)
-                | sim_kernel::pivot_is_refused(pivot_lambda_slot, w)
-                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_5),
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_drive,
+                    self.inverse_alpha,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_12)
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_15),
         }
     }
 }

@@ -1,0 +1,44 @@
+//! How long a processor waits for a value at least, if it has all that it needs for its operations and nothing else to do.
+//!
+//! A right-hand side of few bodies waits for its operations more than it is busy with them.
+
+use super::values::{Operation, Value, Values};
+use crate::symbolic::Function;
+
+/// In cycles, as on processors of the years around 2025.
+pub(super) type Time = u32;
+
+const ADDITION: Time = 3;
+/// Of a multiplication.
+pub(super) const MULTIPLICATION: Time = 3;
+const DIVISION: Time = 13;
+const SQUARE_ROOT: Time = 16;
+const LOOK_UP: Time = 30;
+const FUNCTION: Time = 60;
+
+/// When each of the values is known that are listed, operands first; all others are known from the start.
+pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
+    let mut times = vec![0; values.len()];
+    for value in listed {
+        let arrivals = values.operands(*value).map(|operand| times[operand.index()]);
+        let latest = || arrivals.clone().max().unwrap_or(0);
+        times[value.index()] = match values.operation(*value) {
+            Operation::Constant(_) | Operation::Input(_) => 0,
+            Operation::Negate(_) | Operation::Held(..) => latest(),
+            Operation::Sum(_) => arrivals.reduce(|sum, term| sum.max(term) + ADDITION).unwrap_or(0),
+            Operation::Product(_) => product(&mut arrivals.collect::<Vec<_>>()),
+            Operation::Quotient(..) => latest() + DIVISION,
+            Operation::Sqrt(_) => latest() + SQUARE_ROOT,
+            Operation::Choice(..) | Operation::Call(Function::Abs, _) => latest() + ADDITION,
+            Operation::Table(..) => latest() + LOOK_UP,
+            Operation::Call(..) | Operation::Power(..) | Operation::Atan2(..) => latest() + FUNCTION,
+        };
+    }
+    times
+}
+
+/// When a product of such factors is known, the earliest multiplied first.
+pub(super) fn product(factors: &mut [Time]) -> Time {
+    factors.sort_unstable();
+    factors.iter().copied().reduce(|product, factor| product.max(factor) + MULTIPLICATION).unwrap_or(0)
+}
