@@ -16,6 +16,7 @@ pub(super) struct Motion<'a> {
     unknowns: Vec<Value>,
     power: Value,
     factors: Option<Factors>,
+    /// Names for what was computed, and its order.
     pub(super) notes: Notes,
 }
 

@@ -41,7 +41,8 @@ pub(super) struct Schedule<'a> {
 }
 
 impl<'a> Schedule<'a> {
-    /// Schedules everything that `roots` are made of, what is needed of `first` before them. `labels` are names wished for, `local_names` those still free.
+    /// Schedules everything that `roots` are made of, what is needed of `first` before them. `labels` are names wished for,
+    /// `local_names` those still free.
     pub(super) fn new(
         values: &'a Values,
         first: &[Value],

@@ -20,6 +20,7 @@ pub(super) type Moved = IndexMap<Value, Value, FxBuildHasher>;
 pub(super) struct Shared {
     /// The values that are needed.
     pub(super) values: Values,
+    /// Where they were before.
     pub(super) moved: Moved,
 }
 
