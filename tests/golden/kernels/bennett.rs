@@ -728,7 +728,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 66 additions, 176 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
+    /// Operations: 66 additions, 172 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, theta2, theta3] = *q;
@@ -742,92 +742,96 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w = S::from_f64(0.02) * self.J;
         let theta1_dot_squared = theta1_dot * theta1_dot;
         let w_2 = self.J * S::from_f64(0.98);
-        let w_3 = theta2_dot + theta1_dot * cos_alpha;
-        let w_4 = self.b
+        let w_3 = sin_alpha_squared * w_2;
+        let w_4 = theta2_dot + theta1_dot * cos_alpha;
+        let w_5 = self.b
             * (sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
-                + w_3 * w_3);
-        let w_5 = self.a * S::from_f64(2.0);
-        let w_6 = S::from_f64(0.5) * self.m;
-        let w_7 = cos_theta2
-            * (theta1_dot * theta2_dot * sin_alpha_squared * w
-                + theta1_dot_squared * sin_alpha_squared * cos_alpha * w_2)
-            - (w_4 + cos_theta2 * theta1_dot_squared * w_5) * cos_alpha * self.a * w_6;
-        let w_8 = self.m * S::from_f64(0.25);
-        let w_9 = cos_theta2 * sin_alpha_squared * self.b;
-        let w_10 = sin_theta2 * theta1_dot_squared * (w_5 + w_9);
-        let w_11 = cos_alpha * self.b;
-        let w_12 = cos_alpha * w_5;
-        let w_13 = w_4 + cos_theta2 * theta1_dot_squared * self.a;
-        let w_14 = sin_alpha * self.b;
-        let beta = (w_14 / self.a).asin();
+                + w_4 * w_4);
+        let w_6 = self.a * S::from_f64(2.0);
+        let w_7 = cos_theta2 * theta1_dot_squared;
+        let w_8 = cos_alpha * self.a;
+        let w_9 = S::from_f64(0.5) * self.m;
+        let w_10 = sin_theta2
+            * (cos_theta2
+                * (theta1_dot * theta2_dot * sin_alpha_squared * w
+                    + theta1_dot_squared * cos_alpha * w_3)
+                - (w_5 + w_6 * w_7) * w_8 * w_9);
+        let w_11 = self.m * S::from_f64(0.25);
+        let w_12 = cos_theta2 * sin_alpha_squared * self.b;
+        let w_13 = sin_theta2 * theta1_dot_squared * (w_6 + w_12);
+        let w_14 = cos_alpha * self.b;
+        let w_15 = S::from_f64(2.0) * w_8;
+        let w_16 = w_5 + self.a * w_7;
+        let w_17 = sin_alpha * self.b;
+        let beta = (w_17 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_15 = sin_theta2 * theta1_dot_squared * (self.a + w_9);
-        let w_16 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_3);
-        let w_17 = cos_beta * w_15 + w_16 * self.b * sin_beta;
-        let w_18 = sin_alpha * cos_beta;
-        let w_19 = theta1_dot * cos_theta2;
-        let w_20 = w_18 * w_19 + w_3 * sin_beta;
-        let w_21 = theta1_dot * sin_theta2;
-        let w_22 = sin_alpha * sin_theta3;
-        let w_23 = cos_theta3 * w_20 - w_21 * w_22;
-        let w_24 = sin_alpha * cos_theta3;
-        let w_25 = w_24 * w_21 + sin_theta3 * w_20;
-        let w_26 = w_23 * w_25;
-        let w_27 = sin_alpha * sin_beta;
-        let w_28 = theta2_dot * w_21;
-        let w_29 = S::from_f64(2.0) * (sin_theta3 * w_13 + cos_theta3 * w_17)
-            + self.a * (w_26 + w_27 * w_28);
-        let w_30 = cos_alpha * cos_beta - cos_theta2 * w_27;
-        let w_31 = cos_alpha * self.a;
-        let w_32 = w_11 + cos_theta2 * w_31;
-        let w_33 = cos_theta2 * w_14;
-        let w_34 = w_33 + sin_alpha * self.a;
-        let w_35 = cos_beta * w_32 - sin_beta * w_34;
-        let w_36 = sin_theta2 * sin_theta3;
-        let w_37 = theta3_dot + w_3 * cos_beta - w_19 * w_27;
-        let w_38 = sin_theta2 * cos_theta3;
-        let w_39 = theta1_dot * theta2_dot * (w_18 * w_38 + cos_theta2 * w_22);
-        let w_40 = self.b * S::from_f64(2.0);
-        let w_41 = cos_beta * w_40;
-        let w_42 = S::from_f64(2.0) * sin_beta;
-        let w_43 = self.a * (w_25 * (theta3_dot + w_37) + w_39) + w_16 * w_41
-            - w_15 * w_42;
-        let w_44 = cos_theta2 * w_18 + cos_alpha * sin_beta;
-        let w_45 = cos_theta3 * w_44 - sin_theta2 * w_22;
-        let w_46 = w_43
-            * (self.a * w_45 + w_32 * w_42 + w_34 * S::from_f64(2.0) * cos_beta);
-        let w_47 = w_8
-            * (w_10 * (w_11 + cos_theta2 * w_12)
-                + w_29
-                    * (self.a * w_30 + S::from_f64(2.0) * cos_theta3 * w_35
-                        - w_12 * w_36) - w_46);
-        let w_48 = self.J * S::from_f64(49.0);
-        let w_49 = self.J * S::from_f64(50.0);
-        let w_50 = sin_alpha * w_49;
-        let w_51 = w_48 * w_26 + w_50 * sin_beta * w_28;
-        let w_52 = w_48 * w_25 * w_37 + w_49 * (w_39 + theta3_dot * w_25);
-        let w_53 = cos_theta2 * theta1_dot * sin_theta2
-            * (w_3 * sin_alpha * w_48 + theta2_dot * w_50) * S::from_f64(0.02)
+        let w_18 = sin_theta2 * theta1_dot_squared * (self.a + w_12);
+        let w_19 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_4);
+        let w_20 = cos_beta * w_18 + w_19 * self.b * sin_beta;
+        let w_21 = sin_alpha * cos_beta;
+        let w_22 = theta1_dot * cos_theta2;
+        let w_23 = w_21 * w_22 + w_4 * sin_beta;
+        let w_24 = theta1_dot * sin_theta2;
+        let w_25 = sin_alpha * sin_theta3;
+        let w_26 = cos_theta3 * w_23 - w_24 * w_25;
+        let w_27 = sin_alpha * cos_theta3;
+        let w_28 = w_27 * w_24 + sin_theta3 * w_23;
+        let w_29 = w_26 * w_28;
+        let w_30 = sin_alpha * sin_beta;
+        let w_31 = theta2_dot * w_24;
+        let w_32 = S::from_f64(2.0) * (sin_theta3 * w_16 + cos_theta3 * w_20)
+            + self.a * (w_29 + w_30 * w_31);
+        let w_33 = cos_alpha * cos_beta - cos_theta2 * w_30;
+        let w_34 = w_14 + cos_theta2 * w_8;
+        let w_35 = cos_theta2 * w_17;
+        let w_36 = sin_alpha * self.a;
+        let w_37 = w_35 + w_36;
+        let w_38 = cos_beta * w_34 - sin_beta * w_37;
+        let w_39 = sin_theta2 * sin_theta3;
+        let w_40 = theta3_dot + w_4 * cos_beta - w_22 * w_30;
+        let w_41 = sin_theta2 * cos_theta3;
+        let w_42 = theta1_dot * theta2_dot * (w_21 * w_41 + cos_theta2 * w_25);
+        let w_43 = self.b * S::from_f64(2.0);
+        let w_44 = cos_beta * w_43;
+        let w_45 = S::from_f64(2.0) * sin_beta;
+        let w_46 = self.a * (w_28 * (theta3_dot + w_40) + w_42) + w_19 * w_44
+            - w_18 * w_45;
+        let w_47 = cos_theta2 * w_21 + cos_alpha * sin_beta;
+        let w_48 = cos_theta3 * w_47 - sin_theta2 * w_25;
+        let w_49 = w_46
+            * (self.a * w_48 + w_34 * w_45 + w_37 * S::from_f64(2.0) * cos_beta);
+        let w_50 = w_11
+            * (w_13 * (w_14 + cos_theta2 * w_15)
+                + w_32
+                    * (self.a * w_33 + S::from_f64(2.0) * cos_theta3 * w_38
+                        - w_15 * w_39) - w_49);
+        let w_51 = self.J * S::from_f64(49.0);
+        let w_52 = self.J * sin_alpha;
+        let w_53 = S::from_f64(50.0) * w_52;
+        let w_54 = w_51 * w_29 + w_53 * sin_beta * w_31;
+        let w_55 = w_28 * w_40 * w_51
+            + (w_42 + theta3_dot * w_28) * self.J * S::from_f64(50.0);
+        let w_56 = cos_theta2 * theta1_dot * sin_theta2
+            * (w_4 * S::from_f64(49.0) * w_52 + theta2_dot * w_53) * S::from_f64(0.02)
             * sin_alpha;
-        let w_54 = self.b * w_8;
-        let w_55 = theta1_dot * theta2_dot * (cos_theta2 * w_24 - w_18 * w_36)
-            + theta3_dot * w_23;
-        let w_56 = S::from_f64(2.0) * (cos_theta3 * w_13 - sin_theta3 * w_17)
-            + self.a * (w_23 * w_23 + w_37 * w_37);
-        let w_57 = (w_38 * w_31 + sin_theta3 * w_35) * w_56 * w_6;
-        let w_58 = sin_theta3 * (w_55 * sin_beta * w - w_56 * self.b * cos_beta * w_6);
-        let w_59 = w_8
-            * (w_29 * (self.a * cos_beta + cos_theta3 * w_41)
-                - w_43 * (cos_theta3 * self.a * sin_beta + sin_beta * w_40));
+        let w_57 = self.b * w_11;
+        let w_58 = theta1_dot * theta2_dot * (cos_theta2 * w_27 - w_21 * w_39)
+            + theta3_dot * w_26;
+        let w_59 = S::from_f64(2.0) * (cos_theta3 * w_16 - sin_theta3 * w_20)
+            + self.a * (w_26 * w_26 + w_40 * w_40);
+        let w_60 = (w_8 * w_41 + sin_theta3 * w_38) * w_59 * w_9;
+        let w_61 = sin_theta3 * (w_58 * sin_beta * w - w_59 * self.b * cos_beta * w_9);
+        let w_62 = w_11
+            * (w_32 * (self.a * cos_beta + cos_theta3 * w_44)
+                - w_46 * (cos_theta3 * self.a * sin_beta + sin_beta * w_43));
         [
-            sin_theta2 * w_7 + w_47 + S::from_f64(0.02) * (w_30 * w_51 - w_45 * w_52)
-                - w_53 - w_16 * (w_33 + sin_alpha * w_5) * w_54
-                + (sin_theta2 * w_24 + w_44 * sin_theta3) * w_55 * w - w_57,
-            w_58 + w_59
-                + sin_theta2 * cos_theta2 * theta1_dot_squared * sin_alpha_squared * w_2
-                + w_10 * w_54 - cos_theta3 * w_52 * S::from_f64(0.02) * sin_beta
-                + w_51 * S::from_f64(0.02) * cos_beta,
-            w_26 * w_2 + w_28 * self.J * sin_alpha * sin_beta + w_29 * self.a * w_8,
+            w_10 + w_50 + S::from_f64(0.02) * (w_33 * w_54 - w_48 * w_55) - w_56
+                - w_19 * (w_35 + S::from_f64(2.0) * w_36) * w_57
+                + (sin_theta2 * w_27 + w_47 * sin_theta3) * w_58 * w - w_60,
+            w_61 + w_62 + sin_theta2 * w_7 * w_3 + w_13 * w_57
+                - cos_theta3 * w_55 * S::from_f64(0.02) * sin_beta
+                + w_54 * S::from_f64(0.02) * cos_beta,
+            w_29 * w_2 + w_31 * w_52 * sin_beta + w_32 * self.a * w_11,
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -1124,7 +1128,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 5, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 109 additions, 210 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 109 additions, 209 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -1151,145 +1155,142 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_3 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
         let w_4 = self.a * S::from_f64(2.0);
         let w_5 = theta2_dot * w_4;
-        let w_6 = cos_alpha * w_4;
-        let w_7 = theta1_dot * w_6;
-        let w_8 = cos_beta * w_6;
-        let w_9 = theta1_dot * theta2_dot;
-        let w_10 = w_8 * w_9;
-        let w_11 = cos_beta * w_4;
-        let w_12 = theta1_dot_squared + theta2_dot_squared;
-        let w_13 = self.b * w_12;
-        let w_14 = self.b * S::from_f64(2.0);
-        let w_15 = cos_alpha * w_14 * w_9;
+        let w_6 = cos_alpha * S::from_f64(2.0);
+        let w_7 = self.a * w_6;
+        let w_8 = theta1_dot * w_7;
+        let w_9 = w_2 * w_6;
+        let w_10 = theta1_dot * theta2_dot;
+        let w_11 = w_9 * w_10;
+        let w_12 = S::from_f64(2.0) * w_2;
+        let w_13 = theta1_dot_squared + theta2_dot_squared;
+        let w_14 = self.b * w_13;
+        let w_15 = self.b * w_6 * w_10;
         let w_16 = cos_theta2
             * (cos_theta3
-                * (self.a * w_3 + theta3_dot * (theta2_dot * w_11 + theta1_dot * w_8)
-                    + w_6 * w_9) + w_13 + w_15);
+                * (self.a * w_3 + theta3_dot * (theta2_dot * w_12 + theta1_dot * w_9)
+                    + w_7 * w_10) + w_14 + w_15);
         let w_17 = sin_alpha * S::from_f64(2.0);
-        let w_18 = self.a * w_17;
+        let w_18 = self.a * sin_beta;
         let w_19 = theta3_dot * theta1_dot;
-        let w_20 = cos_theta3 * sin_beta * w_18 * w_19;
+        let w_20 = cos_theta3 * w_17 * w_18 * w_19;
         let w_21 = self.a * theta1_dot_squared;
         let w_22 = cos_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_3 + theta3_dot * (w_5 + w_7) + w_10)
+            * (sin_theta2 * sin_theta3 * (w_2 * w_3 + theta3_dot * (w_5 + w_8) + w_11)
                 - w_16 + w_20 - w_21);
         let w_23 = self.a * cos_alpha;
-        let w_24 = self.b * cos_alpha * w_12;
-        let w_25 = w_14 * w_9;
+        let w_24 = self.b * cos_alpha * w_13;
+        let w_25 = self.b * S::from_f64(2.0) * w_10;
         let w_26 = sin_theta2
             * (cos_theta3
-                * (w_23 * w_3 + theta3_dot * (theta1_dot * w_11 + theta2_dot * w_8)
-                    + w_4 * w_9) + w_24 + w_25);
-        let w_27 = cos_beta * w_23;
-        let w_28 = theta2_dot * w_6;
+                * (w_23 * w_3 + theta3_dot * (theta1_dot * w_12 + theta2_dot * w_9)
+                    + w_4 * w_10) + w_24 + w_25);
+        let w_27 = cos_alpha * w_2;
+        let w_28 = theta2_dot * w_7;
         let w_29 = theta3_dot * (theta1_dot * w_4 + w_28);
-        let w_30 = w_11 * w_9;
-        let w_31 = self.a * sin_alpha;
-        let w_32 = sin_beta * w_31;
-        let w_33 = theta3_dot_squared + theta1_dot_squared;
-        let w_34 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_35 = theta3_dot * theta2_dot;
-        let w_36 = cos_theta2
+        let w_30 = w_12 * w_10;
+        let w_31 = sin_alpha * w_18;
+        let w_32 = theta3_dot_squared + theta1_dot_squared;
+        let w_33 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
+        let w_34 = theta3_dot * theta2_dot;
+        let w_35 = cos_theta2
             * (cos_theta3
-                * (self.a * w_34 + theta1_dot * (w_28 + theta3_dot * w_8) + w_11 * w_35)
-                + w_13 + w_15);
-        let w_37 = sin_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_34 + theta3_dot * (w_7 + w_5) + w_10)
-                - w_36 - w_21 + w_20);
-        let w_38 = theta1_dot_squared + theta3_dot_squared;
-        let w_39 = sin_theta2
+                * (self.a * w_33 + theta1_dot * (w_28 + theta3_dot * w_9) + w_12 * w_34)
+                + w_14 + w_15);
+        let w_36 = sin_theta1
+            * (sin_theta2 * sin_theta3 * (w_2 * w_33 + theta3_dot * (w_8 + w_5) + w_11)
+                - w_35 - w_21 + w_20);
+        let w_37 = theta1_dot_squared + theta3_dot_squared;
+        let w_38 = sin_theta2
             * (cos_theta3
-                * (w_23 * w_34 + theta1_dot * (w_5 + theta3_dot * w_11) + w_8 * w_35)
+                * (w_23 * w_33 + theta1_dot * (w_5 + theta3_dot * w_12) + w_9 * w_34)
                 + w_24 + w_25);
-        let w_40 = theta2_dot_squared + theta3_dot_squared;
-        let w_41 = sin_theta3
-            * (cos_theta2 * (cos_beta * w_31 * w_40 + w_35 * sin_alpha * w_4)
-                + theta3_dot_squared * sin_beta * w_23);
-        let w_42 = sin_beta * cos_alpha;
-        let w_43 = sin_beta * cos_beta;
+        let w_39 = theta2_dot_squared + theta3_dot_squared;
+        let w_40 = sin_theta3
+            * (cos_theta2 * (sin_alpha * w_2 * w_39 + w_34 * self.a * w_17)
+                + theta3_dot_squared * cos_alpha * w_18);
+        let w_41 = sin_beta * cos_alpha;
         let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_44 = S::from_f64(2.0) * cos_alpha_squared;
-        let w_45 = w_43 * w_44;
-        let w_46 = cos_alpha * S::from_f64(2.0);
-        let w_47 = w_46 * w_43;
-        let w_48 = sin_beta * w_44;
-        let w_49 = sin_theta1 * sin_theta3
-            * (w_34 * w_42 + theta3_dot * (theta1_dot * w_45 + theta2_dot * w_47)
-                + w_9 * w_48);
-        let w_50 = cos_alpha_squared * w_43;
-        let w_51 = sin_beta * w_46;
-        let w_52 = theta1_dot * w_51;
-        let w_53 = w_9 * w_47;
+        let w_42 = sin_beta * cos_beta;
+        let w_43 = S::from_f64(2.0) * w_42;
+        let w_44 = cos_alpha_squared * w_43;
+        let w_45 = w_6 * w_42;
+        let w_46 = sin_beta * S::from_f64(2.0);
+        let w_47 = cos_alpha_squared * w_46;
+        let w_48 = sin_theta1 * sin_theta3
+            * (w_33 * w_41 + theta3_dot * (theta1_dot * w_44 + theta2_dot * w_45)
+                + w_10 * w_47);
+        let w_49 = cos_alpha_squared * w_42;
+        let w_50 = sin_beta * w_6;
+        let w_51 = theta1_dot * w_50;
+        let w_52 = w_10 * w_45;
         let cos_beta_squared = cos_beta * cos_beta;
-        let w_54 = sin_alpha * cos_alpha;
-        let w_55 = cos_alpha * w_17;
-        let w_56 = cos_theta3
+        let w_53 = sin_alpha * cos_alpha;
+        let w_54 = cos_alpha * w_17;
+        let w_55 = cos_theta3
             * (cos_theta1
-                * (w_34 * w_50 + theta3_dot * (w_52 + theta2_dot * w_48) + w_53)
-                + w_40 * cos_beta_squared * w_54 + w_35 * cos_beta * w_55);
+                * (w_33 * w_49 + theta3_dot * (w_51 + theta2_dot * w_47) + w_52)
+                + w_39 * cos_beta_squared * w_53 + w_34 * cos_beta * w_54);
         let sin_beta_squared = sin_beta * sin_beta;
-        let w_57 = sin_beta_squared * w_54;
-        let w_58 = w_17 * sin_beta_squared;
-        let w_59 = sin_alpha * sin_alpha * w_43;
-        let w_60 = cos_theta2
-            * (w_49 - w_56 + cos_theta1 * (w_12 * w_57 + w_9 * w_58)
-                + theta2_dot_squared * w_59);
-        let w_61 = cos_theta1
-            * (w_34 * sin_beta * cos_alpha_squared
-                + theta1_dot * (theta2_dot * w_51 + theta3_dot * w_47) + w_35 * w_45)
-            + w_40 * cos_beta * w_54 + w_35 * cos_beta_squared * w_55;
-        let w_62 = cos_alpha * w_43;
-        let w_63 = w_35 * w_51;
-        let w_64 = sin_alpha * sin_beta_squared;
-        let w_65 = sin_beta_squared * w_55;
-        let w_66 = sin_theta3 * w_61
+        let w_56 = sin_beta_squared * w_53;
+        let w_57 = w_17 * sin_beta_squared;
+        let w_58 = sin_alpha * sin_alpha * w_42;
+        let w_59 = cos_theta2
+            * (w_48 - w_55 + cos_theta1 * (w_13 * w_56 + w_10 * w_57)
+                + theta2_dot_squared * w_58);
+        let w_60 = cos_theta1
+            * (w_33 * sin_beta * cos_alpha_squared
+                + theta1_dot * (theta2_dot * w_50 + theta3_dot * w_45) + w_34 * w_44)
+            + w_39 * cos_beta * w_53 + w_34 * cos_beta_squared * w_54;
+        let w_61 = cos_alpha * w_42;
+        let w_62 = w_34 * w_50;
+        let w_63 = sin_alpha * sin_beta_squared;
+        let w_64 = sin_beta_squared * w_54;
+        let w_65 = sin_theta3 * w_60
             + sin_theta1
                 * (cos_theta3
-                    * (w_34 * w_62 + theta1_dot * (theta2_dot * w_45 + theta3_dot * w_48)
-                        + w_63) - w_12 * w_64 - w_9 * w_65);
-        let w_67 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_68 = S::from_f64(2.0) * w_43;
-        let w_69 = theta2_dot * w_68;
-        let w_70 = sin_beta * S::from_f64(2.0);
-        let w_71 = cos_theta2
+                    * (w_33 * w_61 + theta1_dot * (theta2_dot * w_44 + theta3_dot * w_47)
+                        + w_62) - w_13 * w_63 - w_10 * w_64);
+        let w_66 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
+        let w_67 = theta2_dot * w_43;
+        let w_68 = cos_theta2
             * (cos_theta1
-                * (w_62 * w_67 + theta1_dot * (w_69 + theta3_dot * w_70) + w_63)
-                + w_40 * sin_alpha * cos_beta_squared + w_35 * cos_beta * w_17);
-        let w_72 = theta2_dot * w_70;
-        let w_73 = sin_theta3
-            * (w_71
+                * (w_61 * w_66 + theta1_dot * (w_67 + theta3_dot * w_46) + w_62)
+                + w_39 * sin_alpha * cos_beta_squared + w_34 * cos_beta * w_17);
+        let w_69 = theta2_dot * w_46;
+        let w_70 = sin_theta3
+            * (w_68
                 - sin_theta1 * sin_theta2
-                    * (w_43 * w_67 + theta3_dot * (w_72 + w_52) + w_53)
-                - w_64 * cos_theta1 * w_33 + theta3_dot_squared * w_62);
-        let w_74 = sin_theta2
+                    * (w_42 * w_66 + theta3_dot * (w_69 + w_51) + w_52)
+                - w_63 * cos_theta1 * w_32 + theta3_dot_squared * w_61);
+        let w_71 = sin_theta2
             * (cos_theta1
-                * (w_42 * w_67 + theta1_dot * (w_72 + theta3_dot * w_68) + w_35 * w_47)
-                + sin_alpha * cos_beta * w_40 + w_35 * w_17 * cos_beta_squared);
+                * (w_41 * w_66 + theta1_dot * (w_69 + theta3_dot * w_43) + w_34 * w_45)
+                + sin_alpha * cos_beta * w_39 + w_34 * w_17 * cos_beta_squared);
         [
             w_22
                 + sin_theta1
                     * (w_26
                         + sin_theta3
-                            * (cos_theta2 * (w_27 * w_3 + w_29 + w_30) - w_32 * w_33)),
-            w_37
+                            * (cos_theta2 * (w_27 * w_3 + w_29 + w_30) - w_31 * w_32)),
+            w_36
                 + cos_theta1
                     * (sin_theta3
-                        * (w_32 * w_38 - cos_theta2 * (w_27 * w_34 + w_29 + w_30))
-                        - w_39),
+                        * (w_31 * w_37 - cos_theta2 * (w_27 * w_33 + w_29 + w_30))
+                        - w_38),
             -(sin_theta2
-                * (cos_theta3 * (w_31 * w_40 + w_35 * cos_beta * w_18)
-                    + w * theta2_dot_squared) + w_41),
-            w_60 + sin_theta2 * w_66
-                + cos_theta3 * (w_57 * cos_theta1 * w_38 - theta3_dot_squared * w_50)
-                + cos_theta1 * theta1_dot_squared * w_59
-                - sin_theta1 * sin_theta3 * w_19 * w_65,
-            w_73
+                * (cos_theta3 * (self.a * sin_alpha * w_39 + w_34 * w_17 * w_2)
+                    + w * theta2_dot_squared) + w_40),
+            w_59 + sin_theta2 * w_65
+                + cos_theta3 * (w_56 * cos_theta1 * w_37 - theta3_dot_squared * w_49)
+                + cos_theta1 * theta1_dot_squared * w_58
+                - sin_theta1 * sin_theta3 * w_19 * w_64,
+            w_70
                 + cos_theta3
-                    * (w_74
+                    * (w_71
                         + sin_theta1
                             * (cos_theta2
-                                * (sin_beta * w_67 + theta3_dot * (w_69 + theta1_dot * w_47)
-                                    + w_9 * w_51) - w_19 * w_58)),
+                                * (sin_beta * w_66 + theta3_dot * (w_67 + theta1_dot * w_45)
+                                    + w_10 * w_50) - w_19 * w_57)),
         ]
     }
     /// `C` (5), `C_q` (5 x 3) and `C_t` (5) together, in SI units, for projection.
@@ -1717,7 +1718,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 386 additions, 619 multiplications, 8 divisions, 3 sine-cosine pairs.
+    /// Operations: 386 additions, 613 multiplications, 8 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1739,188 +1740,190 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         ) = S::sin_cos_each([theta2, theta3, theta1]);
         let w = self.k_6 + cos_theta2 * self.k_9;
         let theta1_dot_squared = theta1_dot * theta1_dot;
-        let w_2 = sin_theta2 * theta1_dot_squared * self.k_39;
-        let w_3 = self.a * theta1_dot_squared;
-        let w_4 = w_3 + sin_theta1 * self.g;
-        let w_5 = cos_theta2 * (cos_theta1 * self.k_38 - w_2)
-            - S::from_f64(2.0) * sin_theta2 * w_4;
-        let w_6 = cos_theta2 * self.k;
-        let w_7 = w_6 + self.k_10;
-        let w_8 = theta2_dot + self.cos_alpha * theta1_dot;
-        let w_9 = self.b * self.sin_alpha * sin_theta2 * theta1_dot * (theta2_dot + w_8);
-        let w_10 = self.k_4 - cos_theta2 * self.k_5;
-        let w_11 = self.k_6 + cos_theta2 * self.k_7;
-        let w_12 = w_6 + self.k_8;
-        let w_13 = self.cos_beta * w_11 - self.sin_beta * w_12;
-        let w_14 = S::from_f64(2.0) * cos_theta3;
-        let w_15 = sin_theta2 * sin_theta3;
-        let w_16 = self.a * w_10 + w_13 * w_14 - w_15 * self.k_9;
-        let w_17 = self.b
+        let w_2 = sin_theta2 * theta1_dot_squared;
+        let w_3 = self.k_39 * w_2;
+        let w_4 = self.a * theta1_dot_squared;
+        let w_5 = w_4 + sin_theta1 * self.g;
+        let w_6 = S::from_f64(2.0) * w_5;
+        let w_7 = cos_theta2 * (cos_theta1 * self.k_38 - w_3) - sin_theta2 * w_6;
+        let w_8 = cos_theta2 * self.k;
+        let w_9 = w_8 + self.k_10;
+        let w_10 = theta2_dot + self.cos_alpha * theta1_dot;
+        let w_11 = self.b * self.sin_alpha * sin_theta2 * theta1_dot
+            * (theta2_dot + w_10);
+        let w_12 = self.k_4 - cos_theta2 * self.k_5;
+        let w_13 = self.k_6 + cos_theta2 * self.k_7;
+        let w_14 = w_8 + self.k_8;
+        let w_15 = self.cos_beta * w_13 - self.sin_beta * w_14;
+        let w_16 = S::from_f64(2.0) * cos_theta3;
+        let w_17 = sin_theta2 * sin_theta3;
+        let w_18 = self.a * w_12 + w_15 * w_16 - w_17 * self.k_9;
+        let w_19 = self.b
             * (self.sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
-                + w_8 * w_8);
-        let w_18 = sin_theta2 * cos_theta1;
-        let w_19 = w_18 * self.k_41;
-        let w_20 = w_17 + w_19 + cos_theta2 * w_4;
-        let w_21 = cos_theta2 * (cos_theta1 * self.k_41 - w_2) - sin_theta2 * w_4;
-        let w_22 = cos_theta1 * self.k_42 + w_9;
-        let w_23 = self.cos_beta * w_21 - self.sin_beta * w_22;
-        let w_24 = cos_theta2 * self.k_2 * theta1_dot + self.sin_beta * w_8;
-        let w_25 = self.sin_alpha * theta1_dot;
-        let w_26 = cos_theta3 * w_24 - w_15 * w_25;
-        let w_27 = sin_theta2 * cos_theta3;
-        let w_28 = w_27 * w_25 + sin_theta3 * w_24;
-        let w_29 = w_26 * w_28;
-        let w_30 = theta1_dot * theta2_dot;
-        let w_31 = S::from_f64(2.0) * (sin_theta3 * w_20 - cos_theta3 * w_23)
-            + self.a * (w_29 + sin_theta2 * self.k_5 * w_30);
-        let w_32 = cos_theta2 * self.k_2 + self.k_3;
-        let w_33 = w_32 * cos_theta3 - self.sin_alpha * w_15;
-        let closure_z_by_theta3 = self.a * w_33;
-        let w_34 = closure_z_by_theta3 + w_11 * self.k_11 + w_12 * self.k_12;
-        let w_35 = theta3_dot + self.cos_beta * w_8 - cos_theta2 * self.k_5 * theta1_dot;
-        let w_36 = cos_theta2 * sin_theta3;
-        let w_37 = theta1_dot * theta2_dot * (self.k_2 * w_27 + self.sin_alpha * w_36);
-        let w_38 = self.a * (w_28 * (theta3_dot + w_35) + w_37) + self.k_12 * w_22
-            + self.k_11 * w_21;
-        let w_39 = self.k_14
-            * (w * w_5 + w_7 * (cos_theta1 * self.k_40 + w_9) - w_16 * w_31
-                + w_34 * w_38);
-        let w_40 = sin_theta2
-            * ((w_17 + w_18 * self.k_38 + S::from_f64(2.0) * cos_theta2 * w_4)
-                * self.k_47
-                - cos_theta2 * (w_30 * self.k_43 + theta1_dot_squared * self.k_45));
-        let w_41 = w_28 * w_35 * self.k_35 + (w_37 + theta3_dot * w_28) * self.k_36;
-        let w_42 = self.k_35 * w_29 + sin_theta2 * self.k_37 * w_30;
-        let w_43 = cos_theta2 * sin_theta2 * theta1_dot
-            * (w_8 * self.k_33 + theta2_dot * self.k_34) * self.k_44;
-        let w_44 = self.sin_alpha * w_27 + w_32 * sin_theta3;
-        let w_45 = cos_theta2 * cos_theta3;
-        let w_46 = self.sin_alpha * w_45 - self.k_2 * w_15;
-        let w_47 = theta1_dot * w_46 * theta2_dot + theta3_dot * w_26;
-        let w_48 = cos_theta1 * self.k_46;
-        let w_49 = self.k_7 * w_27 + sin_theta3 * w_13;
-        let w_50 = S::from_f64(2.0) * (sin_theta3 * w_23 + cos_theta3 * w_20)
-            + self.a * (w_26 * w_26 + w_35 * w_35);
-        let rhs_theta1 = w_39 + w_40 + S::from_f64(0.02) * (w_33 * w_41 - w_10 * w_42)
-            + w_43 - w_44 * self.k_15 * w_47 + w_48 + w_49 * w_50 * self.k_48;
-        let w_51 = cos_theta3 * self.k_20 + self.k_21;
-        let w_52 = self.k_18 + cos_theta3 * self.k_19;
-        let w_53 = self.k_14 * (w_51 * w_38 - w_52 * w_31);
-        let w_54 = sin_theta3 * (w_50 * self.k_51 - self.k_27 * w_47) + w_53
-            - sin_theta2 * cos_theta2 * self.k_13 * theta1_dot_squared
-            + cos_theta3 * w_41 * self.k_49 - w_42 * self.k_50 + self.k_26 * w_5;
-        let mass_theta2_theta1 = sin_theta3 * (w_49 * self.k_25 + w_44 * self.k_27)
-            + self.k_14 * (w_16 * w_52 + w_34 * w_51) + self.k_22
-            + cos_theta3 * w_33 * self.k_23 + w_10 * self.k_24 + w * self.k_26;
-        let w_55 = self.k_14 * (w * w + w_7 * w_7 + w_16 * w_16 + w_34 * w_34);
-        let mass_theta1_theta1 = w_55 + self.J * (w_33 * w_33 + w_10 * w_10) + self.k_16
-            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_49 * w_49
-            + w_44 * w_44 * self.k_15;
+                + w_10 * w_10);
+        let w_20 = sin_theta2 * cos_theta1;
+        let w_21 = w_20 * self.k_41;
+        let w_22 = w_19 + w_21 + cos_theta2 * w_5;
+        let w_23 = cos_theta2 * (cos_theta1 * self.k_41 - w_3) - sin_theta2 * w_5;
+        let w_24 = cos_theta1 * self.k_42 + w_11;
+        let w_25 = self.cos_beta * w_23 - self.sin_beta * w_24;
+        let w_26 = cos_theta2 * theta1_dot;
+        let w_27 = self.k_2 * w_26 + self.sin_beta * w_10;
+        let w_28 = self.sin_alpha * theta1_dot;
+        let w_29 = cos_theta3 * w_27 - w_17 * w_28;
+        let w_30 = sin_theta2 * cos_theta3;
+        let w_31 = w_30 * w_28 + sin_theta3 * w_27;
+        let w_32 = w_29 * w_31;
+        let w_33 = theta1_dot * theta2_dot;
+        let w_34 = sin_theta2 * w_33;
+        let w_35 = S::from_f64(2.0) * (sin_theta3 * w_22 - cos_theta3 * w_25)
+            + self.a * (w_32 + self.k_5 * w_34);
+        let w_36 = cos_theta2 * self.k_2 + self.k_3;
+        let w_37 = w_36 * cos_theta3 - self.sin_alpha * w_17;
+        let closure_z_by_theta3 = self.a * w_37;
+        let w_38 = closure_z_by_theta3 + w_13 * self.k_11 + w_14 * self.k_12;
+        let w_39 = theta3_dot + self.cos_beta * w_10 - self.k_5 * w_26;
+        let w_40 = cos_theta2 * sin_theta3;
+        let w_41 = theta1_dot * theta2_dot * (self.k_2 * w_30 + self.sin_alpha * w_40);
+        let w_42 = self.a * (w_31 * (theta3_dot + w_39) + w_41) + self.k_12 * w_24
+            + self.k_11 * w_23;
+        let w_43 = self.k_14
+            * (w * w_7 + w_9 * (cos_theta1 * self.k_40 + w_11) - w_18 * w_35
+                + w_38 * w_42);
+        let w_44 = sin_theta2
+            * ((w_19 + w_20 * self.k_38 + cos_theta2 * w_6) * self.k_47
+                - cos_theta2 * (w_33 * self.k_43 + theta1_dot_squared * self.k_45));
+        let w_45 = w_31 * w_39 * self.k_35 + (w_41 + theta3_dot * w_31) * self.k_36;
+        let w_46 = self.k_35 * w_32 + self.k_37 * w_34;
+        let w_47 = cos_theta2 * sin_theta2 * theta1_dot
+            * (w_10 * self.k_33 + theta2_dot * self.k_34) * self.k_44;
+        let w_48 = self.sin_alpha * w_30 + w_36 * sin_theta3;
+        let w_49 = cos_theta2 * cos_theta3;
+        let w_50 = self.sin_alpha * w_49 - self.k_2 * w_17;
+        let w_51 = theta1_dot * w_50 * theta2_dot + theta3_dot * w_29;
+        let w_52 = cos_theta1 * self.k_46;
+        let w_53 = self.k_7 * w_30;
+        let w_54 = w_53 + sin_theta3 * w_15;
+        let w_55 = S::from_f64(2.0) * (sin_theta3 * w_25 + cos_theta3 * w_22)
+            + self.a * (w_29 * w_29 + w_39 * w_39);
+        let rhs_theta1 = w_43 + w_44 + S::from_f64(0.02) * (w_37 * w_45 - w_12 * w_46)
+            + w_47 - w_48 * self.k_15 * w_51 + w_52 + w_54 * w_55 * self.k_48;
+        let w_56 = cos_theta3 * self.k_20 + self.k_21;
+        let w_57 = self.k_18 + cos_theta3 * self.k_19;
+        let w_58 = sin_theta3 * (w_55 * self.k_51 - self.k_27 * w_51)
+            + self.k_14 * (w_56 * w_42 - w_57 * w_35) - cos_theta2 * self.k_13 * w_2
+            + cos_theta3 * w_45 * self.k_49 - w_46 * self.k_50 + self.k_26 * w_7;
+        let mass_theta2_theta1 = sin_theta3 * (w_54 * self.k_25 + w_48 * self.k_27)
+            + self.k_14 * (w_18 * w_57 + w_38 * w_56) + self.k_22
+            + cos_theta3 * w_37 * self.k_23 + w_12 * self.k_24 + w * self.k_26;
+        let w_59 = self.k_14 * (w * w + w_9 * w_9 + w_18 * w_18 + w_38 * w_38);
+        let mass_theta1_theta1 = w_59 + self.J * (w_37 * w_37 + w_12 * w_12) + self.k_16
+            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_54 * w_54
+            + w_48 * w_48 * self.k_15;
         let inverse_theta1 = S::from_f64(1.0) / mass_theta1_theta1;
         let l_theta2_theta1 = mass_theta2_theta1 * inverse_theta1;
-        let rhs_theta2 = w_54 - rhs_theta1 * l_theta2_theta1;
-        let w_56 = cos_theta2 * sin_theta1;
-        let w_57 = self.cos_alpha * cos_theta1;
-        let w_58 = w_56 + sin_theta2 * w_57;
-        let w_59 = sin_theta2 * sin_theta1;
-        let w_60 = cos_theta2 * w_57 - w_59;
-        let w_61 = self.cos_beta * w_60 - self.k_5 * cos_theta1;
+        let rhs_theta2 = w_58 - rhs_theta1 * l_theta2_theta1;
+        let w_60 = cos_theta2 * sin_theta1;
+        let w_61 = self.cos_alpha * cos_theta1;
+        let w_62 = w_60 + sin_theta2 * w_61;
+        let w_63 = sin_theta2 * sin_theta1;
+        let w_64 = cos_theta2 * w_61 - w_63;
+        let w_65 = self.cos_beta * w_64 - self.k_5 * cos_theta1;
         let minus_closure_x_by_theta1 = self.a
-            * (sin_theta1 + (cos_theta3 * w_58 + sin_theta3 * w_61)) + self.b * w_58;
+            * (sin_theta1 + (cos_theta3 * w_62 + sin_theta3 * w_65)) + self.b * w_62;
         let minus_l_lambda_closure_x_theta1 = minus_closure_x_by_theta1 * inverse_theta1;
         let theta3_dot_squared = theta3_dot * theta3_dot;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_62 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
-        let w_63 = theta3_dot * self.k_59;
-        let w_64 = theta1_dot * theta3_dot;
-        let w_65 = theta3_dot * self.k_55;
-        let w_66 = self.k_9 * theta1_dot;
-        let w_67 = theta1_dot_squared + theta2_dot_squared;
-        let w_68 = self.b * w_67;
-        let w_69 = w_30 * self.k_61;
-        let w_70 = cos_theta2
+        let w_66 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
+        let w_67 = theta3_dot * self.k_59;
+        let w_68 = theta1_dot * theta3_dot;
+        let w_69 = theta3_dot * self.k_55;
+        let w_70 = self.k_9 * theta1_dot;
+        let w_71 = theta1_dot_squared + theta2_dot_squared;
+        let w_72 = self.b * w_71;
+        let w_73 = w_33 * self.k_61;
+        let w_74 = cos_theta2
             * (cos_theta3
-                * (self.a * w_62 + theta2_dot * (w_65 + w_66) + self.k_56 * w_64) + w_68
-                + w_69);
-        let w_71 = cos_theta3 * self.k_54 * w_64;
-        let w_72 = cos_theta1
+                * (self.a * w_66 + theta2_dot * (w_69 + w_70) + self.k_56 * w_68) + w_72
+                + w_73);
+        let w_75 = cos_theta3 * self.k_54 * w_68;
+        let w_76 = cos_theta1
             * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_62 + theta2_dot * (w_63 + theta1_dot * self.k_56)
-                    + self.k_9 * w_64) - w_70 + w_71 - w_3);
-        let w_73 = theta2_dot * self.k_59;
-        let w_74 = theta2_dot * theta3_dot;
-        let w_75 = self.k_56 * w_74;
-        let w_76 = self.k_6 * w_67;
-        let w_77 = w_30 * self.k_60;
-        let w_78 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_62 + theta1_dot * (w_65 + w_73) + w_75) + w_76
-                + w_77);
-        let w_79 = theta1_dot * (w_63 + theta2_dot * self.k_55);
-        let w_80 = self.k_9 * w_74;
-        let w_81 = theta3_dot_squared + theta1_dot_squared;
-        let mass_theta2_theta2 = self.k_14 * (w_52 * w_52 + w_51 * w_51) + self.k_28
+                * (self.k_18 * w_66 + theta2_dot * (w_67 + theta1_dot * self.k_56)
+                    + self.k_9 * w_68) - w_74 + w_75 - w_4);
+        let w_77 = theta2_dot * self.k_59;
+        let w_78 = theta2_dot * theta3_dot;
+        let w_79 = self.k_56 * w_78;
+        let w_80 = self.k_6 * w_71;
+        let w_81 = w_33 * self.k_60;
+        let w_82 = sin_theta2
+            * (cos_theta3 * (self.k_7 * w_66 + theta1_dot * (w_69 + w_77) + w_79) + w_80
+                + w_81);
+        let w_83 = theta1_dot * (w_67 + theta2_dot * self.k_55);
+        let w_84 = self.k_9 * w_78;
+        let w_85 = theta3_dot_squared + theta1_dot_squared;
+        let mass_theta2_theta2 = self.k_14 * (w_57 * w_57 + w_56 * w_56) + self.k_28
             + sin_theta3 * sin_theta3 * self.k_29;
         let pivot_theta2 = mass_theta2_theta2 - mass_theta2_theta1 * l_theta2_theta1;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let w_82 = w_18 + self.cos_alpha * w_56;
-        let w_83 = cos_theta2 * cos_theta1;
-        let w_84 = w_83 - self.cos_alpha * w_59;
-        let w_85 = self.cos_beta * sin_theta3;
+        let w_86 = w_20 + self.cos_alpha * w_60;
+        let w_87 = cos_theta2 * cos_theta1;
+        let w_88 = w_87 - self.cos_alpha * w_63;
+        let w_89 = self.cos_beta * sin_theta3;
         let k_lambda_closure_x_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_x_theta1
-            - (self.b * w_82 + self.a * (cos_theta3 * w_82 + w_84 * w_85));
+            - (self.b * w_86 + self.a * (cos_theta3 * w_86 + w_88 * w_89));
         let l_lambda_closure_x_theta2 = inverse_theta2 * k_lambda_closure_x_theta2;
-        let mass_theta3_theta1 = self.J * w_10 + w_16 * self.k_30;
+        let mass_theta3_theta1 = self.J * w_12 + w_18 * self.k_30;
         let l_theta3_theta1 = mass_theta3_theta1 * inverse_theta1;
-        let k_theta3_theta2 = self.k_24 + w_52 * self.k_30
+        let k_theta3_theta2 = self.k_24 + w_57 * self.k_30
             - mass_theta2_theta1 * l_theta3_theta1;
         let l_theta3_theta2 = inverse_theta2 * k_theta3_theta2;
         let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta1 * l_theta3_theta1
             - k_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let w_86 = self.k_5 * sin_theta1 - self.cos_beta * w_82;
-        let k_lambda_closure_x_theta3 = self.a * (cos_theta3 * w_86 - sin_theta3 * w_84)
+        let w_90 = self.k_5 * sin_theta1 - self.cos_beta * w_86;
+        let k_lambda_closure_x_theta3 = self.a * (cos_theta3 * w_90 - sin_theta3 * w_88)
             + mass_theta3_theta1 * minus_l_lambda_closure_x_theta1
             - k_theta3_theta2 * l_lambda_closure_x_theta2;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let minus_rhs_theta3 = w_29 * self.k_52 + sin_theta2 * w_30 * self.k_53
-            + self.k_30 * w_31 + rhs_theta1 * l_theta3_theta1
-            + l_theta3_theta2 * rhs_theta2;
+        let minus_rhs_theta3 = w_32 * self.k_52 + w_34 * self.k_53 + self.k_30 * w_35
+            + rhs_theta1 * l_theta3_theta1 + l_theta3_theta2 * rhs_theta2;
         let rhs_lambda_closure_x = rhs_theta1 * minus_l_lambda_closure_x_theta1
-            - (w_72
+            - (w_76
                 + sin_theta1
-                    * (w_78
+                    * (w_82
                         + sin_theta3
-                            * (cos_theta2 * (self.k_58 * w_62 + w_79 + w_80)
-                                - self.k_57 * w_81)))
+                            * (cos_theta2 * (self.k_58 * w_66 + w_83 + w_84)
+                                - self.k_57 * w_85)))
             - l_lambda_closure_x_theta2 * rhs_theta2
             + l_lambda_closure_x_theta3 * minus_rhs_theta3;
         let closure_y_by_theta1 = self.a
-            * (cos_theta1 + (cos_theta3 * w_84 + sin_theta3 * w_86)) + self.b * w_84;
+            * (cos_theta1 + (cos_theta3 * w_88 + sin_theta3 * w_90)) + self.b * w_88;
         let l_lambda_closure_y_theta1 = closure_y_by_theta1 * inverse_theta1;
-        let k_lambda_closure_y_theta2 = self.b * w_60
-            + self.a * (cos_theta3 * w_60 - w_58 * w_85)
+        let k_lambda_closure_y_theta2 = self.b * w_64
+            + self.a * (cos_theta3 * w_64 - w_62 * w_89)
             - mass_theta2_theta1 * l_lambda_closure_y_theta1;
         let l_lambda_closure_y_theta2 = inverse_theta2 * k_lambda_closure_y_theta2;
-        let k_lambda_closure_y_theta3 = self.a * (cos_theta3 * w_61 - sin_theta3 * w_58)
+        let k_lambda_closure_y_theta3 = self.a * (cos_theta3 * w_65 - sin_theta3 * w_62)
             - mass_theta3_theta1 * l_lambda_closure_y_theta1
             - k_theta3_theta2 * l_lambda_closure_y_theta2;
         let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let w_87 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_88 = cos_theta2
+        let w_91 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
+        let w_92 = cos_theta2
             * (cos_theta3
-                * (self.a * w_87
+                * (self.a * w_91
                     + theta1_dot * (self.k_9 * theta2_dot + theta3_dot * self.k_56)
-                    + self.k_55 * w_74) + w_68 + w_69);
-        let w_89 = sin_theta1
+                    + self.k_55 * w_78) + w_72 + w_73);
+        let w_93 = sin_theta1
             * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_87
+                * (self.k_18 * w_91
                     + theta1_dot * (self.k_9 * theta3_dot + theta2_dot * self.k_56)
-                    + self.k_59 * w_74) - w_88 - w_3 + w_71);
-        let w_90 = theta1_dot_squared + theta3_dot_squared;
-        let w_91 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_87 + theta1_dot * (w_73 + w_65) + w_75) + w_76
-                + w_77);
+                    + self.k_59 * w_78) - w_92 - w_4 + w_75);
+        let w_94 = theta1_dot_squared + theta3_dot_squared;
+        let w_95 = sin_theta2
+            * (cos_theta3 * (self.k_7 * w_91 + theta1_dot * (w_77 + w_69) + w_79) + w_80
+                + w_81);
         let minus_pivot_lambda_closure_x = minus_closure_x_by_theta1
             * minus_l_lambda_closure_x_theta1
             + k_lambda_closure_x_theta2 * l_lambda_closure_x_theta2
@@ -1934,22 +1937,22 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
         let rhs_lambda_closure_y = l_lambda_closure_y_theta3 * minus_rhs_theta3
-            - (w_89
+            - (w_93
                 + cos_theta1
                     * (sin_theta3
-                        * (self.k_57 * w_90
-                            - cos_theta2 * (self.k_58 * w_87 + w_79 + w_80)) - w_91))
+                        * (self.k_57 * w_94
+                            - cos_theta2 * (self.k_58 * w_91 + w_83 + w_84)) - w_95))
             - rhs_theta1 * l_lambda_closure_y_theta1
             - l_lambda_closure_y_theta2 * rhs_theta2
             + minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x;
-        let w_92 = theta2_dot_squared + theta3_dot_squared;
-        let w_93 = sin_theta2
-            * (cos_theta3 * (self.k_8 * w_92 + w_74 * self.k_63)
+        let w_96 = theta2_dot_squared + theta3_dot_squared;
+        let w_97 = sin_theta2
+            * (cos_theta3 * (self.k_8 * w_96 + w_78 * self.k_63)
                 + self.k * theta2_dot_squared)
             + sin_theta3
-                * (cos_theta2 * (self.k_62 * w_92 + self.k_10 * w_74)
+                * (cos_theta2 * (self.k_62 * w_96 + self.k_10 * w_78)
                     + theta3_dot_squared * self.k_64);
-        let closure_z_by_theta2 = w_6 + self.a * w_46;
+        let closure_z_by_theta2 = w_8 + self.a * w_50;
         let l_lambda_closure_z_theta2 = closure_z_by_theta2 * inverse_theta2;
         let k_lambda_closure_z_theta3 = closure_z_by_theta3
             - k_theta3_theta2 * l_lambda_closure_z_theta2;
@@ -1959,11 +1962,11 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_x_theta3 * l_lambda_closure_z_theta3;
         let l_lambda_closure_z_lambda_closure_x = minus_inverse_lambda_closure_x
             * minus_k_lambda_closure_z_lambda_closure_x;
-        let w_94 = closure_y_by_theta1 * l_lambda_closure_y_theta1
+        let w_98 = closure_y_by_theta1 * l_lambda_closure_y_theta1
             + k_lambda_closure_y_theta2 * l_lambda_closure_y_theta2
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_94;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_98;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let minus_k_lambda_closure_z_lambda_closure_y = k_lambda_closure_y_theta2
             * l_lambda_closure_z_theta2
@@ -1971,59 +1974,59 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_y_lambda_closure_x * l_lambda_closure_z_lambda_closure_x;
         let minus_l_lambda_closure_z_lambda_closure_y = inverse_lambda_closure_y
             * minus_k_lambda_closure_z_lambda_closure_y;
-        let rhs_lambda_closure_z = w_93 - l_lambda_closure_z_theta2 * rhs_theta2
+        let rhs_lambda_closure_z = w_97 - l_lambda_closure_z_theta2 * rhs_theta2
             + l_lambda_closure_z_theta3 * minus_rhs_theta3
             - l_lambda_closure_z_lambda_closure_x * rhs_lambda_closure_x
             + minus_l_lambda_closure_z_lambda_closure_y * rhs_lambda_closure_y;
-        let w_95 = cos_theta3 * self.k_4 - self.k_5;
-        let w_96 = self.cos_alpha * w_36 + sin_theta2 * w_95;
-        let w_97 = cos_theta2 * w_95 - self.cos_alpha * w_15;
-        let w_98 = self.k_3 * cos_theta3;
+        let w_99 = cos_theta3 * self.k_4 - self.k_5;
+        let w_100 = self.cos_alpha * w_40 + sin_theta2 * w_99;
+        let w_101 = cos_theta2 * w_99 - self.cos_alpha * w_17;
+        let w_102 = self.k_3 * cos_theta3;
         let minus_closure_m1_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_96
+            * (cos_theta1 * w_100
                 + sin_theta1
-                    * (self.cos_alpha * w_97 - self.sin_alpha * (w_98 + self.k_2)));
+                    * (self.cos_alpha * w_101 - self.sin_alpha * (w_102 + self.k_2)));
         let minus_l_lambda_closure_m1_theta1 = minus_closure_m1_by_theta1
             * inverse_theta1;
-        let w_99 = w_74 * self.k_66;
-        let w_100 = cos_theta3
+        let w_103 = w_78 * self.k_66;
+        let w_104 = cos_theta3
             * (cos_theta1
-                * (w_87 * self.k_70
+                * (w_91 * self.k_70
                     + theta1_dot * (theta3_dot * self.k_65 + theta2_dot * self.k_66)
-                    + w_74 * self.k_75) + w_92 * self.k_78 + w_74 * self.k_76);
-        let w_101 = sin_theta3 * sin_theta1
-            * (self.k_3 * w_87
-                + theta1_dot * (theta3_dot * self.k_73 + theta2_dot * self.k_75) + w_99)
-            - w_100 + cos_theta1 * (w_67 * self.k_71 + w_30 * self.k_67)
+                    + w_78 * self.k_75) + w_96 * self.k_78 + w_78 * self.k_76);
+        let w_105 = sin_theta3 * sin_theta1
+            * (self.k_3 * w_91
+                + theta1_dot * (theta3_dot * self.k_73 + theta2_dot * self.k_75) + w_103)
+            - w_104 + cos_theta1 * (w_71 * self.k_71 + w_33 * self.k_67)
             + theta2_dot_squared * self.k_72;
-        let w_102 = sin_theta3
+        let w_106 = sin_theta3
             * (cos_theta1
-                * (self.k_32 * w_87
+                * (self.k_32 * w_91
                     + theta1_dot * (theta2_dot * self.k_65 + theta3_dot * self.k_66)
-                    + w_74 * self.k_73) + w_92 * self.k_77 + w_74 * self.k_79);
-        let w_103 = w_74 * self.k_65;
-        let w_104 = sin_theta2
-            * (w_102
+                    + w_78 * self.k_73) + w_96 * self.k_77 + w_78 * self.k_79);
+        let w_107 = w_78 * self.k_65;
+        let w_108 = sin_theta2
+            * (w_106
                 + sin_theta1
                     * (cos_theta3
-                        * (w_87 * self.k_68
+                        * (w_91 * self.k_68
                             + theta1_dot
-                                * (theta2_dot * self.k_73 + theta3_dot * self.k_75) + w_103)
-                        - w_67 * self.k_69 - w_30 * self.k_74));
-        let w_105 = cos_theta2 * w_101 + w_104
+                                * (theta2_dot * self.k_73 + theta3_dot * self.k_75) + w_107)
+                        - w_71 * self.k_69 - w_33 * self.k_74));
+        let w_109 = cos_theta2 * w_105 + w_108
             + cos_theta3
-                * (self.k_71 * cos_theta1 * w_90 - theta3_dot_squared * self.k_70)
+                * (self.k_71 * cos_theta1 * w_94 - theta3_dot_squared * self.k_70)
             + cos_theta1 * theta1_dot_squared * self.k_72
-            - sin_theta3 * sin_theta1 * w_64 * self.k_74;
+            - sin_theta3 * sin_theta1 * w_68 * self.k_74;
         let k_lambda_closure_m1_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_m1_theta1
-            - (self.sin_beta * (w_57 * w_96 + sin_theta1 * w_97) + self.k_2 * w_96);
+            - (self.sin_beta * (w_61 * w_100 + sin_theta1 * w_101) + self.k_2 * w_100);
         let l_lambda_closure_m1_theta2 = inverse_theta2 * k_lambda_closure_m1_theta2;
-        let w_106 = self.k_4 * w_36 + self.cos_alpha * w_27;
+        let w_110 = self.k_4 * w_40 + self.cos_alpha * w_30;
         let minus_closure_m1_by_theta3 = self.sin_beta
-            * (cos_theta1 * (self.cos_alpha * w_106 - sin_theta3 * self.k_31)
-                + sin_theta1 * (self.cos_alpha * w_45 - w_15 * self.k_4))
-            + self.cos_beta * (self.sin_alpha * w_106 + sin_theta3 * self.k_32);
+            * (cos_theta1 * (self.cos_alpha * w_110 - sin_theta3 * self.k_31)
+                + sin_theta1 * (self.cos_alpha * w_49 - w_17 * self.k_4))
+            + self.cos_beta * (self.sin_alpha * w_110 + sin_theta3 * self.k_32);
         let k_lambda_closure_m1_theta3 = mass_theta3_theta1
             * minus_l_lambda_closure_m1_theta1 - minus_closure_m1_by_theta3
             - k_theta3_theta2 * l_lambda_closure_m1_theta2;
@@ -2041,10 +2044,10 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_y_lambda_closure_x * l_lambda_closure_m1_lambda_closure_x;
         let l_lambda_closure_m1_lambda_closure_y = inverse_lambda_closure_y
             * k_lambda_closure_m1_lambda_closure_y;
-        let w_107 = closure_z_by_theta2 * l_lambda_closure_z_theta2
+        let w_111 = closure_z_by_theta2 * l_lambda_closure_z_theta2
             + k_lambda_closure_z_theta3 * l_lambda_closure_z_theta3;
         let pivot_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
-            * l_lambda_closure_z_lambda_closure_x - w_107
+            * l_lambda_closure_z_lambda_closure_x - w_111
             - minus_k_lambda_closure_z_lambda_closure_y
                 * minus_l_lambda_closure_z_lambda_closure_y;
         let inverse_lambda_closure_z = S::from_f64(1.0) / pivot_lambda_closure_z;
@@ -2056,52 +2059,52 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m1_lambda_closure_y;
         let l_lambda_closure_m1_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m1_lambda_closure_z;
-        let rhs_lambda_closure_m1 = rhs_theta1 * minus_l_lambda_closure_m1_theta1 - w_105
+        let rhs_lambda_closure_m1 = rhs_theta1 * minus_l_lambda_closure_m1_theta1 - w_109
             - l_lambda_closure_m1_theta2 * rhs_theta2
             + l_lambda_closure_m1_theta3 * minus_rhs_theta3
             - l_lambda_closure_m1_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m1_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m1_lambda_closure_z * rhs_lambda_closure_z;
-        let w_108 = w_45 - self.cos_beta * w_15;
-        let w_109 = w_27 + self.cos_beta * w_36;
+        let w_112 = w_49 - self.cos_beta * w_17;
+        let w_113 = w_30 + self.cos_beta * w_40;
         let minus_closure_m2_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_108
-                - sin_theta1 * (self.cos_alpha * w_109 - sin_theta3 * self.k_5));
+            * (cos_theta1 * w_112
+                - sin_theta1 * (self.cos_alpha * w_113 - sin_theta3 * self.k_5));
         let minus_l_lambda_closure_m2_theta1 = minus_closure_m2_by_theta1
             * inverse_theta1;
-        let w_110 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_111 = self.k_11 * theta3_dot;
-        let w_112 = cos_theta2
+        let w_114 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
+        let w_115 = self.k_11 * theta3_dot;
+        let w_116 = cos_theta2
             * (cos_theta1
-                * (self.k_68 * w_110 + theta1_dot * (theta2_dot * self.k_80 + w_111)
-                    + w_103) + w_92 * self.k_83 + w_74 * self.k_82);
-        let w_113 = w_112
+                * (self.k_68 * w_114 + theta1_dot * (theta2_dot * self.k_80 + w_115)
+                    + w_107) + w_96 * self.k_83 + w_78 * self.k_82);
+        let w_117 = w_116
             - sin_theta2 * sin_theta1
-                * (self.k_81 * w_110 + theta2_dot * (w_111 + theta1_dot * self.k_66)
-                    + w_64 * self.k_65) - self.k_69 * cos_theta1 * w_81
+                * (self.k_81 * w_114 + theta2_dot * (w_115 + theta1_dot * self.k_66)
+                    + w_68 * self.k_65) - self.k_69 * cos_theta1 * w_85
             + theta3_dot_squared * self.k_68;
-        let w_114 = theta3_dot * self.k_80;
-        let w_115 = sin_theta2
+        let w_118 = theta3_dot * self.k_80;
+        let w_119 = sin_theta2
             * (cos_theta1
-                * (self.k_3 * w_110 + theta1_dot * (self.k_11 * theta2_dot + w_114)
-                    + w_99) + self.k_2 * w_92 + w_74 * self.k_84);
-        let w_116 = sin_theta3 * w_113
+                * (self.k_3 * w_114 + theta1_dot * (self.k_11 * theta2_dot + w_118)
+                    + w_103) + self.k_2 * w_96 + w_78 * self.k_84);
+        let w_120 = sin_theta3 * w_117
             + cos_theta3
-                * (w_115
+                * (w_119
                     + sin_theta1
                         * (cos_theta2
-                            * (self.sin_beta * w_110
-                                + theta2_dot * (w_114 + theta1_dot * self.k_65)
-                                + w_64 * self.k_66) - w_64 * self.k_67));
+                            * (self.sin_beta * w_114
+                                + theta2_dot * (w_118 + theta1_dot * self.k_65)
+                                + w_68 * self.k_66) - w_68 * self.k_67));
         let k_lambda_closure_m2_theta2 = self.sin_beta
-            * (sin_theta1 * w_109 - w_57 * w_108) - self.k_2 * w_108
+            * (sin_theta1 * w_113 - w_61 * w_112) - self.k_2 * w_112
             + mass_theta2_theta1 * minus_l_lambda_closure_m2_theta1;
         let l_lambda_closure_m2_theta2 = inverse_theta2 * k_lambda_closure_m2_theta2;
-        let w_117 = w_15 - self.cos_beta * w_45;
+        let w_121 = w_17 - self.cos_beta * w_49;
         let closure_m2_by_theta3 = self.sin_beta
-            * (sin_theta1 * (w_36 + self.cos_beta * w_27)
-                + cos_theta1 * (self.cos_alpha * w_117 + cos_theta3 * self.k_5))
-            - self.cos_beta * (w_98 - self.sin_alpha * w_117);
+            * (sin_theta1 * (w_40 + self.cos_beta * w_30)
+                + cos_theta1 * (self.cos_alpha * w_121 + cos_theta3 * self.k_5))
+            - self.cos_beta * (w_102 - self.sin_alpha * w_121);
         let k_lambda_closure_m2_theta3 = closure_m2_by_theta3
             + mass_theta3_theta1 * minus_l_lambda_closure_m2_theta1
             - k_theta3_theta2 * l_lambda_closure_m2_theta2;
@@ -2127,11 +2130,11 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_y;
         let l_lambda_closure_m2_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m2_lambda_closure_z;
-        let w_118 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
+        let w_122 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
             + k_lambda_closure_m1_theta2 * l_lambda_closure_m1_theta2
             + k_lambda_closure_m1_theta3 * l_lambda_closure_m1_theta3;
         let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
-            * l_lambda_closure_m1_lambda_closure_x - w_118
+            * l_lambda_closure_m1_lambda_closure_x - w_122
             - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
             - k_lambda_closure_m1_lambda_closure_z
                 * l_lambda_closure_m1_lambda_closure_z;
@@ -2146,18 +2149,18 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_z;
         let l_lambda_closure_m2_lambda_closure_m1 = inverse_lambda_closure_m1
             * k_lambda_closure_m2_lambda_closure_m1;
-        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_116
+        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_120
             - l_lambda_closure_m2_theta2 * rhs_theta2
             + l_lambda_closure_m2_theta3 * minus_rhs_theta3
             - l_lambda_closure_m2_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m2_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m2_lambda_closure_z * rhs_lambda_closure_z
             - l_lambda_closure_m2_lambda_closure_m1 * rhs_lambda_closure_m1;
-        let w_119 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
+        let w_123 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
             + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
             + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
         let pivot_lambda_closure_m2 = minus_k_lambda_closure_m2_lambda_closure_x
-            * l_lambda_closure_m2_lambda_closure_x - w_119
+            * l_lambda_closure_m2_lambda_closure_x - w_123
             - k_lambda_closure_m2_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
             - k_lambda_closure_m2_lambda_closure_z * l_lambda_closure_m2_lambda_closure_z
             - k_lambda_closure_m2_lambda_closure_m1
@@ -2191,22 +2194,21 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - l_lambda_closure_z_theta2 * lambda_closure_z
             - l_lambda_closure_m1_theta2 * lambda_closure_m1
             - l_lambda_closure_m2_theta2 * lambda_closure_m2;
-        let w_120 = w_83 * self.k_41 - w_59 * self.g;
-        let w_121 = self.b * w_8;
-        let w_122 = self.cos_beta * w_120 - cos_theta1 * self.k_85;
-        let w_123 = w_56 * self.g + w_19;
-        let w_124 = self.k_7 * theta1_dot;
-        let w_125 = w_121 + cos_theta2 * w_124;
-        let w_126 = w_12 * theta1_dot;
-        let w_127 = self.cos_beta * w_125 - self.sin_beta * w_126;
-        let w_128 = (self.sin_beta * w_120 + cos_theta1 * self.k_86)
-            * (self.a * w_26 + self.k_11 * w_125 + self.k_12 * w_126);
-        let w_129 = self.k_48
-            * (w_120 * (w_121 + cos_theta2 * w_66)
-                + (cos_theta3 * w_122 - sin_theta3 * w_123)
-                    * (self.a * w_35 + w_14 * w_127 - w_15 * w_66) + w_128);
-        let w_130 = self.m * (w_27 * w_124 + sin_theta3 * w_127)
-            * (cos_theta3 * w_123 + sin_theta3 * w_122);
+        let w_124 = w_87 * self.k_41 - w_63 * self.g;
+        let w_125 = self.b * w_10;
+        let w_126 = self.cos_beta * w_124 - cos_theta1 * self.k_85;
+        let w_127 = w_60 * self.g + w_21;
+        let w_128 = w_125 + self.k_7 * w_26;
+        let w_129 = w_14 * theta1_dot;
+        let w_130 = self.cos_beta * w_128 - self.sin_beta * w_129;
+        let w_131 = (self.sin_beta * w_124 + cos_theta1 * self.k_86)
+            * (self.a * w_29 + self.k_11 * w_128 + self.k_12 * w_129);
+        let w_132 = self.k_48
+            * (w_124 * (w_125 + self.k_9 * w_26)
+                + (cos_theta3 * w_126 - sin_theta3 * w_127)
+                    * (self.a * w_39 + w_16 * w_130 - w_17 * w_70) + w_131);
+        let w_133 = self.m * (w_53 * theta1_dot + sin_theta3 * w_130)
+            * (cos_theta3 * w_127 + sin_theta3 * w_126);
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta1 * inverse_theta1 - l_theta2_theta1 * theta2_ddot
@@ -2225,18 +2227,18 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 lambda_closure_m1,
                 lambda_closure_m2,
             ],
-            power: w_129 + theta1_dot * (sin_theta2 * w_123 * self.k_87 + w_48) + w_130
-                + cos_theta1 * w_7 * theta1_dot * self.k_88,
+            power: w_132 + theta1_dot * (sin_theta2 * w_127 * self.k_87 + w_52) + w_133
+                + cos_theta1 * w_9 * theta1_dot * self.k_88,
             refused: sim_kernel::pivot_is_refused(mass_theta1_theta1, mass_theta1_theta1)
                 | sim_kernel::pivot_is_refused(pivot_theta2, mass_theta2_theta2)
                 | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_94)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_107)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_118)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_119),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_98)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_111)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_122)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_123),
         }
     }
 }

@@ -140,35 +140,37 @@ pub struct ChainPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Chain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 15 multiplications, 1 division.
+    /// Operations: 13 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> ChainPrepared<S> {
         let l_squared = self.l * self.l;
-        let w = self.m * S::from_f64(0.5);
-        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
-        let w_2 = self.m * self.g;
+        let w = self.m * l_squared;
+        let w_2 = self.m * S::from_f64(0.5);
+        let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
+        let w_3 = self.l * w_2;
+        let w_4 = self.m * self.g;
         ChainPrepared {
             m: self.m,
             l: self.l,
-            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * self.m * l_squared,
-            k: l_squared * w,
+            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * w,
+            k: l_squared * w_2,
             mass_phi_2_phi_2: mass_phi_2_phi_2,
-            k_2: self.l * w,
+            k_2: w_3,
             k_3: self.l * S::from_f64(2.0),
-            k_4: self.l * S::from_f64(1.5) * w_2,
-            k_5: self.l * w * self.g,
-            k_6: w_2,
+            k_4: self.l * S::from_f64(1.5) * w_4,
+            k_5: w_3 * self.g,
+            k_6: w_4,
             inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
-            k_7: w * self.g,
+            k_7: w_2 * self.g,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 61 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 60 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
-        let l_squared = self.l * self.l;
+        let w = self.m * self.l * self.l;
         let (
             [sin_phi_1,
             sin_phi_2,
@@ -184,35 +186,34 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let u1_x = self.l * sin_phi_1;
-        let w = self.m + self.m;
-        let w_2 = self.m + w;
-        let w_3 = self.l * cos_phi_1;
-        let w_4 = self.m * S::from_f64(0.5);
+        let w_2 = self.m + self.m;
+        let w_3 = self.m + w_2;
+        let w_4 = self.l * cos_phi_1;
         let u2_x = self.l * sin_phi_2;
-        let w_5 = u2_x * w_2;
+        let w_5 = u2_x * w_3;
         let w_6 = self.l * cos_phi_2;
-        let w_7 = w_6 * w_2;
-        let w_8 = l_squared * w_4 * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
-            + u1_x * w_5 + w_3 * w_7;
-        let w_9 = self.l * w_4;
+        let w_7 = w_6 * w_3;
+        let w_8 = w * S::from_f64(0.5) * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
+            + u1_x * w_5 + w_4 * w_7;
+        let w_9 = self.m * self.l * S::from_f64(0.5);
         let u3_x = self.l * sin_phi_3;
-        let w_10 = u3_x * w;
+        let w_10 = u3_x * w_2;
         let w_11 = w_9 * sin_phi_3 + w_10;
         let w_12 = self.l * cos_phi_3;
-        let w_13 = w_12 * w;
+        let w_13 = w_12 * w_2;
         let w_14 = cos_phi_3 * w_9 + w_13;
-        let w_15 = u1_x * w_11 + w_3 * w_14;
+        let w_15 = u1_x * w_11 + w_4 * w_14;
         let u4_x = self.l * sin_phi_4;
         let w_16 = self.m * u4_x;
         let w_17 = w_9 * sin_phi_4 + w_16;
         let w_18 = self.l * cos_phi_4;
         let w_19 = self.m * w_18;
         let w_20 = w_9 * cos_phi_4 + w_19;
-        let w_21 = u1_x * w_17 + w_3 * w_20;
+        let w_21 = u1_x * w_17 + w_4 * w_20;
         let mass_P4_y_phi_5 = w_9 * sin_phi_5;
         let mass_P4_x_phi_5 = w_9 * cos_phi_5;
-        let w_22 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_3;
-        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        let w_22 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_4;
+        let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
         let w_23 = u2_x * w_11 + w_6 * w_14;
         let w_24 = u2_x * w_17 + w_6 * w_20;
         let w_25 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_6;
@@ -221,8 +222,8 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let w_28 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_18;
         [
             [
-                S::from_f64(1.3333333333333333) * self.m * l_squared + u1_x * u1_x * w_2
-                    + w_3 * w_3 * w_2,
+                S::from_f64(1.3333333333333333) * w + u1_x * u1_x * w_3
+                    + w_4 * w_4 * w_3,
                 w_8,
                 w_15,
                 w_21,
@@ -622,7 +623,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 137 additions, 172 multiplications, 4 divisions, 5 sine-cosine pairs.
+    /// Operations: 137 additions, 160 multiplications, 4 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -650,127 +651,130 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
         let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
         let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
-        let w = self.k_2 * phi_5_dot * phi_5_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_2 = self.l * phi_4_dot_squared;
-        let P4_y_convective = cos_phi_4 * w_2;
-        let w_3 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
-        let w_4 = minus_rhs_phi_5 * l_P4_y_phi_5 - (self.k_6 + cos_phi_5 * w)
-            - P4_y_convective * w_3;
-        let minus_P4_x_convective = sin_phi_4 * w_2;
         let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
-        let w_5 = mass_P4_x_phi_5 * l_P4_y_phi_5;
-        let w_6 = u4_x * w_5;
-        let w_7 = self.l * cos_phi_4;
+        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        let w = self.l * cos_phi_4;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let P4_y_convective = w * phi_4_dot_squared;
+        let w_2 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
+        let w_3 = minus_rhs_phi_5 * l_P4_y_phi_5
+            - (self.k_6 + mass_P4_x_phi_5 * phi_5_dot_squared) - P4_y_convective * w_2;
+        let minus_P4_x_convective = u4_x * phi_4_dot_squared;
+        let w_4 = mass_P4_x_phi_5 * l_P4_y_phi_5;
+        let w_5 = u4_x * w_4;
         let l_P4_x_phi_5 = mass_P4_x_phi_5 * self.inverse_phi_5;
-        let w_8 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
-        let w_9 = sin_phi_5 * w + minus_rhs_phi_5 * l_P4_x_phi_5 + P4_y_convective * w_5
-            + minus_P4_x_convective * w_8;
-        let rhs_phi_4 = u4_x * w_4 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_6
-            + w_7 * w_9;
+        let w_6 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
+        let w_7 = mass_P4_y_phi_5 * phi_5_dot_squared + minus_rhs_phi_5 * l_P4_x_phi_5
+            + P4_y_convective * w_4 + minus_P4_x_convective * w_6;
+        let rhs_phi_4 = u4_x * w_3 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_5
+            + w * w_7;
         let u3_x = self.l * sin_phi_3;
-        let w_10 = self.k_2 * phi_4_dot_squared;
-        let w_11 = u4_x * w_3;
-        let w_12 = u4_x * w_11;
-        let w_13 = w_7 * w_6;
-        let w_14 = w_7 * w_8;
-        let w_15 = w_7 * w_14;
-        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_12 - w_13 - w_13 + w_15;
+        let mass_P3_x_phi_4 = self.k_2 * cos_phi_4;
+        let w_8 = u4_x * w_2;
+        let w_9 = u4_x * w_8;
+        let w_10 = w * w_5;
+        let w_11 = w * w_6;
+        let w_12 = w * w_11;
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_9 - w_10 - w_10 + w_12;
         let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
-        let k_P3_y_phi_4 = self.k_2 * sin_phi_4 + w_11 - w_7 * w_5;
+        let mass_P3_y_phi_4 = self.k_2 * sin_phi_4;
+        let k_P3_y_phi_4 = mass_P3_y_phi_4 + w_8 - w * w_4;
         let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
+        let w_13 = self.l * cos_phi_3;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let w_16 = self.l * phi_3_dot_squared;
-        let P3_y_convective = cos_phi_3 * w_16;
-        let w_17 = self.m + w_3 - k_P3_y_phi_4 * l_P3_y_phi_4;
-        let w_18 = w_4 - (self.k_6 + cos_phi_4 * w_10) - minus_P4_x_convective * w_5
-            - l_P3_y_phi_4 * rhs_phi_4 - P3_y_convective * w_17;
-        let minus_P3_x_convective = sin_phi_3 * w_16;
-        let k_P3_x_phi_4 = self.k_2 * cos_phi_4 - w_6 + w_14;
-        let w_19 = w_5 + k_P3_x_phi_4 * l_P3_y_phi_4;
-        let w_20 = u3_x * w_19;
-        let w_21 = self.l * cos_phi_3;
+        let P3_y_convective = w_13 * phi_3_dot_squared;
+        let w_14 = self.m + w_2 - k_P3_y_phi_4 * l_P3_y_phi_4;
+        let w_15 = w_3 - (self.k_6 + mass_P3_x_phi_4 * phi_4_dot_squared)
+            - minus_P4_x_convective * w_4 - l_P3_y_phi_4 * rhs_phi_4
+            - P3_y_convective * w_14;
+        let minus_P3_x_convective = u3_x * phi_3_dot_squared;
+        let k_P3_x_phi_4 = mass_P3_x_phi_4 - w_5 + w_11;
+        let w_16 = w_4 + k_P3_x_phi_4 * l_P3_y_phi_4;
+        let w_17 = u3_x * w_16;
         let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
-        let w_22 = self.m + w_8 - k_P3_x_phi_4 * l_P3_x_phi_4;
-        let w_23 = sin_phi_4 * w_10 + w_9 - l_P3_x_phi_4 * rhs_phi_4
-            + P3_y_convective * w_19 + minus_P3_x_convective * w_22;
-        let rhs_phi_3 = u3_x * w_18 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_20
-            + w_21 * w_23;
+        let w_18 = self.m + w_6 - k_P3_x_phi_4 * l_P3_x_phi_4;
+        let w_19 = mass_P3_y_phi_4 * phi_4_dot_squared + w_7 - l_P3_x_phi_4 * rhs_phi_4
+            + P3_y_convective * w_16 + minus_P3_x_convective * w_18;
+        let rhs_phi_3 = u3_x * w_15 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_17
+            + w_13 * w_19;
+        let w_20 = cos_phi_1 * self.k;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let w_24 = sin_phi_2 * phi_2_dot_squared;
+        let w_21 = sin_phi_2 * phi_2_dot_squared;
+        let w_22 = cos_phi_2 * self.k;
         let u1_x = self.l * sin_phi_1;
-        let w_25 = self.k_2 * phi_3_dot_squared;
-        let w_26 = u3_x * w_17;
-        let w_27 = u3_x * w_26;
-        let w_28 = w_21 * w_20;
-        let w_29 = w_21 * w_22;
-        let w_30 = w_21 * w_29;
-        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_27 - w_28 - w_28 + w_30;
+        let mass_P2_x_phi_3 = cos_phi_3 * self.k_2;
+        let w_23 = u3_x * w_14;
+        let w_24 = u3_x * w_23;
+        let w_25 = w_13 * w_17;
+        let w_26 = w_13 * w_18;
+        let w_27 = w_13 * w_26;
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_24 - w_25 - w_25 + w_27;
         let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
-        let k_P2_y_phi_3 = self.k_2 * sin_phi_3 + w_26 - w_21 * w_19;
+        let mass_P2_y_phi_3 = self.k_2 * sin_phi_3;
+        let k_P2_y_phi_3 = mass_P2_y_phi_3 + w_23 - w_13 * w_16;
         let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_31 = self.m + w_17 - k_P2_y_phi_3 * l_P2_y_phi_3;
-        let w_32 = w_18 - (self.k_6 + cos_phi_3 * w_25) - minus_P3_x_convective * w_19
-            - l_P2_y_phi_3 * rhs_phi_3 - P2_y_convective * w_31;
-        let w_33 = sin_phi_1 * phi_1_dot_squared;
-        let minus_P2_x_convective = self.l * (w_33 + w_24);
-        let k_P2_x_phi_3 = cos_phi_3 * self.k_2 - w_20 + w_29;
-        let w_34 = w_19 + k_P2_x_phi_3 * l_P2_y_phi_3;
-        let w_35 = u1_x * w_34;
-        let w_36 = self.l * cos_phi_1;
+        let w_28 = self.m + w_14 - k_P2_y_phi_3 * l_P2_y_phi_3;
+        let w_29 = w_15 - (self.k_6 + mass_P2_x_phi_3 * phi_3_dot_squared)
+            - minus_P3_x_convective * w_16 - l_P2_y_phi_3 * rhs_phi_3
+            - P2_y_convective * w_28;
+        let w_30 = sin_phi_1 * phi_1_dot_squared;
+        let minus_P2_x_convective = self.l * (w_30 + w_21);
+        let k_P2_x_phi_3 = mass_P2_x_phi_3 - w_17 + w_26;
+        let w_31 = w_16 + k_P2_x_phi_3 * l_P2_y_phi_3;
+        let w_32 = u1_x * w_31;
+        let w_33 = self.l * cos_phi_1;
         let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
-        let w_37 = self.m + w_22 - k_P2_x_phi_3 * l_P2_x_phi_3;
-        let w_38 = sin_phi_3 * w_25 + w_23 - l_P2_x_phi_3 * rhs_phi_3
-            + P2_y_convective * w_34 + minus_P2_x_convective * w_37;
-        let rhs_phi_1 = cos_phi_1 * self.k * w_24
-            - sin_phi_1 * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared)
-            + u1_x * w_32 - minus_P2_x_convective * w_35 + w_36 * w_38;
+        let w_34 = self.m + w_18 - k_P2_x_phi_3 * l_P2_x_phi_3;
+        let w_35 = mass_P2_y_phi_3 * phi_3_dot_squared + w_19 - l_P2_x_phi_3 * rhs_phi_3
+            + P2_y_convective * w_31 + minus_P2_x_convective * w_34;
+        let rhs_phi_1 = w_20 * w_21 - sin_phi_1 * (self.k_4 + phi_2_dot_squared * w_22)
+            + u1_x * w_29 - minus_P2_x_convective * w_32 + w_33 * w_35;
         let u2_x = self.l * sin_phi_2;
-        let w_39 = u2_x * w_34;
-        let w_40 = self.l * cos_phi_2;
-        let w_41 = u1_x * u1_x * w_31;
-        let w_42 = w_36 * w_35;
-        let w_43 = w_36 * w_36 * w_37;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_41 - w_42 - w_42 + w_43;
+        let w_36 = u2_x * w_31;
+        let w_37 = self.l * cos_phi_2;
+        let w_38 = u1_x * u1_x * w_28;
+        let w_39 = w_33 * w_32;
+        let w_40 = w_33 * w_33 * w_34;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_38 - w_39 - w_39 + w_40;
         let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let w_44 = u2_x * w_31;
-        let w_45 = w_40 * w_37;
+        let w_41 = u2_x * w_28;
+        let w_42 = w_37 * w_34;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
-            + u1_x * w_44 - w_40 * w_35 - w_36 * w_39 + w_36 * w_45;
+            + u1_x * w_41 - w_37 * w_32 - w_33 * w_36 + w_33 * w_42;
         let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
-        let rhs_phi_2 = cos_phi_2 * self.k * w_33
-            - sin_phi_2 * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared)
-            + u2_x * w_32 - minus_P2_x_convective * w_39 + w_40 * w_38
-            - l_phi_2_phi_1 * rhs_phi_1;
-        let w_46 = u2_x * w_44;
-        let w_47 = w_40 * w_39;
-        let w_48 = w_40 * w_45;
-        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_46 - w_47 - w_47 + w_48
+        let w_43 = u2_x * w_41;
+        let w_44 = w_37 * w_36;
+        let w_45 = w_37 * w_42;
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_43 - w_44 - w_44 + w_45
             - k_phi_2_phi_1 * l_phi_2_phi_1;
-        let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
+        let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2
+            * (w_22 * w_30 - sin_phi_2 * (self.k_5 + phi_1_dot_squared * w_20)
+                + u2_x * w_29 - minus_P2_x_convective * w_36 + w_37 * w_35
+                - l_phi_2_phi_1 * rhs_phi_1);
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
-        let P2_x_ddot = w_36 * phi_1_ddot - minus_P2_x_convective + w_40 * phi_2_ddot;
+        let P2_x_ddot = w_33 * phi_1_ddot - minus_P2_x_convective + w_37 * phi_2_ddot;
         let P2_y_ddot = P2_y_convective + u1_x * phi_1_ddot + u2_x * phi_2_ddot;
         let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P2_x_phi_3 * P2_x_ddot
             - l_P2_y_phi_3 * P2_y_ddot;
-        let P3_x_ddot = w_21 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
+        let P3_x_ddot = w_13 * phi_3_ddot - minus_P3_x_convective + P2_x_ddot;
         let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
             - l_P3_y_phi_4 * P3_y_ddot;
-        let P2_y_dot = self.l * (sin_phi_1 * phi_1_dot + sin_phi_2 * phi_2_dot);
-        let w_49 = self.l * sin_phi_3 * phi_3_dot;
-        let P3_y_dot = P2_y_dot + w_49;
-        let w_50 = self.l * sin_phi_4 * phi_4_dot;
-        let w_51 = sin_phi_1 * phi_1_dot * self.k_3 + self.l * sin_phi_2 * phi_2_dot
-            + (S::from_f64(2.0) * P2_y_dot + w_49) + (S::from_f64(2.0) * P3_y_dot + w_50)
-            + (S::from_f64(2.0) * (P3_y_dot + w_50) + self.l * sin_phi_5 * phi_5_dot);
-        let abs_w_13 = w_13.abs();
-        let abs_w_28 = w_28.abs();
-        let abs_w_42 = w_42.abs();
-        let abs_w_47 = w_47.abs();
+        let w_46 = sin_phi_1 * phi_1_dot;
+        let P2_y_dot = self.l * (w_46 + sin_phi_2 * phi_2_dot);
+        let w_47 = u3_x * phi_3_dot;
+        let P3_y_dot = P2_y_dot + w_47;
+        let w_48 = u4_x * phi_4_dot;
+        let w_49 = self.k_3 * w_46 + u2_x * phi_2_dot
+            + (S::from_f64(2.0) * P2_y_dot + w_47) + (S::from_f64(2.0) * P3_y_dot + w_48)
+            + (S::from_f64(2.0) * (P3_y_dot + w_48) + self.l * sin_phi_5 * phi_5_dot);
+        let abs_w_10 = w_10.abs();
+        let abs_w_25 = w_25.abs();
+        let abs_w_39 = w_39.abs();
+        let abs_w_44 = w_44.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -778,31 +782,30 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
                 phi_3_ddot,
                 phi_4_ddot,
                 -(minus_rhs_phi_5 * self.inverse_phi_5
-                    + l_P4_x_phi_5
-                        * (w_7 * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
+                    + l_P4_x_phi_5 * (w * phi_4_ddot - minus_P4_x_convective + P3_x_ddot)
                     + l_P4_y_phi_5 * (P4_y_convective + u4_x * phi_4_ddot + P3_y_ddot)),
             ],
             multipliers: [],
-            power: -(self.k_7 * w_51 + sin_phi_1 * phi_1_dot * self.k_5),
+            power: -(self.k_7 * w_49 + self.k_5 * w_46),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi_2_phi_2,
                 self.mass_phi_2_phi_2,
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_4,
-                    self.mass_phi_2_phi_2 + w_12 + abs_w_13 + abs_w_13 + w_15,
+                    self.mass_phi_2_phi_2 + w_9 + abs_w_10 + abs_w_10 + w_12,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_3,
-                    self.mass_phi_2_phi_2 + w_27 + abs_w_28 + abs_w_28 + w_30,
+                    self.mass_phi_2_phi_2 + w_24 + abs_w_25 + abs_w_25 + w_27,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_1,
-                    self.mass_phi_1_phi_1 + w_41 + abs_w_42 + abs_w_42 + w_43,
+                    self.mass_phi_1_phi_1 + w_38 + abs_w_39 + abs_w_39 + w_40,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_2,
-                    self.mass_phi_2_phi_2 + w_46 + abs_w_47 + abs_w_47 + w_48,
+                    self.mass_phi_2_phi_2 + w_43 + abs_w_44 + abs_w_44 + w_45,
                 ),
         }
     }

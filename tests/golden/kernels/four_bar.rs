@@ -281,7 +281,7 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> FourBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 additions, 30 multiplications, 2 divisions.
+    /// Operations: 2 additions, 28 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -289,34 +289,35 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let mass_theta2_theta2 = S::from_f64(0.3333333333333333) * a_squared * self.m2
             + w;
         let w_2 = self.a * self.m3;
-        let b_squared = self.b * self.b;
+        let w_3 = S::from_f64(0.5) * w_2;
+        let w_4 = self.m3 * self.b * self.b;
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
-        let w_3 = S::from_f64(0.5) * self.g;
-        let w_4 = self.a * self.m2 * w_3;
-        let w_5 = self.m3 * self.b;
+        let w_5 = S::from_f64(0.5) * self.g;
+        let w_6 = self.a * self.m2 * w_5;
+        let w_7 = self.m3 * self.b;
         FourBarPrepared {
             a: self.a,
             k: w,
             mass_theta2_theta2: mass_theta2_theta2,
             b: self.b,
-            k_2: S::from_f64(0.5) * self.b * w_2,
-            mass_theta3_theta3: S::from_f64(0.3333333333333333) * self.m3 * b_squared,
+            k_2: self.b * w_3,
+            mass_theta3_theta3: S::from_f64(0.3333333333333333) * w_4,
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             T: self.T,
             k_3: self.a * S::from_f64(2.0),
-            k_4: S::from_f64(0.5) * w_2,
-            k_5: w_4,
-            k_6: w_4 + w_2 * self.g,
-            k_7: S::from_f64(0.25) * w_5,
-            k_8: w_3 * w_5,
-            k_9: self.c * self.m4 * w_3,
+            k_4: w_3,
+            k_5: w_6,
+            k_6: w_6 + w_2 * self.g,
+            k_7: S::from_f64(0.25) * w_7,
+            k_8: w_5 * w_7,
+            k_9: self.c * self.m4 * w_5,
             inverse_theta2: S::from_f64(1.0) / mass_theta2_theta2,
             inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
-            k_10: self.m3 * w_3,
+            k_10: self.m3 * w_5,
             k_11: self.b * w_2,
-            k_12: self.m3 * b_squared * S::from_f64(0.25),
+            k_12: w_4 * S::from_f64(0.25),
             k_13: self.b * S::from_f64(2.0),
             k_14: self.c * S::from_f64(2.0),
         }
@@ -798,7 +799,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 129 additions, 226 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 129 additions, 222 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -814,25 +815,24 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta4,
         ]);
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = self.k_2 * theta3_dot_squared;
-        let w_2 = u2_y * u3_x;
-        let rhs_theta2 = u2_x * (u3_y * w - self.k_6) + self.T - w * w_2;
+        let w = u3_y * theta3_dot_squared;
+        let w_2 = u3_x * theta3_dot_squared;
+        let rhs_theta2 = u2_x * (self.k_2 * w - self.k_6) + self.T
+            - u2_y * self.k_2 * w_2;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_3 = self.k_2 * theta2_dot_squared;
-        let w_4 = u3_y * u2_x;
+        let w_3 = u2_y * theta2_dot_squared;
+        let w_4 = u2_x * theta2_dot_squared;
         let w_5 = u2_y * u3_y + u2_x * u3_x;
         let mass_theta3_theta2 = self.k_2 * w_5;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let rhs_theta3 = u3_x * (u2_y * w_3 - self.k_8) - w_3 * w_4
+        let rhs_theta3 = u3_x * (self.k_2 * w_3 - self.k_8) - u3_y * self.k_2 * w_4
             - rhs_theta2 * l_theta3_theta2;
         let minus_closure_x_by_theta2 = self.a * u2_y;
         let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
             * self.inverse_theta2;
+        let minus_closure_y_by_theta4 = self.c * u4_x;
         let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_6 = self.c * theta4_dot_squared;
-        let w_7 = self.a * theta2_dot_squared;
-        let w_8 = self.b * theta3_dot_squared;
-        let w_9 = u3_x * w_8;
+        let w_6 = self.b * w_2;
         let minus_rhs_theta4 = u4_x * self.k_9;
         let B_y = self.c * u4_y;
         let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
@@ -843,7 +843,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
         let rhs_lambda_closure_x = rhs_theta2 * minus_l_lambda_closure_x_theta2
-            - (u4_x * w_6 - u2_x * w_7 - w_9)
+            - (minus_closure_y_by_theta4 * theta4_dot_squared - self.a * w_4 - w_6)
             + minus_rhs_theta4 * l_lambda_closure_x_theta4
             - l_lambda_closure_x_theta3 * rhs_theta3;
         let minus_pivot_lambda_closure_x = minus_closure_x_by_theta2
@@ -853,7 +853,6 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             / minus_pivot_lambda_closure_x;
         let A_x = self.a * u2_x;
         let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
         let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
             * self.inverse_theta4;
         let k_lambda_closure_y_theta3 = self.b * u3_x
@@ -864,151 +863,152 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let w_10 = u3_y * w_8;
-        let w_11 = theta2_dot_squared * self.k_3;
-        let w_12 = u2_y * w_11 + w_10;
-        let w_13 = A_x * l_lambda_closure_y_theta2
+        let w_7 = self.b * w;
+        let w_8 = self.k_3 * w_3 + w_7;
+        let w_9 = A_x * l_lambda_closure_y_theta2
             + minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_13;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_9;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let lambda_closure_y = inverse_lambda_closure_y
             * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
-                - (u4_y * w_6 - u2_y * w_7 - w_10)
+                - (B_y * theta4_dot_squared - self.a * w_3 - w_7)
                 - rhs_theta2 * l_lambda_closure_y_theta2
                 - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
                 - l_lambda_closure_y_theta3 * rhs_theta3);
         let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
             * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
-        let w_14 = u2_x * w_11 + w_9;
+        let w_10 = self.k_3 * w_4 + w_6;
         let theta3_ddot = inverse_theta3 * rhs_theta3
             - l_lambda_closure_x_theta3 * lambda_closure_x
             - l_lambda_closure_y_theta3 * lambda_closure_y;
-        let w_15 = w_4 - w_2;
-        let w_16 = S::from_f64(0.5) * self.k_11 * w_15;
-        let w_17 = theta3_ddot * w_16;
-        let w_18 = u2_y * (self.k_6 - w_12 * self.k_4 + self.a * lambda_closure_y)
-            + u2_x * (self.a * lambda_closure_x - w_14 * self.k_4) - w_17
+        let w_11 = u3_y * u2_x;
+        let w_12 = u2_y * u3_x;
+        let w_13 = w_11 - w_12;
+        let w_14 = S::from_f64(0.5) * self.k_11 * w_13;
+        let w_15 = theta3_ddot * w_14;
+        let w_16 = u2_y * (self.k_6 - w_8 * self.k_4 + self.a * lambda_closure_y)
+            + u2_x * (self.a * lambda_closure_x - w_10 * self.k_4) - w_15
             + self.k * theta2_dot_squared;
         let theta2_ddot = rhs_theta2 * self.inverse_theta2
             - l_theta3_theta2 * theta3_ddot
             + minus_l_lambda_closure_x_theta2 * lambda_closure_x
             - l_lambda_closure_y_theta2 * lambda_closure_y;
-        let w_19 = theta2_ddot * w_16;
-        let w_20 = self.k_2 * w_5 * theta2_dot_squared - w_19 - l_theta3_theta2 * w_18;
-        let w_21 = self.a * (u2_x * theta2_ddot - u2_y * theta2_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_18 - l_lambda_closure_x_theta3 * w_20;
-        let w_22 = inverse_lambda_closure_y
-            * (self.a * (u2_y * theta2_ddot + u2_x * theta2_dot_squared)
-                - l_lambda_closure_y_theta2 * w_18 - l_lambda_closure_y_theta3 * w_20
-                + minus_l_lambda_closure_y_lambda_closure_x * w_21);
-        let w_23 = minus_l_lambda_closure_y_lambda_closure_x * w_22
-            - minus_inverse_lambda_closure_x * w_21;
-        let w_24 = inverse_theta3 * w_20 - l_lambda_closure_x_theta3 * w_23
-            - l_lambda_closure_y_theta3 * w_22;
-        let w_25 = self.k_2 * w_5 * theta3_dot_squared + w_17;
-        let w_26 = u3_y * (self.k_8 - w_12 * self.k_7 + self.b * lambda_closure_y)
-            + u3_x * (self.b * lambda_closure_x - w_14 * self.k_7)
-            + theta3_dot_squared * self.k_12 + w_19 - l_theta3_theta2 * w_25;
-        let w_27 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_closure_x_theta2 * w_25 - l_lambda_closure_x_theta3 * w_26;
-        let w_28 = inverse_lambda_closure_y
-            * (self.b * (u3_y * theta3_ddot + u3_x * theta3_dot_squared)
-                - l_lambda_closure_y_theta2 * w_25 - l_lambda_closure_y_theta3 * w_26
-                + minus_l_lambda_closure_y_lambda_closure_x * w_27);
-        let w_29 = minus_l_lambda_closure_y_lambda_closure_x * w_28
-            - minus_inverse_lambda_closure_x * w_27;
-        let w_30 = inverse_theta3 * w_26 - l_lambda_closure_x_theta3 * w_29
-            - l_lambda_closure_y_theta3 * w_28;
-        let w_31 = u4_y * (self.k_9 - self.c * lambda_closure_y)
+        let w_17 = theta2_ddot * w_14;
+        let w_18 = self.k_2 * w_5 * theta2_dot_squared - w_17 - l_theta3_theta2 * w_16;
+        let w_19 = self.a * (u2_x * theta2_ddot - w_3)
+            + minus_l_lambda_closure_x_theta2 * w_16 - l_lambda_closure_x_theta3 * w_18;
+        let w_20 = inverse_lambda_closure_y
+            * (self.a * (u2_y * theta2_ddot + w_4) - l_lambda_closure_y_theta2 * w_16
+                - l_lambda_closure_y_theta3 * w_18
+                + minus_l_lambda_closure_y_lambda_closure_x * w_19);
+        let w_21 = minus_l_lambda_closure_y_lambda_closure_x * w_20
+            - minus_inverse_lambda_closure_x * w_19;
+        let w_22 = inverse_theta3 * w_18 - l_lambda_closure_x_theta3 * w_21
+            - l_lambda_closure_y_theta3 * w_20;
+        let w_23 = self.k_2 * w_5 * theta3_dot_squared + w_15;
+        let w_24 = u3_y * (self.k_8 - w_8 * self.k_7 + self.b * lambda_closure_y)
+            + u3_x * (self.b * lambda_closure_x - w_10 * self.k_7)
+            + theta3_dot_squared * self.k_12 + w_17 - l_theta3_theta2 * w_23;
+        let w_25 = self.b * (u3_x * theta3_ddot - w)
+            + minus_l_lambda_closure_x_theta2 * w_23 - l_lambda_closure_x_theta3 * w_24;
+        let w_26 = inverse_lambda_closure_y
+            * (self.b * (u3_y * theta3_ddot + w_2) - l_lambda_closure_y_theta2 * w_23
+                - l_lambda_closure_y_theta3 * w_24
+                + minus_l_lambda_closure_y_lambda_closure_x * w_25);
+        let w_27 = minus_l_lambda_closure_y_lambda_closure_x * w_26
+            - minus_inverse_lambda_closure_x * w_25;
+        let w_28 = inverse_theta3 * w_24 - l_lambda_closure_x_theta3 * w_27
+            - l_lambda_closure_y_theta3 * w_26;
+        let w_29 = u4_y * (self.k_9 - self.c * lambda_closure_y)
             - minus_closure_y_by_theta4 * lambda_closure_x;
         let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
             - minus_rhs_theta4 * self.inverse_theta4
             - l_lambda_closure_x_theta4 * lambda_closure_x;
-        let w_32 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_closure_x_theta4 * w_31;
-        let w_33 = inverse_lambda_closure_y
-            * (minus_l_lambda_closure_y_theta4 * w_31
+        let w_30 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
+            - l_lambda_closure_x_theta4 * w_29;
+        let w_31 = inverse_lambda_closure_y
+            * (minus_l_lambda_closure_y_theta4 * w_29
                 - self.c * (u4_y * theta4_ddot + u4_x * theta4_dot_squared)
-                + minus_l_lambda_closure_y_lambda_closure_x * w_32);
-        let w_34 = minus_l_lambda_closure_y_lambda_closure_x * w_33
-            - minus_inverse_lambda_closure_x * w_32;
-        let w_35 = l_lambda_closure_x_theta3 * w_34 + l_lambda_closure_y_theta3 * w_33;
-        let w_36 = theta2_dot * self.k_3;
-        let w_37 = self.k_11 * theta2_dot * (w_2 - w_4);
-        let w_38 = u2_x * w_36 - l_lambda_closure_x_theta3 * w_37;
-        let w_39 = inverse_lambda_closure_y
-            * (u2_y * w_36 - l_lambda_closure_y_theta3 * w_37
-                + minus_l_lambda_closure_y_lambda_closure_x * w_38);
-        let w_40 = minus_l_lambda_closure_y_lambda_closure_x * w_39
-            - minus_inverse_lambda_closure_x * w_38;
-        let w_41 = inverse_theta3 * w_37 - l_lambda_closure_x_theta3 * w_40
-            - l_lambda_closure_y_theta3 * w_39;
-        let w_42 = self.k_11 * theta3_dot * w_15;
-        let w_43 = l_theta3_theta2 * w_42;
-        let w_44 = theta3_dot * self.k_13;
-        let w_45 = u3_x * w_44 + minus_l_lambda_closure_x_theta2 * w_42
-            + l_lambda_closure_x_theta3 * w_43;
-        let w_46 = inverse_lambda_closure_y
-            * (u3_y * w_44 - l_lambda_closure_y_theta2 * w_42
-                + l_lambda_closure_y_theta3 * w_43
-                + minus_l_lambda_closure_y_lambda_closure_x * w_45);
-        let w_47 = minus_l_lambda_closure_y_lambda_closure_x * w_46
-            - minus_inverse_lambda_closure_x * w_45;
-        let w_48 = inverse_theta3 * w_43 + l_lambda_closure_x_theta3 * w_47
-            + l_lambda_closure_y_theta3 * w_46;
-        let w_49 = theta4_dot * self.k_14;
-        let w_50 = u4_x * w_49;
-        let w_51 = inverse_lambda_closure_y
-            * (u4_y * w_49 + minus_l_lambda_closure_y_lambda_closure_x * w_50);
-        let w_52 = minus_inverse_lambda_closure_x * w_50
-            - minus_l_lambda_closure_y_lambda_closure_x * w_51;
-        let w_53 = l_lambda_closure_y_theta3 * w_51 - l_lambda_closure_x_theta3 * w_52;
+                + minus_l_lambda_closure_y_lambda_closure_x * w_30);
+        let w_32 = minus_l_lambda_closure_y_lambda_closure_x * w_31
+            - minus_inverse_lambda_closure_x * w_30;
+        let w_33 = l_lambda_closure_x_theta3 * w_32 + l_lambda_closure_y_theta3 * w_31;
+        let w_34 = theta2_dot * self.k_3;
+        let w_35 = self.k_11 * theta2_dot * (w_12 - w_11);
+        let w_36 = u2_x * w_34 - l_lambda_closure_x_theta3 * w_35;
+        let w_37 = inverse_lambda_closure_y
+            * (u2_y * w_34 - l_lambda_closure_y_theta3 * w_35
+                + minus_l_lambda_closure_y_lambda_closure_x * w_36);
+        let w_38 = minus_l_lambda_closure_y_lambda_closure_x * w_37
+            - minus_inverse_lambda_closure_x * w_36;
+        let w_39 = inverse_theta3 * w_35 - l_lambda_closure_x_theta3 * w_38
+            - l_lambda_closure_y_theta3 * w_37;
+        let w_40 = self.k_11 * theta3_dot * w_13;
+        let w_41 = l_theta3_theta2 * w_40;
+        let w_42 = theta3_dot * self.k_13;
+        let w_43 = u3_x * w_42 + minus_l_lambda_closure_x_theta2 * w_40
+            + l_lambda_closure_x_theta3 * w_41;
+        let w_44 = inverse_lambda_closure_y
+            * (u3_y * w_42 - l_lambda_closure_y_theta2 * w_40
+                + l_lambda_closure_y_theta3 * w_41
+                + minus_l_lambda_closure_y_lambda_closure_x * w_43);
+        let w_45 = minus_l_lambda_closure_y_lambda_closure_x * w_44
+            - minus_inverse_lambda_closure_x * w_43;
+        let w_46 = inverse_theta3 * w_41 + l_lambda_closure_x_theta3 * w_45
+            + l_lambda_closure_y_theta3 * w_44;
+        let w_47 = theta4_dot * self.k_14;
+        let w_48 = u4_x * w_47;
+        let w_49 = inverse_lambda_closure_y
+            * (u4_y * w_47 + minus_l_lambda_closure_y_lambda_closure_x * w_48);
+        let w_50 = minus_inverse_lambda_closure_x * w_48
+            - minus_l_lambda_closure_y_lambda_closure_x * w_49;
+        let w_51 = l_lambda_closure_y_theta3 * w_49 - l_lambda_closure_x_theta3 * w_50;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta2 * w_18 - l_theta3_theta2 * w_24
-                        + minus_l_lambda_closure_x_theta2 * w_23
-                        - l_lambda_closure_y_theta2 * w_22,
-                    self.inverse_theta2 * w_25 - l_theta3_theta2 * w_30
-                        + minus_l_lambda_closure_x_theta2 * w_29
-                        - l_lambda_closure_y_theta2 * w_28,
-                    l_theta3_theta2 * w_35 + minus_l_lambda_closure_x_theta2 * w_34
-                        - l_lambda_closure_y_theta2 * w_33,
+                    self.inverse_theta2 * w_16 - l_theta3_theta2 * w_22
+                        + minus_l_lambda_closure_x_theta2 * w_21
+                        - l_lambda_closure_y_theta2 * w_20,
+                    self.inverse_theta2 * w_23 - l_theta3_theta2 * w_28
+                        + minus_l_lambda_closure_x_theta2 * w_27
+                        - l_lambda_closure_y_theta2 * w_26,
+                    l_theta3_theta2 * w_33 + minus_l_lambda_closure_x_theta2 * w_32
+                        - l_lambda_closure_y_theta2 * w_31,
                 ],
-                [w_24, w_30, -w_35],
+                [w_22, w_28, -w_33],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_22
-                        - l_lambda_closure_x_theta4 * w_23,
-                    minus_l_lambda_closure_y_theta4 * w_28
-                        - l_lambda_closure_x_theta4 * w_29,
-                    self.inverse_theta4 * w_31 - l_lambda_closure_x_theta4 * w_34
-                        + minus_l_lambda_closure_y_theta4 * w_33,
+                    minus_l_lambda_closure_y_theta4 * w_20
+                        - l_lambda_closure_x_theta4 * w_21,
+                    minus_l_lambda_closure_y_theta4 * w_26
+                        - l_lambda_closure_x_theta4 * w_27,
+                    self.inverse_theta4 * w_29 - l_lambda_closure_x_theta4 * w_32
+                        + minus_l_lambda_closure_y_theta4 * w_31,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_closure_x_theta2 * w_40 - l_theta3_theta2 * w_41
-                        - l_lambda_closure_y_theta2 * w_39,
-                    self.inverse_theta2 * w_42 + l_theta3_theta2 * w_48
-                        + minus_l_lambda_closure_x_theta2 * w_47
-                        - l_lambda_closure_y_theta2 * w_46,
-                    minus_l_lambda_closure_x_theta2 * w_52 - l_theta3_theta2 * w_53
-                        + l_lambda_closure_y_theta2 * w_51,
+                    minus_l_lambda_closure_x_theta2 * w_38 - l_theta3_theta2 * w_39
+                        - l_lambda_closure_y_theta2 * w_37,
+                    self.inverse_theta2 * w_40 + l_theta3_theta2 * w_46
+                        + minus_l_lambda_closure_x_theta2 * w_45
+                        - l_lambda_closure_y_theta2 * w_44,
+                    minus_l_lambda_closure_x_theta2 * w_50 - l_theta3_theta2 * w_51
+                        + l_lambda_closure_y_theta2 * w_49,
                 ],
-                [w_41, -w_48, w_53],
+                [w_39, -w_46, w_51],
                 [
-                    minus_l_lambda_closure_y_theta4 * w_39
-                        - l_lambda_closure_x_theta4 * w_40,
-                    minus_l_lambda_closure_y_theta4 * w_46
-                        - l_lambda_closure_x_theta4 * w_47,
-                    -(l_lambda_closure_x_theta4 * w_52
-                        + minus_l_lambda_closure_y_theta4 * w_51),
+                    minus_l_lambda_closure_y_theta4 * w_37
+                        - l_lambda_closure_x_theta4 * w_38,
+                    minus_l_lambda_closure_y_theta4 * w_44
+                        - l_lambda_closure_x_theta4 * w_45,
+                    -(l_lambda_closure_x_theta4 * w_50
+                        + minus_l_lambda_closure_y_theta4 * w_49),
                 ],
             ],
-            multipliers_by_positions: [[w_23, w_29, w_34], [w_22, w_28, w_33]],
-            multipliers_by_speeds: [[w_40, w_47, w_52], [w_39, w_46, -w_51]],
+            multipliers_by_positions: [[w_21, w_27, w_32], [w_20, w_26, w_31]],
+            multipliers_by_speeds: [[w_38, w_45, w_50], [w_37, w_44, -w_49]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta2_theta2,
                 self.mass_theta2_theta2,
@@ -1020,7 +1020,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_13),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_9),
         }
     }
 }

@@ -301,31 +301,29 @@ pub struct FourBarsPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> FourBars<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 19 multiplications, 2 divisions.
+    /// Operations: 15 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarsPrepared<S> {
-        let l_squared = self.l * self.l;
-        let mass_crank_angle_0_crank_angle_0 = S::from_f64(1.3333333333333333)
-            * l_squared * self.m;
-        let mass_crank_angle_3_crank_angle_3 = l_squared * self.m
-            * S::from_f64(0.3333333333333333);
-        let w = self.m * S::from_f64(0.5);
+        let w = self.l * self.l * self.m;
+        let mass_crank_angle_0_crank_angle_0 = S::from_f64(1.3333333333333333) * w;
+        let mass_crank_angle_3_crank_angle_3 = w * S::from_f64(0.3333333333333333);
         let w_2 = self.l * self.m;
+        let w_3 = S::from_f64(0.5) * self.g;
         FourBarsPrepared {
             l: self.l,
             mass_crank_angle_0_crank_angle_0: mass_crank_angle_0_crank_angle_0,
             mass_crank_angle_3_crank_angle_3: mass_crank_angle_3_crank_angle_3,
-            k: l_squared * w,
+            k: w * S::from_f64(0.5),
             k_2: self.l * S::from_f64(2.0),
             k_3: S::from_f64(0.5) * w_2,
             k_4: S::from_f64(1.5) * self.g * w_2,
-            k_5: S::from_f64(0.5) * self.g * w_2,
+            k_5: w_2 * w_3,
             k_6: w_2 * S::from_f64(0.25),
             inverse_crank_angle_0: S::from_f64(1.0) / mass_crank_angle_0_crank_angle_0,
             inverse_coupler_angle_2: S::from_f64(1.0) / mass_crank_angle_3_crank_angle_3,
-            k_7: w * self.g,
-            k_8: l_squared * self.m,
-            k_9: l_squared * self.m * S::from_f64(0.25),
+            k_7: self.m * w_3,
+            k_8: w,
+            k_9: w * S::from_f64(0.25),
         }
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
@@ -1234,7 +1232,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 149 additions, 271 multiplications, 9 divisions, 7 sine-cosine pairs.
+    /// Operations: 149 additions, 259 multiplications, 9 divisions, 7 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1273,57 +1271,56 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             crank_angle_3,
         ]);
         let coupler_angle_1_dot_squared = coupler_angle_1_dot * coupler_angle_1_dot;
-        let w = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
+        let w = sin_coupler_angle_1 * self.k;
+        let w_2 = sin_crank_angle_0 * self.k;
+        let w_3 = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
         let rhs_crank_angle_0 = cos_crank_angle_0
-            * (sin_coupler_angle_1 * self.k * coupler_angle_1_dot_squared - self.k_4)
-            - sin_crank_angle_0 * self.k * w;
+            * (coupler_angle_1_dot_squared * w - self.k_4) - w_2 * w_3;
         let crank_angle_1_dot_squared = crank_angle_1_dot * crank_angle_1_dot;
-        let w_2 = self.k * crank_angle_1_dot_squared;
+        let w_4 = self.k * sin_crank_angle_1;
+        let w_5 = self.k * sin_coupler_angle_2;
+        let w_6 = cos_crank_angle_1 * crank_angle_1_dot_squared;
         let rhs_coupler_angle_2 = cos_coupler_angle_2
-            * (sin_crank_angle_1 * w_2 - self.k_5)
-            - sin_coupler_angle_2 * cos_crank_angle_1 * w_2;
+            * (crank_angle_1_dot_squared * w_4 - self.k_5) - w_5 * w_6;
         let crank_angle_2_dot_squared = crank_angle_2_dot * crank_angle_2_dot;
-        let w_3 = self.k * crank_angle_2_dot_squared;
+        let w_7 = self.k * sin_crank_angle_2;
+        let w_8 = self.k * sin_coupler_angle_3;
+        let w_9 = cos_crank_angle_2 * crank_angle_2_dot_squared;
         let rhs_coupler_angle_3 = cos_coupler_angle_3
-            * (sin_crank_angle_2 * w_3 - self.k_5)
-            - sin_coupler_angle_3 * cos_crank_angle_2 * w_3;
+            * (crank_angle_2_dot_squared * w_7 - self.k_5) - w_8 * w_9;
         let crank_angle_0_dot_squared = crank_angle_0_dot * crank_angle_0_dot;
-        let w_4 = cos_crank_angle_0 * crank_angle_0_dot_squared;
+        let w_10 = cos_crank_angle_0 * crank_angle_0_dot_squared;
         let mass_coupler_angle_1_crank_angle_0 = self.k
             * (sin_crank_angle_0 * sin_coupler_angle_1
                 + cos_crank_angle_0 * cos_coupler_angle_1);
         let l_coupler_angle_1_crank_angle_0 = mass_coupler_angle_1_crank_angle_0
             * self.inverse_crank_angle_0;
         let rhs_coupler_angle_1 = cos_coupler_angle_1
-            * (sin_crank_angle_0 * self.k * crank_angle_0_dot_squared - self.k_5)
-            - sin_coupler_angle_1 * self.k * w_4
+            * (crank_angle_0_dot_squared * w_2 - self.k_5) - w * w_10
             - rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
         let coupler_angle_2_dot_squared = coupler_angle_2_dot * coupler_angle_2_dot;
-        let w_5 = self.k * coupler_angle_2_dot_squared;
+        let w_11 = cos_coupler_angle_2 * coupler_angle_2_dot_squared;
         let mass_coupler_angle_2_crank_angle_1 = self.k
             * (sin_crank_angle_1 * sin_coupler_angle_2
                 + cos_crank_angle_1 * cos_coupler_angle_2);
         let l_crank_angle_1_coupler_angle_2 = mass_coupler_angle_2_crank_angle_1
             * self.inverse_coupler_angle_2;
         let rhs_crank_angle_1 = cos_crank_angle_1
-            * (sin_coupler_angle_2 * w_5 - self.k_4)
-            - sin_crank_angle_1 * cos_coupler_angle_2 * w_5
+            * (coupler_angle_2_dot_squared * w_5 - self.k_4) - w_4 * w_11
             - rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2;
         let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
-        let w_6 = self.k * coupler_angle_3_dot_squared;
+        let w_12 = cos_coupler_angle_3 * coupler_angle_3_dot_squared;
         let mass_coupler_angle_3_crank_angle_2 = self.k
             * (sin_crank_angle_2 * sin_coupler_angle_3
                 + cos_crank_angle_2 * cos_coupler_angle_3);
         let l_crank_angle_2_coupler_angle_3 = mass_coupler_angle_3_crank_angle_2
             * self.inverse_coupler_angle_2;
         let rhs_crank_angle_2 = cos_crank_angle_2
-            * (sin_coupler_angle_3 * w_6 - self.k_4)
-            - sin_crank_angle_2 * cos_coupler_angle_3 * w_6
+            * (coupler_angle_3_dot_squared * w_8 - self.k_4) - w_7 * w_12
             - rhs_coupler_angle_3 * l_crank_angle_2_coupler_angle_3;
         let minus_loop_1_x_by_crank_angle_0 = self.l * sin_crank_angle_0;
         let minus_l_lambda_loop_1_x_crank_angle_0 = minus_loop_1_x_by_crank_angle_0
             * self.inverse_crank_angle_0;
-        let w_7 = cos_crank_angle_1 * crank_angle_1_dot_squared;
         let pivot_coupler_angle_1 = self.mass_crank_angle_3_crank_angle_3
             - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
         let inverse_coupler_angle_1 = S::from_f64(1.0) / pivot_coupler_angle_1;
@@ -1337,14 +1334,13 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let inverse_crank_angle_1 = S::from_f64(1.0) / pivot_crank_angle_1;
         let l_lambda_loop_1_x_crank_angle_1 = crank_1_tip_y * inverse_crank_angle_1;
         let rhs_lambda_loop_1_x = rhs_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_7 - w_4 - w)
+            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_6 - w_10 - w_3)
             - l_lambda_loop_1_x_coupler_angle_1 * rhs_coupler_angle_1
             - l_lambda_loop_1_x_crank_angle_1 * rhs_crank_angle_1;
         let minus_loop_3_x_by_coupler_angle_3 = self.l * sin_coupler_angle_3;
         let minus_l_lambda_loop_3_x_coupler_angle_3 = minus_loop_3_x_by_coupler_angle_3
             * self.inverse_coupler_angle_2;
         let crank_angle_3_dot_squared = crank_angle_3_dot * crank_angle_3_dot;
-        let w_8 = cos_crank_angle_2 * crank_angle_2_dot_squared;
         let minus_rhs_crank_angle_3 = cos_crank_angle_3 * self.k_5;
         let crank_3_tip_y = self.l * sin_crank_angle_3;
         let l_lambda_loop_3_x_crank_angle_3 = crank_3_tip_y
@@ -1359,18 +1355,17 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * k_lambda_loop_3_x_crank_angle_2;
         let rhs_lambda_loop_3_x = rhs_coupler_angle_3
             * minus_l_lambda_loop_3_x_coupler_angle_3
-            - self.l
-                * (cos_crank_angle_3 * crank_angle_3_dot_squared - w_8
-                    - cos_coupler_angle_3 * coupler_angle_3_dot_squared)
+            - self.l * (cos_crank_angle_3 * crank_angle_3_dot_squared - w_9 - w_12)
             + minus_rhs_crank_angle_3 * l_lambda_loop_3_x_crank_angle_3
             - l_lambda_loop_3_x_crank_angle_2 * rhs_crank_angle_2;
         let minus_loop_1_y_by_crank_angle_1 = self.l * cos_crank_angle_1;
         let minus_l_lambda_loop_1_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
             * inverse_crank_angle_1;
-        let w_9 = sin_crank_angle_1 * crank_angle_1_dot_squared;
+        let w_13 = sin_crank_angle_1 * crank_angle_1_dot_squared;
         let crank_0_tip_x = self.l * cos_crank_angle_0;
         let l_lambda_loop_1_y_crank_angle_0 = crank_0_tip_x * self.inverse_crank_angle_0;
-        let k_lambda_loop_1_y_coupler_angle_1 = self.l * cos_coupler_angle_1
+        let loop_1_y_by_coupler_angle_1 = self.l * cos_coupler_angle_1;
+        let k_lambda_loop_1_y_coupler_angle_1 = loop_1_y_by_coupler_angle_1
             - mass_coupler_angle_1_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0;
         let l_lambda_loop_1_y_coupler_angle_1 = inverse_coupler_angle_1
             * k_lambda_loop_1_y_coupler_angle_1;
@@ -1389,7 +1384,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let rhs_lambda_loop_1_y = minus_l_lambda_loop_1_y_crank_angle_1
             * rhs_crank_angle_1
             - self.l
-                * (w_9 - sin_crank_angle_0 * crank_angle_0_dot_squared
+                * (w_13 - sin_crank_angle_0 * crank_angle_0_dot_squared
                     - sin_coupler_angle_1 * coupler_angle_1_dot_squared)
             - rhs_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0
             - l_lambda_loop_1_y_coupler_angle_1 * rhs_coupler_angle_1
@@ -1417,11 +1412,11 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
         let minus_l_lambda_loop_3_y_lambda_loop_3_x = minus_inverse_lambda_loop_3_x
             * k_lambda_loop_3_y_lambda_loop_3_x;
-        let w_10 = sin_crank_angle_2 * crank_angle_2_dot_squared;
+        let w_14 = sin_crank_angle_2 * crank_angle_2_dot_squared;
         let rhs_lambda_loop_3_y = minus_l_lambda_loop_3_y_lambda_loop_3_x
             * rhs_lambda_loop_3_x
             - self.l
-                * (sin_crank_angle_3 * crank_angle_3_dot_squared - w_10
+                * (sin_crank_angle_3 * crank_angle_3_dot_squared - w_14
                     - sin_coupler_angle_3 * coupler_angle_3_dot_squared)
             - rhs_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
             - minus_rhs_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
@@ -1442,22 +1437,22 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * l_lambda_loop_3_x_crank_angle_2;
         let l_lambda_loop_2_x_lambda_loop_3_x = minus_k_lambda_loop_2_x_lambda_loop_3_x
             * minus_inverse_lambda_loop_3_x;
-        let w_11 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
+        let w_15 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
             + k_lambda_loop_1_y_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
             + minus_loop_1_y_by_crank_angle_1 * minus_l_lambda_loop_1_y_crank_angle_1;
         let pivot_lambda_loop_1_y = k_lambda_loop_1_y_lambda_loop_1_x
-            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_11;
+            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_15;
         let inverse_lambda_loop_1_y = S::from_f64(1.0) / pivot_lambda_loop_1_y;
         let k_lambda_loop_2_x_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
             * l_lambda_loop_2_x_crank_angle_1
             - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_x_lambda_loop_1_x;
         let l_lambda_loop_2_x_lambda_loop_1_y = inverse_lambda_loop_1_y
             * k_lambda_loop_2_x_lambda_loop_1_y;
-        let w_12 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
+        let w_16 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
             + minus_loop_3_y_by_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
             + k_lambda_loop_3_y_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
         let pivot_lambda_loop_3_y = k_lambda_loop_3_y_lambda_loop_3_x
-            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_12;
+            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_16;
         let inverse_lambda_loop_3_y = S::from_f64(1.0) / pivot_lambda_loop_3_y;
         let minus_k_lambda_loop_2_x_lambda_loop_3_y = crank_2_tip_y
             * l_lambda_loop_3_y_crank_angle_2
@@ -1466,8 +1461,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let minus_l_lambda_loop_2_x_lambda_loop_3_y = inverse_lambda_loop_3_y
             * minus_k_lambda_loop_2_x_lambda_loop_3_y;
         let rhs_lambda_loop_2_x = rhs_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2
-            - self.l * (w_8 - w_7 - cos_coupler_angle_2 * coupler_angle_2_dot_squared)
+            * minus_l_lambda_loop_2_x_coupler_angle_2 - self.l * (w_9 - w_6 - w_11)
             - l_lambda_loop_2_x_crank_angle_1 * rhs_crank_angle_1
             - l_lambda_loop_2_x_crank_angle_2 * rhs_crank_angle_2
             - l_lambda_loop_2_x_lambda_loop_1_x * rhs_lambda_loop_1_x
@@ -1502,12 +1496,12 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 * minus_l_lambda_loop_3_y_lambda_loop_3_x;
         let l_lambda_loop_2_y_lambda_loop_3_y = inverse_lambda_loop_3_y
             * k_lambda_loop_2_y_lambda_loop_3_y;
-        let w_13 = minus_loop_2_x_by_coupler_angle_2
+        let w_17 = minus_loop_2_x_by_coupler_angle_2
             * minus_l_lambda_loop_2_x_coupler_angle_2
             + k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_x_crank_angle_1
             + crank_2_tip_y * l_lambda_loop_2_x_crank_angle_2;
         let pivot_lambda_loop_2_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * l_lambda_loop_2_x_lambda_loop_1_x - w_13
+            * l_lambda_loop_2_x_lambda_loop_1_x - w_17
             + minus_k_lambda_loop_2_x_lambda_loop_3_x * l_lambda_loop_2_x_lambda_loop_3_x
             - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_x_lambda_loop_1_y
             - minus_k_lambda_loop_2_x_lambda_loop_3_y
@@ -1527,7 +1521,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * k_lambda_loop_2_y_lambda_loop_2_x;
         let rhs_lambda_loop_2_y = minus_l_lambda_loop_2_y_crank_angle_2
             * rhs_crank_angle_2
-            - self.l * (w_10 - w_9 - sin_coupler_angle_2 * coupler_angle_2_dot_squared)
+            - self.l * (w_14 - w_13 - sin_coupler_angle_2 * coupler_angle_2_dot_squared)
             - rhs_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
             - l_lambda_loop_2_y_crank_angle_1 * rhs_crank_angle_1
             - l_lambda_loop_2_y_lambda_loop_1_x * rhs_lambda_loop_1_x
@@ -1535,11 +1529,11 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - l_lambda_loop_2_y_lambda_loop_1_y * rhs_lambda_loop_1_y
             - l_lambda_loop_2_y_lambda_loop_3_y * rhs_lambda_loop_3_y
             - l_lambda_loop_2_y_lambda_loop_2_x * rhs_lambda_loop_2_x;
-        let w_14 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
+        let w_18 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
             + k_lambda_loop_2_y_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
             + minus_loop_2_y_by_crank_angle_2 * minus_l_lambda_loop_2_y_crank_angle_2;
         let pivot_lambda_loop_2_y = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * l_lambda_loop_2_y_lambda_loop_1_x - w_14
+            * l_lambda_loop_2_y_lambda_loop_1_x - w_18
             + k_lambda_loop_2_y_lambda_loop_3_x * minus_l_lambda_loop_2_y_lambda_loop_3_x
             - k_lambda_loop_2_y_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
             - k_lambda_loop_2_y_lambda_loop_3_y * l_lambda_loop_2_y_lambda_loop_3_y
@@ -1575,13 +1569,13 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             + minus_l_lambda_loop_2_y_crank_angle_2 * lambda_loop_2_y
             - l_lambda_loop_3_x_crank_angle_2 * lambda_loop_3_x
             - l_lambda_loop_3_y_crank_angle_2 * lambda_loop_3_y;
-        let w_15 = cos_crank_angle_2 * self.k_2 * crank_angle_2_dot
-            + self.l * cos_coupler_angle_3 * coupler_angle_3_dot;
-        let w_16 = self.k_7
-            * (cos_crank_angle_0 * crank_angle_0_dot * self.k_2
-                + self.l * cos_coupler_angle_1 * coupler_angle_1_dot
-                + (cos_crank_angle_1 * self.k_2 * crank_angle_1_dot
-                    + self.l * cos_coupler_angle_2 * coupler_angle_2_dot) + w_15);
+        let w_19 = cos_crank_angle_0 * crank_angle_0_dot;
+        let w_20 = cos_crank_angle_1 * crank_angle_1_dot;
+        let w_21 = cos_crank_angle_2 * crank_angle_2_dot;
+        let w_22 = self.k_7
+            * (self.k_2 * w_19 + loop_1_y_by_coupler_angle_1 * coupler_angle_1_dot
+                + (self.k_2 * w_20 + loop_2_y_by_coupler_angle_2 * coupler_angle_2_dot)
+                + (self.k_2 * w_21 + loop_3_y_by_coupler_angle_3 * coupler_angle_3_dot));
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_crank_angle_0 * self.inverse_crank_angle_0
@@ -1612,10 +1606,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 lambda_loop_3_y,
             ],
             power: -(self.k_5
-                * (cos_crank_angle_0 * crank_angle_0_dot
-                    + cos_crank_angle_1 * crank_angle_1_dot
-                    + cos_crank_angle_2 * crank_angle_2_dot
-                    + cos_crank_angle_3 * crank_angle_3_dot) + w_16),
+                * (w_19 + w_20 + w_21 + cos_crank_angle_3 * crank_angle_3_dot) + w_22),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_crank_angle_0_crank_angle_0,
                 self.mass_crank_angle_0_crank_angle_0,
@@ -1651,15 +1642,15 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop_3_x,
                     minus_pivot_lambda_loop_3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_11)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_12)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_13)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_14),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_15)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_16)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_17)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_18),
         }
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 722 additions, 1079 multiplications, 9 divisions, 7 sine-cosine pairs.
+    /// Operations: 722 additions, 1073 multiplications, 9 divisions, 7 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1698,59 +1689,56 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             crank_angle_3,
         ]);
         let coupler_angle_1_dot_squared = coupler_angle_1_dot * coupler_angle_1_dot;
-        let w = self.k * coupler_angle_1_dot_squared;
-        let w_2 = sin_crank_angle_0 * cos_coupler_angle_1;
-        let rhs_crank_angle_0 = cos_crank_angle_0 * (sin_coupler_angle_1 * w - self.k_4)
-            - w * w_2;
+        let w = sin_coupler_angle_1 * coupler_angle_1_dot_squared;
+        let w_2 = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
+        let rhs_crank_angle_0 = cos_crank_angle_0 * (self.k * w - self.k_4)
+            - sin_crank_angle_0 * self.k * w_2;
         let crank_angle_1_dot_squared = crank_angle_1_dot * crank_angle_1_dot;
-        let w_3 = self.k * crank_angle_1_dot_squared;
-        let w_4 = sin_coupler_angle_2 * cos_crank_angle_1;
-        let rhs_coupler_angle_2 = cos_coupler_angle_2
-            * (sin_crank_angle_1 * w_3 - self.k_5) - w_3 * w_4;
+        let w_3 = sin_crank_angle_1 * crank_angle_1_dot_squared;
+        let w_4 = cos_crank_angle_1 * crank_angle_1_dot_squared;
+        let rhs_coupler_angle_2 = cos_coupler_angle_2 * (self.k * w_3 - self.k_5)
+            - self.k * sin_coupler_angle_2 * w_4;
         let crank_angle_2_dot_squared = crank_angle_2_dot * crank_angle_2_dot;
-        let w_5 = self.k * crank_angle_2_dot_squared;
-        let w_6 = sin_coupler_angle_3 * cos_crank_angle_2;
-        let rhs_coupler_angle_3 = cos_coupler_angle_3
-            * (sin_crank_angle_2 * w_5 - self.k_5) - w_5 * w_6;
+        let w_5 = sin_crank_angle_2 * crank_angle_2_dot_squared;
+        let w_6 = cos_crank_angle_2 * crank_angle_2_dot_squared;
+        let rhs_coupler_angle_3 = cos_coupler_angle_3 * (self.k * w_5 - self.k_5)
+            - self.k * sin_coupler_angle_3 * w_6;
         let crank_angle_0_dot_squared = crank_angle_0_dot * crank_angle_0_dot;
-        let w_7 = self.k * crank_angle_0_dot_squared;
-        let w_8 = sin_coupler_angle_1 * cos_crank_angle_0;
+        let w_7 = sin_crank_angle_0 * crank_angle_0_dot_squared;
+        let w_8 = cos_crank_angle_0 * crank_angle_0_dot_squared;
         let w_9 = sin_crank_angle_0 * sin_coupler_angle_1
             + cos_crank_angle_0 * cos_coupler_angle_1;
         let mass_coupler_angle_1_crank_angle_0 = self.k * w_9;
         let l_coupler_angle_1_crank_angle_0 = mass_coupler_angle_1_crank_angle_0
             * self.inverse_crank_angle_0;
-        let rhs_coupler_angle_1 = cos_coupler_angle_1
-            * (sin_crank_angle_0 * w_7 - self.k_5) - w_7 * w_8
+        let rhs_coupler_angle_1 = cos_coupler_angle_1 * (self.k * w_7 - self.k_5)
+            - sin_coupler_angle_1 * self.k * w_8
             - rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
         let coupler_angle_2_dot_squared = coupler_angle_2_dot * coupler_angle_2_dot;
-        let w_10 = self.k * coupler_angle_2_dot_squared;
-        let w_11 = sin_crank_angle_1 * cos_coupler_angle_2;
+        let w_10 = sin_coupler_angle_2 * coupler_angle_2_dot_squared;
+        let w_11 = cos_coupler_angle_2 * coupler_angle_2_dot_squared;
         let w_12 = sin_crank_angle_1 * sin_coupler_angle_2
             + cos_crank_angle_1 * cos_coupler_angle_2;
         let mass_coupler_angle_2_crank_angle_1 = self.k * w_12;
         let l_crank_angle_1_coupler_angle_2 = mass_coupler_angle_2_crank_angle_1
             * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_1 = cos_crank_angle_1
-            * (sin_coupler_angle_2 * w_10 - self.k_4) - w_10 * w_11
+        let rhs_crank_angle_1 = cos_crank_angle_1 * (self.k * w_10 - self.k_4)
+            - self.k * sin_crank_angle_1 * w_11
             - rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2;
         let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
-        let w_13 = self.k * coupler_angle_3_dot_squared;
-        let w_14 = sin_crank_angle_2 * cos_coupler_angle_3;
+        let w_13 = sin_coupler_angle_3 * coupler_angle_3_dot_squared;
+        let w_14 = cos_coupler_angle_3 * coupler_angle_3_dot_squared;
         let w_15 = sin_crank_angle_2 * sin_coupler_angle_3
             + cos_crank_angle_2 * cos_coupler_angle_3;
         let mass_coupler_angle_3_crank_angle_2 = self.k * w_15;
         let l_crank_angle_2_coupler_angle_3 = mass_coupler_angle_3_crank_angle_2
             * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_2 = cos_crank_angle_2
-            * (sin_coupler_angle_3 * w_13 - self.k_4) - w_13 * w_14
+        let rhs_crank_angle_2 = cos_crank_angle_2 * (self.k * w_13 - self.k_4)
+            - self.k * sin_crank_angle_2 * w_14
             - rhs_coupler_angle_3 * l_crank_angle_2_coupler_angle_3;
         let minus_loop_1_x_by_crank_angle_0 = self.l * sin_crank_angle_0;
         let minus_l_lambda_loop_1_x_crank_angle_0 = minus_loop_1_x_by_crank_angle_0
             * self.inverse_crank_angle_0;
-        let w_16 = cos_crank_angle_1 * crank_angle_1_dot_squared;
-        let w_17 = cos_crank_angle_0 * crank_angle_0_dot_squared;
-        let w_18 = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
         let pivot_coupler_angle_1 = self.mass_crank_angle_3_crank_angle_3
             - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
         let inverse_coupler_angle_1 = S::from_f64(1.0) / pivot_coupler_angle_1;
@@ -1764,16 +1752,14 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let inverse_crank_angle_1 = S::from_f64(1.0) / pivot_crank_angle_1;
         let l_lambda_loop_1_x_crank_angle_1 = crank_1_tip_y * inverse_crank_angle_1;
         let rhs_lambda_loop_1_x = rhs_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_16 - w_17 - w_18)
+            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_4 - w_8 - w_2)
             - l_lambda_loop_1_x_coupler_angle_1 * rhs_coupler_angle_1
             - l_lambda_loop_1_x_crank_angle_1 * rhs_crank_angle_1;
         let minus_loop_3_x_by_coupler_angle_3 = self.l * sin_coupler_angle_3;
         let minus_l_lambda_loop_3_x_coupler_angle_3 = minus_loop_3_x_by_coupler_angle_3
             * self.inverse_coupler_angle_2;
         let crank_angle_3_dot_squared = crank_angle_3_dot * crank_angle_3_dot;
-        let w_19 = cos_crank_angle_3 * crank_angle_3_dot_squared;
-        let w_20 = cos_crank_angle_2 * crank_angle_2_dot_squared;
-        let w_21 = cos_coupler_angle_3 * coupler_angle_3_dot_squared;
+        let w_16 = cos_crank_angle_3 * crank_angle_3_dot_squared;
         let minus_rhs_crank_angle_3 = cos_crank_angle_3 * self.k_5;
         let crank_3_tip_y = self.l * sin_crank_angle_3;
         let l_lambda_loop_3_x_crank_angle_3 = crank_3_tip_y
@@ -1787,15 +1773,12 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let l_lambda_loop_3_x_crank_angle_2 = inverse_crank_angle_2
             * k_lambda_loop_3_x_crank_angle_2;
         let rhs_lambda_loop_3_x = rhs_coupler_angle_3
-            * minus_l_lambda_loop_3_x_coupler_angle_3 - self.l * (w_19 - w_20 - w_21)
+            * minus_l_lambda_loop_3_x_coupler_angle_3 - self.l * (w_16 - w_6 - w_14)
             + minus_rhs_crank_angle_3 * l_lambda_loop_3_x_crank_angle_3
             - l_lambda_loop_3_x_crank_angle_2 * rhs_crank_angle_2;
         let minus_loop_1_y_by_crank_angle_1 = self.l * cos_crank_angle_1;
         let minus_l_lambda_loop_1_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
             * inverse_crank_angle_1;
-        let w_22 = sin_crank_angle_1 * crank_angle_1_dot_squared;
-        let w_23 = sin_crank_angle_0 * crank_angle_0_dot_squared;
-        let w_24 = sin_coupler_angle_1 * coupler_angle_1_dot_squared;
         let crank_0_tip_x = self.l * cos_crank_angle_0;
         let l_lambda_loop_1_y_crank_angle_0 = crank_0_tip_x * self.inverse_crank_angle_0;
         let k_lambda_loop_1_y_coupler_angle_1 = self.l * cos_coupler_angle_1
@@ -1815,7 +1798,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let minus_l_lambda_loop_1_y_lambda_loop_1_x = minus_inverse_lambda_loop_1_x
             * k_lambda_loop_1_y_lambda_loop_1_x;
         let rhs_lambda_loop_1_y = minus_l_lambda_loop_1_y_crank_angle_1
-            * rhs_crank_angle_1 - self.l * (w_22 - w_23 - w_24)
+            * rhs_crank_angle_1 - self.l * (w_3 - w_7 - w)
             - rhs_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0
             - l_lambda_loop_1_y_coupler_angle_1 * rhs_coupler_angle_1
             + minus_l_lambda_loop_1_y_lambda_loop_1_x * rhs_lambda_loop_1_x;
@@ -1842,18 +1825,15 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
         let minus_l_lambda_loop_3_y_lambda_loop_3_x = minus_inverse_lambda_loop_3_x
             * k_lambda_loop_3_y_lambda_loop_3_x;
-        let w_25 = sin_crank_angle_3 * crank_angle_3_dot_squared;
-        let w_26 = sin_crank_angle_2 * crank_angle_2_dot_squared;
-        let w_27 = sin_coupler_angle_3 * coupler_angle_3_dot_squared;
+        let w_17 = sin_crank_angle_3 * crank_angle_3_dot_squared;
         let rhs_lambda_loop_3_y = minus_l_lambda_loop_3_y_lambda_loop_3_x
-            * rhs_lambda_loop_3_x - self.l * (w_25 - w_26 - w_27)
+            * rhs_lambda_loop_3_x - self.l * (w_17 - w_5 - w_13)
             - rhs_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
             - minus_rhs_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
             - l_lambda_loop_3_y_crank_angle_2 * rhs_crank_angle_2;
         let minus_loop_2_x_by_coupler_angle_2 = self.l * sin_coupler_angle_2;
         let minus_l_lambda_loop_2_x_coupler_angle_2 = minus_loop_2_x_by_coupler_angle_2
             * self.inverse_coupler_angle_2;
-        let w_28 = cos_coupler_angle_2 * coupler_angle_2_dot_squared;
         let k_lambda_loop_2_x_crank_angle_1 = mass_coupler_angle_2_crank_angle_1
             * minus_l_lambda_loop_2_x_coupler_angle_2 - crank_1_tip_y;
         let l_lambda_loop_2_x_crank_angle_1 = inverse_crank_angle_1
@@ -1867,22 +1847,22 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * l_lambda_loop_3_x_crank_angle_2;
         let l_lambda_loop_2_x_lambda_loop_3_x = minus_k_lambda_loop_2_x_lambda_loop_3_x
             * minus_inverse_lambda_loop_3_x;
-        let w_29 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
+        let w_18 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
             + k_lambda_loop_1_y_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
             + minus_loop_1_y_by_crank_angle_1 * minus_l_lambda_loop_1_y_crank_angle_1;
         let pivot_lambda_loop_1_y = k_lambda_loop_1_y_lambda_loop_1_x
-            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_29;
+            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_18;
         let inverse_lambda_loop_1_y = S::from_f64(1.0) / pivot_lambda_loop_1_y;
         let k_lambda_loop_2_x_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
             * l_lambda_loop_2_x_crank_angle_1
             - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_x_lambda_loop_1_x;
         let l_lambda_loop_2_x_lambda_loop_1_y = inverse_lambda_loop_1_y
             * k_lambda_loop_2_x_lambda_loop_1_y;
-        let w_30 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
+        let w_19 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
             + minus_loop_3_y_by_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
             + k_lambda_loop_3_y_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
         let pivot_lambda_loop_3_y = k_lambda_loop_3_y_lambda_loop_3_x
-            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_30;
+            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_19;
         let inverse_lambda_loop_3_y = S::from_f64(1.0) / pivot_lambda_loop_3_y;
         let minus_k_lambda_loop_2_x_lambda_loop_3_y = crank_2_tip_y
             * l_lambda_loop_3_y_crank_angle_2
@@ -1891,7 +1871,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let minus_l_lambda_loop_2_x_lambda_loop_3_y = inverse_lambda_loop_3_y
             * minus_k_lambda_loop_2_x_lambda_loop_3_y;
         let rhs_lambda_loop_2_x = rhs_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2 - self.l * (w_20 - w_16 - w_28)
+            * minus_l_lambda_loop_2_x_coupler_angle_2 - self.l * (w_6 - w_4 - w_11)
             - l_lambda_loop_2_x_crank_angle_1 * rhs_crank_angle_1
             - l_lambda_loop_2_x_crank_angle_2 * rhs_crank_angle_2
             - l_lambda_loop_2_x_lambda_loop_1_x * rhs_lambda_loop_1_x
@@ -1900,7 +1880,6 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             + minus_l_lambda_loop_2_x_lambda_loop_3_y * rhs_lambda_loop_3_y;
         let minus_l_lambda_loop_2_y_crank_angle_2 = minus_loop_2_y_by_crank_angle_2
             * inverse_crank_angle_2;
-        let w_31 = sin_coupler_angle_2 * coupler_angle_2_dot_squared;
         let loop_2_y_by_coupler_angle_2 = self.l * cos_coupler_angle_2;
         let l_lambda_loop_2_y_coupler_angle_2 = loop_2_y_by_coupler_angle_2
             * self.inverse_coupler_angle_2;
@@ -1927,12 +1906,12 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 * minus_l_lambda_loop_3_y_lambda_loop_3_x;
         let l_lambda_loop_2_y_lambda_loop_3_y = inverse_lambda_loop_3_y
             * k_lambda_loop_2_y_lambda_loop_3_y;
-        let w_32 = minus_loop_2_x_by_coupler_angle_2
+        let w_20 = minus_loop_2_x_by_coupler_angle_2
             * minus_l_lambda_loop_2_x_coupler_angle_2
             + k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_x_crank_angle_1
             + crank_2_tip_y * l_lambda_loop_2_x_crank_angle_2;
         let pivot_lambda_loop_2_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * l_lambda_loop_2_x_lambda_loop_1_x - w_32
+            * l_lambda_loop_2_x_lambda_loop_1_x - w_20
             + minus_k_lambda_loop_2_x_lambda_loop_3_x * l_lambda_loop_2_x_lambda_loop_3_x
             - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_x_lambda_loop_1_y
             - minus_k_lambda_loop_2_x_lambda_loop_3_y
@@ -1951,7 +1930,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let l_lambda_loop_2_y_lambda_loop_2_x = inverse_lambda_loop_2_x
             * k_lambda_loop_2_y_lambda_loop_2_x;
         let rhs_lambda_loop_2_y = minus_l_lambda_loop_2_y_crank_angle_2
-            * rhs_crank_angle_2 - self.l * (w_26 - w_22 - w_31)
+            * rhs_crank_angle_2 - self.l * (w_5 - w_3 - w_10)
             - rhs_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
             - l_lambda_loop_2_y_crank_angle_1 * rhs_crank_angle_1
             - l_lambda_loop_2_y_lambda_loop_1_x * rhs_lambda_loop_1_x
@@ -1959,14 +1938,12 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - l_lambda_loop_2_y_lambda_loop_1_y * rhs_lambda_loop_1_y
             - l_lambda_loop_2_y_lambda_loop_3_y * rhs_lambda_loop_3_y
             - l_lambda_loop_2_y_lambda_loop_2_x * rhs_lambda_loop_2_x;
-        let w_33 = crank_angle_0_dot_squared * self.k_2;
-        let w_34 = self.l * coupler_angle_1_dot_squared;
-        let w_35 = sin_crank_angle_0 * w_33 + sin_coupler_angle_1 * w_34;
-        let w_36 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
+        let w_21 = self.k_2 * w_7 + self.l * w;
+        let w_22 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
             + k_lambda_loop_2_y_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
             + minus_loop_2_y_by_crank_angle_2 * minus_l_lambda_loop_2_y_crank_angle_2;
         let pivot_lambda_loop_2_y = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * l_lambda_loop_2_y_lambda_loop_1_x - w_36
+            * l_lambda_loop_2_y_lambda_loop_1_x - w_22
             + k_lambda_loop_2_y_lambda_loop_3_x * minus_l_lambda_loop_2_y_lambda_loop_3_x
             - k_lambda_loop_2_y_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
             - k_lambda_loop_2_y_lambda_loop_3_y * l_lambda_loop_2_y_lambda_loop_3_y
@@ -1978,58 +1955,58 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let lambda_loop_1_y = inverse_lambda_loop_1_y * rhs_lambda_loop_1_y
             - l_lambda_loop_2_x_lambda_loop_1_y * lambda_loop_2_x
             - l_lambda_loop_2_y_lambda_loop_1_y * lambda_loop_2_y;
-        let w_37 = self.l * lambda_loop_1_y;
+        let w_23 = self.l * lambda_loop_1_y;
         let lambda_loop_1_x = minus_l_lambda_loop_1_y_lambda_loop_1_x * lambda_loop_1_y
             - minus_inverse_lambda_loop_1_x * rhs_lambda_loop_1_x
             - l_lambda_loop_2_x_lambda_loop_1_x * lambda_loop_2_x
             - l_lambda_loop_2_y_lambda_loop_1_x * lambda_loop_2_y;
-        let w_38 = self.l * lambda_loop_1_x;
-        let w_39 = cos_crank_angle_0 * w_33 + cos_coupler_angle_1 * w_34;
+        let w_24 = self.l * lambda_loop_1_x;
+        let w_25 = self.k_2 * w_8 + self.l * w_2;
         let coupler_angle_1_ddot = inverse_coupler_angle_1 * rhs_coupler_angle_1
             - l_lambda_loop_1_x_coupler_angle_1 * lambda_loop_1_x
             - l_lambda_loop_1_y_coupler_angle_1 * lambda_loop_1_y;
-        let w_40 = w_8 - w_2;
-        let w_41 = S::from_f64(0.5) * self.k_8 * w_40;
-        let w_42 = coupler_angle_1_ddot * w_41;
-        let w_43 = sin_crank_angle_0 * (self.k_4 - w_35 * self.k_3 + w_37)
-            + cos_crank_angle_0 * (w_38 - w_39 * self.k_3)
-            + crank_angle_0_dot_squared * self.k_8 - w_42;
+        let w_26 = sin_coupler_angle_1 * cos_crank_angle_0;
+        let w_27 = sin_crank_angle_0 * cos_coupler_angle_1;
+        let w_28 = w_26 - w_27;
+        let w_29 = S::from_f64(0.5) * self.k_8 * w_28;
+        let w_30 = coupler_angle_1_ddot * w_29;
+        let w_31 = sin_crank_angle_0 * (self.k_4 - w_21 * self.k_3 + w_23)
+            + cos_crank_angle_0 * (w_24 - w_25 * self.k_3)
+            + crank_angle_0_dot_squared * self.k_8 - w_30;
         let crank_angle_0_ddot = rhs_crank_angle_0 * self.inverse_crank_angle_0
             - l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
             + minus_l_lambda_loop_1_x_crank_angle_0 * lambda_loop_1_x
             - l_lambda_loop_1_y_crank_angle_0 * lambda_loop_1_y;
-        let w_44 = crank_angle_0_ddot * w_41;
-        let w_45 = self.k * w_9 * crank_angle_0_dot_squared - w_44
-            - l_coupler_angle_1_crank_angle_0 * w_43;
-        let w_46 = self.l * (cos_crank_angle_0 * crank_angle_0_ddot - w_23)
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_43
-            - l_lambda_loop_1_x_coupler_angle_1 * w_45;
-        let w_47 = self.l * (w_17 + sin_crank_angle_0 * crank_angle_0_ddot)
-            - l_lambda_loop_1_y_crank_angle_0 * w_43
-            - l_lambda_loop_1_y_coupler_angle_1 * w_45
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_46;
-        let w_48 = l_lambda_loop_2_x_lambda_loop_1_x * w_46
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_47;
-        let w_49 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_48
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_46
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_47);
-        let w_50 = inverse_lambda_loop_2_x * w_48
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_49;
-        let w_51 = inverse_lambda_loop_1_y * w_47
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_50
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_49;
-        let w_52 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_51
-            - minus_inverse_lambda_loop_1_x * w_46
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_50
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_49;
-        let w_53 = inverse_coupler_angle_1 * w_45
-            - l_lambda_loop_1_x_coupler_angle_1 * w_52
-            - l_lambda_loop_1_y_coupler_angle_1 * w_51;
-        let w_54 = self.k_2 * crank_angle_1_dot_squared;
-        let w_55 = self.l * coupler_angle_2_dot_squared;
-        let w_56 = sin_crank_angle_1 * w_54 + sin_coupler_angle_2 * w_55;
-        let w_57 = cos_crank_angle_1 * w_54 + cos_coupler_angle_2 * w_55;
+        let w_32 = crank_angle_0_ddot * w_29;
+        let w_33 = self.k * w_9 * crank_angle_0_dot_squared - w_32
+            - l_coupler_angle_1_crank_angle_0 * w_31;
+        let w_34 = self.l * (cos_crank_angle_0 * crank_angle_0_ddot - w_7)
+            + minus_l_lambda_loop_1_x_crank_angle_0 * w_31
+            - l_lambda_loop_1_x_coupler_angle_1 * w_33;
+        let w_35 = self.l * (w_8 + sin_crank_angle_0 * crank_angle_0_ddot)
+            - l_lambda_loop_1_y_crank_angle_0 * w_31
+            - l_lambda_loop_1_y_coupler_angle_1 * w_33
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_34;
+        let w_36 = l_lambda_loop_2_x_lambda_loop_1_x * w_34
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_35;
+        let w_37 = inverse_lambda_loop_2_y
+            * (l_lambda_loop_2_y_lambda_loop_2_x * w_36
+                - l_lambda_loop_2_y_lambda_loop_1_x * w_34
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_35);
+        let w_38 = inverse_lambda_loop_2_x * w_36
+            + l_lambda_loop_2_y_lambda_loop_2_x * w_37;
+        let w_39 = inverse_lambda_loop_1_y * w_35
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_38
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_37;
+        let w_40 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_39
+            - minus_inverse_lambda_loop_1_x * w_34
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_38
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_37;
+        let w_41 = inverse_coupler_angle_1 * w_33
+            - l_lambda_loop_1_x_coupler_angle_1 * w_40
+            - l_lambda_loop_1_y_coupler_angle_1 * w_39;
+        let w_42 = self.k_2 * w_3 + self.l * w_10;
+        let w_43 = self.k_2 * w_4 + self.l * w_11;
         let crank_angle_1_ddot = inverse_crank_angle_1 * rhs_crank_angle_1
             - l_lambda_loop_1_x_crank_angle_1 * lambda_loop_1_x
             + minus_l_lambda_loop_1_y_crank_angle_1 * lambda_loop_1_y
@@ -2039,44 +2016,45 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
             + minus_l_lambda_loop_2_x_coupler_angle_2 * lambda_loop_2_x
             - l_lambda_loop_2_y_coupler_angle_2 * lambda_loop_2_y;
-        let w_58 = w_4 - w_11;
-        let w_59 = S::from_f64(0.5) * self.k_8 * w_58;
-        let w_60 = coupler_angle_2_ddot * w_59;
-        let w_61 = sin_crank_angle_1
-            * (self.l * (lambda_loop_2_y - lambda_loop_1_y) - self.k_3 * w_56 + self.k_4)
+        let w_44 = sin_coupler_angle_2 * cos_crank_angle_1;
+        let w_45 = sin_crank_angle_1 * cos_coupler_angle_2;
+        let w_46 = w_44 - w_45;
+        let w_47 = S::from_f64(0.5) * self.k_8 * w_46;
+        let w_48 = coupler_angle_2_ddot * w_47;
+        let w_49 = sin_crank_angle_1
+            * (self.l * (lambda_loop_2_y - lambda_loop_1_y) - self.k_3 * w_42 + self.k_4)
             + cos_crank_angle_1
-                * (self.l * (lambda_loop_2_x - lambda_loop_1_x) - self.k_3 * w_57)
-            + crank_angle_1_dot_squared * self.k_8 - w_60;
-        let w_62 = crank_angle_1_ddot * w_59;
-        let w_63 = self.k * w_12 * crank_angle_1_dot_squared - w_62;
-        let w_64 = w_61 - l_crank_angle_1_coupler_angle_2 * w_63;
-        let w_65 = self.l * (w_16 + sin_crank_angle_1 * crank_angle_1_ddot);
-        let w_66 = cos_crank_angle_1 * crank_angle_1_ddot;
-        let w_67 = self.l * (w_22 - w_66) - l_lambda_loop_1_x_crank_angle_1 * w_64;
-        let w_68 = minus_l_lambda_loop_1_y_crank_angle_1 * w_64 - w_65
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_67;
-        let w_69 = self.l * (w_66 - w_22)
-            + minus_l_lambda_loop_2_x_coupler_angle_2 * w_63
-            - l_lambda_loop_2_x_crank_angle_1 * w_64
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_67
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_68;
-        let w_70 = inverse_lambda_loop_2_y
-            * (w_65 - l_lambda_loop_2_y_coupler_angle_2 * w_63
-                - l_lambda_loop_2_y_crank_angle_1 * w_64
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_67
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_68
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_69);
-        let w_71 = inverse_lambda_loop_2_x * w_69
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_70;
-        let w_72 = inverse_lambda_loop_1_y * w_68
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_71
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_70;
-        let w_73 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_72
-            - minus_inverse_lambda_loop_1_x * w_67
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_71
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_70;
-        let w_74 = l_lambda_loop_1_x_coupler_angle_1 * w_73
-            + l_lambda_loop_1_y_coupler_angle_1 * w_72;
+                * (self.l * (lambda_loop_2_x - lambda_loop_1_x) - self.k_3 * w_43)
+            + crank_angle_1_dot_squared * self.k_8 - w_48;
+        let w_50 = crank_angle_1_ddot * w_47;
+        let w_51 = self.k * w_12 * crank_angle_1_dot_squared - w_50;
+        let w_52 = w_49 - l_crank_angle_1_coupler_angle_2 * w_51;
+        let w_53 = self.l * (w_4 + sin_crank_angle_1 * crank_angle_1_ddot);
+        let w_54 = cos_crank_angle_1 * crank_angle_1_ddot;
+        let w_55 = self.l * (w_3 - w_54) - l_lambda_loop_1_x_crank_angle_1 * w_52;
+        let w_56 = minus_l_lambda_loop_1_y_crank_angle_1 * w_52 - w_53
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_55;
+        let w_57 = self.l * (w_54 - w_3) + minus_l_lambda_loop_2_x_coupler_angle_2 * w_51
+            - l_lambda_loop_2_x_crank_angle_1 * w_52
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_55
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_56;
+        let w_58 = inverse_lambda_loop_2_y
+            * (w_53 - l_lambda_loop_2_y_coupler_angle_2 * w_51
+                - l_lambda_loop_2_y_crank_angle_1 * w_52
+                - l_lambda_loop_2_y_lambda_loop_1_x * w_55
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_56
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_57);
+        let w_59 = inverse_lambda_loop_2_x * w_57
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_58;
+        let w_60 = inverse_lambda_loop_1_y * w_56
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_59
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_58;
+        let w_61 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_60
+            - minus_inverse_lambda_loop_1_x * w_55
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_59
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_58;
+        let w_62 = l_lambda_loop_1_x_coupler_angle_1 * w_61
+            + l_lambda_loop_1_y_coupler_angle_1 * w_60;
         let lambda_loop_3_y = inverse_lambda_loop_3_y * rhs_lambda_loop_3_y
             + minus_l_lambda_loop_2_x_lambda_loop_3_y * lambda_loop_2_x
             - l_lambda_loop_2_y_lambda_loop_3_y * lambda_loop_2_y;
@@ -2089,744 +2067,743 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             + minus_l_lambda_loop_2_y_crank_angle_2 * lambda_loop_2_y
             - l_lambda_loop_3_x_crank_angle_2 * lambda_loop_3_x
             - l_lambda_loop_3_y_crank_angle_2 * lambda_loop_3_y;
-        let w_75 = cos_crank_angle_2 * crank_angle_2_ddot;
-        let w_76 = self.k_2 * crank_angle_2_dot_squared;
-        let w_77 = self.l * coupler_angle_3_dot_squared;
-        let w_78 = sin_crank_angle_2 * w_76 + sin_coupler_angle_3 * w_77;
-        let w_79 = cos_crank_angle_2 * w_76 + cos_coupler_angle_3 * w_77;
+        let w_63 = cos_crank_angle_2 * crank_angle_2_ddot;
+        let w_64 = self.k_2 * w_5 + self.l * w_13;
+        let w_65 = self.k_2 * w_6 + self.l * w_14;
         let coupler_angle_3_ddot = rhs_coupler_angle_3 * self.inverse_coupler_angle_2
             - l_crank_angle_2_coupler_angle_3 * crank_angle_2_ddot
             + minus_l_lambda_loop_3_x_coupler_angle_3 * lambda_loop_3_x
             - l_lambda_loop_3_y_coupler_angle_3 * lambda_loop_3_y;
-        let w_80 = w_6 - w_14;
-        let w_81 = S::from_f64(0.5) * self.k_8 * w_80;
-        let w_82 = coupler_angle_3_ddot * w_81;
-        let w_83 = sin_crank_angle_2
-            * (self.l * (lambda_loop_3_y - lambda_loop_2_y) - self.k_3 * w_78 + self.k_4)
+        let w_66 = sin_coupler_angle_3 * cos_crank_angle_2;
+        let w_67 = sin_crank_angle_2 * cos_coupler_angle_3;
+        let w_68 = w_66 - w_67;
+        let w_69 = S::from_f64(0.5) * self.k_8 * w_68;
+        let w_70 = coupler_angle_3_ddot * w_69;
+        let w_71 = sin_crank_angle_2
+            * (self.l * (lambda_loop_3_y - lambda_loop_2_y) - self.k_3 * w_64 + self.k_4)
             + cos_crank_angle_2
-                * (self.l * (lambda_loop_3_x - lambda_loop_2_x) - self.k_3 * w_79)
-            + crank_angle_2_dot_squared * self.k_8 - w_82;
-        let w_84 = crank_angle_2_ddot * w_81;
-        let w_85 = self.k * w_15 * crank_angle_2_dot_squared - w_84;
-        let w_86 = w_83 - l_crank_angle_2_coupler_angle_3 * w_85;
-        let w_87 = self.l * (w_75 - w_26)
-            + minus_l_lambda_loop_3_x_coupler_angle_3 * w_85
-            - l_lambda_loop_3_x_crank_angle_2 * w_86;
-        let w_88 = self.l * (w_20 + sin_crank_angle_2 * crank_angle_2_ddot);
-        let w_89 = w_88 - l_lambda_loop_3_y_coupler_angle_3 * w_85
-            - l_lambda_loop_3_y_crank_angle_2 * w_86
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_87;
-        let w_90 = self.l * (w_26 - w_75) - l_lambda_loop_2_x_crank_angle_2 * w_86
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_87
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_89;
-        let w_91 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_86 - w_88
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_87
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_89
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_90);
-        let w_92 = inverse_lambda_loop_2_x * w_90
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_91;
-        let w_93 = l_lambda_loop_2_x_lambda_loop_1_y * w_92
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_91;
-        let w_94 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_93
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_92
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_91;
-        let w_95 = l_lambda_loop_1_x_coupler_angle_1 * w_94
-            + l_lambda_loop_1_y_coupler_angle_1 * w_93;
-        let w_96 = self.l * lambda_loop_3_y;
-        let w_97 = sin_crank_angle_3 * (self.k_5 - w_96)
+                * (self.l * (lambda_loop_3_x - lambda_loop_2_x) - self.k_3 * w_65)
+            + crank_angle_2_dot_squared * self.k_8 - w_70;
+        let w_72 = crank_angle_2_ddot * w_69;
+        let w_73 = self.k * w_15 * crank_angle_2_dot_squared - w_72;
+        let w_74 = w_71 - l_crank_angle_2_coupler_angle_3 * w_73;
+        let w_75 = self.l * (w_63 - w_5) + minus_l_lambda_loop_3_x_coupler_angle_3 * w_73
+            - l_lambda_loop_3_x_crank_angle_2 * w_74;
+        let w_76 = self.l * (w_6 + sin_crank_angle_2 * crank_angle_2_ddot);
+        let w_77 = w_76 - l_lambda_loop_3_y_coupler_angle_3 * w_73
+            - l_lambda_loop_3_y_crank_angle_2 * w_74
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_75;
+        let w_78 = self.l * (w_5 - w_63) - l_lambda_loop_2_x_crank_angle_2 * w_74
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_75
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_77;
+        let w_79 = inverse_lambda_loop_2_y
+            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_74 - w_76
+                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_75
+                - l_lambda_loop_2_y_lambda_loop_3_y * w_77
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_78);
+        let w_80 = inverse_lambda_loop_2_x * w_78
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_79;
+        let w_81 = l_lambda_loop_2_x_lambda_loop_1_y * w_80
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_79;
+        let w_82 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_81
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_80
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_79;
+        let w_83 = l_lambda_loop_1_x_coupler_angle_1 * w_82
+            + l_lambda_loop_1_y_coupler_angle_1 * w_81;
+        let w_84 = self.l * lambda_loop_3_y;
+        let w_85 = sin_crank_angle_3 * (self.k_5 - w_84)
             - minus_loop_3_y_by_crank_angle_3 * lambda_loop_3_x;
         let crank_angle_3_ddot = minus_l_lambda_loop_3_y_crank_angle_3 * lambda_loop_3_y
             - minus_rhs_crank_angle_3 * self.inverse_coupler_angle_2
             - l_lambda_loop_3_x_crank_angle_3 * lambda_loop_3_x;
-        let w_98 = self.l * (w_25 - cos_crank_angle_3 * crank_angle_3_ddot)
-            - l_lambda_loop_3_x_crank_angle_3 * w_97;
-        let w_99 = minus_l_lambda_loop_3_y_crank_angle_3 * w_97
-            - self.l * (w_19 + sin_crank_angle_3 * crank_angle_3_ddot)
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_98;
-        let w_100 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_99
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_98;
-        let w_101 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_98
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_99
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_100);
-        let w_102 = inverse_lambda_loop_2_x * w_100
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_101;
-        let w_103 = l_lambda_loop_2_x_lambda_loop_1_y * w_102
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_101;
-        let w_104 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_103
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_102
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_101;
-        let w_105 = l_lambda_loop_1_x_coupler_angle_1 * w_104
-            + l_lambda_loop_1_y_coupler_angle_1 * w_103;
-        let w_106 = self.k * w_9 * coupler_angle_1_dot_squared + w_42;
-        let w_107 = sin_coupler_angle_1 * (self.k_5 - w_35 * self.k_6 + w_37)
-            + cos_coupler_angle_1 * (w_38 - w_39 * self.k_6)
-            + coupler_angle_1_dot_squared * self.k_9 + w_44
-            - l_coupler_angle_1_crank_angle_0 * w_106;
-        let w_108 = self.l * (cos_coupler_angle_1 * coupler_angle_1_ddot - w_24)
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_106
-            - l_lambda_loop_1_x_coupler_angle_1 * w_107;
-        let w_109 = self.l * (w_18 + sin_coupler_angle_1 * coupler_angle_1_ddot)
-            - l_lambda_loop_1_y_crank_angle_0 * w_106
-            - l_lambda_loop_1_y_coupler_angle_1 * w_107
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_108;
-        let w_110 = l_lambda_loop_2_x_lambda_loop_1_x * w_108
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_109;
-        let w_111 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_110
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_108
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_109);
-        let w_112 = inverse_lambda_loop_2_x * w_110
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_111;
-        let w_113 = inverse_lambda_loop_1_y * w_109
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_112
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_111;
-        let w_114 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_113
-            - minus_inverse_lambda_loop_1_x * w_108
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_112
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_111;
-        let w_115 = inverse_coupler_angle_1 * w_107
-            - l_lambda_loop_1_x_coupler_angle_1 * w_114
-            - l_lambda_loop_1_y_coupler_angle_1 * w_113;
-        let w_116 = sin_coupler_angle_2
-            * (self.k_5 - w_56 * self.k_6 + self.l * lambda_loop_2_y)
-            + cos_coupler_angle_2 * (self.l * lambda_loop_2_x - w_57 * self.k_6)
-            + coupler_angle_2_dot_squared * self.k_9 + w_62;
-        let w_117 = self.k * w_12 * coupler_angle_2_dot_squared + w_60
-            - l_crank_angle_1_coupler_angle_2 * w_116;
-        let w_118 = l_lambda_loop_1_x_crank_angle_1 * w_117;
-        let w_119 = minus_l_lambda_loop_1_y_crank_angle_1 * w_117
-            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_118;
-        let w_120 = self.l * (cos_coupler_angle_2 * coupler_angle_2_ddot - w_31)
-            + minus_l_lambda_loop_2_x_coupler_angle_2 * w_116
-            - l_lambda_loop_2_x_crank_angle_1 * w_117
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_118
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_119;
-        let w_121 = inverse_lambda_loop_2_y
-            * (self.l * (w_28 + sin_coupler_angle_2 * coupler_angle_2_ddot)
-                - l_lambda_loop_2_y_coupler_angle_2 * w_116
-                - l_lambda_loop_2_y_crank_angle_1 * w_117
-                + l_lambda_loop_2_y_lambda_loop_1_x * w_118
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_119
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_120);
-        let w_122 = inverse_lambda_loop_2_x * w_120
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_121;
-        let w_123 = inverse_lambda_loop_1_y * w_119
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_122
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_121;
-        let w_124 = minus_inverse_lambda_loop_1_x * w_118
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_123
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_122
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_121;
-        let w_125 = l_lambda_loop_1_x_coupler_angle_1 * w_124
-            + l_lambda_loop_1_y_coupler_angle_1 * w_123;
-        let w_126 = sin_coupler_angle_3 * (self.k_5 - w_78 * self.k_6 + w_96)
-            + cos_coupler_angle_3 * (self.l * lambda_loop_3_x - w_79 * self.k_6)
-            + coupler_angle_3_dot_squared * self.k_9 + w_84;
-        let w_127 = self.k * w_15 * coupler_angle_3_dot_squared + w_82
-            - l_crank_angle_2_coupler_angle_3 * w_126;
-        let w_128 = self.l * (cos_coupler_angle_3 * coupler_angle_3_ddot - w_27)
-            + minus_l_lambda_loop_3_x_coupler_angle_3 * w_126
-            - l_lambda_loop_3_x_crank_angle_2 * w_127;
-        let w_129 = self.l * (w_21 + sin_coupler_angle_3 * coupler_angle_3_ddot)
-            - l_lambda_loop_3_y_coupler_angle_3 * w_126
-            - l_lambda_loop_3_y_crank_angle_2 * w_127
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_128;
-        let w_130 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_129
-            - l_lambda_loop_2_x_crank_angle_2 * w_127
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_128;
-        let w_131 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_127
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_128
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_129
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_130);
-        let w_132 = inverse_lambda_loop_2_x * w_130
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_131;
-        let w_133 = l_lambda_loop_2_x_lambda_loop_1_y * w_132
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_131;
-        let w_134 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_133
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_132
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_131;
-        let w_135 = l_lambda_loop_1_x_coupler_angle_1 * w_134
-            + l_lambda_loop_1_y_coupler_angle_1 * w_133;
-        let w_136 = minus_l_lambda_loop_1_y_crank_angle_1 * w_51
-            - l_lambda_loop_1_x_crank_angle_1 * w_52
-            + l_lambda_loop_2_x_crank_angle_1 * w_50
-            - l_lambda_loop_2_y_crank_angle_1 * w_49;
-        let w_137 = inverse_crank_angle_1 * w_64 - l_lambda_loop_1_x_crank_angle_1 * w_73
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_72
-            - l_lambda_loop_2_x_crank_angle_1 * w_71
-            - l_lambda_loop_2_y_crank_angle_1 * w_70;
-        let w_138 = l_lambda_loop_1_x_crank_angle_1 * w_94
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_93
-            - l_lambda_loop_2_x_crank_angle_1 * w_92
-            - l_lambda_loop_2_y_crank_angle_1 * w_91;
-        let w_139 = l_lambda_loop_1_x_crank_angle_1 * w_104
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_103
-            - l_lambda_loop_2_x_crank_angle_1 * w_102
-            - l_lambda_loop_2_y_crank_angle_1 * w_101;
-        let w_140 = minus_l_lambda_loop_1_y_crank_angle_1 * w_113
-            - l_lambda_loop_1_x_crank_angle_1 * w_114
-            + l_lambda_loop_2_x_crank_angle_1 * w_112
-            - l_lambda_loop_2_y_crank_angle_1 * w_111;
-        let w_141 = inverse_crank_angle_1 * w_117
-            - l_lambda_loop_1_x_crank_angle_1 * w_124
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_123
-            - l_lambda_loop_2_x_crank_angle_1 * w_122
-            - l_lambda_loop_2_y_crank_angle_1 * w_121;
-        let w_142 = l_lambda_loop_1_x_crank_angle_1 * w_134
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_133
-            - l_lambda_loop_2_x_crank_angle_1 * w_132
-            - l_lambda_loop_2_y_crank_angle_1 * w_131;
-        let w_143 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_50
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_49;
-        let w_144 = l_lambda_loop_2_x_lambda_loop_3_x * w_50
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_49
+        let w_86 = self.l * (w_17 - cos_crank_angle_3 * crank_angle_3_ddot)
+            - l_lambda_loop_3_x_crank_angle_3 * w_85;
+        let w_87 = minus_l_lambda_loop_3_y_crank_angle_3 * w_85
+            - self.l * (w_16 + sin_crank_angle_3 * crank_angle_3_ddot)
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_86;
+        let w_88 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_87
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_86;
+        let w_89 = inverse_lambda_loop_2_y
+            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_86
+                - l_lambda_loop_2_y_lambda_loop_3_y * w_87
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_88);
+        let w_90 = inverse_lambda_loop_2_x * w_88
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_89;
+        let w_91 = l_lambda_loop_2_x_lambda_loop_1_y * w_90
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_89;
+        let w_92 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_91
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_90
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_89;
+        let w_93 = l_lambda_loop_1_x_coupler_angle_1 * w_92
+            + l_lambda_loop_1_y_coupler_angle_1 * w_91;
+        let w_94 = self.k * w_9 * coupler_angle_1_dot_squared + w_30;
+        let w_95 = sin_coupler_angle_1 * (self.k_5 - w_21 * self.k_6 + w_23)
+            + cos_coupler_angle_1 * (w_24 - w_25 * self.k_6)
+            + coupler_angle_1_dot_squared * self.k_9 + w_32
+            - l_coupler_angle_1_crank_angle_0 * w_94;
+        let w_96 = self.l * (cos_coupler_angle_1 * coupler_angle_1_ddot - w)
+            + minus_l_lambda_loop_1_x_crank_angle_0 * w_94
+            - l_lambda_loop_1_x_coupler_angle_1 * w_95;
+        let w_97 = self.l * (w_2 + sin_coupler_angle_1 * coupler_angle_1_ddot)
+            - l_lambda_loop_1_y_crank_angle_0 * w_94
+            - l_lambda_loop_1_y_coupler_angle_1 * w_95
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_96;
+        let w_98 = l_lambda_loop_2_x_lambda_loop_1_x * w_96
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_97;
+        let w_99 = inverse_lambda_loop_2_y
+            * (l_lambda_loop_2_y_lambda_loop_2_x * w_98
+                - l_lambda_loop_2_y_lambda_loop_1_x * w_96
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_97);
+        let w_100 = inverse_lambda_loop_2_x * w_98
+            + l_lambda_loop_2_y_lambda_loop_2_x * w_99;
+        let w_101 = inverse_lambda_loop_1_y * w_97
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_100
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_99;
+        let w_102 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_101
+            - minus_inverse_lambda_loop_1_x * w_96
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_100
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_99;
+        let w_103 = inverse_coupler_angle_1 * w_95
+            - l_lambda_loop_1_x_coupler_angle_1 * w_102
+            - l_lambda_loop_1_y_coupler_angle_1 * w_101;
+        let w_104 = sin_coupler_angle_2
+            * (self.k_5 - w_42 * self.k_6 + self.l * lambda_loop_2_y)
+            + cos_coupler_angle_2 * (self.l * lambda_loop_2_x - w_43 * self.k_6)
+            + coupler_angle_2_dot_squared * self.k_9 + w_50;
+        let w_105 = self.k * w_12 * coupler_angle_2_dot_squared + w_48
+            - l_crank_angle_1_coupler_angle_2 * w_104;
+        let w_106 = l_lambda_loop_1_x_crank_angle_1 * w_105;
+        let w_107 = minus_l_lambda_loop_1_y_crank_angle_1 * w_105
+            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_106;
+        let w_108 = self.l * (cos_coupler_angle_2 * coupler_angle_2_ddot - w_10)
+            + minus_l_lambda_loop_2_x_coupler_angle_2 * w_104
+            - l_lambda_loop_2_x_crank_angle_1 * w_105
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_106
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_107;
+        let w_109 = inverse_lambda_loop_2_y
+            * (self.l * (w_11 + sin_coupler_angle_2 * coupler_angle_2_ddot)
+                - l_lambda_loop_2_y_coupler_angle_2 * w_104
+                - l_lambda_loop_2_y_crank_angle_1 * w_105
+                + l_lambda_loop_2_y_lambda_loop_1_x * w_106
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_107
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_108);
+        let w_110 = inverse_lambda_loop_2_x * w_108
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_109;
+        let w_111 = inverse_lambda_loop_1_y * w_107
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_110
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_109;
+        let w_112 = minus_inverse_lambda_loop_1_x * w_106
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_111
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_110
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_109;
+        let w_113 = l_lambda_loop_1_x_coupler_angle_1 * w_112
+            + l_lambda_loop_1_y_coupler_angle_1 * w_111;
+        let w_114 = sin_coupler_angle_3 * (self.k_5 - w_64 * self.k_6 + w_84)
+            + cos_coupler_angle_3 * (self.l * lambda_loop_3_x - w_65 * self.k_6)
+            + coupler_angle_3_dot_squared * self.k_9 + w_72;
+        let w_115 = self.k * w_15 * coupler_angle_3_dot_squared + w_70
+            - l_crank_angle_2_coupler_angle_3 * w_114;
+        let w_116 = self.l * (cos_coupler_angle_3 * coupler_angle_3_ddot - w_13)
+            + minus_l_lambda_loop_3_x_coupler_angle_3 * w_114
+            - l_lambda_loop_3_x_crank_angle_2 * w_115;
+        let w_117 = self.l * (w_14 + sin_coupler_angle_3 * coupler_angle_3_ddot)
+            - l_lambda_loop_3_y_coupler_angle_3 * w_114
+            - l_lambda_loop_3_y_crank_angle_2 * w_115
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_116;
+        let w_118 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_117
+            - l_lambda_loop_2_x_crank_angle_2 * w_115
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_116;
+        let w_119 = inverse_lambda_loop_2_y
+            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_115
+                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_116
+                - l_lambda_loop_2_y_lambda_loop_3_y * w_117
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_118);
+        let w_120 = inverse_lambda_loop_2_x * w_118
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_119;
+        let w_121 = l_lambda_loop_2_x_lambda_loop_1_y * w_120
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_119;
+        let w_122 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_121
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_120
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_119;
+        let w_123 = l_lambda_loop_1_x_coupler_angle_1 * w_122
+            + l_lambda_loop_1_y_coupler_angle_1 * w_121;
+        let w_124 = minus_l_lambda_loop_1_y_crank_angle_1 * w_39
+            - l_lambda_loop_1_x_crank_angle_1 * w_40
+            + l_lambda_loop_2_x_crank_angle_1 * w_38
+            - l_lambda_loop_2_y_crank_angle_1 * w_37;
+        let w_125 = inverse_crank_angle_1 * w_52 - l_lambda_loop_1_x_crank_angle_1 * w_61
+            + minus_l_lambda_loop_1_y_crank_angle_1 * w_60
+            - l_lambda_loop_2_x_crank_angle_1 * w_59
+            - l_lambda_loop_2_y_crank_angle_1 * w_58;
+        let w_126 = l_lambda_loop_1_x_crank_angle_1 * w_82
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_81
+            - l_lambda_loop_2_x_crank_angle_1 * w_80
+            - l_lambda_loop_2_y_crank_angle_1 * w_79;
+        let w_127 = l_lambda_loop_1_x_crank_angle_1 * w_92
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_91
+            - l_lambda_loop_2_x_crank_angle_1 * w_90
+            - l_lambda_loop_2_y_crank_angle_1 * w_89;
+        let w_128 = minus_l_lambda_loop_1_y_crank_angle_1 * w_101
+            - l_lambda_loop_1_x_crank_angle_1 * w_102
+            + l_lambda_loop_2_x_crank_angle_1 * w_100
+            - l_lambda_loop_2_y_crank_angle_1 * w_99;
+        let w_129 = inverse_crank_angle_1 * w_105
+            - l_lambda_loop_1_x_crank_angle_1 * w_112
+            + minus_l_lambda_loop_1_y_crank_angle_1 * w_111
+            - l_lambda_loop_2_x_crank_angle_1 * w_110
+            - l_lambda_loop_2_y_crank_angle_1 * w_109;
+        let w_130 = l_lambda_loop_1_x_crank_angle_1 * w_122
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_121
+            - l_lambda_loop_2_x_crank_angle_1 * w_120
+            - l_lambda_loop_2_y_crank_angle_1 * w_119;
+        let w_131 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_38
+            + l_lambda_loop_2_y_lambda_loop_3_y * w_37;
+        let w_132 = l_lambda_loop_2_x_lambda_loop_3_x * w_38
+            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_37
+            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_131;
+        let w_133 = l_lambda_loop_2_x_crank_angle_2 * w_38
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_37
+            - l_lambda_loop_3_x_crank_angle_2 * w_132
+            + l_lambda_loop_3_y_crank_angle_2 * w_131;
+        let w_134 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_59
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_58;
+        let w_135 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_58
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_59
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_134;
+        let w_136 = minus_l_lambda_loop_2_y_crank_angle_2 * w_58
+            - l_lambda_loop_2_x_crank_angle_2 * w_59
+            - l_lambda_loop_3_x_crank_angle_2 * w_135
+            - l_lambda_loop_3_y_crank_angle_2 * w_134;
+        let w_137 = inverse_lambda_loop_3_y * w_77
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_80
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_79;
+        let w_138 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_79
+            - minus_inverse_lambda_loop_3_x * w_75
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_80
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_137;
+        let w_139 = inverse_crank_angle_2 * w_74 - l_lambda_loop_2_x_crank_angle_2 * w_80
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_79
+            - l_lambda_loop_3_x_crank_angle_2 * w_138
+            - l_lambda_loop_3_y_crank_angle_2 * w_137;
+        let w_140 = inverse_lambda_loop_3_y * w_87
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_90
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_89;
+        let w_141 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_89
+            - minus_inverse_lambda_loop_3_x * w_86
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_90
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_140;
+        let w_142 = minus_l_lambda_loop_2_y_crank_angle_2 * w_89
+            - l_lambda_loop_2_x_crank_angle_2 * w_90
+            - l_lambda_loop_3_x_crank_angle_2 * w_141
+            - l_lambda_loop_3_y_crank_angle_2 * w_140;
+        let w_143 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_100
+            + l_lambda_loop_2_y_lambda_loop_3_y * w_99;
+        let w_144 = l_lambda_loop_2_x_lambda_loop_3_x * w_100
+            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_99
             - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_143;
-        let w_145 = l_lambda_loop_2_x_crank_angle_2 * w_50
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_49
+        let w_145 = l_lambda_loop_2_x_crank_angle_2 * w_100
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_99
             - l_lambda_loop_3_x_crank_angle_2 * w_144
             + l_lambda_loop_3_y_crank_angle_2 * w_143;
-        let w_146 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_71
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_70;
-        let w_147 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_70
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_71
+        let w_146 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_110
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_109;
+        let w_147 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_109
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_110
             + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_146;
-        let w_148 = minus_l_lambda_loop_2_y_crank_angle_2 * w_70
-            - l_lambda_loop_2_x_crank_angle_2 * w_71
+        let w_148 = minus_l_lambda_loop_2_y_crank_angle_2 * w_109
+            - l_lambda_loop_2_x_crank_angle_2 * w_110
             - l_lambda_loop_3_x_crank_angle_2 * w_147
             - l_lambda_loop_3_y_crank_angle_2 * w_146;
-        let w_149 = inverse_lambda_loop_3_y * w_89
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_92
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_91;
-        let w_150 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_91
-            - minus_inverse_lambda_loop_3_x * w_87
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_92
+        let w_149 = inverse_lambda_loop_3_y * w_117
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_120
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_119;
+        let w_150 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_119
+            - minus_inverse_lambda_loop_3_x * w_116
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_120
             + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_149;
-        let w_151 = inverse_crank_angle_2 * w_86 - l_lambda_loop_2_x_crank_angle_2 * w_92
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_91
+        let w_151 = inverse_crank_angle_2 * w_115
+            - l_lambda_loop_2_x_crank_angle_2 * w_120
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_119
             - l_lambda_loop_3_x_crank_angle_2 * w_150
             - l_lambda_loop_3_y_crank_angle_2 * w_149;
-        let w_152 = inverse_lambda_loop_3_y * w_99
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_102
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_101;
-        let w_153 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_101
-            - minus_inverse_lambda_loop_3_x * w_98
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_102
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_152;
-        let w_154 = minus_l_lambda_loop_2_y_crank_angle_2 * w_101
-            - l_lambda_loop_2_x_crank_angle_2 * w_102
-            - l_lambda_loop_3_x_crank_angle_2 * w_153
-            - l_lambda_loop_3_y_crank_angle_2 * w_152;
-        let w_155 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_112
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_111;
-        let w_156 = l_lambda_loop_2_x_lambda_loop_3_x * w_112
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_111
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_155;
-        let w_157 = l_lambda_loop_2_x_crank_angle_2 * w_112
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_111
-            - l_lambda_loop_3_x_crank_angle_2 * w_156
-            + l_lambda_loop_3_y_crank_angle_2 * w_155;
-        let w_158 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_122
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_121;
-        let w_159 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_121
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_122
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_158;
-        let w_160 = minus_l_lambda_loop_2_y_crank_angle_2 * w_121
-            - l_lambda_loop_2_x_crank_angle_2 * w_122
-            - l_lambda_loop_3_x_crank_angle_2 * w_159
-            - l_lambda_loop_3_y_crank_angle_2 * w_158;
-        let w_161 = inverse_lambda_loop_3_y * w_129
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_132
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_131;
-        let w_162 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_131
-            - minus_inverse_lambda_loop_3_x * w_128
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_132
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_161;
-        let w_163 = inverse_crank_angle_2 * w_127
-            - l_lambda_loop_2_x_crank_angle_2 * w_132
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_131
-            - l_lambda_loop_3_x_crank_angle_2 * w_162
-            - l_lambda_loop_3_y_crank_angle_2 * w_161;
-        let w_164 = crank_angle_0_dot * self.k_2;
-        let w_165 = self.k_8 * crank_angle_0_dot * (w_2 - w_8);
-        let w_166 = cos_crank_angle_0 * w_164
-            - l_lambda_loop_1_x_coupler_angle_1 * w_165;
-        let w_167 = sin_crank_angle_0 * w_164 - l_lambda_loop_1_y_coupler_angle_1 * w_165
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_166;
-        let w_168 = l_lambda_loop_2_x_lambda_loop_1_x * w_166
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_167;
-        let w_169 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_168
+        let w_152 = crank_angle_0_dot * self.k_2;
+        let w_153 = self.k_8 * crank_angle_0_dot * (w_27 - w_26);
+        let w_154 = cos_crank_angle_0 * w_152
+            - l_lambda_loop_1_x_coupler_angle_1 * w_153;
+        let w_155 = sin_crank_angle_0 * w_152 - l_lambda_loop_1_y_coupler_angle_1 * w_153
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_154;
+        let w_156 = l_lambda_loop_2_x_lambda_loop_1_x * w_154
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_155;
+        let w_157 = inverse_lambda_loop_2_y
+            * (l_lambda_loop_2_y_lambda_loop_2_x * w_156
+                - l_lambda_loop_2_y_lambda_loop_1_x * w_154
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_155);
+        let w_158 = inverse_lambda_loop_2_x * w_156
+            + l_lambda_loop_2_y_lambda_loop_2_x * w_157;
+        let w_159 = inverse_lambda_loop_1_y * w_155
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_158
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_157;
+        let w_160 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_159
+            - minus_inverse_lambda_loop_1_x * w_154
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_158
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_157;
+        let w_161 = inverse_coupler_angle_1 * w_153
+            - l_lambda_loop_1_x_coupler_angle_1 * w_160
+            - l_lambda_loop_1_y_coupler_angle_1 * w_159;
+        let w_162 = self.k_8 * crank_angle_1_dot * (w_45 - w_44);
+        let w_163 = l_crank_angle_1_coupler_angle_2 * w_162;
+        let w_164 = self.k_2 * crank_angle_1_dot;
+        let w_165 = cos_crank_angle_1 * w_164;
+        let w_166 = l_lambda_loop_1_x_crank_angle_1 * w_163 - w_165;
+        let w_167 = sin_crank_angle_1 * w_164;
+        let w_168 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_166 - w_167
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_163;
+        let w_169 = w_165 + minus_l_lambda_loop_2_x_coupler_angle_2 * w_162
+            + l_lambda_loop_2_x_crank_angle_1 * w_163
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_166
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_168;
+        let w_170 = inverse_lambda_loop_2_y
+            * (w_167 - l_lambda_loop_2_y_coupler_angle_2 * w_162
+                + l_lambda_loop_2_y_crank_angle_1 * w_163
                 - l_lambda_loop_2_y_lambda_loop_1_x * w_166
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_167);
-        let w_170 = inverse_lambda_loop_2_x * w_168
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_169;
-        let w_171 = inverse_lambda_loop_1_y * w_167
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_170
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_169;
-        let w_172 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_171
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_168
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_169);
+        let w_171 = inverse_lambda_loop_2_x * w_169
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_170;
+        let w_172 = inverse_lambda_loop_1_y * w_168
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_171
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_170;
+        let w_173 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_172
             - minus_inverse_lambda_loop_1_x * w_166
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_170
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_169;
-        let w_173 = inverse_coupler_angle_1 * w_165
-            - l_lambda_loop_1_x_coupler_angle_1 * w_172
-            - l_lambda_loop_1_y_coupler_angle_1 * w_171;
-        let w_174 = self.k_8 * crank_angle_1_dot * (w_11 - w_4);
-        let w_175 = l_crank_angle_1_coupler_angle_2 * w_174;
-        let w_176 = self.k_2 * crank_angle_1_dot;
-        let w_177 = cos_crank_angle_1 * w_176;
-        let w_178 = l_lambda_loop_1_x_crank_angle_1 * w_175 - w_177;
-        let w_179 = sin_crank_angle_1 * w_176;
-        let w_180 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_178 - w_179
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_175;
-        let w_181 = w_177 + minus_l_lambda_loop_2_x_coupler_angle_2 * w_174
-            + l_lambda_loop_2_x_crank_angle_1 * w_175
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_178
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_180;
-        let w_182 = inverse_lambda_loop_2_y
-            * (w_179 - l_lambda_loop_2_y_coupler_angle_2 * w_174
-                + l_lambda_loop_2_y_crank_angle_1 * w_175
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_178
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_180
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_181);
-        let w_183 = inverse_lambda_loop_2_x * w_181
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_182;
-        let w_184 = inverse_lambda_loop_1_y * w_180
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_183
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_182;
-        let w_185 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_184
-            - minus_inverse_lambda_loop_1_x * w_178
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_183
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_182;
-        let w_186 = l_lambda_loop_1_x_coupler_angle_1 * w_185
-            + l_lambda_loop_1_y_coupler_angle_1 * w_184;
-        let w_187 = self.k_8 * crank_angle_2_dot * (w_14 - w_6);
-        let w_188 = l_crank_angle_2_coupler_angle_3 * w_187;
-        let w_189 = self.k_2 * crank_angle_2_dot;
-        let w_190 = cos_crank_angle_2 * w_189;
-        let w_191 = w_190 + minus_l_lambda_loop_3_x_coupler_angle_3 * w_187
-            + l_lambda_loop_3_x_crank_angle_2 * w_188;
-        let w_192 = sin_crank_angle_2 * w_189;
-        let w_193 = w_192 - l_lambda_loop_3_y_coupler_angle_3 * w_187
-            + l_lambda_loop_3_y_crank_angle_2 * w_188
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_191;
-        let w_194 = l_lambda_loop_2_x_crank_angle_2 * w_188 - w_190
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_191
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_193;
-        let w_195 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_191 - w_192
-                - minus_l_lambda_loop_2_y_crank_angle_2 * w_188
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_193
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_194);
-        let w_196 = inverse_lambda_loop_2_x * w_194
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_195;
-        let w_197 = l_lambda_loop_2_x_lambda_loop_1_y * w_196
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_195;
-        let w_198 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_197
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_196
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_195;
-        let w_199 = l_lambda_loop_1_x_coupler_angle_1 * w_198
-            + l_lambda_loop_1_y_coupler_angle_1 * w_197;
-        let w_200 = self.k_2 * crank_angle_3_dot;
-        let w_201 = cos_crank_angle_3 * w_200;
-        let w_202 = sin_crank_angle_3 * w_200
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_201;
-        let w_203 = l_lambda_loop_2_x_lambda_loop_3_x * w_201
-            - minus_l_lambda_loop_2_x_lambda_loop_3_y * w_202;
-        let w_204 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_3_y * w_202
-                - minus_l_lambda_loop_2_y_lambda_loop_3_x * w_201
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_203);
-        let w_205 = inverse_lambda_loop_2_x * w_203
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_204;
-        let w_206 = l_lambda_loop_2_x_lambda_loop_1_y * w_205
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_204;
-        let w_207 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_206
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_205
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_204;
-        let w_208 = l_lambda_loop_1_x_coupler_angle_1 * w_207
-            + l_lambda_loop_1_y_coupler_angle_1 * w_206;
-        let w_209 = self.k_8 * coupler_angle_1_dot * w_40;
-        let w_210 = l_coupler_angle_1_crank_angle_0 * w_209;
-        let w_211 = coupler_angle_1_dot * self.k_2;
-        let w_212 = cos_coupler_angle_1 * w_211
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_209
-            + l_lambda_loop_1_x_coupler_angle_1 * w_210;
-        let w_213 = sin_coupler_angle_1 * w_211 - l_lambda_loop_1_y_crank_angle_0 * w_209
-            + l_lambda_loop_1_y_coupler_angle_1 * w_210
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_212;
-        let w_214 = l_lambda_loop_2_x_lambda_loop_1_x * w_212
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_213;
-        let w_215 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_214
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_212
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_213);
-        let w_216 = inverse_lambda_loop_2_x * w_214
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_215;
-        let w_217 = inverse_lambda_loop_1_y * w_213
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_216
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_215;
-        let w_218 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_217
-            - minus_inverse_lambda_loop_1_x * w_212
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_216
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_215;
-        let w_219 = inverse_coupler_angle_1 * w_210
-            + l_lambda_loop_1_x_coupler_angle_1 * w_218
-            + l_lambda_loop_1_y_coupler_angle_1 * w_217;
-        let w_220 = self.k_8 * coupler_angle_2_dot * w_58;
-        let w_221 = l_lambda_loop_1_x_crank_angle_1 * w_220;
-        let w_222 = minus_l_lambda_loop_1_y_crank_angle_1 * w_220
-            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_221;
-        let w_223 = self.k_2 * coupler_angle_2_dot;
-        let w_224 = cos_coupler_angle_2 * w_223 - l_lambda_loop_2_x_crank_angle_1 * w_220
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_221
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_222;
-        let w_225 = inverse_lambda_loop_2_y
-            * (sin_coupler_angle_2 * w_223 - l_lambda_loop_2_y_crank_angle_1 * w_220
-                + l_lambda_loop_2_y_lambda_loop_1_x * w_221
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_222
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_224);
-        let w_226 = inverse_lambda_loop_2_x * w_224
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_225;
-        let w_227 = inverse_lambda_loop_1_y * w_222
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_226
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_225;
-        let w_228 = minus_inverse_lambda_loop_1_x * w_221
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_227
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_226
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_225;
-        let w_229 = l_lambda_loop_1_x_coupler_angle_1 * w_228
-            + l_lambda_loop_1_y_coupler_angle_1 * w_227;
-        let w_230 = self.k_2 * coupler_angle_3_dot;
-        let w_231 = self.k_8 * coupler_angle_3_dot * w_80;
-        let w_232 = cos_coupler_angle_3 * w_230
-            - l_lambda_loop_3_x_crank_angle_2 * w_231;
-        let w_233 = sin_coupler_angle_3 * w_230 - l_lambda_loop_3_y_crank_angle_2 * w_231
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_232;
-        let w_234 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_233
-            - l_lambda_loop_2_x_crank_angle_2 * w_231
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_232;
-        let w_235 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_231
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_232
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_233
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_234);
-        let w_236 = inverse_lambda_loop_2_x * w_234
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_235;
-        let w_237 = l_lambda_loop_2_x_lambda_loop_1_y * w_236
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_235;
-        let w_238 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_237
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_236
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_235;
-        let w_239 = l_lambda_loop_1_x_coupler_angle_1 * w_238
-            + l_lambda_loop_1_y_coupler_angle_1 * w_237;
-        let w_240 = minus_l_lambda_loop_1_y_crank_angle_1 * w_171
-            - l_lambda_loop_1_x_crank_angle_1 * w_172
-            + l_lambda_loop_2_x_crank_angle_1 * w_170
-            - l_lambda_loop_2_y_crank_angle_1 * w_169;
-        let w_241 = minus_l_lambda_loop_1_y_crank_angle_1 * w_184
-            - inverse_crank_angle_1 * w_175 - l_lambda_loop_1_x_crank_angle_1 * w_185
-            - l_lambda_loop_2_x_crank_angle_1 * w_183
-            - l_lambda_loop_2_y_crank_angle_1 * w_182;
-        let w_242 = l_lambda_loop_1_x_crank_angle_1 * w_198
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_197
-            - l_lambda_loop_2_x_crank_angle_1 * w_196
-            - l_lambda_loop_2_y_crank_angle_1 * w_195;
-        let w_243 = l_lambda_loop_1_x_crank_angle_1 * w_207
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_206
-            - l_lambda_loop_2_x_crank_angle_1 * w_205
-            - l_lambda_loop_2_y_crank_angle_1 * w_204;
-        let w_244 = minus_l_lambda_loop_1_y_crank_angle_1 * w_217
-            - l_lambda_loop_1_x_crank_angle_1 * w_218
-            + l_lambda_loop_2_x_crank_angle_1 * w_216
-            - l_lambda_loop_2_y_crank_angle_1 * w_215;
-        let w_245 = inverse_crank_angle_1 * w_220
-            - l_lambda_loop_1_x_crank_angle_1 * w_228
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_227
-            - l_lambda_loop_2_x_crank_angle_1 * w_226
-            - l_lambda_loop_2_y_crank_angle_1 * w_225;
-        let w_246 = l_lambda_loop_1_x_crank_angle_1 * w_238
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_237
-            - l_lambda_loop_2_x_crank_angle_1 * w_236
-            - l_lambda_loop_2_y_crank_angle_1 * w_235;
-        let w_247 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_170
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_169;
-        let w_248 = l_lambda_loop_2_x_lambda_loop_3_x * w_170
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_169
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_171
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_170;
+        let w_174 = l_lambda_loop_1_x_coupler_angle_1 * w_173
+            + l_lambda_loop_1_y_coupler_angle_1 * w_172;
+        let w_175 = self.k_8 * crank_angle_2_dot * (w_67 - w_66);
+        let w_176 = l_crank_angle_2_coupler_angle_3 * w_175;
+        let w_177 = self.k_2 * crank_angle_2_dot;
+        let w_178 = cos_crank_angle_2 * w_177;
+        let w_179 = w_178 + minus_l_lambda_loop_3_x_coupler_angle_3 * w_175
+            + l_lambda_loop_3_x_crank_angle_2 * w_176;
+        let w_180 = sin_crank_angle_2 * w_177;
+        let w_181 = w_180 - l_lambda_loop_3_y_coupler_angle_3 * w_175
+            + l_lambda_loop_3_y_crank_angle_2 * w_176
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_179;
+        let w_182 = l_lambda_loop_2_x_crank_angle_2 * w_176 - w_178
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_179
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_181;
+        let w_183 = inverse_lambda_loop_2_y
+            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_179 - w_180
+                - minus_l_lambda_loop_2_y_crank_angle_2 * w_176
+                - l_lambda_loop_2_y_lambda_loop_3_y * w_181
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_182);
+        let w_184 = inverse_lambda_loop_2_x * w_182
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_183;
+        let w_185 = l_lambda_loop_2_x_lambda_loop_1_y * w_184
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_183;
+        let w_186 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_185
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_184
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_183;
+        let w_187 = l_lambda_loop_1_x_coupler_angle_1 * w_186
+            + l_lambda_loop_1_y_coupler_angle_1 * w_185;
+        let w_188 = self.k_2 * crank_angle_3_dot;
+        let w_189 = cos_crank_angle_3 * w_188;
+        let w_190 = sin_crank_angle_3 * w_188
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_189;
+        let w_191 = l_lambda_loop_2_x_lambda_loop_3_x * w_189
+            - minus_l_lambda_loop_2_x_lambda_loop_3_y * w_190;
+        let w_192 = inverse_lambda_loop_2_y
+            * (l_lambda_loop_2_y_lambda_loop_3_y * w_190
+                - minus_l_lambda_loop_2_y_lambda_loop_3_x * w_189
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_191);
+        let w_193 = inverse_lambda_loop_2_x * w_191
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_192;
+        let w_194 = l_lambda_loop_2_x_lambda_loop_1_y * w_193
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_192;
+        let w_195 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_194
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_193
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_192;
+        let w_196 = l_lambda_loop_1_x_coupler_angle_1 * w_195
+            + l_lambda_loop_1_y_coupler_angle_1 * w_194;
+        let w_197 = self.k_8 * coupler_angle_1_dot * w_28;
+        let w_198 = l_coupler_angle_1_crank_angle_0 * w_197;
+        let w_199 = coupler_angle_1_dot * self.k_2;
+        let w_200 = cos_coupler_angle_1 * w_199
+            + minus_l_lambda_loop_1_x_crank_angle_0 * w_197
+            + l_lambda_loop_1_x_coupler_angle_1 * w_198;
+        let w_201 = sin_coupler_angle_1 * w_199 - l_lambda_loop_1_y_crank_angle_0 * w_197
+            + l_lambda_loop_1_y_coupler_angle_1 * w_198
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_200;
+        let w_202 = l_lambda_loop_2_x_lambda_loop_1_x * w_200
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_201;
+        let w_203 = inverse_lambda_loop_2_y
+            * (l_lambda_loop_2_y_lambda_loop_2_x * w_202
+                - l_lambda_loop_2_y_lambda_loop_1_x * w_200
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_201);
+        let w_204 = inverse_lambda_loop_2_x * w_202
+            + l_lambda_loop_2_y_lambda_loop_2_x * w_203;
+        let w_205 = inverse_lambda_loop_1_y * w_201
+            + l_lambda_loop_2_x_lambda_loop_1_y * w_204
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_203;
+        let w_206 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_205
+            - minus_inverse_lambda_loop_1_x * w_200
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_204
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_203;
+        let w_207 = inverse_coupler_angle_1 * w_198
+            + l_lambda_loop_1_x_coupler_angle_1 * w_206
+            + l_lambda_loop_1_y_coupler_angle_1 * w_205;
+        let w_208 = self.k_8 * coupler_angle_2_dot * w_46;
+        let w_209 = l_lambda_loop_1_x_crank_angle_1 * w_208;
+        let w_210 = minus_l_lambda_loop_1_y_crank_angle_1 * w_208
+            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_209;
+        let w_211 = self.k_2 * coupler_angle_2_dot;
+        let w_212 = cos_coupler_angle_2 * w_211 - l_lambda_loop_2_x_crank_angle_1 * w_208
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_209
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_210;
+        let w_213 = inverse_lambda_loop_2_y
+            * (sin_coupler_angle_2 * w_211 - l_lambda_loop_2_y_crank_angle_1 * w_208
+                + l_lambda_loop_2_y_lambda_loop_1_x * w_209
+                - l_lambda_loop_2_y_lambda_loop_1_y * w_210
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_212);
+        let w_214 = inverse_lambda_loop_2_x * w_212
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_213;
+        let w_215 = inverse_lambda_loop_1_y * w_210
+            - l_lambda_loop_2_x_lambda_loop_1_y * w_214
+            - l_lambda_loop_2_y_lambda_loop_1_y * w_213;
+        let w_216 = minus_inverse_lambda_loop_1_x * w_209
+            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_215
+            - l_lambda_loop_2_x_lambda_loop_1_x * w_214
+            - l_lambda_loop_2_y_lambda_loop_1_x * w_213;
+        let w_217 = l_lambda_loop_1_x_coupler_angle_1 * w_216
+            + l_lambda_loop_1_y_coupler_angle_1 * w_215;
+        let w_218 = self.k_2 * coupler_angle_3_dot;
+        let w_219 = self.k_8 * coupler_angle_3_dot * w_68;
+        let w_220 = cos_coupler_angle_3 * w_218
+            - l_lambda_loop_3_x_crank_angle_2 * w_219;
+        let w_221 = sin_coupler_angle_3 * w_218 - l_lambda_loop_3_y_crank_angle_2 * w_219
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_220;
+        let w_222 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_221
+            - l_lambda_loop_2_x_crank_angle_2 * w_219
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_220;
+        let w_223 = inverse_lambda_loop_2_y
+            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_219
+                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_220
+                - l_lambda_loop_2_y_lambda_loop_3_y * w_221
+                - l_lambda_loop_2_y_lambda_loop_2_x * w_222);
+        let w_224 = inverse_lambda_loop_2_x * w_222
+            - l_lambda_loop_2_y_lambda_loop_2_x * w_223;
+        let w_225 = l_lambda_loop_2_x_lambda_loop_1_y * w_224
+            + l_lambda_loop_2_y_lambda_loop_1_y * w_223;
+        let w_226 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_225
+            + l_lambda_loop_2_x_lambda_loop_1_x * w_224
+            + l_lambda_loop_2_y_lambda_loop_1_x * w_223;
+        let w_227 = l_lambda_loop_1_x_coupler_angle_1 * w_226
+            + l_lambda_loop_1_y_coupler_angle_1 * w_225;
+        let w_228 = minus_l_lambda_loop_1_y_crank_angle_1 * w_159
+            - l_lambda_loop_1_x_crank_angle_1 * w_160
+            + l_lambda_loop_2_x_crank_angle_1 * w_158
+            - l_lambda_loop_2_y_crank_angle_1 * w_157;
+        let w_229 = minus_l_lambda_loop_1_y_crank_angle_1 * w_172
+            - inverse_crank_angle_1 * w_163 - l_lambda_loop_1_x_crank_angle_1 * w_173
+            - l_lambda_loop_2_x_crank_angle_1 * w_171
+            - l_lambda_loop_2_y_crank_angle_1 * w_170;
+        let w_230 = l_lambda_loop_1_x_crank_angle_1 * w_186
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_185
+            - l_lambda_loop_2_x_crank_angle_1 * w_184
+            - l_lambda_loop_2_y_crank_angle_1 * w_183;
+        let w_231 = l_lambda_loop_1_x_crank_angle_1 * w_195
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_194
+            - l_lambda_loop_2_x_crank_angle_1 * w_193
+            - l_lambda_loop_2_y_crank_angle_1 * w_192;
+        let w_232 = minus_l_lambda_loop_1_y_crank_angle_1 * w_205
+            - l_lambda_loop_1_x_crank_angle_1 * w_206
+            + l_lambda_loop_2_x_crank_angle_1 * w_204
+            - l_lambda_loop_2_y_crank_angle_1 * w_203;
+        let w_233 = inverse_crank_angle_1 * w_208
+            - l_lambda_loop_1_x_crank_angle_1 * w_216
+            + minus_l_lambda_loop_1_y_crank_angle_1 * w_215
+            - l_lambda_loop_2_x_crank_angle_1 * w_214
+            - l_lambda_loop_2_y_crank_angle_1 * w_213;
+        let w_234 = l_lambda_loop_1_x_crank_angle_1 * w_226
+            - minus_l_lambda_loop_1_y_crank_angle_1 * w_225
+            - l_lambda_loop_2_x_crank_angle_1 * w_224
+            - l_lambda_loop_2_y_crank_angle_1 * w_223;
+        let w_235 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_158
+            + l_lambda_loop_2_y_lambda_loop_3_y * w_157;
+        let w_236 = l_lambda_loop_2_x_lambda_loop_3_x * w_158
+            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_157
+            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_235;
+        let w_237 = l_lambda_loop_2_x_crank_angle_2 * w_158
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_157
+            - l_lambda_loop_3_x_crank_angle_2 * w_236
+            + l_lambda_loop_3_y_crank_angle_2 * w_235;
+        let w_238 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_171
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_170;
+        let w_239 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_170
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_171
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_238;
+        let w_240 = minus_l_lambda_loop_2_y_crank_angle_2 * w_170
+            - l_lambda_loop_2_x_crank_angle_2 * w_171
+            - l_lambda_loop_3_x_crank_angle_2 * w_239
+            - l_lambda_loop_3_y_crank_angle_2 * w_238;
+        let w_241 = inverse_lambda_loop_3_y * w_181
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_184
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_183;
+        let w_242 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_183
+            - minus_inverse_lambda_loop_3_x * w_179
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_184
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_241;
+        let w_243 = minus_l_lambda_loop_2_y_crank_angle_2 * w_183
+            - inverse_crank_angle_2 * w_176 - l_lambda_loop_2_x_crank_angle_2 * w_184
+            - l_lambda_loop_3_x_crank_angle_2 * w_242
+            - l_lambda_loop_3_y_crank_angle_2 * w_241;
+        let w_244 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_193
+            - inverse_lambda_loop_3_y * w_190
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_192;
+        let w_245 = minus_inverse_lambda_loop_3_x * w_189
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_193
+            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_192
+            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_244;
+        let w_246 = minus_l_lambda_loop_2_y_crank_angle_2 * w_192
+            - l_lambda_loop_2_x_crank_angle_2 * w_193
+            - l_lambda_loop_3_x_crank_angle_2 * w_245
+            - l_lambda_loop_3_y_crank_angle_2 * w_244;
+        let w_247 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_204
+            + l_lambda_loop_2_y_lambda_loop_3_y * w_203;
+        let w_248 = l_lambda_loop_2_x_lambda_loop_3_x * w_204
+            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_203
             - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_247;
-        let w_249 = l_lambda_loop_2_x_crank_angle_2 * w_170
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_169
+        let w_249 = l_lambda_loop_2_x_crank_angle_2 * w_204
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_203
             - l_lambda_loop_3_x_crank_angle_2 * w_248
             + l_lambda_loop_3_y_crank_angle_2 * w_247;
-        let w_250 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_183
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_182;
-        let w_251 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_182
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_183
+        let w_250 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_214
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_213;
+        let w_251 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_213
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_214
             + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_250;
-        let w_252 = minus_l_lambda_loop_2_y_crank_angle_2 * w_182
-            - l_lambda_loop_2_x_crank_angle_2 * w_183
+        let w_252 = minus_l_lambda_loop_2_y_crank_angle_2 * w_213
+            - l_lambda_loop_2_x_crank_angle_2 * w_214
             - l_lambda_loop_3_x_crank_angle_2 * w_251
             - l_lambda_loop_3_y_crank_angle_2 * w_250;
-        let w_253 = inverse_lambda_loop_3_y * w_193
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_196
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_195;
-        let w_254 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_195
-            - minus_inverse_lambda_loop_3_x * w_191
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_196
+        let w_253 = inverse_lambda_loop_3_y * w_221
+            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_224
+            - l_lambda_loop_2_y_lambda_loop_3_y * w_223;
+        let w_254 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_223
+            - minus_inverse_lambda_loop_3_x * w_220
+            - l_lambda_loop_2_x_lambda_loop_3_x * w_224
             + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_253;
-        let w_255 = minus_l_lambda_loop_2_y_crank_angle_2 * w_195
-            - inverse_crank_angle_2 * w_188 - l_lambda_loop_2_x_crank_angle_2 * w_196
+        let w_255 = inverse_crank_angle_2 * w_219
+            - l_lambda_loop_2_x_crank_angle_2 * w_224
+            + minus_l_lambda_loop_2_y_crank_angle_2 * w_223
             - l_lambda_loop_3_x_crank_angle_2 * w_254
             - l_lambda_loop_3_y_crank_angle_2 * w_253;
-        let w_256 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_205
-            - inverse_lambda_loop_3_y * w_202
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_204;
-        let w_257 = minus_inverse_lambda_loop_3_x * w_201
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_205
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_204
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_256;
-        let w_258 = minus_l_lambda_loop_2_y_crank_angle_2 * w_204
-            - l_lambda_loop_2_x_crank_angle_2 * w_205
-            - l_lambda_loop_3_x_crank_angle_2 * w_257
-            - l_lambda_loop_3_y_crank_angle_2 * w_256;
-        let w_259 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_216
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_215;
-        let w_260 = l_lambda_loop_2_x_lambda_loop_3_x * w_216
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_215
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_259;
-        let w_261 = l_lambda_loop_2_x_crank_angle_2 * w_216
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_215
-            - l_lambda_loop_3_x_crank_angle_2 * w_260
-            + l_lambda_loop_3_y_crank_angle_2 * w_259;
-        let w_262 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_226
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_225;
-        let w_263 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_225
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_226
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_262;
-        let w_264 = minus_l_lambda_loop_2_y_crank_angle_2 * w_225
-            - l_lambda_loop_2_x_crank_angle_2 * w_226
-            - l_lambda_loop_3_x_crank_angle_2 * w_263
-            - l_lambda_loop_3_y_crank_angle_2 * w_262;
-        let w_265 = inverse_lambda_loop_3_y * w_233
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_236
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_235;
-        let w_266 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_235
-            - minus_inverse_lambda_loop_3_x * w_232
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_236
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_265;
-        let w_267 = inverse_crank_angle_2 * w_231
-            - l_lambda_loop_2_x_crank_angle_2 * w_236
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_235
-            - l_lambda_loop_3_x_crank_angle_2 * w_266
-            - l_lambda_loop_3_y_crank_angle_2 * w_265;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_crank_angle_0 * w_43
-                        - l_coupler_angle_1_crank_angle_0 * w_53
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_52
-                        - l_lambda_loop_1_y_crank_angle_0 * w_51,
-                    l_coupler_angle_1_crank_angle_0 * w_74
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_73
-                        - l_lambda_loop_1_y_crank_angle_0 * w_72,
-                    l_lambda_loop_1_y_crank_angle_0 * w_93
-                        - l_coupler_angle_1_crank_angle_0 * w_95
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_94,
-                    l_lambda_loop_1_y_crank_angle_0 * w_103
-                        - l_coupler_angle_1_crank_angle_0 * w_105
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_104,
-                    self.inverse_crank_angle_0 * w_106
-                        - l_coupler_angle_1_crank_angle_0 * w_115
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_114
-                        - l_lambda_loop_1_y_crank_angle_0 * w_113,
-                    l_coupler_angle_1_crank_angle_0 * w_125
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_124
-                        - l_lambda_loop_1_y_crank_angle_0 * w_123,
-                    l_lambda_loop_1_y_crank_angle_0 * w_133
-                        - l_coupler_angle_1_crank_angle_0 * w_135
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_134,
+                    self.inverse_crank_angle_0 * w_31
+                        - l_coupler_angle_1_crank_angle_0 * w_41
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_40
+                        - l_lambda_loop_1_y_crank_angle_0 * w_39,
+                    l_coupler_angle_1_crank_angle_0 * w_62
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_61
+                        - l_lambda_loop_1_y_crank_angle_0 * w_60,
+                    l_lambda_loop_1_y_crank_angle_0 * w_81
+                        - l_coupler_angle_1_crank_angle_0 * w_83
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_82,
+                    l_lambda_loop_1_y_crank_angle_0 * w_91
+                        - l_coupler_angle_1_crank_angle_0 * w_93
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_92,
+                    self.inverse_crank_angle_0 * w_94
+                        - l_coupler_angle_1_crank_angle_0 * w_103
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_102
+                        - l_lambda_loop_1_y_crank_angle_0 * w_101,
+                    l_coupler_angle_1_crank_angle_0 * w_113
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_112
+                        - l_lambda_loop_1_y_crank_angle_0 * w_111,
+                    l_lambda_loop_1_y_crank_angle_0 * w_121
+                        - l_coupler_angle_1_crank_angle_0 * w_123
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_122,
                 ],
-                [w_136, w_137, w_138, w_139, w_140, w_141, w_142],
-                [w_145, w_148, w_151, w_154, w_157, w_160, w_163],
+                [w_124, w_125, w_126, w_127, w_128, w_129, w_130],
+                [w_133, w_136, w_139, w_142, w_145, w_148, w_151],
                 [
+                    -(l_lambda_loop_3_x_crank_angle_3 * w_132
+                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_131),
+                    minus_l_lambda_loop_3_y_crank_angle_3 * w_134
+                        - l_lambda_loop_3_x_crank_angle_3 * w_135,
+                    minus_l_lambda_loop_3_y_crank_angle_3 * w_137
+                        - l_lambda_loop_3_x_crank_angle_3 * w_138,
+                    self.inverse_coupler_angle_2 * w_85
+                        - l_lambda_loop_3_x_crank_angle_3 * w_141
+                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_140,
                     -(l_lambda_loop_3_x_crank_angle_3 * w_144
                         + minus_l_lambda_loop_3_y_crank_angle_3 * w_143),
                     minus_l_lambda_loop_3_y_crank_angle_3 * w_146
                         - l_lambda_loop_3_x_crank_angle_3 * w_147,
                     minus_l_lambda_loop_3_y_crank_angle_3 * w_149
                         - l_lambda_loop_3_x_crank_angle_3 * w_150,
-                    self.inverse_coupler_angle_2 * w_97
-                        - l_lambda_loop_3_x_crank_angle_3 * w_153
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_152,
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_156
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_155),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_158
-                        - l_lambda_loop_3_x_crank_angle_3 * w_159,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_161
-                        - l_lambda_loop_3_x_crank_angle_3 * w_162,
                 ],
-                [w_53, -w_74, w_95, w_105, w_115, -w_125, w_135],
+                [w_41, -w_62, w_83, w_93, w_103, -w_113, w_123],
                 [
-                    -(l_crank_angle_1_coupler_angle_2 * w_136
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_50
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_49),
-                    self.inverse_coupler_angle_2 * w_63
-                        - l_crank_angle_1_coupler_angle_2 * w_137
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_71
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_70,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_92
-                        - l_crank_angle_1_coupler_angle_2 * w_138
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_91,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_102
-                        - l_crank_angle_1_coupler_angle_2 * w_139
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_101,
-                    -(l_crank_angle_1_coupler_angle_2 * w_140
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_112
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_111),
-                    self.inverse_coupler_angle_2 * w_116
-                        - l_crank_angle_1_coupler_angle_2 * w_141
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_122
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_121,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_132
-                        - l_crank_angle_1_coupler_angle_2 * w_142
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_131,
+                    -(l_crank_angle_1_coupler_angle_2 * w_124
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_38
+                        + l_lambda_loop_2_y_coupler_angle_2 * w_37),
+                    self.inverse_coupler_angle_2 * w_51
+                        - l_crank_angle_1_coupler_angle_2 * w_125
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_59
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_58,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_80
+                        - l_crank_angle_1_coupler_angle_2 * w_126
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_79,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_90
+                        - l_crank_angle_1_coupler_angle_2 * w_127
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_89,
+                    -(l_crank_angle_1_coupler_angle_2 * w_128
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_100
+                        + l_lambda_loop_2_y_coupler_angle_2 * w_99),
+                    self.inverse_coupler_angle_2 * w_104
+                        - l_crank_angle_1_coupler_angle_2 * w_129
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_110
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_109,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_120
+                        - l_crank_angle_1_coupler_angle_2 * w_130
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_119,
                 ],
                 [
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_132
+                        - l_crank_angle_2_coupler_angle_3 * w_133
+                        + l_lambda_loop_3_y_coupler_angle_3 * w_131,
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_135
+                        - l_crank_angle_2_coupler_angle_3 * w_136
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_134,
+                    self.inverse_coupler_angle_2 * w_73
+                        - l_crank_angle_2_coupler_angle_3 * w_139
+                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_138
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_137,
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_141
+                        - l_crank_angle_2_coupler_angle_3 * w_142
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_140,
                     minus_l_lambda_loop_3_x_coupler_angle_3 * w_144
                         - l_crank_angle_2_coupler_angle_3 * w_145
                         + l_lambda_loop_3_y_coupler_angle_3 * w_143,
                     minus_l_lambda_loop_3_x_coupler_angle_3 * w_147
                         - l_crank_angle_2_coupler_angle_3 * w_148
                         - l_lambda_loop_3_y_coupler_angle_3 * w_146,
-                    self.inverse_coupler_angle_2 * w_85
+                    self.inverse_coupler_angle_2 * w_114
                         - l_crank_angle_2_coupler_angle_3 * w_151
                         + minus_l_lambda_loop_3_x_coupler_angle_3 * w_150
                         - l_lambda_loop_3_y_coupler_angle_3 * w_149,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_153
-                        - l_crank_angle_2_coupler_angle_3 * w_154
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_152,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_156
-                        - l_crank_angle_2_coupler_angle_3 * w_157
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_155,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_159
-                        - l_crank_angle_2_coupler_angle_3 * w_160
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_158,
-                    self.inverse_coupler_angle_2 * w_126
-                        - l_crank_angle_2_coupler_angle_3 * w_163
-                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_162
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_161,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_loop_1_x_crank_angle_0 * w_172
-                        - l_coupler_angle_1_crank_angle_0 * w_173
-                        - l_lambda_loop_1_y_crank_angle_0 * w_171,
-                    l_coupler_angle_1_crank_angle_0 * w_186
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_185
-                        - l_lambda_loop_1_y_crank_angle_0 * w_184,
-                    l_lambda_loop_1_y_crank_angle_0 * w_197
-                        - l_coupler_angle_1_crank_angle_0 * w_199
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_198,
-                    l_lambda_loop_1_y_crank_angle_0 * w_206
-                        - l_coupler_angle_1_crank_angle_0 * w_208
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_207,
-                    self.inverse_crank_angle_0 * w_209
-                        + l_coupler_angle_1_crank_angle_0 * w_219
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_218
-                        - l_lambda_loop_1_y_crank_angle_0 * w_217,
-                    l_coupler_angle_1_crank_angle_0 * w_229
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_228
-                        - l_lambda_loop_1_y_crank_angle_0 * w_227,
-                    l_lambda_loop_1_y_crank_angle_0 * w_237
-                        - l_coupler_angle_1_crank_angle_0 * w_239
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_238,
+                    minus_l_lambda_loop_1_x_crank_angle_0 * w_160
+                        - l_coupler_angle_1_crank_angle_0 * w_161
+                        - l_lambda_loop_1_y_crank_angle_0 * w_159,
+                    l_coupler_angle_1_crank_angle_0 * w_174
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_173
+                        - l_lambda_loop_1_y_crank_angle_0 * w_172,
+                    l_lambda_loop_1_y_crank_angle_0 * w_185
+                        - l_coupler_angle_1_crank_angle_0 * w_187
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_186,
+                    l_lambda_loop_1_y_crank_angle_0 * w_194
+                        - l_coupler_angle_1_crank_angle_0 * w_196
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_195,
+                    self.inverse_crank_angle_0 * w_197
+                        + l_coupler_angle_1_crank_angle_0 * w_207
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_206
+                        - l_lambda_loop_1_y_crank_angle_0 * w_205,
+                    l_coupler_angle_1_crank_angle_0 * w_217
+                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_216
+                        - l_lambda_loop_1_y_crank_angle_0 * w_215,
+                    l_lambda_loop_1_y_crank_angle_0 * w_225
+                        - l_coupler_angle_1_crank_angle_0 * w_227
+                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_226,
                 ],
-                [w_240, w_241, w_242, w_243, w_244, w_245, w_246],
-                [w_249, w_252, w_255, w_258, w_261, w_264, w_267],
+                [w_228, w_229, w_230, w_231, w_232, w_233, w_234],
+                [w_237, w_240, w_243, w_246, w_249, w_252, w_255],
                 [
+                    -(l_lambda_loop_3_x_crank_angle_3 * w_236
+                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_235),
+                    minus_l_lambda_loop_3_y_crank_angle_3 * w_238
+                        - l_lambda_loop_3_x_crank_angle_3 * w_239,
+                    minus_l_lambda_loop_3_y_crank_angle_3 * w_241
+                        - l_lambda_loop_3_x_crank_angle_3 * w_242,
+                    minus_l_lambda_loop_3_y_crank_angle_3 * w_244
+                        - l_lambda_loop_3_x_crank_angle_3 * w_245,
                     -(l_lambda_loop_3_x_crank_angle_3 * w_248
                         + minus_l_lambda_loop_3_y_crank_angle_3 * w_247),
                     minus_l_lambda_loop_3_y_crank_angle_3 * w_250
                         - l_lambda_loop_3_x_crank_angle_3 * w_251,
                     minus_l_lambda_loop_3_y_crank_angle_3 * w_253
                         - l_lambda_loop_3_x_crank_angle_3 * w_254,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_256
-                        - l_lambda_loop_3_x_crank_angle_3 * w_257,
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_260
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_259),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_262
-                        - l_lambda_loop_3_x_crank_angle_3 * w_263,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_265
-                        - l_lambda_loop_3_x_crank_angle_3 * w_266,
                 ],
-                [w_173, -w_186, w_199, w_208, -w_219, -w_229, w_239],
+                [w_161, -w_174, w_187, w_196, -w_207, -w_217, w_227],
                 [
-                    -(l_crank_angle_1_coupler_angle_2 * w_240
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_170
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_169),
-                    self.inverse_coupler_angle_2 * w_174
-                        - l_crank_angle_1_coupler_angle_2 * w_241
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_183
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_182,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_196
-                        - l_crank_angle_1_coupler_angle_2 * w_242
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_195,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_205
-                        - l_crank_angle_1_coupler_angle_2 * w_243
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_204,
-                    -(l_crank_angle_1_coupler_angle_2 * w_244
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_216
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_215),
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_226
-                        - l_crank_angle_1_coupler_angle_2 * w_245
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_225,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_236
-                        - l_crank_angle_1_coupler_angle_2 * w_246
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_235,
+                    -(l_crank_angle_1_coupler_angle_2 * w_228
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_158
+                        + l_lambda_loop_2_y_coupler_angle_2 * w_157),
+                    self.inverse_coupler_angle_2 * w_162
+                        - l_crank_angle_1_coupler_angle_2 * w_229
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_171
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_170,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_184
+                        - l_crank_angle_1_coupler_angle_2 * w_230
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_183,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_193
+                        - l_crank_angle_1_coupler_angle_2 * w_231
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_192,
+                    -(l_crank_angle_1_coupler_angle_2 * w_232
+                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_204
+                        + l_lambda_loop_2_y_coupler_angle_2 * w_203),
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_214
+                        - l_crank_angle_1_coupler_angle_2 * w_233
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_213,
+                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_224
+                        - l_crank_angle_1_coupler_angle_2 * w_234
+                        - l_lambda_loop_2_y_coupler_angle_2 * w_223,
                 ],
                 [
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_236
+                        - l_crank_angle_2_coupler_angle_3 * w_237
+                        + l_lambda_loop_3_y_coupler_angle_3 * w_235,
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_239
+                        - l_crank_angle_2_coupler_angle_3 * w_240
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_238,
+                    self.inverse_coupler_angle_2 * w_175
+                        - l_crank_angle_2_coupler_angle_3 * w_243
+                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_242
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_241,
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_245
+                        - l_crank_angle_2_coupler_angle_3 * w_246
+                        - l_lambda_loop_3_y_coupler_angle_3 * w_244,
                     minus_l_lambda_loop_3_x_coupler_angle_3 * w_248
                         - l_crank_angle_2_coupler_angle_3 * w_249
                         + l_lambda_loop_3_y_coupler_angle_3 * w_247,
                     minus_l_lambda_loop_3_x_coupler_angle_3 * w_251
                         - l_crank_angle_2_coupler_angle_3 * w_252
                         - l_lambda_loop_3_y_coupler_angle_3 * w_250,
-                    self.inverse_coupler_angle_2 * w_187
+                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_254
                         - l_crank_angle_2_coupler_angle_3 * w_255
-                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_254
                         - l_lambda_loop_3_y_coupler_angle_3 * w_253,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_257
-                        - l_crank_angle_2_coupler_angle_3 * w_258
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_256,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_260
-                        - l_crank_angle_2_coupler_angle_3 * w_261
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_259,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_263
-                        - l_crank_angle_2_coupler_angle_3 * w_264
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_262,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_266
-                        - l_crank_angle_2_coupler_angle_3 * w_267
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_265,
                 ],
             ],
             multipliers_by_positions: [
-                [w_52, w_73, -w_94, -w_104, w_114, w_124, -w_134],
-                [w_51, w_72, -w_93, -w_103, w_113, w_123, -w_133],
-                [-w_50, w_71, w_92, w_102, -w_112, w_122, w_132],
-                [w_49, w_70, w_91, w_101, w_111, w_121, w_131],
-                [w_144, w_147, w_150, w_153, w_156, w_159, w_162],
-                [-w_143, w_146, w_149, w_152, -w_155, w_158, w_161],
+                [w_40, w_61, -w_82, -w_92, w_102, w_112, -w_122],
+                [w_39, w_60, -w_81, -w_91, w_101, w_111, -w_121],
+                [-w_38, w_59, w_80, w_90, -w_100, w_110, w_120],
+                [w_37, w_58, w_79, w_89, w_99, w_109, w_119],
+                [w_132, w_135, w_138, w_141, w_144, w_147, w_150],
+                [-w_131, w_134, w_137, w_140, -w_143, w_146, w_149],
             ],
             multipliers_by_speeds: [
-                [w_172, w_185, -w_198, -w_207, w_218, w_228, -w_238],
-                [w_171, w_184, -w_197, -w_206, w_217, w_227, -w_237],
-                [-w_170, w_183, w_196, w_205, -w_216, w_226, w_236],
-                [w_169, w_182, w_195, w_204, w_215, w_225, w_235],
-                [w_248, w_251, w_254, w_257, w_260, w_263, w_266],
-                [-w_247, w_250, w_253, w_256, -w_259, w_262, w_265],
+                [w_160, w_173, -w_186, -w_195, w_206, w_216, -w_226],
+                [w_159, w_172, -w_185, -w_194, w_205, w_215, -w_225],
+                [-w_158, w_171, w_184, w_193, -w_204, w_214, w_224],
+                [w_157, w_170, w_183, w_192, w_203, w_213, w_223],
+                [w_236, w_239, w_242, w_245, w_248, w_251, w_254],
+                [-w_235, w_238, w_241, w_244, -w_247, w_250, w_253],
             ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_crank_angle_0_crank_angle_0,
@@ -2863,10 +2840,10 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_loop_3_x,
                     minus_pivot_lambda_loop_3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_29)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_30)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_32)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_36),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_18)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_19)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_20)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_22),
         }
     }
 }

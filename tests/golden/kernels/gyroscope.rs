@@ -236,45 +236,42 @@ pub struct GyroscopePrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Gyroscope<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 13 additions, 26 multiplications, 1 division.
+    /// Operations: 13 additions, 20 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> GyroscopePrepared<S> {
-        let inner_radius_squared = self.inner_radius * self.inner_radius;
-        let w = self.inner_mass * inner_radius_squared;
-        let l_squared = self.l * self.l;
-        let w_2 = self.m * l_squared;
-        let w_3 = self.inner_mass * inner_radius_squared * S::from_f64(0.5);
-        let r_squared = self.r * self.r;
-        let w_4 = S::from_f64(0.25) * self.M * r_squared;
-        let N_less_B = w_4 + w_3 + w_2;
-        let C_ = self.M * r_squared * S::from_f64(0.5);
-        let w_5 = self.M * r_squared;
+        let w = self.inner_mass * self.inner_radius * self.inner_radius;
+        let w_2 = self.m * self.l * self.l;
+        let w_3 = S::from_f64(0.5) * w;
+        let w_4 = self.M * self.r * self.r;
+        let w_5 = S::from_f64(0.25) * w_4;
+        let N_less_B = w_5 + w_3 + w_2;
+        let C_ = S::from_f64(0.5) * w_4;
         let w_6 = self.m * self.l;
-        let w_7 = self.m * l_squared * S::from_f64(2.0);
-        let w_8 = self.inner_mass * inner_radius_squared * S::from_f64(2.0);
+        let w_7 = w_2 * S::from_f64(2.0);
+        let w_8 = w * S::from_f64(2.0);
         GyroscopePrepared {
             l: self.l,
             k: w,
             k_2: w_2,
             k_3: w_3,
-            k_4: w_4 + w
+            k_4: w_5 + w
                 + S::from_f64(0.5) * self.outer_mass * self.outer_radius
                     * self.outer_radius,
-            k_5: w_4 - w_3,
+            k_5: w_5 - w_3,
             N_less_B: N_less_B,
             C_: C_,
             k_6: self.l * S::from_f64(2.0),
-            k_7: w_5,
+            k_7: w_4,
             k_8: w_6,
             k_9: w - C_,
             k_10: w_7,
             k_11: w - C_ + w_7,
             k_12: self.m * self.g,
             k_13: w_6 * self.g,
-            k_14: w_4 - w_3 - w_2,
+            k_14: w_5 - w_3 - w_2,
             inverse_rise: S::from_f64(1.0) / N_less_B,
-            k_15: self.m * l_squared * S::from_f64(4.0) + w_8 - w_5,
-            k_16: w_5 - w_8,
+            k_15: w_2 * S::from_f64(4.0) + w_8 - w_4,
+            k_16: w_4 - w_8,
             k_17: S::from_f64(2.0) * w_6,
         }
     }
@@ -702,7 +699,7 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 89 additions, 215 multiplications, 2 divisions, 3 sine-cosine pairs.
+    /// Operations: 89 additions, 198 multiplications, 2 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -717,124 +714,119 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
             turn,
             spin,
         ]);
-        let rhs_turn = cos_rise * rise_dot
-            * (sin_rise * turn_dot * self.k_11 - self.C_ * spin_dot);
-        let cos_rise_squared = cos_rise * cos_rise;
+        let w = sin_rise * turn_dot;
+        let rhs_turn = cos_rise * rise_dot * (w * self.k_11 - self.C_ * spin_dot);
+        let w_2 = cos_rise * cos_rise * self.k_2;
         let sin_rise_squared = sin_rise * sin_rise;
-        let mass_turn_turn = self.k_4 + cos_rise_squared * self.k_2
-            + sin_rise_squared * self.k_5;
+        let mass_turn_turn = self.k_4 + w_2 + sin_rise_squared * self.k_5;
         let inverse_turn = S::from_f64(1.0) / mass_turn_turn;
         let turn_dot_squared = turn_dot * turn_dot;
         let rise_dot_squared = rise_dot * rise_dot;
-        let w = cos_turn * (turn_dot_squared + rise_dot_squared);
-        let w_2 = cos_rise * turn_dot;
-        let w_3 = rise_dot * self.k_6;
-        let w_4 = self.l * sin_rise * w + sin_turn * w_2 * w_3;
-        let w_5 = sin_turn * (rise_dot_squared + turn_dot_squared);
-        let w_6 = cos_turn * w_2 * w_3 - self.l * sin_rise * w_5;
-        let w_z = rise_dot * sin_spin + cos_spin * w_2;
-        let w_7 = sin_rise * turn_dot;
-        let w_y = spin_dot + w_7;
-        let w_8 = sin_rise * cos_spin;
-        let w_9 = cos_rise * rise_dot;
-        let w_10 = self.k_7
-            * (turn_dot * (cos_rise * w_z - w_y * w_8)
-                - turn_dot * (spin_dot * w_8 + sin_spin * w_9));
-        let w_11 = sin_rise * sin_spin;
-        let w_x = rise_dot * cos_spin - sin_spin * w_2;
-        let w_12 = self.k_7
-            * (turn_dot * (w_y * w_11 + cos_rise * w_x)
-                + turn_dot * (spin_dot * w_11 - cos_spin * w_9));
+        let w_3 = cos_turn * (turn_dot_squared + rise_dot_squared);
+        let w_4 = sin_turn * self.k_6;
+        let w_5 = cos_rise * turn_dot;
+        let w_6 = rise_dot * w_5;
+        let w_7 = self.l * sin_rise * w_3 + w_4 * w_6;
+        let w_8 = cos_turn * self.k_6;
+        let w_9 = sin_turn * (rise_dot_squared + turn_dot_squared);
+        let w_10 = w_8 * w_6 - self.l * sin_rise * w_9;
+        let w_z = rise_dot * sin_spin + cos_spin * w_5;
+        let w_y = spin_dot + w;
+        let w_11 = cos_spin * w_y;
+        let w_12 = sin_rise * spin_dot;
+        let w_13 = cos_rise * rise_dot;
+        let w_14 = self.k_7
+            * (turn_dot * (cos_rise * w_z - sin_rise * w_11)
+                - turn_dot * (cos_spin * w_12 + sin_spin * w_13));
+        let w_15 = sin_spin * w_y;
+        let w_x = rise_dot * cos_spin - sin_spin * w_5;
+        let w_16 = self.k_7
+            * (turn_dot * (sin_rise * w_15 + cos_rise * w_x)
+                + turn_dot * (sin_spin * w_12 - cos_spin * w_13));
         let mass_spin_turn = sin_rise * self.C_;
         let l_spin_turn = mass_spin_turn * inverse_turn;
         let pivot_spin = self.C_ - mass_spin_turn * l_spin_turn;
         let inverse_spin = S::from_f64(1.0) / pivot_spin;
-        let w_13 = self.C_ * turn_dot;
-        let minus_spin_ddot = inverse_spin
-            * (cos_rise * rise_dot * w_13 + rhs_turn * l_spin_turn);
-        let w_14 = cos_rise
-            * (self.k_8 * (sin_turn * w_4 + cos_turn * w_6)
-                - S::from_f64(0.25) * (sin_spin * w_10 + cos_spin * w_12)
+        let minus_spin_ddot = inverse_spin * (self.C_ * w_6 + rhs_turn * l_spin_turn);
+        let w_17 = cos_rise
+            * (self.k_8 * (sin_turn * w_7 + cos_turn * w_10)
+                - S::from_f64(0.25) * (sin_spin * w_14 + cos_spin * w_16)
                 + self.C_ * minus_spin_ddot);
-        let w_15 = sin_rise * rise_dot;
-        let w_16 = turn_dot * self.k_6;
-        let w_17 = self.l * cos_rise * w - sin_turn * w_15 * w_16;
-        let w_18 = self.l * cos_rise * w_5 + cos_turn * w_15 * w_16;
-        let w_19 = cos_spin * self.k_7
-            * (w_y * w_x + (spin_dot * w_x - turn_dot * w_15 * cos_spin));
-        let w_20 = self.k_8 * (sin_turn * w_17 - cos_turn * w_18)
-            + S::from_f64(0.25)
-                * (sin_spin * self.k_7
-                    * (w_z * w_y + (w_z * spin_dot - turn_dot * w_15 * sin_spin))
-                    + w_19);
+        let w_18 = rise_dot * w;
+        let w_19 = self.l * cos_rise * w_3 - w_18 * w_4;
+        let w_20 = self.l * cos_rise * w_9 + w_18 * w_8;
+        let w_21 = sin_spin * self.k_7 * (w_z * w_y + (w_z * spin_dot - w_18 * sin_spin))
+            + cos_spin * self.k_7 * (w_y * w_x + (spin_dot * w_x - w_18 * cos_spin));
+        let w_22 = sin_rise
+            * (self.k_8 * (sin_turn * w_19 - cos_turn * w_20)
+                + S::from_f64(0.25) * w_21);
         let turn_ddot = rhs_turn * inverse_turn + l_spin_turn * minus_spin_ddot;
-        let w_21 = w_14 + sin_rise * w_20
+        let w_23 = w_17 + w_22
             + turn_dot * rise_dot * (sin_rise_squared * self.k_16 + self.k_9)
             + S::from_f64(0.5) * turn_ddot * cos_rise * sin_rise * self.k_15;
-        let w_22 = inverse_spin
-            * (self.C_ * (sin_rise * turn_dot * rise_dot - cos_rise * turn_ddot)
-                - l_spin_turn * w_21);
-        let w_23 = self.k_8
-            * (sin_rise * (cos_turn * w_4 - sin_turn * w_6)
-                - cos_rise * (cos_turn * w_17 + sin_turn * w_18));
-        let w_24 = w_23 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
-            + S::from_f64(0.25) * (cos_spin * w_10 - sin_spin * w_12)
-            + cos_rise_squared * self.k_2 * rise_dot_squared
+        let w_24 = inverse_spin
+            * (self.C_ * (w_18 - cos_rise * turn_ddot) - l_spin_turn * w_23);
+        let w_25 = self.k_8
+            * (sin_rise * (cos_turn * w_7 - sin_turn * w_10)
+                - cos_rise * (cos_turn * w_19 + sin_turn * w_20));
+        let w_26 = w_25 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
+            + S::from_f64(0.25) * (cos_spin * w_14 - sin_spin * w_16)
+            + w_2 * rise_dot_squared
             + self.l * sin_rise * (self.k_12 - sin_rise * rise_dot_squared * self.k_8);
-        let w_25 = self.l * (sin_turn * w_15 - cos_turn * w_2);
-        let w_26 = self.l * (sin_turn * w_2 + cos_turn * w_15);
-        let w_27 = cos_rise * cos_spin;
-        let w_28 = self.k_7
-            * (w_y * w_27 + sin_rise * w_z + (spin_dot * w_27 - w_15 * sin_spin));
-        let w_29 = cos_rise * sin_spin;
-        let w_30 = self.k_7
-            * (sin_rise * w_x - w_y * w_29 - (spin_dot * w_29 + w_15 * cos_spin));
-        let w_31 = cos_rise
-            * (self.k_17 * (sin_turn * w_25 + cos_turn * w_26)
-                - S::from_f64(0.25) * (sin_spin * w_28 + cos_spin * w_30)
-                + sin_rise * rise_dot * self.k_9);
-        let w_32 = inverse_spin * (cos_rise * self.C_ * rise_dot + l_spin_turn * w_31);
-        let w_33 = self.l * (sin_turn * w_7 - cos_turn * w_9);
-        let w_34 = self.l * (cos_turn * w_7 + sin_turn * w_9);
-        let w_35 = self.k_7 * (sin_spin * w_y - sin_spin * (w_7 - spin_dot));
-        let w_36 = self.k_7 * (cos_spin * w_y + cos_spin * (spin_dot - w_7));
-        let w_37 = cos_rise
-            * (self.k_17 * (sin_turn * w_33 + cos_turn * w_34)
-                - S::from_f64(0.25) * (sin_spin * w_35 + cos_spin * w_36)
-                + sin_rise * turn_dot * self.k_9);
-        let w_38 = inverse_spin * (cos_rise * w_13 + l_spin_turn * w_37);
-        let w_39 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
-        let w_40 = inverse_spin * l_spin_turn * w_39;
+        let w_27 = sin_rise * rise_dot;
+        let w_28 = self.l * (sin_turn * w_27 - cos_turn * w_5);
+        let w_29 = self.l * (sin_turn * w_5 + cos_turn * w_27);
+        let w_30 = cos_rise * spin_dot;
+        let w_31 = self.k_7
+            * (cos_rise * w_11 + sin_rise * w_z + (cos_spin * w_30 - sin_spin * w_27));
+        let w_32 = self.k_7
+            * (sin_rise * w_x - cos_rise * w_15 - (sin_spin * w_30 + cos_spin * w_27));
+        let w_33 = cos_rise
+            * (self.k_17 * (sin_turn * w_28 + cos_turn * w_29)
+                - S::from_f64(0.25) * (sin_spin * w_31 + cos_spin * w_32)
+                + self.k_9 * w_27);
+        let w_34 = inverse_spin * (self.C_ * w_13 + l_spin_turn * w_33);
+        let w_35 = self.l * (sin_turn * w - cos_turn * w_13);
+        let w_36 = self.l * (cos_turn * w + sin_turn * w_13);
+        let w_37 = self.k_7 * (w_15 - sin_spin * (w - spin_dot));
+        let w_38 = self.k_7 * (w_11 + cos_spin * (spin_dot - w));
+        let w_39 = cos_rise
+            * (self.k_17 * (sin_turn * w_35 + cos_turn * w_36)
+                - S::from_f64(0.25) * (sin_spin * w_37 + cos_spin * w_38)
+                + w * self.k_9);
+        let w_40 = inverse_spin * (self.C_ * w_5 + l_spin_turn * w_39);
+        let w_41 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
+        let w_42 = inverse_spin * l_spin_turn * w_41;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
-                    inverse_turn * w_21 - l_spin_turn * w_22,
+                    inverse_turn * w_23 - l_spin_turn * w_24,
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), self.inverse_rise * w_24, S::from_f64(0.0)],
-                [S::from_f64(0.0), w_22, S::from_f64(0.0)],
+                [S::from_f64(0.0), self.inverse_rise * w_26, S::from_f64(0.0)],
+                [S::from_f64(0.0), w_24, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
-                    inverse_turn * w_31 + l_spin_turn * w_32,
-                    inverse_turn * w_37 + l_spin_turn * w_38,
-                    -(inverse_turn * w_39 + l_spin_turn * w_40),
+                    inverse_turn * w_33 + l_spin_turn * w_34,
+                    inverse_turn * w_39 + l_spin_turn * w_40,
+                    -(inverse_turn * w_41 + l_spin_turn * w_42),
                 ],
                 [
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_25 - sin_turn * w_26)
-                                - cos_rise * self.k * turn_dot)
-                            + S::from_f64(0.25) * (cos_spin * w_28 - sin_spin * w_30)),
+                            * (self.k_17 * (cos_turn * w_28 - sin_turn * w_29)
+                                - self.k * w_5)
+                            + S::from_f64(0.25) * (cos_spin * w_31 - sin_spin * w_32)),
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_33 - sin_turn * w_34)
-                                + cos_rise * rise_dot * self.k_10)
-                            + S::from_f64(0.25) * (cos_spin * w_35 - sin_spin * w_36)),
+                            * (self.k_17 * (cos_turn * w_35 - sin_turn * w_36)
+                                + self.k_10 * w_13)
+                            + S::from_f64(0.25) * (cos_spin * w_37 - sin_spin * w_38)),
                     self.inverse_rise * self.C_ * (cos_spin * w_z - sin_spin * w_x),
                 ],
-                [-w_32, -w_38, w_40],
+                [-w_34, -w_40, w_42],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],

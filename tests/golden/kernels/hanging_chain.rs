@@ -192,35 +192,36 @@ pub struct HangingChainPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> HangingChain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 15 multiplications, 1 division.
+    /// Operations: 14 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> HangingChainPrepared<S> {
         let l_squared = self.l * self.l;
-        let w = self.m * S::from_f64(0.5);
-        let mass_phi_2_phi_2 = l_squared * self.m * S::from_f64(0.3333333333333333);
-        let w_2 = self.l * self.g;
+        let w = l_squared * self.m;
+        let w_2 = self.m * S::from_f64(0.5);
+        let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
+        let w_3 = self.l * self.g;
         HangingChainPrepared {
             l: self.l,
             m: self.m,
-            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * l_squared * self.m,
-            k: l_squared * w,
+            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * w,
+            k: l_squared * w_2,
             mass_phi_2_phi_2: mass_phi_2_phi_2,
-            k_2: self.l * w,
+            k_2: self.l * w_2,
             k_3: self.l * S::from_f64(2.0),
-            k_4: self.m * S::from_f64(1.5) * w_2,
-            k_5: w * w_2,
+            k_4: self.m * S::from_f64(1.5) * w_3,
+            k_5: w_2 * w_3,
             k_6: self.m * self.g,
             inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
-            k_7: w * self.g,
+            k_7: w_2 * self.g,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 61 multiplications, 5 sine-cosine pairs.
+    /// Operations: 26 additions, 60 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
-        let l_squared = self.l * self.l;
+        let w = self.l * self.l * self.m;
         let (
             [u_1_x,
             u_2_x,
@@ -236,35 +237,34 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let P_1_x = self.l * u_1_x;
-        let w = self.m + self.m;
-        let w_2 = self.m + w;
-        let w_3 = self.l * cos_phi_1;
-        let w_4 = self.m * S::from_f64(0.5);
+        let w_2 = self.m + self.m;
+        let w_3 = self.m + w_2;
+        let w_4 = self.l * cos_phi_1;
         let w_5 = self.l * u_2_x;
-        let w_6 = w_5 * w_2;
+        let w_6 = w_5 * w_3;
         let w_7 = self.l * cos_phi_2;
-        let w_8 = w_7 * w_2;
-        let w_9 = l_squared * w_4 * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x) + P_1_x * w_6
-            + w_3 * w_8;
-        let w_10 = self.l * w_4;
+        let w_8 = w_7 * w_3;
+        let w_9 = w * S::from_f64(0.5) * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x)
+            + P_1_x * w_6 + w_4 * w_8;
+        let w_10 = self.l * self.m * S::from_f64(0.5);
         let w_11 = self.l * u_3_x;
-        let w_12 = w_11 * w;
+        let w_12 = w_11 * w_2;
         let w_13 = w_10 * u_3_x + w_12;
         let w_14 = self.l * cos_phi_3;
-        let w_15 = w_14 * w;
+        let w_15 = w_14 * w_2;
         let w_16 = cos_phi_3 * w_10 + w_15;
-        let w_17 = P_1_x * w_13 + w_3 * w_16;
+        let w_17 = P_1_x * w_13 + w_4 * w_16;
         let w_18 = self.l * u_4_x;
         let w_19 = self.m * w_18;
         let w_20 = w_10 * u_4_x + w_19;
         let w_21 = self.l * cos_phi_4;
         let w_22 = self.m * w_21;
         let w_23 = w_10 * cos_phi_4 + w_22;
-        let w_24 = P_1_x * w_20 + w_3 * w_23;
+        let w_24 = P_1_x * w_20 + w_4 * w_23;
         let mass_P_4_y_phi_5 = w_10 * u_5_x;
         let mass_P_4_x_phi_5 = w_10 * cos_phi_5;
-        let w_25 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_3;
-        let mass_phi_2_phi_2 = l_squared * self.m * S::from_f64(0.3333333333333333);
+        let w_25 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_4;
+        let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
         let w_26 = w_5 * w_13 + w_7 * w_16;
         let w_27 = w_5 * w_20 + w_7 * w_23;
         let w_28 = mass_P_4_y_phi_5 * w_5 + mass_P_4_x_phi_5 * w_7;
@@ -273,8 +273,8 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w_31 = mass_P_4_y_phi_5 * w_18 + mass_P_4_x_phi_5 * w_21;
         [
             [
-                S::from_f64(1.3333333333333333) * l_squared * self.m
-                    + P_1_x * P_1_x * w_2 + w_3 * w_3 * w_2,
+                S::from_f64(1.3333333333333333) * w + P_1_x * P_1_x * w_3
+                    + w_4 * w_4 * w_3,
                 w_9,
                 w_17,
                 w_24,
@@ -733,7 +733,7 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 137 additions, 172 multiplications, 4 divisions, 5 sine-cosine pairs.
+    /// Operations: 137 additions, 160 multiplications, 4 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -761,127 +761,132 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
         let minus_rhs_phi_5 = u_5_x * self.k_5;
         let mass_P_4_y_phi_5 = self.k_2 * u_5_x;
         let l_P_4_y_phi_5 = mass_P_4_y_phi_5 * self.inverse_phi_5;
-        let w_2 = self.k_2 * phi_5_dot * phi_5_dot;
-        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_3 = self.l * phi_4_dot_squared;
-        let P_4_y_convective = cos_phi_4 * w_3;
-        let w_4 = self.m - mass_P_4_y_phi_5 * l_P_4_y_phi_5;
-        let w_5 = minus_rhs_phi_5 * l_P_4_y_phi_5 - (self.k_6 + cos_phi_5 * w_2)
-            - P_4_y_convective * w_4;
-        let minus_P_4_x_convective = u_4_x * w_3;
         let mass_P_4_x_phi_5 = self.k_2 * cos_phi_5;
-        let w_6 = mass_P_4_x_phi_5 * l_P_4_y_phi_5;
-        let w_7 = w * w_6;
-        let w_8 = self.l * cos_phi_4;
+        let phi_5_dot_squared = phi_5_dot * phi_5_dot;
+        let w_2 = self.l * cos_phi_4;
+        let phi_4_dot_squared = phi_4_dot * phi_4_dot;
+        let P_4_y_convective = w_2 * phi_4_dot_squared;
+        let w_3 = self.m - mass_P_4_y_phi_5 * l_P_4_y_phi_5;
+        let w_4 = minus_rhs_phi_5 * l_P_4_y_phi_5
+            - (self.k_6 + mass_P_4_x_phi_5 * phi_5_dot_squared) - P_4_y_convective * w_3;
+        let minus_P_4_x_convective = w * phi_4_dot_squared;
+        let w_5 = mass_P_4_x_phi_5 * l_P_4_y_phi_5;
+        let w_6 = w * w_5;
         let l_P_4_x_phi_5 = mass_P_4_x_phi_5 * self.inverse_phi_5;
-        let w_9 = self.m - mass_P_4_x_phi_5 * l_P_4_x_phi_5;
-        let w_10 = u_5_x * w_2 + minus_rhs_phi_5 * l_P_4_x_phi_5 + P_4_y_convective * w_6
-            + minus_P_4_x_convective * w_9;
-        let rhs_phi_4 = w * w_5 - u_4_x * self.k_5 - minus_P_4_x_convective * w_7
-            + w_8 * w_10;
-        let w_11 = self.l * u_3_x;
-        let w_12 = self.k_2 * phi_4_dot_squared;
-        let w_13 = w * w_4;
-        let w_14 = w * w_13;
-        let w_15 = w_8 * w_7;
-        let w_16 = w_8 * w_9;
-        let w_17 = w_8 * w_16;
-        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_14 - w_15 - w_15 + w_17;
+        let w_7 = self.m - mass_P_4_x_phi_5 * l_P_4_x_phi_5;
+        let w_8 = mass_P_4_y_phi_5 * phi_5_dot_squared + minus_rhs_phi_5 * l_P_4_x_phi_5
+            + P_4_y_convective * w_5 + minus_P_4_x_convective * w_7;
+        let rhs_phi_4 = w * w_4 - u_4_x * self.k_5 - minus_P_4_x_convective * w_6
+            + w_2 * w_8;
+        let w_9 = self.l * u_3_x;
+        let mass_P_3_x_phi_4 = self.k_2 * cos_phi_4;
+        let w_10 = w * w_3;
+        let w_11 = w * w_10;
+        let w_12 = w_2 * w_6;
+        let w_13 = w_2 * w_7;
+        let w_14 = w_2 * w_13;
+        let pivot_phi_4 = self.mass_phi_2_phi_2 + w_11 - w_12 - w_12 + w_14;
         let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
-        let k_P_3_y_phi_4 = self.k_2 * u_4_x + w_13 - w_8 * w_6;
+        let mass_P_3_y_phi_4 = self.k_2 * u_4_x;
+        let k_P_3_y_phi_4 = mass_P_3_y_phi_4 + w_10 - w_2 * w_5;
         let l_P_3_y_phi_4 = inverse_phi_4 * k_P_3_y_phi_4;
+        let w_15 = self.l * cos_phi_3;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let w_18 = self.l * phi_3_dot_squared;
-        let P_3_y_convective = cos_phi_3 * w_18;
-        let w_19 = self.m + w_4 - k_P_3_y_phi_4 * l_P_3_y_phi_4;
-        let w_20 = w_5 - (self.k_6 + cos_phi_4 * w_12) - minus_P_4_x_convective * w_6
-            - l_P_3_y_phi_4 * rhs_phi_4 - P_3_y_convective * w_19;
-        let minus_P_3_x_convective = u_3_x * w_18;
-        let k_P_3_x_phi_4 = self.k_2 * cos_phi_4 - w_7 + w_16;
-        let w_21 = w_6 + k_P_3_x_phi_4 * l_P_3_y_phi_4;
-        let w_22 = w_11 * w_21;
-        let w_23 = self.l * cos_phi_3;
+        let P_3_y_convective = w_15 * phi_3_dot_squared;
+        let w_16 = self.m + w_3 - k_P_3_y_phi_4 * l_P_3_y_phi_4;
+        let w_17 = w_4 - (self.k_6 + mass_P_3_x_phi_4 * phi_4_dot_squared)
+            - minus_P_4_x_convective * w_5 - l_P_3_y_phi_4 * rhs_phi_4
+            - P_3_y_convective * w_16;
+        let minus_P_3_x_convective = w_9 * phi_3_dot_squared;
+        let k_P_3_x_phi_4 = mass_P_3_x_phi_4 - w_6 + w_13;
+        let w_18 = w_5 + k_P_3_x_phi_4 * l_P_3_y_phi_4;
+        let w_19 = w_9 * w_18;
         let l_P_3_x_phi_4 = inverse_phi_4 * k_P_3_x_phi_4;
-        let w_24 = self.m + w_9 - k_P_3_x_phi_4 * l_P_3_x_phi_4;
-        let w_25 = u_4_x * w_12 + w_10 - l_P_3_x_phi_4 * rhs_phi_4
-            + P_3_y_convective * w_21 + minus_P_3_x_convective * w_24;
-        let rhs_phi_3 = w_11 * w_20 - u_3_x * self.k_5 - minus_P_3_x_convective * w_22
-            + w_23 * w_25;
+        let w_20 = self.m + w_7 - k_P_3_x_phi_4 * l_P_3_x_phi_4;
+        let w_21 = mass_P_3_y_phi_4 * phi_4_dot_squared + w_8 - l_P_3_x_phi_4 * rhs_phi_4
+            + P_3_y_convective * w_18 + minus_P_3_x_convective * w_20;
+        let rhs_phi_3 = w_9 * w_17 - u_3_x * self.k_5 - minus_P_3_x_convective * w_19
+            + w_15 * w_21;
+        let w_22 = cos_phi_1 * self.k;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
-        let w_26 = u_2_x * phi_2_dot_squared;
+        let w_23 = u_2_x * phi_2_dot_squared;
+        let w_24 = cos_phi_2 * self.k;
         let P_1_x = self.l * u_1_x;
-        let w_27 = self.k_2 * phi_3_dot_squared;
-        let w_28 = w_11 * w_19;
-        let w_29 = w_11 * w_28;
-        let w_30 = w_23 * w_22;
-        let w_31 = w_23 * w_24;
-        let w_32 = w_23 * w_31;
-        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_29 - w_30 - w_30 + w_32;
+        let mass_P_2_x_phi_3 = cos_phi_3 * self.k_2;
+        let w_25 = w_9 * w_16;
+        let w_26 = w_9 * w_25;
+        let w_27 = w_15 * w_19;
+        let w_28 = w_15 * w_20;
+        let w_29 = w_15 * w_28;
+        let pivot_phi_3 = self.mass_phi_2_phi_2 + w_26 - w_27 - w_27 + w_29;
         let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
-        let k_P_2_y_phi_3 = self.k_2 * u_3_x + w_28 - w_23 * w_21;
+        let mass_P_2_y_phi_3 = self.k_2 * u_3_x;
+        let k_P_2_y_phi_3 = mass_P_2_y_phi_3 + w_25 - w_15 * w_18;
         let l_P_2_y_phi_3 = inverse_phi_3 * k_P_2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P_2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_33 = self.m + w_19 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
-        let w_34 = w_20 - (self.k_6 + cos_phi_3 * w_27) - minus_P_3_x_convective * w_21
-            - l_P_2_y_phi_3 * rhs_phi_3 - P_2_y_convective * w_33;
-        let w_35 = u_1_x * phi_1_dot_squared;
-        let minus_P_2_x_convective = self.l * (w_35 + w_26);
-        let k_P_2_x_phi_3 = cos_phi_3 * self.k_2 - w_22 + w_31;
-        let w_36 = w_21 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
-        let w_37 = P_1_x * w_36;
-        let w_38 = self.l * cos_phi_1;
+        let w_30 = self.m + w_16 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
+        let w_31 = w_17 - (self.k_6 + mass_P_2_x_phi_3 * phi_3_dot_squared)
+            - minus_P_3_x_convective * w_18 - l_P_2_y_phi_3 * rhs_phi_3
+            - P_2_y_convective * w_30;
+        let w_32 = u_1_x * phi_1_dot_squared;
+        let minus_P_2_x_convective = self.l * (w_32 + w_23);
+        let k_P_2_x_phi_3 = mass_P_2_x_phi_3 - w_19 + w_28;
+        let w_33 = w_18 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
+        let w_34 = P_1_x * w_33;
+        let w_35 = self.l * cos_phi_1;
         let l_P_2_x_phi_3 = inverse_phi_3 * k_P_2_x_phi_3;
-        let w_39 = self.m + w_24 - k_P_2_x_phi_3 * l_P_2_x_phi_3;
-        let w_40 = u_3_x * w_27 + w_25 - l_P_2_x_phi_3 * rhs_phi_3
-            + P_2_y_convective * w_36 + minus_P_2_x_convective * w_39;
-        let rhs_phi_1 = cos_phi_1 * self.k * w_26
-            - u_1_x * (self.k_4 + cos_phi_2 * self.k * phi_2_dot_squared) + P_1_x * w_34
-            - minus_P_2_x_convective * w_37 + w_38 * w_40;
-        let w_41 = self.l * u_2_x;
-        let w_42 = w_41 * w_36;
-        let w_43 = self.l * cos_phi_2;
-        let w_44 = P_1_x * P_1_x * w_33;
-        let w_45 = w_38 * w_37;
-        let w_46 = w_38 * w_38 * w_39;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_44 - w_45 - w_45 + w_46;
+        let w_36 = self.m + w_20 - k_P_2_x_phi_3 * l_P_2_x_phi_3;
+        let w_37 = mass_P_2_y_phi_3 * phi_3_dot_squared + w_21
+            - l_P_2_x_phi_3 * rhs_phi_3 + P_2_y_convective * w_33
+            + minus_P_2_x_convective * w_36;
+        let rhs_phi_1 = w_22 * w_23 - u_1_x * (self.k_4 + phi_2_dot_squared * w_24)
+            + P_1_x * w_31 - minus_P_2_x_convective * w_34 + w_35 * w_37;
+        let w_38 = self.l * u_2_x;
+        let w_39 = w_38 * w_33;
+        let w_40 = self.l * cos_phi_2;
+        let w_41 = P_1_x * P_1_x * w_30;
+        let w_42 = w_35 * w_34;
+        let w_43 = w_35 * w_35 * w_36;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_41 - w_42 - w_42 + w_43;
         let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let w_47 = w_41 * w_33;
-        let w_48 = w_43 * w_39;
+        let w_44 = w_38 * w_30;
+        let w_45 = w_40 * w_36;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x)
-            + P_1_x * w_47 - w_43 * w_37 - w_38 * w_42 + w_38 * w_48;
+            + P_1_x * w_44 - w_40 * w_34 - w_35 * w_39 + w_35 * w_45;
         let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
-        let rhs_phi_2 = cos_phi_2 * self.k * w_35
-            - u_2_x * (self.k_5 + cos_phi_1 * self.k * phi_1_dot_squared) + w_41 * w_34
-            - minus_P_2_x_convective * w_42 + w_43 * w_40 - l_phi_2_phi_1 * rhs_phi_1;
-        let w_49 = w_41 * w_47;
-        let w_50 = w_43 * w_42;
-        let w_51 = w_43 * w_48;
-        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_49 - w_50 - w_50 + w_51
+        let w_46 = w_38 * w_44;
+        let w_47 = w_40 * w_39;
+        let w_48 = w_40 * w_45;
+        let pivot_phi_2 = self.mass_phi_2_phi_2 + w_46 - w_47 - w_47 + w_48
             - k_phi_2_phi_1 * l_phi_2_phi_1;
-        let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2 * rhs_phi_2;
+        let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2
+            * (w_24 * w_32 - u_2_x * (self.k_5 + phi_1_dot_squared * w_22) + w_38 * w_31
+                - minus_P_2_x_convective * w_39 + w_40 * w_37
+                - l_phi_2_phi_1 * rhs_phi_1);
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
-        let P_2_x_ddot = w_38 * phi_1_ddot - minus_P_2_x_convective + w_43 * phi_2_ddot;
-        let P_2_y_ddot = P_2_y_convective + P_1_x * phi_1_ddot + w_41 * phi_2_ddot;
+        let P_2_x_ddot = w_35 * phi_1_ddot - minus_P_2_x_convective + w_40 * phi_2_ddot;
+        let P_2_y_ddot = P_2_y_convective + P_1_x * phi_1_ddot + w_38 * phi_2_ddot;
         let phi_3_ddot = inverse_phi_3 * rhs_phi_3 - l_P_2_x_phi_3 * P_2_x_ddot
             - l_P_2_y_phi_3 * P_2_y_ddot;
-        let P_3_x_ddot = w_23 * phi_3_ddot - minus_P_3_x_convective + P_2_x_ddot;
-        let P_3_y_ddot = P_3_y_convective + w_11 * phi_3_ddot + P_2_y_ddot;
+        let P_3_x_ddot = w_15 * phi_3_ddot - minus_P_3_x_convective + P_2_x_ddot;
+        let P_3_y_ddot = P_3_y_convective + w_9 * phi_3_ddot + P_2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P_3_x_phi_4 * P_3_x_ddot
             - l_P_3_y_phi_4 * P_3_y_ddot;
-        let w_52 = self.l * u_3_x * phi_3_dot;
-        let P_2_y_dot = self.l * (u_1_x * phi_1_dot + u_2_x * phi_2_dot);
-        let w_53 = self.l * u_4_x * phi_4_dot;
-        let P_3_y_dot = w_52 + P_2_y_dot;
-        let w_54 = u_1_x * phi_1_dot * self.k_3 + self.l * u_2_x * phi_2_dot
-            + (w_52 + S::from_f64(2.0) * P_2_y_dot)
-            + (w_53 + S::from_f64(2.0) * P_3_y_dot)
-            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (w_53 + P_3_y_dot));
-        let abs_w_15 = w_15.abs();
-        let abs_w_30 = w_30.abs();
-        let abs_w_45 = w_45.abs();
-        let abs_w_50 = w_50.abs();
+        let w_49 = u_1_x * phi_1_dot;
+        let w_50 = w_9 * phi_3_dot;
+        let P_2_y_dot = self.l * (w_49 + u_2_x * phi_2_dot);
+        let w_51 = w * phi_4_dot;
+        let P_3_y_dot = w_50 + P_2_y_dot;
+        let w_52 = self.k_3 * w_49 + w_38 * phi_2_dot
+            + (w_50 + S::from_f64(2.0) * P_2_y_dot)
+            + (w_51 + S::from_f64(2.0) * P_3_y_dot)
+            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (w_51 + P_3_y_dot));
+        let abs_w_12 = w_12.abs();
+        let abs_w_27 = w_27.abs();
+        let abs_w_42 = w_42.abs();
+        let abs_w_47 = w_47.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -890,30 +895,30 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
                 phi_4_ddot,
                 -(minus_rhs_phi_5 * self.inverse_phi_5
                     + l_P_4_x_phi_5
-                        * (w_8 * phi_4_ddot - minus_P_4_x_convective + P_3_x_ddot)
+                        * (w_2 * phi_4_ddot - minus_P_4_x_convective + P_3_x_ddot)
                     + l_P_4_y_phi_5 * (P_4_y_convective + w * phi_4_ddot + P_3_y_ddot)),
             ],
             multipliers: [],
-            power: -(self.k_7 * w_54 + u_1_x * phi_1_dot * self.k_5),
+            power: -(self.k_7 * w_52 + self.k_5 * w_49),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi_2_phi_2,
                 self.mass_phi_2_phi_2,
             )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_4,
-                    self.mass_phi_2_phi_2 + w_14 + abs_w_15 + abs_w_15 + w_17,
+                    self.mass_phi_2_phi_2 + w_11 + abs_w_12 + abs_w_12 + w_14,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_3,
-                    self.mass_phi_2_phi_2 + w_29 + abs_w_30 + abs_w_30 + w_32,
+                    self.mass_phi_2_phi_2 + w_26 + abs_w_27 + abs_w_27 + w_29,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_1,
-                    self.mass_phi_1_phi_1 + w_44 + abs_w_45 + abs_w_45 + w_46,
+                    self.mass_phi_1_phi_1 + w_41 + abs_w_42 + abs_w_42 + w_43,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_phi_2,
-                    self.mass_phi_2_phi_2 + w_49 + abs_w_50 + abs_w_50 + w_51,
+                    self.mass_phi_2_phi_2 + w_46 + abs_w_47 + abs_w_47 + w_48,
                 ),
         }
     }

@@ -312,7 +312,7 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 11 additions, 26 multiplications, 2 divisions.
+    /// Operations: 11 additions, 25 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
         let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
@@ -320,12 +320,13 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
         let w_3 = self.O4B * self.m5;
-        let w_4 = self.O4B * self.m6;
-        let w_5 = self.m5 * self.BG5 * self.BG5;
-        let w_6 = self.m6 * self.BC * self.BC;
-        let mass_gamma_gamma = self.J5 + w_5 + w_6;
+        let w_4 = self.BG5 * w_3;
+        let w_5 = self.O4B * self.m6;
+        let w_6 = self.m5 * self.BG5 * self.BG5;
+        let w_7 = self.m6 * self.BC * self.BC;
+        let mass_gamma_gamma = self.J5 + w_6 + w_7;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
-        let w_7 = self.BC * S::from_f64(2.0);
+        let w_8 = self.BC * S::from_f64(2.0);
         QuickReturnPrepared {
             O2A: self.O2A,
             mass_alpha_alpha: mass_alpha_alpha,
@@ -334,13 +335,13 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
                 + w_2,
             BG5: self.BG5,
             BC: self.BC,
-            k: self.BG5 * w_3 + self.BC * w_4,
+            k: w_4 + self.BC * w_5,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             T: self.T,
             F: self.F,
             k_2: w_3,
-            k_3: w_4,
+            k_3: w_5,
             k_4: self.O4B * self.F,
             k_5: self.m5 * self.BG5,
             k_6: self.m6 * self.BC,
@@ -350,10 +351,10 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             inverse_alpha: inverse_mass_alpha_alpha,
             k_9: self.T * inverse_mass_alpha_alpha,
             k_10: w + w_2,
-            k_11: w_5 + w_6,
-            k_12: self.BG5 * w_3 * S::from_f64(2.0) + w_4 * w_7,
+            k_11: w_6 + w_7,
+            k_12: w_4 * S::from_f64(2.0) + w_5 * w_8,
             k_13: self.O4B * S::from_f64(2.0),
-            k_14: w_7,
+            k_14: w_8,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -867,7 +868,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 128 additions, 220 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 128 additions, 217 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -878,26 +879,25 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let beta_dot_squared = beta_dot * beta_dot;
-        let w = self.k * beta_dot_squared;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let w_2 = sin_beta * cos_gamma;
-        let rhs_gamma = w * w_2 - sin_gamma * (self.k_7 + cos_beta * w);
+        let w = sin_beta * cos_gamma;
+        let w_2 = cos_beta * beta_dot_squared;
+        let rhs_gamma = self.k * beta_dot_squared * w
+            - sin_gamma * (self.k_7 + self.k * w_2);
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = self.k * gamma_dot_squared;
-        let w_4 = sin_gamma * cos_beta;
+        let w_3 = sin_gamma * gamma_dot_squared;
+        let w_4 = cos_gamma * gamma_dot_squared;
         let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
         let mass_gamma_beta = self.k * w_5;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let rhs_beta = w_3 * w_4 - sin_beta * (self.k_4 + cos_gamma * w_3)
+        let rhs_beta = cos_beta * self.k * w_3 - sin_beta * (self.k_4 + self.k * w_4)
             - rhs_gamma * l_beta_gamma;
-        let w_6 = self.O4B * beta_dot_squared;
-        let w_7 = sin_beta * w_6;
-        let w_8 = self.BC * gamma_dot_squared;
-        let w_9 = w_7 + sin_gamma * w_8;
+        let w_6 = self.O4B * sin_beta * beta_dot_squared;
+        let w_7 = w_6 + self.BC * w_3;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
@@ -905,20 +905,20 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let rhs_lambda_guide = w_9 - rhs_gamma * l_lambda_guide_gamma
+        let rhs_lambda_guide = w_7 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
-        let w_10 = cos_beta * cos_alpha;
+        let w_8 = cos_beta * cos_alpha;
         let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let minus_slot_by_beta = self.O2A * w_10 + sin_beta * A_y;
+        let w_9 = sin_beta * A_y;
+        let minus_slot_by_beta = self.O2A * w_8 + w_9;
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let w_11 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_12 = cos_beta * sin_alpha;
-        let w_13 = sin_beta * cos_alpha;
-        let w_14 = self.O2A * (sin_beta * cos_alpha * w_11 - cos_beta * sin_alpha * w_11)
-            + self.k_8 * beta_dot * alpha_dot * (w_12 - w_13)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let w_15 = sin_beta * sin_alpha;
-        let slot_by_alpha = self.O2A * (w_10 + w_15);
+        let w_10 = alpha_dot * alpha_dot + beta_dot_squared;
+        let w_11 = cos_beta * sin_alpha;
+        let w_12 = sin_beta * cos_alpha;
+        let w_13 = self.O2A * (sin_beta * cos_alpha * w_10 - cos_beta * sin_alpha * w_10)
+            + self.k_8 * beta_dot * alpha_dot * (w_11 - w_12) - self.O4O2 * w_2;
+        let w_14 = sin_beta * sin_alpha;
+        let slot_by_alpha = self.O2A * (w_8 + w_14);
         let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
@@ -926,141 +926,139 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_16 = minus_slot_by_beta * minus_l_lambda_slot_beta
+        let w_15 = minus_slot_by_beta * minus_l_lambda_slot_beta
             + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w_16;
+            * minus_l_lambda_slot_lambda_guide - w_15;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_14 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_13 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_17 = w_13 - w_12;
-        let w_18 = self.O2A * w_17;
-        let w_19 = lambda_slot * w_18;
-        let w_20 = self.inverse_alpha * w_19;
-        let w_21 = alpha_dot - beta_dot;
-        let w_22 = cos_beta * cos_alpha * w_21;
-        let w_23 = sin_alpha * w_21;
-        let w_24 = self.O2A * (w_22 + sin_beta * w_23);
+        let w_16 = w_12 - w_11;
+        let w_17 = self.O2A * w_16;
+        let w_18 = lambda_slot * w_17;
+        let w_19 = self.inverse_alpha * w_18;
+        let w_20 = alpha_dot - beta_dot;
+        let w_21 = cos_beta * cos_alpha * w_20;
+        let w_22 = sin_alpha * w_20;
+        let w_23 = self.O2A * (w_21 + sin_beta * w_22);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
         let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
             + minus_l_lambda_slot_beta * lambda_slot;
         let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_25 = l_lambda_slot_alpha * w_19;
-        let w_26 = l_lambda_guide_beta * w_19;
-        let w_27 = inverse_lambda_slot
-            * (w_21 * w_24 + w_18 * (beta_ddot - alpha_ddot)
-                + minus_l_lambda_slot_beta * w_19 + w_25
-                - minus_l_lambda_slot_lambda_guide * w_26);
-        let w_28 = cos_beta * A_y;
-        let w_29 = w_28 - self.O2A * w_13;
-        let w_30 = alpha_ddot * w_18 - alpha_dot * w_24
-            + beta_dot
-                * (self.O2A * (w_22 + w_15 * alpha_dot) - sin_beta * A_y * beta_dot)
-            + beta_ddot * w_29;
-        let w_31 = self.BG5 * gamma_dot_squared;
-        let w_32 = w_7 + sin_gamma * w_31;
-        let w_33 = cos_beta * w_6;
-        let w_34 = w_33 + cos_gamma * w_31;
-        let w_35 = w_33 + cos_gamma * w_8;
+        let w_24 = l_lambda_slot_alpha * w_18;
+        let w_25 = l_lambda_guide_beta * w_18;
+        let w_26 = inverse_lambda_slot
+            * (w_20 * w_23 + w_17 * (beta_ddot - alpha_ddot)
+                + minus_l_lambda_slot_beta * w_18 + w_24
+                - minus_l_lambda_slot_lambda_guide * w_25);
+        let w_27 = cos_beta * A_y;
+        let w_28 = w_27 - self.O2A * w_12;
+        let w_29 = w_6 + self.BG5 * w_3;
+        let w_30 = self.O4B * w_2;
+        let w_31 = w_30 + self.BG5 * w_4;
+        let w_32 = w_30 + self.BC * w_4;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             - l_lambda_guide_gamma * lambda_guide;
-        let w_36 = w_4 - w_2;
-        let w_37 = self.k * w_36;
-        let w_38 = gamma_ddot * w_37;
-        let w_39 = sin_beta
-            * (self.O4B * lambda_guide - w_32 * self.k_2 - w_9 * self.k_3)
-            - cos_beta * (w_34 * self.k_2 + w_35 * self.k_3 + self.k_4) - w_38
-            + lambda_slot * w_29 + beta_dot_squared * self.k_10;
-        let w_40 = beta_ddot * w_37;
-        let w_41 = self.k * w_5 * beta_dot_squared - w_40;
-        let w_42 = w_39 - l_beta_gamma * w_41;
-        let w_43 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_41 - l_lambda_guide_beta * w_42;
-        let w_44 = inverse_lambda_slot
-            * (w_30 + minus_l_lambda_slot_beta * w_42 - w_25
-                + minus_l_lambda_slot_lambda_guide * w_43);
-        let w_45 = sin_gamma
-            * (self.BC * lambda_guide - w_32 * self.k_5 - w_9 * self.k_6)
-            - cos_gamma * (w_34 * self.k_5 + w_35 * self.k_6 + self.k_7) + w_40
+        let w_33 = sin_gamma * cos_beta;
+        let w_34 = w_33 - w;
+        let w_35 = self.k * w_34;
+        let w_36 = gamma_ddot * w_35;
+        let w_37 = sin_beta
+            * (self.O4B * lambda_guide - w_29 * self.k_2 - w_7 * self.k_3)
+            - cos_beta * (w_31 * self.k_2 + w_32 * self.k_3 + self.k_4) - w_36
+            + lambda_slot * w_28 + beta_dot_squared * self.k_10;
+        let w_38 = beta_ddot * w_35;
+        let w_39 = self.k * w_5 * beta_dot_squared - w_38;
+        let w_40 = w_37 - l_beta_gamma * w_39;
+        let w_41 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_39
+            - l_lambda_guide_beta * w_40;
+        let w_42 = alpha_ddot * w_17 - alpha_dot * w_23
+            + beta_dot * (self.O2A * (w_21 + w_14 * alpha_dot) - w_9 * beta_dot)
+            + beta_ddot * w_28 + minus_l_lambda_slot_beta * w_40 - w_24
+            + minus_l_lambda_slot_lambda_guide * w_41;
+        let w_43 = inverse_lambda_slot * w_42;
+        let w_44 = sin_gamma
+            * (self.BC * lambda_guide - w_29 * self.k_5 - w_7 * self.k_6)
+            - cos_gamma * (w_31 * self.k_5 + w_32 * self.k_6 + self.k_7) + w_38
             + gamma_dot_squared * self.k_11;
-        let w_46 = self.k * w_5 * gamma_dot_squared + w_38 - l_beta_gamma * w_45;
-        let w_47 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_45 - l_lambda_guide_beta * w_46;
-        let w_48 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_46
-                + minus_l_lambda_slot_lambda_guide * w_47);
-        let w_49 = minus_inverse_lambda_guide * w_26
-            + minus_l_lambda_slot_lambda_guide * w_27;
-        let w_50 = inverse_beta * w_19 - l_lambda_guide_beta * w_49
-            + minus_l_lambda_slot_beta * w_27;
-        let w_51 = minus_l_lambda_slot_lambda_guide * w_44
-            - minus_inverse_lambda_guide * w_43;
-        let w_52 = inverse_beta * w_42 - l_lambda_guide_beta * w_51
-            + minus_l_lambda_slot_beta * w_44;
-        let w_53 = minus_l_lambda_slot_lambda_guide * w_48
-            - minus_inverse_lambda_guide * w_47;
-        let w_54 = inverse_beta * w_46 - l_lambda_guide_beta * w_53
-            + minus_l_lambda_slot_beta * w_48;
-        let w_55 = beta_dot - alpha_dot;
-        let w_56 = inverse_lambda_slot
-            * (self.O2A * (cos_beta * w_23 + sin_beta * cos_alpha * w_55) + w_55 * w_18);
-        let w_57 = self.k_12 * beta_dot * (w_2 - w_4);
-        let w_58 = l_beta_gamma * w_57;
-        let w_59 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_57
-            + l_lambda_guide_beta * w_58;
-        let w_60 = inverse_lambda_slot
-            * (self.O2A * (alpha_dot * w_17 - beta_dot * w_13) + beta_dot * (w_28 + w_29)
-                + alpha_dot * w_18 - minus_l_lambda_slot_beta * w_58
-                + minus_l_lambda_slot_lambda_guide * w_59);
-        let w_61 = self.k_12 * gamma_dot * w_36;
-        let w_62 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_61;
-        let w_63 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_61
-                + minus_l_lambda_slot_lambda_guide * w_62);
-        let w_64 = minus_l_lambda_slot_lambda_guide * w_56;
-        let w_65 = minus_l_lambda_slot_beta * w_56 - l_lambda_guide_beta * w_64;
-        let w_66 = minus_l_lambda_slot_lambda_guide * w_60
-            - minus_inverse_lambda_guide * w_59;
-        let w_67 = minus_l_lambda_slot_beta * w_60 - inverse_beta * w_58
-            - l_lambda_guide_beta * w_66;
-        let w_68 = minus_l_lambda_slot_lambda_guide * w_63
-            - minus_inverse_lambda_guide * w_62;
-        let w_69 = inverse_beta * w_61 - l_lambda_guide_beta * w_68
-            + minus_l_lambda_slot_beta * w_63;
+        let w_45 = self.k * w_5 * gamma_dot_squared + w_36 - l_beta_gamma * w_44;
+        let w_46 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_44
+            - l_lambda_guide_beta * w_45;
+        let w_47 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_45
+                + minus_l_lambda_slot_lambda_guide * w_46);
+        let w_48 = minus_inverse_lambda_guide * w_25
+            + minus_l_lambda_slot_lambda_guide * w_26;
+        let w_49 = inverse_beta * w_18 - l_lambda_guide_beta * w_48
+            + minus_l_lambda_slot_beta * w_26;
+        let w_50 = minus_l_lambda_slot_lambda_guide * w_43
+            - minus_inverse_lambda_guide * w_41;
+        let w_51 = inverse_beta * w_40 - l_lambda_guide_beta * w_50
+            + minus_l_lambda_slot_beta * w_43;
+        let w_52 = minus_l_lambda_slot_lambda_guide * w_47
+            - minus_inverse_lambda_guide * w_46;
+        let w_53 = inverse_beta * w_45 - l_lambda_guide_beta * w_52
+            + minus_l_lambda_slot_beta * w_47;
+        let w_54 = beta_dot - alpha_dot;
+        let w_55 = inverse_lambda_slot
+            * (self.O2A * (cos_beta * w_22 + sin_beta * cos_alpha * w_54) + w_54 * w_17);
+        let w_56 = self.k_12 * beta_dot * (w - w_33);
+        let w_57 = l_beta_gamma * w_56;
+        let w_58 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_56
+            + l_lambda_guide_beta * w_57;
+        let w_59 = inverse_lambda_slot
+            * (self.O2A * (alpha_dot * w_16 - beta_dot * w_12) + beta_dot * (w_27 + w_28)
+                + alpha_dot * w_17 - minus_l_lambda_slot_beta * w_57
+                + minus_l_lambda_slot_lambda_guide * w_58);
+        let w_60 = self.k_12 * gamma_dot * w_34;
+        let w_61 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_60;
+        let w_62 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_60
+                + minus_l_lambda_slot_lambda_guide * w_61);
+        let w_63 = minus_l_lambda_slot_lambda_guide * w_55;
+        let w_64 = minus_l_lambda_slot_beta * w_55 - l_lambda_guide_beta * w_63;
+        let w_65 = minus_l_lambda_slot_lambda_guide * w_59
+            - minus_inverse_lambda_guide * w_58;
+        let w_66 = minus_l_lambda_slot_beta * w_59 - inverse_beta * w_57
+            - l_lambda_guide_beta * w_65;
+        let w_67 = minus_l_lambda_slot_lambda_guide * w_62
+            - minus_inverse_lambda_guide * w_61;
+        let w_68 = inverse_beta * w_60 - l_lambda_guide_beta * w_67
+            + minus_l_lambda_slot_beta * w_62;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    -(w_20 + l_lambda_slot_alpha * w_27),
-                    w_20 - l_lambda_slot_alpha * w_44,
-                    -(l_lambda_slot_alpha * w_48),
+                    -(w_19 + l_lambda_slot_alpha * w_26),
+                    w_19 - l_lambda_slot_alpha * w_43,
+                    -(l_lambda_slot_alpha * w_47),
                 ],
-                [w_50, w_52, w_54],
+                [w_49, w_51, w_53],
                 [
-                    -(l_beta_gamma * w_50 + l_lambda_guide_gamma * w_49),
-                    self.inverse_gamma * w_41 - l_beta_gamma * w_52
-                        - l_lambda_guide_gamma * w_51,
-                    self.inverse_gamma * w_45 - l_beta_gamma * w_54
-                        - l_lambda_guide_gamma * w_53,
+                    -(l_beta_gamma * w_49 + l_lambda_guide_gamma * w_48),
+                    self.inverse_gamma * w_39 - l_beta_gamma * w_51
+                        - l_lambda_guide_gamma * w_50,
+                    self.inverse_gamma * w_44 - l_beta_gamma * w_53
+                        - l_lambda_guide_gamma * w_52,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    -(l_lambda_slot_alpha * w_56),
-                    -(l_lambda_slot_alpha * w_60),
-                    -(l_lambda_slot_alpha * w_63),
+                    -(l_lambda_slot_alpha * w_55),
+                    -(l_lambda_slot_alpha * w_59),
+                    -(l_lambda_slot_alpha * w_62),
                 ],
-                [w_65, w_67, w_69],
+                [w_64, w_66, w_68],
                 [
-                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
-                    self.inverse_gamma * w_57 - l_beta_gamma * w_67
-                        - l_lambda_guide_gamma * w_66,
-                    -(l_beta_gamma * w_69 + l_lambda_guide_gamma * w_68),
+                    -(l_beta_gamma * w_64 + l_lambda_guide_gamma * w_63),
+                    self.inverse_gamma * w_56 - l_beta_gamma * w_66
+                        - l_lambda_guide_gamma * w_65,
+                    -(l_beta_gamma * w_68 + l_lambda_guide_gamma * w_67),
                 ],
             ],
-            multipliers_by_positions: [[w_49, w_51, w_53], [w_27, w_44, w_48]],
-            multipliers_by_speeds: [[w_64, w_66, w_68], [w_56, w_60, w_63]],
+            multipliers_by_positions: [[w_48, w_50, w_52], [w_26, w_43, w_47]],
+            multipliers_by_speeds: [[w_63, w_65, w_67], [w_55, w_59, w_62]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,
@@ -1072,7 +1070,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_16),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_15),
         }
     }
 }

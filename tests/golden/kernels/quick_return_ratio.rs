@@ -336,7 +336,7 @@ pub struct QuickReturnRatioPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 11 additions, 39 multiplications, 3 divisions.
+    /// Operations: 11 additions, 38 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnRatioPrepared<S> {
         let O2A_squared = self.O2A * self.O2A;
@@ -345,13 +345,14 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let w = O4B_squared * self.m5;
         let w_2 = O4B_squared * self.m6;
         let w_3 = self.O4B * self.m5;
-        let w_4 = self.O4B * self.m6;
-        let w_5 = self.m5 * self.BG5 * self.BG5;
-        let w_6 = self.m6 * self.BC * self.BC;
-        let mass_gamma_gamma = self.J5 + w_5 + w_6;
-        let w_7 = self.O2A * O2A_squared;
+        let w_4 = self.BG5 * w_3;
+        let w_5 = self.O4B * self.m6;
+        let w_6 = self.m5 * self.BG5 * self.BG5;
+        let w_7 = self.m6 * self.BC * self.BC;
+        let mass_gamma_gamma = self.J5 + w_6 + w_7;
+        let w_8 = self.O2A * O2A_squared;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
-        let w_8 = self.BC * S::from_f64(2.0);
+        let w_9 = self.BC * S::from_f64(2.0);
         QuickReturnRatioPrepared {
             O2A: self.O2A,
             O2A_squared: O2A_squared,
@@ -362,27 +363,27 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
                 + w_2,
             BG5: self.BG5,
             BC: self.BC,
-            k: self.BG5 * w_3 + self.BC * w_4,
+            k: w_4 + self.BC * w_5,
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             inverse_O4G4: S::from_f64(1.0) / self.O4G4,
             T: self.T,
             F: self.F,
             k_2: w_3,
-            k_3: w_4,
+            k_3: w_5,
             k_4: self.O4B * self.F,
             k_5: self.m5 * self.BG5,
             k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
             k_8: self.O4G4 * S::from_f64(2.0),
             k_9: self.O4G4 * S::from_f64(3.0),
-            k_10: S::from_f64(2.0) * w_7,
+            k_10: S::from_f64(2.0) * w_8,
             k_11: O2A_squared * S::from_f64(3.0),
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
             inverse_alpha: inverse_mass_alpha_alpha,
             k_12: self.T * inverse_mass_alpha_alpha,
             k_13: S::from_f64(6.0) * O2A_squared * O2A_squared,
-            k_14: w_7 * S::from_f64(12.0),
+            k_14: w_8 * S::from_f64(12.0),
             k_15: O2A_squared * S::from_f64(7.0),
             k_16: O2A_squared * S::from_f64(4.0),
             k_17: w + w_2,
@@ -390,10 +391,10 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             k_19: self.O4G4 * S::from_f64(12.0),
             k_20: self.O4G4 * S::from_f64(7.0),
             k_21: self.O4G4 * S::from_f64(4.0),
-            k_22: w_5 + w_6,
-            k_23: self.BG5 * w_3 * S::from_f64(2.0) + w_4 * w_8,
+            k_22: w_6 + w_7,
+            k_23: w_4 * S::from_f64(2.0) + w_5 * w_9,
             k_24: self.O4B * S::from_f64(2.0),
-            k_25: w_8,
+            k_25: w_9,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -936,7 +937,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 123 additions, 216 multiplications, 19 divisions, 3 sine-cosine pairs.
+    /// Operations: 123 additions, 215 multiplications, 19 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -947,26 +948,25 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let beta_dot_squared = beta_dot * beta_dot;
-        let w = self.k * beta_dot_squared;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let w_2 = sin_beta * cos_gamma;
-        let rhs_gamma = w * w_2 - sin_gamma * (self.k_7 + cos_beta * w);
+        let w = sin_beta * cos_gamma;
+        let w_2 = cos_beta * beta_dot_squared;
+        let rhs_gamma = self.k * beta_dot_squared * w
+            - sin_gamma * (self.k_7 + self.k * w_2);
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = self.k * gamma_dot_squared;
-        let w_4 = sin_gamma * cos_beta;
+        let w_3 = sin_gamma * gamma_dot_squared;
+        let w_4 = cos_gamma * gamma_dot_squared;
         let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
         let mass_gamma_beta = self.k * w_5;
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let rhs_beta = w_3 * w_4 - sin_beta * (self.k_4 + cos_gamma * w_3)
+        let rhs_beta = cos_beta * self.k * w_3 - sin_beta * (self.k_4 + self.k * w_4)
             - rhs_gamma * l_beta_gamma;
-        let w_6 = self.O4B * beta_dot_squared;
-        let w_7 = sin_beta * w_6;
-        let w_8 = self.BC * gamma_dot_squared;
-        let w_9 = w_7 + sin_gamma * w_8;
+        let w_6 = self.O4B * sin_beta * beta_dot_squared;
+        let w_7 = w_6 + self.BC * w_3;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
@@ -974,26 +974,26 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let rhs_lambda_guide = w_9 - rhs_gamma * l_lambda_guide_gamma
+        let rhs_lambda_guide = w_7 - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_10 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_10;
+        let w_8 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_8;
         let A_y_squared = A_y * A_y;
         let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_10 / A_y;
+            + w_8 / A_y;
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_11 = sin_alpha * self.k_11 / A_y_squared;
-        let w_12 = self.O2A / A_y;
-        let w_13 = A_y * A_y_squared;
-        let w_14 = cos_alpha * cos_alpha_squared * self.k_10 / w_13;
+        let w_9 = sin_alpha * self.k_11 / A_y_squared;
+        let w_10 = self.O2A / A_y;
+        let w_11 = A_y * A_y_squared;
+        let w_12 = cos_alpha * cos_alpha_squared * self.k_10 / w_11;
         let sin_beta_squared = sin_beta * sin_beta;
-        let w_15 = sin_beta * self.k_9 / sin_beta_squared;
-        let w_16 = self.O4G4 / sin_beta;
+        let w_13 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_14 = self.O4G4 / sin_beta;
         let cos_beta_squared = cos_beta * cos_beta;
-        let w_17 = sin_beta * sin_beta_squared;
-        let w_18 = cos_beta * cos_beta_squared * self.k_8 / w_17;
-        let w_19 = self.inverse_O4G4 * (cos_beta * (w_15 - w_16) + w_18);
+        let w_15 = sin_beta * sin_beta_squared;
+        let w_16 = cos_beta * cos_beta_squared * self.k_8 / w_15;
+        let w_17 = self.inverse_O4G4 * (cos_beta * (w_13 - w_14) + w_16);
         let slot_by_beta = self.O4G4
             * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
             * self.inverse_O4G4;
@@ -1004,30 +1004,30 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_20 = slot_by_beta * l_lambda_slot_beta
+        let w_18 = slot_by_beta * l_lambda_slot_beta
             + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
-            * l_lambda_slot_lambda_guide - w_20;
+            * l_lambda_slot_lambda_guide - w_18;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let lambda_slot = inverse_lambda_slot
             * (self.T * minus_l_lambda_slot_alpha
-                - (alpha_dot * alpha_dot * (cos_alpha * (w_11 - w_12) + w_14)
-                    - beta_dot * beta_dot * w_19) - l_lambda_slot_beta * rhs_beta
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_9 - w_10) + w_12)
+                    - beta_dot * beta_dot * w_17) - l_lambda_slot_beta * rhs_beta
                 - l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_21 = cos_alpha * (w_12 - w_11);
-        let w_22 = w_21 - w_14;
-        let w_23 = lambda_slot * w_22;
-        let w_24 = alpha_dot
-            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_13 - w_12)
+        let w_19 = cos_alpha * (w_10 - w_9);
+        let w_20 = w_19 - w_12;
+        let w_21 = lambda_slot * w_20;
+        let w_22 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_11 - w_10)
                 + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
                 + cos_alpha_squared * cos_alpha_squared * self.k_13
                     / (A_y_squared * A_y_squared));
-        let w_25 = inverse_lambda_slot
-            * (alpha_dot * w_24
-                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_22
-                + minus_l_lambda_slot_alpha * w_23);
-        let w_26 = beta_dot * self.inverse_O4G4
-            * (sin_beta * (cos_beta_squared * self.k_19 / w_17 - w_16)
+        let w_23 = inverse_lambda_slot
+            * (alpha_dot * w_22
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_20
+                + minus_l_lambda_slot_alpha * w_21);
+        let w_24 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_15 - w_14)
                 + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
                 + cos_beta_squared * cos_beta_squared * self.k_18
                     / (sin_beta_squared * sin_beta_squared));
@@ -1036,99 +1036,99 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let beta_ddot = inverse_beta * rhs_beta
             + l_lambda_guide_beta * minus_lambda_guide
             - l_lambda_slot_beta * lambda_slot;
-        let w_27 = self.inverse_O4G4 * (cos_beta * (w_16 - w_15) - w_18);
-        let w_28 = cos_beta * w_6;
-        let w_29 = self.BG5 * gamma_dot_squared;
-        let w_30 = w_28 + cos_gamma * w_29;
-        let w_31 = w_28 + cos_gamma * w_8;
-        let w_32 = w_7 + sin_gamma * w_29;
+        let w_25 = self.inverse_O4G4 * (cos_beta * (w_14 - w_13) - w_16);
+        let w_26 = self.O4B * w_2;
+        let w_27 = w_26 + self.BG5 * w_4;
+        let w_28 = w_26 + self.BC * w_4;
+        let w_29 = w_6 + self.BG5 * w_3;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             + l_lambda_guide_gamma * minus_lambda_guide;
-        let w_33 = w_4 - w_2;
-        let w_34 = self.k * w_33;
-        let w_35 = gamma_ddot * w_34;
-        let w_36 = beta_dot_squared * self.k_17
-            - cos_beta * (w_30 * self.k_2 + w_31 * self.k_3 + self.k_4)
+        let w_30 = sin_gamma * cos_beta;
+        let w_31 = w_30 - w;
+        let w_32 = self.k * w_31;
+        let w_33 = gamma_ddot * w_32;
+        let w_34 = beta_dot_squared * self.k_17
+            - cos_beta * (w_27 * self.k_2 + w_28 * self.k_3 + self.k_4)
             - sin_beta
-                * (w_32 * self.k_2 + w_9 * self.k_3 + self.O4B * minus_lambda_guide)
-            - w_35 - lambda_slot * w_27;
-        let w_37 = beta_ddot * w_34;
-        let w_38 = self.k * w_5 * beta_dot_squared - w_37;
-        let w_39 = w_36 - l_beta_gamma * w_38;
-        let w_40 = self.O4B * (sin_beta * beta_ddot + cos_beta * beta_dot_squared)
-            - l_lambda_guide_gamma * w_38 - l_lambda_guide_beta * w_39;
-        let w_41 = inverse_lambda_slot
-            * (beta_dot * w_26 + beta_ddot * w_27 + l_lambda_slot_beta * w_39
-                + l_lambda_slot_lambda_guide * w_40);
-        let w_42 = w_37 - cos_gamma * (w_30 * self.k_5 + w_31 * self.k_6 + self.k_7)
+                * (w_29 * self.k_2 + w_7 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_33 - lambda_slot * w_25;
+        let w_35 = beta_ddot * w_32;
+        let w_36 = self.k * w_5 * beta_dot_squared - w_35;
+        let w_37 = w_34 - l_beta_gamma * w_36;
+        let w_38 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_36
+            - l_lambda_guide_beta * w_37;
+        let w_39 = inverse_lambda_slot
+            * (beta_dot * w_24 + beta_ddot * w_25 + l_lambda_slot_beta * w_37
+                + l_lambda_slot_lambda_guide * w_38);
+        let w_40 = w_35 - cos_gamma * (w_27 * self.k_5 + w_28 * self.k_6 + self.k_7)
             - sin_gamma
-                * (w_32 * self.k_5 + w_9 * self.k_6 + self.BC * minus_lambda_guide)
+                * (w_29 * self.k_5 + w_7 * self.k_6 + self.BC * minus_lambda_guide)
             + gamma_dot_squared * self.k_22;
-        let w_43 = self.k * w_5 * gamma_dot_squared + w_35 - l_beta_gamma * w_42;
-        let w_44 = self.BC * (sin_gamma * gamma_ddot + cos_gamma * gamma_dot_squared)
-            - l_lambda_guide_gamma * w_42 - l_lambda_guide_beta * w_43;
-        let w_45 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_43 + l_lambda_slot_lambda_guide * w_44);
-        let w_46 = l_lambda_slot_lambda_guide * w_25;
-        let w_47 = l_lambda_guide_beta * w_46 - l_lambda_slot_beta * w_25;
-        let w_48 = l_lambda_slot_lambda_guide * w_41 - minus_inverse_lambda_guide * w_40;
-        let w_49 = inverse_beta * w_39 - l_lambda_guide_beta * w_48
-            + l_lambda_slot_beta * w_41;
-        let w_50 = l_lambda_slot_lambda_guide * w_45 - minus_inverse_lambda_guide * w_44;
-        let w_51 = inverse_beta * w_43 - l_lambda_guide_beta * w_50
-            + l_lambda_slot_beta * w_45;
-        let w_52 = inverse_lambda_slot * alpha_dot * (w_21 - w_14 + w_22);
-        let w_53 = self.k_23 * beta_dot * (w_2 - w_4);
-        let w_54 = l_beta_gamma * w_53;
-        let w_55 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_53
-            + l_lambda_guide_beta * w_54;
-        let w_56 = inverse_lambda_slot
-            * (beta_dot * (w_19 - w_27) + l_lambda_slot_beta * w_54
-                - l_lambda_slot_lambda_guide * w_55);
-        let w_57 = self.k_23 * gamma_dot * w_33;
-        let w_58 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_57;
-        let w_59 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_57 + l_lambda_slot_lambda_guide * w_58);
-        let w_60 = l_lambda_slot_lambda_guide * w_52;
-        let w_61 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_52;
-        let w_62 = minus_inverse_lambda_guide * w_55 + l_lambda_slot_lambda_guide * w_56;
-        let w_63 = l_lambda_guide_beta * w_62 - inverse_beta * w_54
-            - l_lambda_slot_beta * w_56;
-        let w_64 = l_lambda_slot_lambda_guide * w_59 - minus_inverse_lambda_guide * w_58;
-        let w_65 = inverse_beta * w_57 - l_lambda_guide_beta * w_64
-            + l_lambda_slot_beta * w_59;
+        let w_41 = self.k * w_5 * gamma_dot_squared + w_33 - l_beta_gamma * w_40;
+        let w_42 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_40
+            - l_lambda_guide_beta * w_41;
+        let w_43 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_41 + l_lambda_slot_lambda_guide * w_42);
+        let w_44 = l_lambda_slot_lambda_guide * w_23;
+        let w_45 = l_lambda_guide_beta * w_44 - l_lambda_slot_beta * w_23;
+        let w_46 = l_lambda_slot_lambda_guide * w_39 - minus_inverse_lambda_guide * w_38;
+        let w_47 = inverse_beta * w_37 - l_lambda_guide_beta * w_46
+            + l_lambda_slot_beta * w_39;
+        let w_48 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
+        let w_49 = inverse_beta * w_41 - l_lambda_guide_beta * w_48
+            + l_lambda_slot_beta * w_43;
+        let w_50 = inverse_lambda_slot * alpha_dot * (w_19 - w_12 + w_20);
+        let w_51 = self.k_23 * beta_dot * (w - w_30);
+        let w_52 = l_beta_gamma * w_51;
+        let w_53 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_51
+            + l_lambda_guide_beta * w_52;
+        let w_54 = inverse_lambda_slot
+            * (beta_dot * (w_17 - w_25) + l_lambda_slot_beta * w_52
+                - l_lambda_slot_lambda_guide * w_53);
+        let w_55 = self.k_23 * gamma_dot * w_31;
+        let w_56 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_55;
+        let w_57 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_55 + l_lambda_slot_lambda_guide * w_56);
+        let w_58 = l_lambda_slot_lambda_guide * w_50;
+        let w_59 = l_lambda_guide_beta * w_58 - l_lambda_slot_beta * w_50;
+        let w_60 = minus_inverse_lambda_guide * w_53 + l_lambda_slot_lambda_guide * w_54;
+        let w_61 = l_lambda_guide_beta * w_60 - inverse_beta * w_52
+            - l_lambda_slot_beta * w_54;
+        let w_62 = l_lambda_slot_lambda_guide * w_57 - minus_inverse_lambda_guide * w_56;
+        let w_63 = inverse_beta * w_55 - l_lambda_guide_beta * w_62
+            + l_lambda_slot_beta * w_57;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_alpha * w_23 + minus_l_lambda_slot_alpha * w_25,
-                    -(minus_l_lambda_slot_alpha * w_41),
-                    -(minus_l_lambda_slot_alpha * w_45),
+                    self.inverse_alpha * w_21 + minus_l_lambda_slot_alpha * w_23,
+                    -(minus_l_lambda_slot_alpha * w_39),
+                    -(minus_l_lambda_slot_alpha * w_43),
                 ],
-                [w_47, w_49, w_51],
+                [w_45, w_47, w_49],
                 [
-                    l_lambda_guide_gamma * w_46 - l_beta_gamma * w_47,
-                    self.inverse_gamma * w_38 - l_beta_gamma * w_49
+                    l_lambda_guide_gamma * w_44 - l_beta_gamma * w_45,
+                    self.inverse_gamma * w_36 - l_beta_gamma * w_47
+                        - l_lambda_guide_gamma * w_46,
+                    self.inverse_gamma * w_40 - l_beta_gamma * w_49
                         - l_lambda_guide_gamma * w_48,
-                    self.inverse_gamma * w_42 - l_beta_gamma * w_51
-                        - l_lambda_guide_gamma * w_50,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_52,
-                    minus_l_lambda_slot_alpha * w_56,
-                    -(minus_l_lambda_slot_alpha * w_59),
+                    minus_l_lambda_slot_alpha * w_50,
+                    minus_l_lambda_slot_alpha * w_54,
+                    -(minus_l_lambda_slot_alpha * w_57),
                 ],
-                [w_61, w_63, w_65],
+                [w_59, w_61, w_63],
                 [
-                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_61,
-                    self.inverse_gamma * w_53 - l_beta_gamma * w_63
-                        + l_lambda_guide_gamma * w_62,
-                    -(l_beta_gamma * w_65 + l_lambda_guide_gamma * w_64),
+                    l_lambda_guide_gamma * w_58 - l_beta_gamma * w_59,
+                    self.inverse_gamma * w_51 - l_beta_gamma * w_61
+                        + l_lambda_guide_gamma * w_60,
+                    -(l_beta_gamma * w_63 + l_lambda_guide_gamma * w_62),
                 ],
             ],
-            multipliers_by_positions: [[-w_46, w_48, w_50], [w_25, -w_41, -w_45]],
-            multipliers_by_speeds: [[-w_60, -w_62, w_64], [w_52, w_56, -w_59]],
+            multipliers_by_positions: [[-w_44, w_46, w_48], [w_23, -w_39, -w_43]],
+            multipliers_by_speeds: [[-w_58, -w_60, w_62], [w_50, w_54, -w_57]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,
@@ -1140,7 +1140,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_20),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_18),
         }
     }
 }

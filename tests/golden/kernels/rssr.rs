@@ -200,7 +200,7 @@ pub struct RssrPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Rssr<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 1 addition, 22 multiplications, 1 division.
+    /// Operations: 1 addition, 20 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> RssrPrepared<S> {
         let a_squared = self.a * self.a;
@@ -208,14 +208,16 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let w_2 = a_squared * w;
         let mass_phi_phi = w_2 + S::from_f64(0.02);
         let w_3 = self.m * self.b;
+        let w_4 = S::from_f64(0.25) * w_3;
         let b_squared = self.b * self.b;
+        let w_5 = w_3 * S::from_f64(0.5);
         RssrPrepared {
             a: self.a,
             a_squared: a_squared,
             k: w_2,
             mass_phi_phi: mass_phi_phi,
             b: self.b,
-            k_2: S::from_f64(0.25) * self.a * w_3,
+            k_2: self.a * w_4,
             b_squared: b_squared,
             mass_psi_psi: self.m * S::from_f64(0.5833333333333334) * b_squared,
             dx: self.dx,
@@ -223,15 +225,15 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
             k_3: self.a * w,
             k_4: self.m * self.g * S::from_f64(2.0),
             k_5: w_3,
-            k_6: S::from_f64(0.25) * w_3,
-            k_7: w_3 * S::from_f64(0.5) * self.g,
+            k_6: w_4,
+            k_7: self.g * w_5,
             k_8: S::from_f64(0.25) * self.b,
             k_9: w_3 * self.g,
             k_10: a_squared * S::from_f64(2.0),
             inverse_phi: S::from_f64(1.0) / mass_phi_phi,
             k_11: self.a * self.b,
             k_12: w * b_squared,
-            k_13: self.a * w_3 * S::from_f64(0.5),
+            k_13: self.a * w_5,
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -617,7 +619,7 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 119 additions, 214 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 119 additions, 202 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -633,144 +635,151 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
         let rhs_phi = sin_psi * psi_dot_squared * w;
         let phi_dot_squared = phi_dot * phi_dot;
         let sin_phi_squared = sin_phi * sin_phi;
-        let w_2 = self.a * cos_phi * phi_dot_squared
-            - self.b * sin_psi * psi_dot_squared;
-        let w_3 = sin_phi * cos_psi;
-        let mass_psi_phi = self.k_2 * w_3;
+        let w_2 = self.a * cos_phi;
+        let w_3 = self.b * sin_psi;
+        let w_4 = w_2 * phi_dot_squared - w_3 * psi_dot_squared;
+        let w_5 = sin_phi * cos_psi;
+        let mass_psi_phi = self.k_2 * w_5;
         let l_psi_phi = mass_psi_phi * self.inverse_phi;
         let pivot_psi = self.mass_psi_psi - mass_psi_phi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_4 = self.a * cos_phi;
-        let w_5 = self.dx - w_4 - self.b * sin_psi;
-        let B_z = self.dz - self.b * cos_psi;
-        let w_6 = w_5 * w_5 + self.a_squared * sin_phi_squared + B_z * B_z;
-        let sqrt_w_6 = w_6.sqrt();
-        let w_7 = self.b * (cos_psi * w_5 - sin_psi * B_z);
-        let w_8 = self.a * w_5;
-        let w_9 = self.a_squared * cos_phi;
-        let w_10 = sin_phi * (w_8 + w_9);
-        let coupling_by_phi = sqrt_w_6 * w_10 / w_6;
+        let w_6 = self.dx - w_2 - w_3;
+        let w_7 = self.b * cos_psi;
+        let B_z = self.dz - w_7;
+        let w_8 = w_6 * w_6 + self.a_squared * sin_phi_squared + B_z * B_z;
+        let sqrt_w_8 = w_8.sqrt();
+        let w_9 = cos_psi * w_6;
+        let w_10 = self.b * (w_9 - sin_psi * B_z);
+        let w_11 = self.a * w_6;
+        let w_12 = self.a_squared * cos_phi;
+        let w_13 = sin_phi * (w_11 + w_12);
+        let coupling_by_phi = sqrt_w_8 * w_13 / w_8;
         let l_lambda_coupling_phi = coupling_by_phi * self.inverse_phi;
-        let minus_k_lambda_coupling_psi = sqrt_w_6 * w_7 / w_6
+        let minus_k_lambda_coupling_psi = sqrt_w_8 * w_10 / w_8
             + mass_psi_phi * l_lambda_coupling_phi;
         let minus_l_lambda_coupling_psi = inverse_psi * minus_k_lambda_coupling_psi;
         let minus_pivot_lambda_coupling = coupling_by_phi * l_lambda_coupling_phi
             + minus_k_lambda_coupling_psi * minus_l_lambda_coupling_psi;
         let minus_inverse_lambda_coupling = S::from_f64(1.0)
             / minus_pivot_lambda_coupling;
-        let w_11 = w_4 * w_5;
-        let w_12 = self.a * sin_phi * phi_dot - self.b * cos_psi * psi_dot;
-        let w_13 = phi_dot * (w_11 - sin_phi_squared * self.k_10 + self.a_squared)
-            + self.a * sin_phi * w_12;
-        let w_14 = sin_psi * psi_dot;
-        let w_15 = w_5 * w_12 + sin_phi * w_9 * phi_dot + self.b * B_z * w_14;
-        let w_6_squared = w_6 * w_6;
-        let w_16 = B_z * psi_dot;
-        let w_17 = self.b * (cos_psi * (w_12 - w_16) - w_5 * w_14)
+        let w_14 = w_2 * w_6;
+        let w_15 = self.a * sin_phi;
+        let w_16 = phi_dot * w_15 - w_7 * psi_dot;
+        let w_17 = phi_dot * (w_14 - sin_phi_squared * self.k_10 + self.a_squared)
+            + w_15 * w_16;
+        let w_18 = sin_psi * psi_dot;
+        let w_19 = w_6 * w_16 + sin_phi * w_12 * phi_dot + self.b * B_z * w_18;
+        let w_8_squared = w_8 * w_8;
+        let w_20 = B_z * psi_dot;
+        let w_21 = self.b * (cos_psi * (w_16 - w_20) - w_6 * w_18)
             - self.b_squared * psi_dot * sin_psi * sin_psi;
-        let w_18 = cos_psi * cos_phi;
-        let minus_rhs_psi = sin_psi * self.k_9 + self.k_2 * phi_dot_squared * w_18
+        let w_22 = cos_psi * cos_phi;
+        let minus_rhs_psi = sin_psi * self.k_9 + self.k_2 * phi_dot_squared * w_22
             + rhs_phi * l_psi_phi;
-        let minus_rhs_lambda_coupling = sqrt_w_6
-            * (phi_dot * (w_13 / w_6 - w_10 * w_15 / w_6_squared)
-                + psi_dot * (w_7 * w_15 / w_6_squared - w_17 / w_6))
+        let minus_rhs_lambda_coupling = sqrt_w_8
+            * (phi_dot * (w_17 / w_8 - w_13 * w_19 / w_8_squared)
+                + psi_dot * (w_10 * w_19 / w_8_squared - w_21 / w_8))
             + rhs_phi * l_lambda_coupling_phi
             + minus_l_lambda_coupling_psi * minus_rhs_psi;
         let lambda_coupling = minus_inverse_lambda_coupling * minus_rhs_lambda_coupling;
         let psi_ddot = minus_l_lambda_coupling_psi * lambda_coupling
             - inverse_psi * minus_rhs_psi;
-        let w_10_squared = w_10 * w_10;
-        let w_19 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_11;
-        let w_20 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
-            - cos_phi * (w_2 * self.k_3 + cos_psi * self.k_2 * psi_ddot)
-            + sqrt_w_6 * lambda_coupling * (w_10_squared / w_6_squared + w_19 / w_6);
+        let w_23 = self.k_2 * psi_ddot;
+        let w_13_squared = w_13 * w_13;
+        let w_24 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_14;
+        let w_25 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
+            - cos_phi * (w_4 * self.k_3 + cos_psi * w_23)
+            + sqrt_w_8 * lambda_coupling * (w_13_squared / w_8_squared + w_24 / w_8);
         let phi_ddot = rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot
             - l_lambda_coupling_phi * lambda_coupling;
-        let w_21 = sqrt_w_6 * self.k_11;
-        let w_22 = w_10 * w_7;
-        let w_23 = sqrt_w_6 * lambda_coupling * w_22 / w_6_squared;
-        let w_24 = cos_psi
+        let w_26 = sqrt_w_8 * lambda_coupling;
+        let w_27 = self.k_11 * w_26;
+        let w_28 = w_13 * w_10;
+        let w_29 = w_26 * w_28 / w_8_squared;
+        let w_30 = cos_psi
             * (self.k_2 * (sin_phi * phi_dot_squared - cos_phi * phi_ddot)
-                + sin_phi * lambda_coupling * w_21 / w_6) - w_23 - l_psi_phi * w_20;
-        let w_25 = phi_dot * w_19;
-        let w_26 = w_3 * psi_dot * self.k_11;
-        let w_27 = w_7 * psi_dot;
-        let w_28 = (w_10
-            * (phi_dot * S::from_f64(2.0) * w_13 - psi_dot * w_17 - w_7 * psi_ddot)
-            - w_15 * (w_25 + w_26) - w_13 * w_27 + phi_ddot * w_10_squared)
-            / w_6_squared;
-        let w_29 = self.k_11 * (phi_dot * w_18 - sin_phi * w_14);
-        let w_30 = w_3 * self.k_11;
-        let w_31 = (phi_dot
-            * (sin_phi * phi_dot * (cos_phi * self.k_10 + w_8) - w_4 * w_12)
-            + psi_dot * w_29 + phi_ddot * w_19 + psi_ddot * w_30) / w_6;
-        let w_32 = phi_dot * w_10_squared;
-        let w_33 = w_6 * w_6_squared;
-        let w_34 = minus_inverse_lambda_coupling
-            * (sqrt_w_6
-                * (w_28 + w_31
-                    + S::from_f64(3.0) * w_15 * ((psi_dot * w_22 - w_32) / w_33))
-                - l_lambda_coupling_phi * w_20 + minus_l_lambda_coupling_psi * w_24);
-        let w_35 = inverse_psi * w_24 - minus_l_lambda_coupling_psi * w_34;
-        let w_36 = sin_phi
-            * (cos_psi * (lambda_coupling * w_21 / w_6 + self.k_2 * psi_dot_squared)
-                + self.k_2 * sin_psi * psi_ddot) - w_23;
-        let w_37 = cos_psi
+                + sin_phi * w_27 / w_8) - w_29 - l_psi_phi * w_25;
+        let w_31 = phi_dot * w_24;
+        let w_32 = w_5 * self.k_11;
+        let w_33 = psi_dot * w_32;
+        let w_34 = w_10 * psi_dot;
+        let w_35 = (w_13
+            * (phi_dot * S::from_f64(2.0) * w_17 - psi_dot * w_21 - w_10 * psi_ddot)
+            - w_19 * (w_31 + w_33) - w_17 * w_34 + phi_ddot * w_13_squared)
+            / w_8_squared;
+        let w_36 = phi_dot * w_22;
+        let w_37 = sin_phi * w_18;
+        let w_38 = self.k_11 * (w_36 - w_37);
+        let w_39 = (phi_dot
+            * (sin_phi * phi_dot * (cos_phi * self.k_10 + w_11) - w_2 * w_16)
+            + psi_dot * w_38 + phi_ddot * w_24 + psi_ddot * w_32) / w_8;
+        let w_40 = phi_dot * w_13_squared;
+        let w_41 = w_8 * w_8_squared;
+        let w_42 = minus_inverse_lambda_coupling
+            * (sqrt_w_8
+                * (w_35 + w_39
+                    + S::from_f64(3.0) * w_19 * ((psi_dot * w_28 - w_40) / w_41))
+                - l_lambda_coupling_phi * w_25 + minus_l_lambda_coupling_psi * w_30);
+        let w_43 = inverse_psi * w_30 - minus_l_lambda_coupling_psi * w_42;
+        let w_44 = sin_phi
+            * (cos_psi * (w_27 / w_8 + self.k_2 * psi_dot_squared) + sin_psi * w_23)
+            - w_29;
+        let w_45 = cos_psi
             * (self.k_7 + (self.k_4 + cos_psi * psi_dot_squared * self.k_5) * self.k_8);
-        let w_7_squared = w_7 * w_7;
-        let w_38 = self.b * (sin_psi * w_5 + cos_psi * B_z) + self.b_squared;
-        let w_39 = sin_psi * (w_2 * self.k_6 + w * phi_ddot) - w_37
-            + sqrt_w_6 * lambda_coupling * (w_7_squared / w_6_squared - w_38 / w_6)
-            + psi_dot_squared * self.k_12 - l_psi_phi * w_36;
-        let w_40 = psi_dot * (w_15 * w_38 + w_7 * S::from_f64(2.0) * w_17)
-            - phi_dot * (w_15 * w_30 + w_10 * w_17 + w_7 * w_13) - phi_ddot * w_22
-            + psi_ddot * w_7_squared;
-        let w_41 = phi_dot * w_29
+        let w_10_squared = w_10 * w_10;
+        let w_46 = self.b * (sin_psi * w_6 + cos_psi * B_z) + self.b_squared;
+        let w_47 = sin_psi * (w_4 * self.k_6 + w * phi_ddot) - w_45
+            + sqrt_w_8 * lambda_coupling * (w_10_squared / w_8_squared - w_46 / w_8)
+            + psi_dot_squared * self.k_12 - l_psi_phi * w_44;
+        let w_48 = psi_dot * (w_19 * w_46 + w_10 * S::from_f64(2.0) * w_21)
+            - phi_dot * (w_19 * w_32 + w_13 * w_21 + w_10 * w_17) - phi_ddot * w_28
+            + psi_ddot * w_10_squared;
+        let w_49 = phi_dot * w_38
             + psi_dot
-                * (self.b * (sin_psi * (w_16 - w_12) - cos_psi * w_5 * psi_dot)
-                    - cos_psi * self.b_squared * w_14) + phi_ddot * w_30
-            - psi_ddot * w_38;
-        let w_42 = psi_dot * w_7_squared;
-        let w_43 = minus_inverse_lambda_coupling
-            * (sqrt_w_6
-                * (w_40 / w_6_squared + w_41 / w_6
-                    + S::from_f64(3.0) * w_15 * ((phi_dot * w_22 - w_42) / w_33))
-                - l_lambda_coupling_phi * w_36 + minus_l_lambda_coupling_psi * w_39);
-        let w_44 = inverse_psi * w_39 - minus_l_lambda_coupling_psi * w_43;
-        let w_45 = phi_dot * w_18 * self.k_13;
-        let w_46 = minus_inverse_lambda_coupling
-            * (sqrt_w_6
-                * ((w_10 * (w_15 - w_27) + w_32) / w_6_squared
-                    + (w_25 - w_13 + w_26) / w_6) - minus_l_lambda_coupling_psi * w_45);
-        let w_47 = inverse_psi * w_45 + minus_l_lambda_coupling_psi * w_46;
-        let w_48 = sin_phi * w_14 * self.k_13;
-        let w_49 = l_psi_phi * w_48;
-        let w_50 = sqrt_w_6
-            * ((w_42 - w_7 * (w_10 * phi_dot + w_15)) / w_6_squared
-                + (w_3 * phi_dot * self.k_11 + w_17 - psi_dot * w_38) / w_6);
+                * (self.b * (sin_psi * (w_20 - w_16) - w_9 * psi_dot)
+                    - cos_psi * self.b_squared * w_18) + phi_ddot * w_32
+            - psi_ddot * w_46;
+        let w_50 = psi_dot * w_10_squared;
         let w_51 = minus_inverse_lambda_coupling
-            * (w_50 - l_lambda_coupling_phi * w_48 - minus_l_lambda_coupling_psi * w_49);
-        let w_52 = inverse_psi * w_49 + minus_l_lambda_coupling_psi * w_51;
+            * (sqrt_w_8
+                * (w_48 / w_8_squared + w_49 / w_8
+                    + S::from_f64(3.0) * w_19 * ((phi_dot * w_28 - w_50) / w_41))
+                - l_lambda_coupling_phi * w_44 + minus_l_lambda_coupling_psi * w_47);
+        let w_52 = inverse_psi * w_47 - minus_l_lambda_coupling_psi * w_51;
+        let w_53 = w_36 * self.k_13;
+        let w_54 = minus_inverse_lambda_coupling
+            * (sqrt_w_8
+                * ((w_13 * (w_19 - w_34) + w_40) / w_8_squared
+                    + (w_31 - w_17 + w_33) / w_8) - minus_l_lambda_coupling_psi * w_53);
+        let w_55 = inverse_psi * w_53 + minus_l_lambda_coupling_psi * w_54;
+        let w_56 = w_37 * self.k_13;
+        let w_57 = l_psi_phi * w_56;
+        let w_58 = sqrt_w_8
+            * ((w_50 - w_10 * (w_13 * phi_dot + w_19)) / w_8_squared
+                + (phi_dot * w_32 + w_21 - psi_dot * w_46) / w_8)
+            - l_lambda_coupling_phi * w_56 - minus_l_lambda_coupling_psi * w_57;
+        let w_59 = minus_inverse_lambda_coupling * w_58;
+        let w_60 = inverse_psi * w_57 + minus_l_lambda_coupling_psi * w_59;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_phi * w_20 - l_psi_phi * w_35
-                        + l_lambda_coupling_phi * w_34,
-                    self.inverse_phi * w_36 - l_psi_phi * w_44
-                        + l_lambda_coupling_phi * w_43,
+                    self.inverse_phi * w_25 - l_psi_phi * w_43
+                        + l_lambda_coupling_phi * w_42,
+                    self.inverse_phi * w_44 - l_psi_phi * w_52
+                        + l_lambda_coupling_phi * w_51,
                 ],
-                [w_35, w_44],
+                [w_43, w_52],
             ],
             accelerations_by_speeds: [
                 [
-                    l_psi_phi * w_47 + l_lambda_coupling_phi * w_46,
-                    self.inverse_phi * w_48 + l_psi_phi * w_52
-                        + l_lambda_coupling_phi * w_51,
+                    l_psi_phi * w_55 + l_lambda_coupling_phi * w_54,
+                    self.inverse_phi * w_56 + l_psi_phi * w_60
+                        + l_lambda_coupling_phi * w_59,
                 ],
-                [-w_47, -w_52],
+                [-w_55, -w_60],
             ],
-            multipliers_by_positions: [[-w_34, -w_43]],
-            multipliers_by_speeds: [[-w_46, -w_51]],
+            multipliers_by_positions: [[-w_42, -w_51]],
+            multipliers_by_speeds: [[-w_54, -w_59]],
             refused: sim_kernel::pivot_is_refused(self.mass_phi_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(pivot_psi, self.mass_psi_psi)
                 | sim_kernel::pivot_is_refused(

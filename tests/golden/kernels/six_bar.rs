@@ -355,7 +355,7 @@ pub struct SixBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SixBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 7 additions, 62 multiplications, 3 divisions.
+    /// Operations: 7 additions, 56 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> SixBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -364,20 +364,20 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
         let w_3 = self.a * self.m5;
         let w_4 = self.p * w_3;
         let w_5 = self.a * self.m3;
-        let w_6 = self.m5 * self.p * self.p;
+        let w_6 = S::from_f64(0.3333333333333333) * w_5;
+        let w_7 = self.m5 * self.p * self.p;
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
-        let w_7 = S::from_f64(0.5) * self.f;
-        let w_8 = self.m5 * self.p;
-        let f_squared = self.f * self.f;
-        let mass_theta5_theta5 = self.m5 * S::from_f64(0.3333333333333333) * f_squared;
+        let w_8 = S::from_f64(0.5) * self.f;
+        let w_9 = self.m5 * self.p;
+        let w_10 = self.m5 * self.f * self.f;
+        let mass_theta5_theta5 = S::from_f64(0.3333333333333333) * w_10;
         let mass_theta6_theta6 = S::from_f64(0.3333333333333333) * self.h * self.h
             * self.m6;
-        let w_9 = self.p * S::from_f64(2.0);
-        let w_10 = self.m3 * S::from_f64(0.3333333333333333);
-        let w_11 = w_8 * self.g;
-        let w_12 = S::from_f64(0.5) * self.g;
-        let w_13 = self.m5 * self.f;
+        let w_11 = self.g * self.m3 * S::from_f64(0.3333333333333333);
+        let w_12 = w_9 * self.g;
+        let w_13 = S::from_f64(0.5) * self.g;
+        let w_14 = self.m5 * self.f;
         SixBarPrepared {
             a: self.a,
             mass_theta2_theta2: self.J2 + w + w_2,
@@ -385,47 +385,47 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             delta: self.delta,
             b: self.b,
             k: w_4,
-            k_2: S::from_f64(0.3333333333333333) * w_5,
+            k_2: w_6,
             k_3: self.m3 * S::from_f64(0.1111111111111111),
-            k_4: w_6,
-            k_5: self.J3 + w_6,
+            k_4: w_7,
+            k_5: self.J3 + w_7,
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             f: self.f,
-            k_6: w_3 * w_7,
-            k_7: w_7 * w_8,
+            k_6: w_3 * w_8,
+            k_7: w_8 * w_9,
             mass_theta5_theta5: mass_theta5_theta5,
             h: self.h,
             mass_theta6_theta6: mass_theta6_theta6,
             k_8: self.a * S::from_f64(3.0),
             k_9: self.a * S::from_f64(2.0),
-            k_10: w_9,
+            k_10: self.p * S::from_f64(2.0),
             k_11: w_3 * S::from_f64(0.5),
             k_12: w_5 * self.g + w_3 * self.g,
-            k_13: S::from_f64(0.3333333333333333) * self.b * w_5,
-            k_14: self.p * S::from_f64(0.3333333333333333) * w_5 + w_4,
-            k_15: S::from_f64(0.5) * w_8,
-            k_16: self.g * w_10,
-            k_17: w_11,
-            k_18: self.b * self.g * w_10,
-            k_19: w_11 + self.p * self.g * w_10,
-            k_20: self.c * self.m4 * w_12,
-            k_21: S::from_f64(0.25) * w_13,
-            k_22: w_12 * w_13,
-            k_23: self.h * self.m6 * w_12,
+            k_13: self.b * w_6,
+            k_14: self.p * w_6 + w_4,
+            k_15: S::from_f64(0.5) * w_9,
+            k_16: w_11,
+            k_17: w_12,
+            k_18: self.b * w_11,
+            k_19: w_12 + self.p * w_11,
+            k_20: self.c * self.m4 * w_13,
+            k_21: S::from_f64(0.25) * w_14,
+            k_22: w_13 * w_14,
+            k_23: self.h * self.m6 * w_13,
             inverse_theta5: S::from_f64(1.0) / mass_theta5_theta5,
             inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
             inverse_theta6: S::from_f64(1.0) / mass_theta6_theta6,
             w: self.w,
-            k_24: self.m5 * w_12,
-            k_25: self.p * w_3 * S::from_f64(3.0),
+            k_24: self.m5 * w_13,
+            k_25: w_4 * S::from_f64(3.0),
             k_26: w_5,
             k_27: w_3 * self.f,
             k_28: w + w_2,
-            k_29: self.f * w_8,
-            k_30: self.m5 * f_squared * S::from_f64(0.25),
+            k_29: self.f * w_9,
+            k_30: w_10 * S::from_f64(0.25),
             k_31: w_5 * S::from_f64(0.6666666666666666),
-            k_32: w_3 * w_9,
+            k_32: w_4 * S::from_f64(2.0),
             k_33: self.b * S::from_f64(2.0),
             k_34: self.c * S::from_f64(2.0),
             k_35: self.f * S::from_f64(2.0),
@@ -1068,7 +1068,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 152 additions, 253 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 152 additions, 243 multiplications, 7 divisions, 6 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1098,22 +1098,22 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let theta2_dot_squared = theta2_dot * theta2_dot;
         let w_2 = self.k_6 * theta2_dot_squared;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_3 = self.k_7 * theta3_dot_squared;
-        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + sin_w * w_3)
-            - u5_y * (cos_theta2 * w_2 + cos_w * w_3);
+        let w_3 = sin_w * self.k_7;
+        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + theta3_dot_squared * w_3)
+            - u5_y * (cos_theta2 * w_2 + cos_w * self.k_7 * theta3_dot_squared);
         let w_4 = theta2_dot_squared
             * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y)
                 + self.k_14 * (sin_theta2 * cos_w - sin_w * cos_theta2));
         let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_5 = self.k_7 * theta5_dot_squared;
+        let w_5 = u5_y * theta5_dot_squared;
+        let w_6 = u5_x * theta5_dot_squared;
         let mass_theta5_theta3 = self.k_7 * (sin_w * u5_y + cos_w * u5_x);
         let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let rhs_theta3 = w_4 + cos_w * (u5_y * w_5 - self.k_19) - sin_w * u5_x * w_5
+        let rhs_theta3 = w_4 + cos_w * (self.k_7 * w_5 - self.k_19) - w_6 * w_3
             - u3_x * self.k_18 - rhs_theta5 * l_theta3_theta5;
-        let w_6 = self.k_6 * theta5_dot_squared;
         let w_7 = cos_theta2
             * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + u5_y * w_6);
+                + self.k_6 * w_5);
         let mass_theta5_theta2 = self.k_6 * (sin_theta2 * u5_y + cos_theta2 * u5_x);
         let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
         let minus_first_loop_x_by_theta3 = self.b * u3_y;
@@ -1132,14 +1132,14 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let rhs_theta2 = w_7
             - sin_theta2
                 * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + u5_x * w_6) - rhs_theta5 * l_theta2_theta5
+                    + self.k_6 * w_6) - rhs_theta5 * l_theta2_theta5
             - l_theta2_theta3 * rhs_theta3;
         let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
             * inverse_theta3;
-        let w_10 = self.c * theta4_dot * theta4_dot;
-        let w_11 = self.a * theta2_dot_squared;
-        let w_12 = cos_theta2 * w_11;
-        let w_13 = self.b * theta3_dot_squared;
+        let minus_first_loop_y_by_theta4 = self.c * u4_x;
+        let theta4_dot_squared = theta4_dot * theta4_dot;
+        let A_x = self.a * cos_theta2;
+        let w_10 = A_x * theta2_dot_squared;
         let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
             - k_theta2_theta3 * l_theta2_theta3;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
@@ -1155,26 +1155,25 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             * minus_inverse_lambda_drive;
         let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
         let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
-            - (u4_x * w_10 - w_12 - u3_x * w_13)
+            - (minus_first_loop_y_by_theta4 * theta4_dot_squared - w_10
+                - first_loop_y_by_theta3 * theta3_dot_squared)
             - l_lambda_first_loop_x_theta2 * rhs_theta2
             + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
             + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
-        let A_x = self.a * cos_theta2;
         let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
         let k_lambda_first_loop_y_theta2 = A_x
             - k_theta2_theta3 * l_lambda_first_loop_y_theta3;
         let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
         let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
             * minus_inverse_lambda_drive;
-        let w_14 = sin_theta2 * w_11;
-        let minus_first_loop_y_by_theta4 = self.c * u4_x;
+        let w_11 = minus_first_loop_x_by_theta2 * theta2_dot_squared;
         let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
             * self.inverse_theta4;
-        let w_15 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
+        let w_12 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
             + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
             + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
         let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_15;
+            * l_lambda_first_loop_x_lambda_drive - w_12;
         let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
         let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
             * l_lambda_first_loop_y_theta3
@@ -1184,7 +1183,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_first_loop_y_lambda_first_loop_x;
         let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - (u4_y * w_10 - w_14 - u3_y * w_13)
+            * minus_rhs_lambda_drive
+            - (first_loop_x_by_theta4 * theta4_dot_squared - w_11
+                - minus_first_loop_x_by_theta3 * theta3_dot_squared)
             - l_lambda_first_loop_y_theta3 * rhs_theta3
             - l_lambda_first_loop_y_theta2 * rhs_theta2
             - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
@@ -1192,9 +1193,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let minus_second_loop_x_by_theta5 = self.f * u5_y;
         let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
             * self.inverse_theta5;
-        let w_16 = self.h * theta6_dot * theta6_dot;
-        let w_17 = self.p * theta3_dot_squared;
-        let w_18 = self.f * theta5_dot_squared;
+        let minus_second_loop_y_by_theta6 = self.h * u6_x;
+        let theta6_dot_squared = theta6_dot * theta6_dot;
+        let second_loop_y_by_theta5 = self.f * u5_x;
         let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
             * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
         let l_lambda_second_loop_x_theta3 = inverse_theta3
@@ -1216,11 +1217,11 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let second_loop_x_by_theta6 = self.h * u6_y;
         let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
             * self.inverse_theta6;
-        let w_19 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
+        let w_13 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
             + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
             + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
         let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_19
+            * l_lambda_first_loop_y_lambda_drive - w_13
             - k_lambda_first_loop_y_lambda_first_loop_x
                 * l_lambda_first_loop_y_lambda_first_loop_x;
         let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
@@ -1233,14 +1234,15 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_x_lambda_first_loop_y;
         let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
-            - (u6_x * w_16 - w_12 - cos_w * w_17 - u5_x * w_18)
+            - (minus_second_loop_y_by_theta6 * theta6_dot_squared - w_10
+                - second_loop_y_by_theta3 * theta3_dot_squared
+                - second_loop_y_by_theta5 * theta5_dot_squared)
             - l_lambda_second_loop_x_theta3 * rhs_theta3
             - l_lambda_second_loop_x_theta2 * rhs_theta2
             + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
             - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
             + minus_rhs_theta6 * l_lambda_second_loop_x_theta6
             - l_lambda_second_loop_x_lambda_first_loop_y * rhs_lambda_first_loop_y;
-        let second_loop_y_by_theta5 = self.f * u5_x;
         let l_lambda_second_loop_y_theta5 = second_loop_y_by_theta5
             * self.inverse_theta5;
         let k_lambda_second_loop_y_theta3 = second_loop_y_by_theta3
@@ -1260,7 +1262,6 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
         let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_y_lambda_first_loop_x;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
         let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
             * self.inverse_theta6;
         let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
@@ -1271,12 +1272,12 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_y_lambda_first_loop_x;
         let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_y_lambda_first_loop_y;
-        let w_20 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
+        let w_14 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
             + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
             + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
             + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
         let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_20
+            * l_lambda_second_loop_x_lambda_drive - w_14
             - k_lambda_second_loop_x_lambda_first_loop_x
                 * l_lambda_second_loop_x_lambda_first_loop_x
             - k_lambda_second_loop_x_lambda_first_loop_y
@@ -1295,7 +1296,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
             * k_lambda_second_loop_y_lambda_second_loop_x;
         let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - (u6_y * w_16 - w_14 - sin_w * w_17 - u5_y * w_18)
+            * minus_rhs_lambda_drive
+            - (second_loop_x_by_theta6 * theta6_dot_squared - w_11
+                - minus_second_loop_x_by_theta3 * theta3_dot_squared - self.f * w_5)
             - rhs_theta5 * l_lambda_second_loop_y_theta5
             - l_lambda_second_loop_y_theta3 * rhs_theta3
             - l_lambda_second_loop_y_theta2 * rhs_theta2
@@ -1303,12 +1306,12 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
             - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
             - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
-        let w_21 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
+        let w_15 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
             + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
             + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
             + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
         let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_21
+            * l_lambda_second_loop_y_lambda_drive - w_15
             - k_lambda_second_loop_y_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
             - k_lambda_second_loop_y_lambda_first_loop_y
@@ -1342,8 +1345,12 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
             - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_22 = (cos_theta2 * theta2_dot * self.k_9 + cos_w * theta3_dot * self.k_10
-            + self.f * u5_x * theta5_dot) * self.k_24;
+        let w_16 = cos_theta2 * theta2_dot;
+        let w_17 = self.k_16 * (self.k_8 * w_16 + w_9 * theta3_dot)
+            + minus_rhs_theta4 * theta4_dot
+            + (self.k_9 * w_16 + cos_w * theta3_dot * self.k_10
+                + second_loop_y_by_theta5 * theta5_dot) * self.k_24
+            + minus_rhs_theta6 * theta6_dot + lambda_drive * self.w;
         sim_kernel::Dynamics {
             accelerations: [
                 theta2_ddot,
@@ -1366,9 +1373,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 lambda_second_loop_x,
                 lambda_second_loop_y,
             ],
-            power: -(self.k_16 * (cos_theta2 * theta2_dot * self.k_8 + w_9 * theta3_dot)
-                + u4_x * self.k_20 * theta4_dot + w_22 + u6_x * self.k_23 * theta6_dot
-                + lambda_drive * self.w),
+            power: -w_17,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta5_theta5,
                 self.mass_theta5_theta5,
@@ -1378,18 +1383,18 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                     self.mass_theta4_theta4,
                     self.mass_theta4_theta4,
                 ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_15)
+                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_12)
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta6_theta6,
                     self.mass_theta6_theta6,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_19)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_20)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_21),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_13)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_14)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_15),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (5 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 618 additions, 891 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 618 additions, 877 multiplications, 7 divisions, 6 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1417,56 +1422,57 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             ],
         ) = S::sin_cos_each([theta2, w, theta3, theta5, theta4, theta6]);
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_2 = self.k_6 * theta2_dot_squared;
+        let w_2 = sin_theta2 * theta2_dot_squared;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_3 = self.k_7 * theta3_dot_squared;
-        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + sin_w * w_3)
-            - u5_y * (cos_theta2 * w_2 + cos_w * w_3);
-        let w_4 = sin_theta2 * cos_w;
-        let w_5 = sin_w * cos_theta2;
-        let w_6 = w_4 - w_5;
+        let w_3 = sin_w * theta3_dot_squared;
+        let w_4 = cos_theta2 * theta2_dot_squared;
+        let w_5 = cos_w * theta3_dot_squared;
+        let rhs_theta5 = u5_x * (self.k_6 * w_2 - self.k_22 + self.k_7 * w_3)
+            - u5_y * (self.k_6 * w_4 + self.k_7 * w_5);
+        let w_6 = sin_theta2 * cos_w;
+        let w_7 = sin_w * cos_theta2;
+        let w_8 = w_6 - w_7;
         let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_7 = self.k_7 * theta5_dot_squared;
-        let w_8 = theta2_dot_squared
-            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y) + self.k_14 * w_6)
-            + cos_w * (u5_y * w_7 - self.k_19) - sin_w * u5_x * w_7 - u3_x * self.k_18;
-        let w_9 = sin_w * u5_y + cos_w * u5_x;
-        let mass_theta5_theta3 = self.k_7 * w_9;
+        let w_9 = u5_y * theta5_dot_squared;
+        let w_10 = u5_x * theta5_dot_squared;
+        let w_11 = theta2_dot_squared
+            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y) + self.k_14 * w_8)
+            + cos_w * (self.k_7 * w_9 - self.k_19) - sin_w * self.k_7 * w_10
+            - u3_x * self.k_18;
+        let w_12 = sin_w * u5_y + cos_w * u5_x;
+        let mass_theta5_theta3 = self.k_7 * w_12;
         let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let rhs_theta3 = w_8 - rhs_theta5 * l_theta3_theta5;
-        let w_10 = self.k_6 * theta5_dot_squared;
-        let w_11 = cos_theta2
+        let rhs_theta3 = w_11 - rhs_theta5 * l_theta3_theta5;
+        let w_13 = cos_theta2
             * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + u5_y * w_10);
-        let w_12 = sin_theta2 * u5_y + cos_theta2 * u5_x;
-        let mass_theta5_theta2 = self.k_6 * w_12;
+                + self.k_6 * w_9);
+        let w_14 = sin_theta2 * u5_y + cos_theta2 * u5_x;
+        let mass_theta5_theta2 = self.k_6 * w_14;
         let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
         let minus_first_loop_x_by_theta3 = self.b * u3_y;
         let minus_second_loop_x_by_theta3 = self.p * sin_w;
-        let w_13 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
+        let w_15 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
         let first_loop_y_by_theta3 = self.b * u3_x;
         let second_loop_y_by_theta3 = self.p * cos_w;
-        let w_14 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
-        let mass_theta3_theta3 = self.k_3 * (w_13 * w_13 + w_14 * w_14) + self.k_5;
+        let w_16 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
+        let mass_theta3_theta3 = self.k_3 * (w_15 * w_15 + w_16 * w_16) + self.k_5;
         let pivot_theta3 = mass_theta3_theta3 - mass_theta5_theta3 * l_theta3_theta5;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let w_15 = sin_theta2 * sin_w + cos_theta2 * cos_w;
-        let w_16 = self.k * w_15;
-        let w_17 = self.k_2 * (sin_theta2 * w_13 + cos_theta2 * w_14);
-        let k_theta2_theta3 = w_16 + w_17 - mass_theta5_theta2 * l_theta3_theta5;
+        let w_17 = sin_theta2 * sin_w + cos_theta2 * cos_w;
+        let w_18 = self.k * w_17;
+        let w_19 = self.k_2 * (sin_theta2 * w_15 + cos_theta2 * w_16);
+        let k_theta2_theta3 = w_18 + w_19 - mass_theta5_theta2 * l_theta3_theta5;
         let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
-        let rhs_theta2 = w_11
+        let rhs_theta2 = w_13
             - sin_theta2
                 * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + u5_x * w_10) - rhs_theta5 * l_theta2_theta5
+                    + self.k_6 * w_10) - rhs_theta5 * l_theta2_theta5
             - l_theta2_theta3 * rhs_theta3;
         let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
             * inverse_theta3;
+        let minus_first_loop_y_by_theta4 = self.c * u4_x;
         let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_18 = self.c * theta4_dot_squared;
-        let w_19 = self.a * theta2_dot_squared;
-        let w_20 = cos_theta2 * w_19;
-        let w_21 = self.b * theta3_dot_squared;
+        let w_20 = self.a * w_4;
         let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
             - k_theta2_theta3 * l_theta2_theta3;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
@@ -1482,7 +1488,8 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             * minus_inverse_lambda_drive;
         let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
         let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
-            - (u4_x * w_18 - w_20 - u3_x * w_21)
+            - (minus_first_loop_y_by_theta4 * theta4_dot_squared - w_20
+                - first_loop_y_by_theta3 * theta3_dot_squared)
             - l_lambda_first_loop_x_theta2 * rhs_theta2
             + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
             + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
@@ -1493,15 +1500,14 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
         let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
             * minus_inverse_lambda_drive;
-        let w_22 = sin_theta2 * w_19;
-        let minus_first_loop_y_by_theta4 = self.c * u4_x;
+        let w_21 = self.a * w_2;
         let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
             * self.inverse_theta4;
-        let w_23 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
+        let w_22 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
             + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
             + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
         let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_23;
+            * l_lambda_first_loop_x_lambda_drive - w_22;
         let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
         let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
             * l_lambda_first_loop_y_theta3
@@ -1511,7 +1517,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_first_loop_y_lambda_first_loop_x;
         let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - (u4_y * w_18 - w_22 - u3_y * w_21)
+            * minus_rhs_lambda_drive
+            - (first_loop_x_by_theta4 * theta4_dot_squared - w_21
+                - minus_first_loop_x_by_theta3 * theta3_dot_squared)
             - l_lambda_first_loop_y_theta3 * rhs_theta3
             - l_lambda_first_loop_y_theta2 * rhs_theta2
             - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
@@ -1519,11 +1527,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let minus_second_loop_x_by_theta5 = self.f * u5_y;
         let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
             * self.inverse_theta5;
+        let minus_second_loop_y_by_theta6 = self.h * u6_x;
         let theta6_dot_squared = theta6_dot * theta6_dot;
-        let w_24 = self.h * theta6_dot_squared;
-        let w_25 = self.p * theta3_dot_squared;
-        let w_26 = self.f * theta5_dot_squared;
-        let w_27 = u5_x * w_26;
+        let w_23 = self.f * w_10;
         let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
             * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
         let l_lambda_second_loop_x_theta3 = inverse_theta3
@@ -1545,11 +1551,11 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let second_loop_x_by_theta6 = self.h * u6_y;
         let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
             * self.inverse_theta6;
-        let w_28 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
+        let w_24 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
             + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
             + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
         let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_28
+            * l_lambda_first_loop_y_lambda_drive - w_24
             - k_lambda_first_loop_y_lambda_first_loop_x
                 * l_lambda_first_loop_y_lambda_first_loop_x;
         let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
@@ -1562,8 +1568,8 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_x_lambda_first_loop_y;
         let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
-            - (u6_x * w_24 - w_20 - cos_w * w_25 - w_27)
-            - l_lambda_second_loop_x_theta3 * rhs_theta3
+            - (minus_second_loop_y_by_theta6 * theta6_dot_squared - w_20 - self.p * w_5
+                - w_23) - l_lambda_second_loop_x_theta3 * rhs_theta3
             - l_lambda_second_loop_x_theta2 * rhs_theta2
             + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
             - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
@@ -1583,14 +1589,13 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             * k_lambda_second_loop_y_theta2;
         let l_lambda_second_loop_y_lambda_drive = l_lambda_second_loop_y_theta2
             * minus_inverse_lambda_drive;
-        let w_29 = u5_y * w_26;
+        let w_25 = self.f * w_9;
         let k_lambda_second_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
             * l_lambda_second_loop_y_theta3
             - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_theta2
             + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
         let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
             * k_lambda_second_loop_y_lambda_first_loop_x;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
         let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
             * self.inverse_theta6;
         let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
@@ -1601,12 +1606,12 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                 * l_lambda_second_loop_y_lambda_first_loop_x;
         let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
             * k_lambda_second_loop_y_lambda_first_loop_y;
-        let w_30 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
+        let w_26 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
             + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
             + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
             + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
         let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_30
+            * l_lambda_second_loop_x_lambda_drive - w_26
             - k_lambda_second_loop_x_lambda_first_loop_x
                 * l_lambda_second_loop_x_lambda_first_loop_x
             - k_lambda_second_loop_x_lambda_first_loop_y
@@ -1625,7 +1630,8 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
             * k_lambda_second_loop_y_lambda_second_loop_x;
         let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
-            * minus_rhs_lambda_drive - (u6_y * w_24 - w_22 - sin_w * w_25 - w_29)
+            * minus_rhs_lambda_drive
+            - (second_loop_x_by_theta6 * theta6_dot_squared - w_21 - self.p * w_3 - w_25)
             - rhs_theta5 * l_lambda_second_loop_y_theta5
             - l_lambda_second_loop_y_theta3 * rhs_theta3
             - l_lambda_second_loop_y_theta2 * rhs_theta2
@@ -1633,12 +1639,12 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
             - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
             - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
-        let w_31 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
+        let w_27 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
             + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
             + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
             + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
         let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_31
+            * l_lambda_second_loop_y_lambda_drive - w_27
             - k_lambda_second_loop_y_lambda_first_loop_x
                 * l_lambda_second_loop_y_lambda_first_loop_x
             - k_lambda_second_loop_y_lambda_first_loop_y
@@ -1654,25 +1660,22 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
         let lambda_first_loop_y = inverse_lambda_first_loop_y * rhs_lambda_first_loop_y
             - l_lambda_second_loop_x_lambda_first_loop_y * lambda_second_loop_x
             - l_lambda_second_loop_y_lambda_first_loop_y * lambda_second_loop_y;
-        let w_32 = theta2_dot_squared * self.k_8;
-        let w_33 = theta3_dot
+        let w_28 = theta3_dot
             * (minus_second_loop_x_by_theta3 + minus_first_loop_x_by_theta3);
-        let w_34 = theta3_dot * w_33;
-        let w_35 = sin_theta2 * w_32 + w_34;
-        let w_36 = theta2_dot_squared * self.k_9;
-        let w_37 = theta3_dot_squared * self.k_10;
-        let w_38 = sin_theta2 * w_36 + sin_w * w_37 + w_29;
-        let w_39 = sin_theta2
-            * (self.a * (lambda_first_loop_y + lambda_second_loop_y) - self.k_2 * w_35
-                - w_38 * self.k_11 + self.k_12);
+        let w_29 = theta3_dot * w_28;
+        let w_30 = self.k_8 * w_2 + w_29;
+        let w_31 = w_2 * self.k_9 + self.k_10 * w_3 + w_25;
+        let w_32 = sin_theta2
+            * (self.a * (lambda_first_loop_y + lambda_second_loop_y) - self.k_2 * w_30
+                - w_31 * self.k_11 + self.k_12);
         let lambda_first_loop_x = inverse_lambda_first_loop_x * rhs_lambda_first_loop_x
             - l_lambda_first_loop_y_lambda_first_loop_x * lambda_first_loop_y
             - l_lambda_second_loop_x_lambda_first_loop_x * lambda_second_loop_x
             - l_lambda_second_loop_y_lambda_first_loop_x * lambda_second_loop_y;
-        let w_40 = theta3_dot * (second_loop_y_by_theta3 + first_loop_y_by_theta3);
-        let w_41 = theta3_dot * w_40;
-        let w_42 = cos_theta2 * w_32 + w_41;
-        let w_43 = cos_theta2 * w_36 + cos_w * w_37 + w_27;
+        let w_33 = theta3_dot * (second_loop_y_by_theta3 + first_loop_y_by_theta3);
+        let w_34 = theta3_dot * w_33;
+        let w_35 = self.k_8 * w_4 + w_34;
+        let w_36 = w_4 * self.k_9 + self.k_10 * w_5 + w_23;
         let theta2_ddot = minus_rhs_lambda_drive
             - inverse_theta2
                 * (minus_inverse_lambda_drive * minus_rhs_lambda_drive
@@ -1689,568 +1692,568 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
             - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_44 = w_5 - w_4;
-        let w_45 = cos_theta2 * w_13;
-        let w_46 = sin_theta2 * w_14;
-        let w_47 = S::from_f64(0.3333333333333333)
-            * (self.k_25 * w_44 + self.k_26 * (w_45 - w_46));
-        let w_48 = theta3_ddot * w_47;
+        let w_37 = w_7 - w_6;
+        let w_38 = cos_theta2 * w_15;
+        let w_39 = sin_theta2 * w_16;
+        let w_40 = S::from_f64(0.3333333333333333)
+            * (self.k_25 * w_37 + self.k_26 * (w_38 - w_39));
+        let w_41 = theta3_ddot * w_40;
+        let w_42 = cos_theta2 * u5_y;
+        let w_43 = sin_theta2 * u5_x;
+        let w_44 = w_42 - w_43;
+        let w_45 = self.k_27 * w_44;
         let theta5_ddot = rhs_theta5 * self.inverse_theta5
             - l_theta2_theta5 * theta2_ddot - l_theta3_theta5 * theta3_ddot
             + minus_l_lambda_second_loop_x_theta5 * lambda_second_loop_x
             - l_lambda_second_loop_y_theta5 * lambda_second_loop_y;
-        let w_49 = cos_theta2 * u5_y;
-        let w_50 = sin_theta2 * u5_x;
-        let w_51 = w_49 - w_50;
-        let w_52 = self.k_27 * w_51;
-        let w_53 = S::from_f64(0.5) * w_52;
-        let w_54 = theta5_ddot * w_53;
-        let w_55 = self.k_6 * w_12 * theta2_dot_squared - theta2_ddot * w_53;
-        let w_56 = theta2_ddot * w_47;
-        let w_57 = theta2_dot_squared * (w_17 + w_16) - w_56 - l_theta3_theta5 * w_55;
-        let w_58 = w_39
+        let w_46 = S::from_f64(0.5) * theta5_ddot;
+        let w_47 = w_45 * w_46;
+        let w_48 = theta2_ddot * w_45;
+        let w_49 = self.k_6 * w_14 * theta2_dot_squared - S::from_f64(0.5) * w_48;
+        let w_50 = theta2_ddot * w_40;
+        let w_51 = theta2_dot_squared * (w_19 + w_18) - w_50 - l_theta3_theta5 * w_49;
+        let w_52 = w_32
             + cos_theta2
                 * (self.a * (lambda_first_loop_x + lambda_second_loop_x)
-                    - self.k_2 * w_42 - w_43 * self.k_11) - w_48 - w_54
-            + theta2_dot_squared * self.k_28 - l_theta2_theta5 * w_55
-            - l_theta2_theta3 * w_57;
-        let w_59 = inverse_theta2 * w_58;
-        let w_60 = self.a * (cos_theta2 * theta2_ddot - sin_theta2 * theta2_dot_squared);
-        let w_61 = w_60 + minus_l_lambda_first_loop_x_theta3 * w_57
-            - l_lambda_first_loop_x_theta2 * w_58
-            + l_lambda_first_loop_x_lambda_drive * w_59;
-        let w_62 = self.a * (cos_theta2 * theta2_dot_squared + sin_theta2 * theta2_ddot);
-        let w_63 = w_62 - l_lambda_first_loop_y_theta3 * w_57
-            - l_lambda_first_loop_y_theta2 * w_58
-            + l_lambda_first_loop_y_lambda_drive * w_59
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_61;
-        let w_64 = w_60 + minus_l_lambda_second_loop_x_theta5 * w_55
-            - l_lambda_second_loop_x_theta3 * w_57 - l_lambda_second_loop_x_theta2 * w_58
-            + l_lambda_second_loop_x_lambda_drive * w_59
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_61
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_63;
-        let w_65 = inverse_lambda_second_loop_y
-            * (w_62 - l_lambda_second_loop_y_theta5 * w_55
-                - l_lambda_second_loop_y_theta3 * w_57
-                - l_lambda_second_loop_y_theta2 * w_58
-                + l_lambda_second_loop_y_lambda_drive * w_59
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_61
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_63
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_64);
-        let w_66 = inverse_lambda_second_loop_x * w_64
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_65;
-        let w_67 = inverse_lambda_first_loop_y * w_63
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_66
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_65;
-        let w_68 = inverse_lambda_first_loop_x * w_61
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_67
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_66
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_65;
-        let w_69 = minus_inverse_lambda_drive * w_59
-            - l_lambda_first_loop_x_lambda_drive * w_68
-            - l_lambda_first_loop_y_lambda_drive * w_67
-            - l_lambda_second_loop_x_lambda_drive * w_66
-            - l_lambda_second_loop_y_lambda_drive * w_65;
-        let w_70 = w_59 - inverse_theta2 * w_69 - l_lambda_first_loop_x_theta2 * w_68
-            - l_lambda_first_loop_y_theta2 * w_67 - l_lambda_second_loop_x_theta2 * w_66
-            - l_lambda_second_loop_y_theta2 * w_65;
-        let w_71 = cos_w * u5_y;
-        let w_72 = sin_w * u5_x;
-        let w_73 = w_71 - w_72;
-        let w_74 = self.k_29 * w_73;
-        let w_75 = S::from_f64(0.5) * w_74;
-        let w_76 = self.k_7 * w_9 * theta3_dot_squared - theta3_ddot * w_75;
-        let w_77 = self.k_3 * (w_14 * (w_41 - w_42) + w_13 * (w_34 - w_35));
-        let w_78 = sin_w
-            * (self.k_17 - w_38 * self.k_15 + self.p * lambda_second_loop_y);
-        let w_79 = theta5_ddot * w_75;
-        let w_80 = w_77 + w_78
-            + cos_w * (self.p * lambda_second_loop_x - w_43 * self.k_15)
-            + self.b * (u3_y * lambda_first_loop_y + u3_x * lambda_first_loop_x) + w_56
-            + w_13 * self.k_16 - w_79 + self.k_4 * theta3_dot_squared;
-        let w_81 = w_80 - l_theta3_theta5 * w_76;
-        let w_82 = self.k_2 * theta3_dot * (sin_theta2 * w_33 + cos_theta2 * w_40)
-            + self.k * w_15 * theta3_dot_squared + w_48 - l_theta2_theta5 * w_76
-            - l_theta2_theta3 * w_81;
-        let w_83 = inverse_theta2 * w_82;
-        let w_84 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_first_loop_x_theta3 * w_81
-            - l_lambda_first_loop_x_theta2 * w_82
-            + l_lambda_first_loop_x_lambda_drive * w_83;
-        let w_85 = self.b * (u3_x * theta3_dot_squared + u3_y * theta3_ddot)
-            - l_lambda_first_loop_y_theta3 * w_81 - l_lambda_first_loop_y_theta2 * w_82
-            + l_lambda_first_loop_y_lambda_drive * w_83
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_84;
-        let w_86 = self.p * (cos_w * theta3_ddot - sin_w * theta3_dot_squared)
-            + minus_l_lambda_second_loop_x_theta5 * w_76
-            - l_lambda_second_loop_x_theta3 * w_81 - l_lambda_second_loop_x_theta2 * w_82
-            + l_lambda_second_loop_x_lambda_drive * w_83
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_84
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_85;
-        let w_87 = self.p * (cos_w * theta3_dot_squared + sin_w * theta3_ddot)
-            - l_lambda_second_loop_y_theta5 * w_76 - l_lambda_second_loop_y_theta3 * w_81
-            - l_lambda_second_loop_y_theta2 * w_82
-            + l_lambda_second_loop_y_lambda_drive * w_83
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_84
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_85
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_86;
-        let w_88 = inverse_lambda_second_loop_y * w_87;
-        let w_89 = inverse_lambda_second_loop_x * w_86
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_88;
-        let w_90 = inverse_lambda_first_loop_y * w_85
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_89
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_88;
-        let w_91 = inverse_lambda_first_loop_x * w_84
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_90
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_89
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_88;
-        let w_92 = minus_inverse_lambda_drive * w_83
-            - l_lambda_first_loop_x_lambda_drive * w_91
-            - l_lambda_first_loop_y_lambda_drive * w_90
-            - l_lambda_second_loop_x_lambda_drive * w_89
-            - l_lambda_second_loop_y_lambda_drive * w_88;
-        let w_93 = w_83 - inverse_theta2 * w_92 - l_lambda_first_loop_x_theta2 * w_91
-            - l_lambda_first_loop_y_theta2 * w_90 - l_lambda_second_loop_x_theta2 * w_89
-            - l_lambda_second_loop_y_theta2 * w_88;
+                    - self.k_2 * w_35 - w_36 * self.k_11) - w_41 - w_47
+            + theta2_dot_squared * self.k_28 - l_theta2_theta5 * w_49
+            - l_theta2_theta3 * w_51;
+        let w_53 = inverse_theta2 * w_52;
+        let w_54 = self.a * (cos_theta2 * theta2_ddot - w_2);
+        let w_55 = w_54 + minus_l_lambda_first_loop_x_theta3 * w_51
+            - l_lambda_first_loop_x_theta2 * w_52
+            + l_lambda_first_loop_x_lambda_drive * w_53;
+        let w_56 = self.a * (w_4 + sin_theta2 * theta2_ddot);
+        let w_57 = w_56 - l_lambda_first_loop_y_theta3 * w_51
+            - l_lambda_first_loop_y_theta2 * w_52
+            + l_lambda_first_loop_y_lambda_drive * w_53
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_55;
+        let w_58 = w_54 + minus_l_lambda_second_loop_x_theta5 * w_49
+            - l_lambda_second_loop_x_theta3 * w_51 - l_lambda_second_loop_x_theta2 * w_52
+            + l_lambda_second_loop_x_lambda_drive * w_53
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_55
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_57;
+        let w_59 = inverse_lambda_second_loop_y
+            * (w_56 - l_lambda_second_loop_y_theta5 * w_49
+                - l_lambda_second_loop_y_theta3 * w_51
+                - l_lambda_second_loop_y_theta2 * w_52
+                + l_lambda_second_loop_y_lambda_drive * w_53
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_55
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_57
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_58);
+        let w_60 = inverse_lambda_second_loop_x * w_58
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_59;
+        let w_61 = inverse_lambda_first_loop_y * w_57
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_60
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_59;
+        let w_62 = inverse_lambda_first_loop_x * w_55
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_61
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_60
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_59;
+        let w_63 = minus_inverse_lambda_drive * w_53
+            - l_lambda_first_loop_x_lambda_drive * w_62
+            - l_lambda_first_loop_y_lambda_drive * w_61
+            - l_lambda_second_loop_x_lambda_drive * w_60
+            - l_lambda_second_loop_y_lambda_drive * w_59;
+        let w_64 = w_53 - inverse_theta2 * w_63 - l_lambda_first_loop_x_theta2 * w_62
+            - l_lambda_first_loop_y_theta2 * w_61 - l_lambda_second_loop_x_theta2 * w_60
+            - l_lambda_second_loop_y_theta2 * w_59;
+        let w_65 = cos_w * u5_y;
+        let w_66 = sin_w * u5_x;
+        let w_67 = w_65 - w_66;
+        let w_68 = self.k_29 * w_67;
+        let w_69 = theta3_ddot * w_68;
+        let w_70 = self.k_7 * w_12 * theta3_dot_squared - S::from_f64(0.5) * w_69;
+        let w_71 = self.k_3 * (w_16 * (w_34 - w_35) + w_15 * (w_29 - w_30));
+        let w_72 = sin_w
+            * (self.k_17 - w_31 * self.k_15 + self.p * lambda_second_loop_y);
+        let w_73 = w_46 * w_68;
+        let w_74 = w_71 + w_72
+            + cos_w * (self.p * lambda_second_loop_x - w_36 * self.k_15)
+            + self.b * (u3_y * lambda_first_loop_y + u3_x * lambda_first_loop_x) + w_50
+            + w_15 * self.k_16 - w_73 + self.k_4 * theta3_dot_squared;
+        let w_75 = w_74 - l_theta3_theta5 * w_70;
+        let w_76 = self.k_2 * theta3_dot * (sin_theta2 * w_28 + cos_theta2 * w_33)
+            + self.k * w_17 * theta3_dot_squared + w_41 - l_theta2_theta5 * w_70
+            - l_theta2_theta3 * w_75;
+        let w_77 = inverse_theta2 * w_76;
+        let w_78 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
+            + minus_l_lambda_first_loop_x_theta3 * w_75
+            - l_lambda_first_loop_x_theta2 * w_76
+            + l_lambda_first_loop_x_lambda_drive * w_77;
+        let w_79 = self.b * (u3_x * theta3_dot_squared + u3_y * theta3_ddot)
+            - l_lambda_first_loop_y_theta3 * w_75 - l_lambda_first_loop_y_theta2 * w_76
+            + l_lambda_first_loop_y_lambda_drive * w_77
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_78;
+        let w_80 = self.p * (cos_w * theta3_ddot - w_3)
+            + minus_l_lambda_second_loop_x_theta5 * w_70
+            - l_lambda_second_loop_x_theta3 * w_75 - l_lambda_second_loop_x_theta2 * w_76
+            + l_lambda_second_loop_x_lambda_drive * w_77
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_78
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_79;
+        let w_81 = self.p * (w_5 + sin_w * theta3_ddot)
+            - l_lambda_second_loop_y_theta5 * w_70 - l_lambda_second_loop_y_theta3 * w_75
+            - l_lambda_second_loop_y_theta2 * w_76
+            + l_lambda_second_loop_y_lambda_drive * w_77
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_78
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_79
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_80;
+        let w_82 = inverse_lambda_second_loop_y * w_81;
+        let w_83 = inverse_lambda_second_loop_x * w_80
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_82;
+        let w_84 = inverse_lambda_first_loop_y * w_79
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_83
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_82;
+        let w_85 = inverse_lambda_first_loop_x * w_78
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_84
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_83
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_82;
+        let w_86 = minus_inverse_lambda_drive * w_77
+            - l_lambda_first_loop_x_lambda_drive * w_85
+            - l_lambda_first_loop_y_lambda_drive * w_84
+            - l_lambda_second_loop_x_lambda_drive * w_83
+            - l_lambda_second_loop_y_lambda_drive * w_82;
+        let w_87 = w_77 - inverse_theta2 * w_86 - l_lambda_first_loop_x_theta2 * w_85
+            - l_lambda_first_loop_y_theta2 * w_84 - l_lambda_second_loop_x_theta2 * w_83
+            - l_lambda_second_loop_y_theta2 * w_82;
         let theta4_ddot = minus_l_lambda_first_loop_y_theta4 * lambda_first_loop_y
             - minus_rhs_theta4 * self.inverse_theta4
             - l_lambda_first_loop_x_theta4 * lambda_first_loop_x;
-        let w_94 = u4_y * (self.k_20 - self.c * lambda_first_loop_y)
+        let w_88 = u4_y * (self.k_20 - self.c * lambda_first_loop_y)
             - minus_first_loop_y_by_theta4 * lambda_first_loop_x;
-        let w_95 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_first_loop_x_theta4 * w_94;
-        let w_96 = minus_l_lambda_first_loop_y_theta4 * w_94
+        let w_89 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
+            - l_lambda_first_loop_x_theta4 * w_88;
+        let w_90 = minus_l_lambda_first_loop_y_theta4 * w_88
             - self.c * (u4_x * theta4_dot_squared + u4_y * theta4_ddot)
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_95;
-        let w_97 = l_lambda_second_loop_x_lambda_first_loop_x * w_95
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_96;
-        let w_98 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_97
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_95
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_96);
-        let w_99 = inverse_lambda_second_loop_x * w_97
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_98;
-        let w_100 = inverse_lambda_first_loop_y * w_96
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_99
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_98;
-        let w_101 = inverse_lambda_first_loop_x * w_95
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_100
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_99
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_98;
-        let w_102 = l_lambda_second_loop_x_lambda_drive * w_99
-            - l_lambda_first_loop_x_lambda_drive * w_101
-            - l_lambda_first_loop_y_lambda_drive * w_100
-            - l_lambda_second_loop_y_lambda_drive * w_98;
-        let w_103 = l_lambda_second_loop_x_theta2 * w_99 - inverse_theta2 * w_102
-            - l_lambda_first_loop_x_theta2 * w_101 - l_lambda_first_loop_y_theta2 * w_100
-            - l_lambda_second_loop_y_theta2 * w_98;
-        let w_104 = u5_y * (self.k_22 - w_38 * self.k_21 + self.f * lambda_second_loop_y)
-            + S::from_f64(0.5) * (theta2_ddot * w_52 + theta3_ddot * w_74)
-            + u5_x * (self.f * lambda_second_loop_x - w_43 * self.k_21)
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_89;
+        let w_91 = l_lambda_second_loop_x_lambda_first_loop_x * w_89
+            + l_lambda_second_loop_x_lambda_first_loop_y * w_90;
+        let w_92 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_second_loop_x * w_91
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_89
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_90);
+        let w_93 = inverse_lambda_second_loop_x * w_91
+            + l_lambda_second_loop_y_lambda_second_loop_x * w_92;
+        let w_94 = inverse_lambda_first_loop_y * w_90
+            + l_lambda_second_loop_x_lambda_first_loop_y * w_93
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_92;
+        let w_95 = inverse_lambda_first_loop_x * w_89
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_94
+            + l_lambda_second_loop_x_lambda_first_loop_x * w_93
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_92;
+        let w_96 = l_lambda_second_loop_x_lambda_drive * w_93
+            - l_lambda_first_loop_x_lambda_drive * w_95
+            - l_lambda_first_loop_y_lambda_drive * w_94
+            - l_lambda_second_loop_y_lambda_drive * w_92;
+        let w_97 = l_lambda_second_loop_x_theta2 * w_93 - inverse_theta2 * w_96
+            - l_lambda_first_loop_x_theta2 * w_95 - l_lambda_first_loop_y_theta2 * w_94
+            - l_lambda_second_loop_y_theta2 * w_92;
+        let w_98 = u5_y * (self.k_22 - w_31 * self.k_21 + self.f * lambda_second_loop_y)
+            + S::from_f64(0.5) * (w_48 + w_69)
+            + u5_x * (self.f * lambda_second_loop_x - w_36 * self.k_21)
             + theta5_dot_squared * self.k_30;
-        let w_105 = self.k_7 * w_9 * theta5_dot_squared + w_79 - l_theta3_theta5 * w_104;
-        let w_106 = self.k_6 * w_12 * theta5_dot_squared + w_54 - l_theta2_theta5 * w_104
-            - l_theta2_theta3 * w_105;
-        let w_107 = inverse_theta2 * w_106;
-        let w_108 = minus_l_lambda_first_loop_x_theta3 * w_105
-            - l_lambda_first_loop_x_theta2 * w_106
-            + l_lambda_first_loop_x_lambda_drive * w_107;
-        let w_109 = l_lambda_first_loop_y_lambda_drive * w_107
-            - l_lambda_first_loop_y_theta3 * w_105 - l_lambda_first_loop_y_theta2 * w_106
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_108;
-        let w_110 = self.f * (u5_x * theta5_ddot - u5_y * theta5_dot_squared)
-            + minus_l_lambda_second_loop_x_theta5 * w_104
-            - l_lambda_second_loop_x_theta3 * w_105
-            - l_lambda_second_loop_x_theta2 * w_106
-            + l_lambda_second_loop_x_lambda_drive * w_107
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_108
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_109;
-        let w_111 = self.f * (u5_x * theta5_dot_squared + u5_y * theta5_ddot)
-            - l_lambda_second_loop_y_theta5 * w_104
-            - l_lambda_second_loop_y_theta3 * w_105
-            - l_lambda_second_loop_y_theta2 * w_106
-            + l_lambda_second_loop_y_lambda_drive * w_107
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_108
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_109
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_110;
-        let w_112 = inverse_lambda_second_loop_y * w_111;
-        let w_113 = inverse_lambda_second_loop_x * w_110
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_112;
-        let w_114 = inverse_lambda_first_loop_y * w_109
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_113
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_112;
-        let w_115 = inverse_lambda_first_loop_x * w_108
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_114
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_113
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_112;
-        let w_116 = minus_inverse_lambda_drive * w_107
-            - l_lambda_first_loop_x_lambda_drive * w_115
-            - l_lambda_first_loop_y_lambda_drive * w_114
-            - l_lambda_second_loop_x_lambda_drive * w_113
-            - l_lambda_second_loop_y_lambda_drive * w_112;
-        let w_117 = w_107 - inverse_theta2 * w_116 - l_lambda_first_loop_x_theta2 * w_115
-            - l_lambda_first_loop_y_theta2 * w_114
-            - l_lambda_second_loop_x_theta2 * w_113
-            - l_lambda_second_loop_y_theta2 * w_112;
+        let w_99 = self.k_7 * w_12 * theta5_dot_squared + w_73 - l_theta3_theta5 * w_98;
+        let w_100 = self.k_6 * w_14 * theta5_dot_squared + w_47 - l_theta2_theta5 * w_98
+            - l_theta2_theta3 * w_99;
+        let w_101 = inverse_theta2 * w_100;
+        let w_102 = minus_l_lambda_first_loop_x_theta3 * w_99
+            - l_lambda_first_loop_x_theta2 * w_100
+            + l_lambda_first_loop_x_lambda_drive * w_101;
+        let w_103 = l_lambda_first_loop_y_lambda_drive * w_101
+            - l_lambda_first_loop_y_theta3 * w_99 - l_lambda_first_loop_y_theta2 * w_100
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_102;
+        let w_104 = self.f * (u5_x * theta5_ddot - w_9)
+            + minus_l_lambda_second_loop_x_theta5 * w_98
+            - l_lambda_second_loop_x_theta3 * w_99
+            - l_lambda_second_loop_x_theta2 * w_100
+            + l_lambda_second_loop_x_lambda_drive * w_101
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_102
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_103;
+        let w_105 = self.f * (w_10 + u5_y * theta5_ddot)
+            - l_lambda_second_loop_y_theta5 * w_98 - l_lambda_second_loop_y_theta3 * w_99
+            - l_lambda_second_loop_y_theta2 * w_100
+            + l_lambda_second_loop_y_lambda_drive * w_101
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_102
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_103
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_104;
+        let w_106 = inverse_lambda_second_loop_y * w_105;
+        let w_107 = inverse_lambda_second_loop_x * w_104
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_106;
+        let w_108 = inverse_lambda_first_loop_y * w_103
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_107
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_106;
+        let w_109 = inverse_lambda_first_loop_x * w_102
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_108
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_107
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_106;
+        let w_110 = minus_inverse_lambda_drive * w_101
+            - l_lambda_first_loop_x_lambda_drive * w_109
+            - l_lambda_first_loop_y_lambda_drive * w_108
+            - l_lambda_second_loop_x_lambda_drive * w_107
+            - l_lambda_second_loop_y_lambda_drive * w_106;
+        let w_111 = w_101 - inverse_theta2 * w_110 - l_lambda_first_loop_x_theta2 * w_109
+            - l_lambda_first_loop_y_theta2 * w_108
+            - l_lambda_second_loop_x_theta2 * w_107
+            - l_lambda_second_loop_y_theta2 * w_106;
         let theta6_ddot = minus_l_lambda_second_loop_y_theta6 * lambda_second_loop_y
             - minus_rhs_theta6 * self.inverse_theta6
             - l_lambda_second_loop_x_theta6 * lambda_second_loop_x;
-        let w_118 = u6_y * (self.k_23 - self.h * lambda_second_loop_y)
+        let w_112 = u6_y * (self.k_23 - self.h * lambda_second_loop_y)
             - minus_second_loop_y_by_theta6 * lambda_second_loop_x;
-        let w_119 = self.h * (u6_y * theta6_dot_squared - u6_x * theta6_ddot)
-            - l_lambda_second_loop_x_theta6 * w_118;
-        let w_120 = inverse_lambda_second_loop_y
-            * (minus_l_lambda_second_loop_y_theta6 * w_118
+        let w_113 = self.h * (u6_y * theta6_dot_squared - u6_x * theta6_ddot)
+            - l_lambda_second_loop_x_theta6 * w_112;
+        let w_114 = inverse_lambda_second_loop_y
+            * (minus_l_lambda_second_loop_y_theta6 * w_112
                 - self.h * (u6_x * theta6_dot_squared + u6_y * theta6_ddot)
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_119);
-        let w_121 = inverse_lambda_second_loop_x * w_119
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_120;
-        let w_122 = l_lambda_second_loop_x_lambda_first_loop_y * w_121
-            + l_lambda_second_loop_y_lambda_first_loop_y * w_120;
-        let w_123 = l_lambda_first_loop_y_lambda_first_loop_x * w_122
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_121
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_120;
-        let w_124 = l_lambda_first_loop_y_lambda_drive * w_122
-            - l_lambda_first_loop_x_lambda_drive * w_123
-            - l_lambda_second_loop_x_lambda_drive * w_121
-            - l_lambda_second_loop_y_lambda_drive * w_120;
-        let w_125 = l_lambda_first_loop_y_theta2 * w_122 - inverse_theta2 * w_124
-            - l_lambda_first_loop_x_theta2 * w_123
-            - l_lambda_second_loop_x_theta2 * w_121
-            - l_lambda_second_loop_y_theta2 * w_120;
-        let w_126 = inverse_theta3 * w_57 - l_theta2_theta3 * w_70
-            + minus_l_lambda_first_loop_x_theta3 * w_68
-            - l_lambda_first_loop_y_theta3 * w_67 - l_lambda_second_loop_x_theta3 * w_66
-            - l_lambda_second_loop_y_theta3 * w_65;
-        let w_127 = inverse_theta3 * w_81 - l_theta2_theta3 * w_93
-            + minus_l_lambda_first_loop_x_theta3 * w_91
-            - l_lambda_first_loop_y_theta3 * w_90 - l_lambda_second_loop_x_theta3 * w_89
-            - l_lambda_second_loop_y_theta3 * w_88;
-        let w_128 = minus_l_lambda_first_loop_x_theta3 * w_101 - l_theta2_theta3 * w_103
-            - l_lambda_first_loop_y_theta3 * w_100 + l_lambda_second_loop_x_theta3 * w_99
-            - l_lambda_second_loop_y_theta3 * w_98;
-        let w_129 = inverse_theta3 * w_105 - l_theta2_theta3 * w_117
-            + minus_l_lambda_first_loop_x_theta3 * w_115
-            - l_lambda_first_loop_y_theta3 * w_114
-            - l_lambda_second_loop_x_theta3 * w_113
-            - l_lambda_second_loop_y_theta3 * w_112;
-        let w_130 = minus_l_lambda_first_loop_x_theta3 * w_123 - l_theta2_theta3 * w_125
-            + l_lambda_first_loop_y_theta3 * w_122
-            - l_lambda_second_loop_x_theta3 * w_121
-            - l_lambda_second_loop_y_theta3 * w_120;
-        let w_131 = self.k_27 * theta2_dot * (w_50 - w_49);
-        let w_132 = theta2_dot * (self.k_31 * (w_46 - w_45) + w_6 * self.k_32)
-            - l_theta3_theta5 * w_131;
-        let w_133 = l_theta2_theta5 * w_131 + l_theta2_theta3 * w_132;
-        let w_134 = inverse_theta2 * w_133;
-        let w_135 = theta2_dot * self.k_9;
-        let w_136 = cos_theta2 * w_135;
-        let w_137 = w_136 + minus_l_lambda_first_loop_x_theta3 * w_132
-            + l_lambda_first_loop_x_theta2 * w_133
-            - l_lambda_first_loop_x_lambda_drive * w_134;
-        let w_138 = sin_theta2 * w_135;
-        let w_139 = w_138 - l_lambda_first_loop_y_theta3 * w_132
-            + l_lambda_first_loop_y_theta2 * w_133
-            - l_lambda_first_loop_y_lambda_drive * w_134
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_137;
-        let w_140 = w_136 + minus_l_lambda_second_loop_x_theta5 * w_131
-            - l_lambda_second_loop_x_theta3 * w_132
-            + l_lambda_second_loop_x_theta2 * w_133
-            - l_lambda_second_loop_x_lambda_drive * w_134
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_137
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_139;
-        let w_141 = inverse_lambda_second_loop_y
-            * (w_138 - l_lambda_second_loop_y_theta5 * w_131
-                - l_lambda_second_loop_y_theta3 * w_132
-                + l_lambda_second_loop_y_theta2 * w_133
-                - l_lambda_second_loop_y_lambda_drive * w_134
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_137
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_139
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_140);
-        let w_142 = inverse_lambda_second_loop_x * w_140
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_141;
-        let w_143 = inverse_lambda_first_loop_y * w_139
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_142
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_141;
-        let w_144 = inverse_lambda_first_loop_x * w_137
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_143
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_142
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_141;
-        let w_145 = minus_inverse_lambda_drive * w_134
-            + l_lambda_first_loop_x_lambda_drive * w_144
-            + l_lambda_first_loop_y_lambda_drive * w_143
-            + l_lambda_second_loop_x_lambda_drive * w_142
-            + l_lambda_second_loop_y_lambda_drive * w_141;
-        let w_146 = inverse_theta2 * w_145 - w_134 - l_lambda_first_loop_x_theta2 * w_144
-            - l_lambda_first_loop_y_theta2 * w_143
-            - l_lambda_second_loop_x_theta2 * w_142
-            - l_lambda_second_loop_y_theta2 * w_141;
-        let w_147 = theta3_dot
-            * (minus_second_loop_x_by_theta3 + w_13 + minus_first_loop_x_by_theta3);
-        let w_148 = theta3_dot
-            * (second_loop_y_by_theta3 + first_loop_y_by_theta3 + w_14);
-        let w_149 = self.k_29 * theta3_dot * (w_72 - w_71);
-        let w_150 = self.k_3 * (w_14 * w_147 - w_13 * w_148) - l_theta3_theta5 * w_149;
-        let w_151 = self.k_2 * (cos_theta2 * w_147 - sin_theta2 * w_148)
-            + self.k_32 * theta3_dot * w_44 - l_theta2_theta5 * w_149
-            - l_theta2_theta3 * w_150;
-        let w_152 = inverse_theta2 * w_151;
-        let w_153 = theta3_dot * self.k_33;
-        let w_154 = u3_x * w_153 + minus_l_lambda_first_loop_x_theta3 * w_150
-            - l_lambda_first_loop_x_theta2 * w_151
-            + l_lambda_first_loop_x_lambda_drive * w_152;
-        let w_155 = u3_y * w_153 - l_lambda_first_loop_y_theta3 * w_150
-            - l_lambda_first_loop_y_theta2 * w_151
-            + l_lambda_first_loop_y_lambda_drive * w_152
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_154;
-        let w_156 = theta3_dot * self.k_10;
-        let w_157 = cos_w * w_156 + minus_l_lambda_second_loop_x_theta5 * w_149
-            - l_lambda_second_loop_x_theta3 * w_150
-            - l_lambda_second_loop_x_theta2 * w_151
-            + l_lambda_second_loop_x_lambda_drive * w_152
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_113);
+        let w_115 = inverse_lambda_second_loop_x * w_113
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_114;
+        let w_116 = l_lambda_second_loop_x_lambda_first_loop_y * w_115
+            + l_lambda_second_loop_y_lambda_first_loop_y * w_114;
+        let w_117 = l_lambda_first_loop_y_lambda_first_loop_x * w_116
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_115
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_114;
+        let w_118 = l_lambda_first_loop_y_lambda_drive * w_116
+            - l_lambda_first_loop_x_lambda_drive * w_117
+            - l_lambda_second_loop_x_lambda_drive * w_115
+            - l_lambda_second_loop_y_lambda_drive * w_114;
+        let w_119 = l_lambda_first_loop_y_theta2 * w_116 - inverse_theta2 * w_118
+            - l_lambda_first_loop_x_theta2 * w_117
+            - l_lambda_second_loop_x_theta2 * w_115
+            - l_lambda_second_loop_y_theta2 * w_114;
+        let w_120 = inverse_theta3 * w_51 - l_theta2_theta3 * w_64
+            + minus_l_lambda_first_loop_x_theta3 * w_62
+            - l_lambda_first_loop_y_theta3 * w_61 - l_lambda_second_loop_x_theta3 * w_60
+            - l_lambda_second_loop_y_theta3 * w_59;
+        let w_121 = inverse_theta3 * w_75 - l_theta2_theta3 * w_87
+            + minus_l_lambda_first_loop_x_theta3 * w_85
+            - l_lambda_first_loop_y_theta3 * w_84 - l_lambda_second_loop_x_theta3 * w_83
+            - l_lambda_second_loop_y_theta3 * w_82;
+        let w_122 = minus_l_lambda_first_loop_x_theta3 * w_95 - l_theta2_theta3 * w_97
+            - l_lambda_first_loop_y_theta3 * w_94 + l_lambda_second_loop_x_theta3 * w_93
+            - l_lambda_second_loop_y_theta3 * w_92;
+        let w_123 = inverse_theta3 * w_99 - l_theta2_theta3 * w_111
+            + minus_l_lambda_first_loop_x_theta3 * w_109
+            - l_lambda_first_loop_y_theta3 * w_108
+            - l_lambda_second_loop_x_theta3 * w_107
+            - l_lambda_second_loop_y_theta3 * w_106;
+        let w_124 = minus_l_lambda_first_loop_x_theta3 * w_117 - l_theta2_theta3 * w_119
+            + l_lambda_first_loop_y_theta3 * w_116
+            - l_lambda_second_loop_x_theta3 * w_115
+            - l_lambda_second_loop_y_theta3 * w_114;
+        let w_125 = self.k_27 * theta2_dot * (w_43 - w_42);
+        let w_126 = theta2_dot * (self.k_31 * (w_39 - w_38) + w_8 * self.k_32)
+            - l_theta3_theta5 * w_125;
+        let w_127 = l_theta2_theta5 * w_125 + l_theta2_theta3 * w_126;
+        let w_128 = inverse_theta2 * w_127;
+        let w_129 = theta2_dot * self.k_9;
+        let w_130 = cos_theta2 * w_129;
+        let w_131 = w_130 + minus_l_lambda_first_loop_x_theta3 * w_126
+            + l_lambda_first_loop_x_theta2 * w_127
+            - l_lambda_first_loop_x_lambda_drive * w_128;
+        let w_132 = sin_theta2 * w_129;
+        let w_133 = w_132 - l_lambda_first_loop_y_theta3 * w_126
+            + l_lambda_first_loop_y_theta2 * w_127
+            - l_lambda_first_loop_y_lambda_drive * w_128
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_131;
+        let w_134 = w_130 + minus_l_lambda_second_loop_x_theta5 * w_125
+            - l_lambda_second_loop_x_theta3 * w_126
+            + l_lambda_second_loop_x_theta2 * w_127
+            - l_lambda_second_loop_x_lambda_drive * w_128
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_131
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_133;
+        let w_135 = inverse_lambda_second_loop_y
+            * (w_132 - l_lambda_second_loop_y_theta5 * w_125
+                - l_lambda_second_loop_y_theta3 * w_126
+                + l_lambda_second_loop_y_theta2 * w_127
+                - l_lambda_second_loop_y_lambda_drive * w_128
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_131
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_133
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_134);
+        let w_136 = inverse_lambda_second_loop_x * w_134
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_135;
+        let w_137 = inverse_lambda_first_loop_y * w_133
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_136
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_135;
+        let w_138 = inverse_lambda_first_loop_x * w_131
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_137
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_136
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_135;
+        let w_139 = minus_inverse_lambda_drive * w_128
+            + l_lambda_first_loop_x_lambda_drive * w_138
+            + l_lambda_first_loop_y_lambda_drive * w_137
+            + l_lambda_second_loop_x_lambda_drive * w_136
+            + l_lambda_second_loop_y_lambda_drive * w_135;
+        let w_140 = inverse_theta2 * w_139 - w_128 - l_lambda_first_loop_x_theta2 * w_138
+            - l_lambda_first_loop_y_theta2 * w_137
+            - l_lambda_second_loop_x_theta2 * w_136
+            - l_lambda_second_loop_y_theta2 * w_135;
+        let w_141 = theta3_dot
+            * (minus_second_loop_x_by_theta3 + w_15 + minus_first_loop_x_by_theta3);
+        let w_142 = theta3_dot
+            * (second_loop_y_by_theta3 + first_loop_y_by_theta3 + w_16);
+        let w_143 = self.k_29 * theta3_dot * (w_66 - w_65);
+        let w_144 = self.k_3 * (w_16 * w_141 - w_15 * w_142) - l_theta3_theta5 * w_143;
+        let w_145 = self.k_2 * (cos_theta2 * w_141 - sin_theta2 * w_142)
+            + self.k_32 * theta3_dot * w_37 - l_theta2_theta5 * w_143
+            - l_theta2_theta3 * w_144;
+        let w_146 = inverse_theta2 * w_145;
+        let w_147 = theta3_dot * self.k_33;
+        let w_148 = u3_x * w_147 + minus_l_lambda_first_loop_x_theta3 * w_144
+            - l_lambda_first_loop_x_theta2 * w_145
+            + l_lambda_first_loop_x_lambda_drive * w_146;
+        let w_149 = u3_y * w_147 - l_lambda_first_loop_y_theta3 * w_144
+            - l_lambda_first_loop_y_theta2 * w_145
+            + l_lambda_first_loop_y_lambda_drive * w_146
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_148;
+        let w_150 = theta3_dot * self.k_10;
+        let w_151 = cos_w * w_150 + minus_l_lambda_second_loop_x_theta5 * w_143
+            - l_lambda_second_loop_x_theta3 * w_144
+            - l_lambda_second_loop_x_theta2 * w_145
+            + l_lambda_second_loop_x_lambda_drive * w_146
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_148
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_149;
+        let w_152 = sin_w * w_150 - l_lambda_second_loop_y_theta5 * w_143
+            - l_lambda_second_loop_y_theta3 * w_144
+            - l_lambda_second_loop_y_theta2 * w_145
+            + l_lambda_second_loop_y_lambda_drive * w_146
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_148
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_149
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_151;
+        let w_153 = inverse_lambda_second_loop_y * w_152;
+        let w_154 = inverse_lambda_second_loop_x * w_151
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_153;
+        let w_155 = inverse_lambda_first_loop_y * w_149
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_154
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_153;
+        let w_156 = inverse_lambda_first_loop_x * w_148
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_155
             - l_lambda_second_loop_x_lambda_first_loop_x * w_154
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_155;
-        let w_158 = sin_w * w_156 - l_lambda_second_loop_y_theta5 * w_149
-            - l_lambda_second_loop_y_theta3 * w_150
-            - l_lambda_second_loop_y_theta2 * w_151
-            + l_lambda_second_loop_y_lambda_drive * w_152
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_154
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_155
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_157;
-        let w_159 = inverse_lambda_second_loop_y * w_158;
-        let w_160 = inverse_lambda_second_loop_x * w_157
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_159;
-        let w_161 = inverse_lambda_first_loop_y * w_155
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_160
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_159;
-        let w_162 = inverse_lambda_first_loop_x * w_154
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_161
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_160
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_159;
-        let w_163 = minus_inverse_lambda_drive * w_152
-            - l_lambda_first_loop_x_lambda_drive * w_162
-            - l_lambda_first_loop_y_lambda_drive * w_161
-            - l_lambda_second_loop_x_lambda_drive * w_160
-            - l_lambda_second_loop_y_lambda_drive * w_159;
-        let w_164 = w_152 - inverse_theta2 * w_163 - l_lambda_first_loop_x_theta2 * w_162
-            - l_lambda_first_loop_y_theta2 * w_161
-            - l_lambda_second_loop_x_theta2 * w_160
-            - l_lambda_second_loop_y_theta2 * w_159;
-        let w_165 = theta4_dot * self.k_34;
-        let w_166 = u4_x * w_165;
-        let w_167 = l_lambda_first_loop_y_lambda_first_loop_x * w_166 - u4_y * w_165;
-        let w_168 = l_lambda_second_loop_x_lambda_first_loop_x * w_166
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_167;
-        let w_169 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_first_loop_x * w_166
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_167
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_168);
-        let w_170 = inverse_lambda_second_loop_x * w_168
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_169;
-        let w_171 = inverse_lambda_first_loop_y * w_167
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_170
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_169;
-        let w_172 = inverse_lambda_first_loop_x * w_166
-            + l_lambda_first_loop_y_lambda_first_loop_x * w_171
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_170
-            + l_lambda_second_loop_y_lambda_first_loop_x * w_169;
-        let w_173 = l_lambda_first_loop_x_lambda_drive * w_172
-            - l_lambda_first_loop_y_lambda_drive * w_171
-            - l_lambda_second_loop_x_lambda_drive * w_170
-            - l_lambda_second_loop_y_lambda_drive * w_169;
-        let w_174 = l_lambda_first_loop_x_theta2 * w_172 - inverse_theta2 * w_173
-            - l_lambda_first_loop_y_theta2 * w_171
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_153;
+        let w_157 = minus_inverse_lambda_drive * w_146
+            - l_lambda_first_loop_x_lambda_drive * w_156
+            - l_lambda_first_loop_y_lambda_drive * w_155
+            - l_lambda_second_loop_x_lambda_drive * w_154
+            - l_lambda_second_loop_y_lambda_drive * w_153;
+        let w_158 = w_146 - inverse_theta2 * w_157 - l_lambda_first_loop_x_theta2 * w_156
+            - l_lambda_first_loop_y_theta2 * w_155
+            - l_lambda_second_loop_x_theta2 * w_154
+            - l_lambda_second_loop_y_theta2 * w_153;
+        let w_159 = theta4_dot * self.k_34;
+        let w_160 = u4_x * w_159;
+        let w_161 = l_lambda_first_loop_y_lambda_first_loop_x * w_160 - u4_y * w_159;
+        let w_162 = l_lambda_second_loop_x_lambda_first_loop_x * w_160
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_161;
+        let w_163 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_first_loop_x * w_160
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_161
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_162);
+        let w_164 = inverse_lambda_second_loop_x * w_162
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_163;
+        let w_165 = inverse_lambda_first_loop_y * w_161
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_164
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_163;
+        let w_166 = inverse_lambda_first_loop_x * w_160
+            + l_lambda_first_loop_y_lambda_first_loop_x * w_165
+            + l_lambda_second_loop_x_lambda_first_loop_x * w_164
+            + l_lambda_second_loop_y_lambda_first_loop_x * w_163;
+        let w_167 = l_lambda_first_loop_x_lambda_drive * w_166
+            - l_lambda_first_loop_y_lambda_drive * w_165
+            - l_lambda_second_loop_x_lambda_drive * w_164
+            - l_lambda_second_loop_y_lambda_drive * w_163;
+        let w_168 = l_lambda_first_loop_x_theta2 * w_166 - inverse_theta2 * w_167
+            - l_lambda_first_loop_y_theta2 * w_165
+            - l_lambda_second_loop_x_theta2 * w_164
+            - l_lambda_second_loop_y_theta2 * w_163;
+        let w_169 = self.k_29 * theta5_dot * w_67;
+        let w_170 = self.k_27 * theta5_dot * w_44 - l_theta2_theta3 * w_169;
+        let w_171 = inverse_theta2 * w_170;
+        let w_172 = minus_l_lambda_first_loop_x_theta3 * w_169
+            - l_lambda_first_loop_x_theta2 * w_170
+            + l_lambda_first_loop_x_lambda_drive * w_171;
+        let w_173 = l_lambda_first_loop_y_lambda_drive * w_171
+            - l_lambda_first_loop_y_theta3 * w_169 - l_lambda_first_loop_y_theta2 * w_170
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_172;
+        let w_174 = theta5_dot * self.k_35;
+        let w_175 = u5_x * w_174 - l_lambda_second_loop_x_theta3 * w_169
             - l_lambda_second_loop_x_theta2 * w_170
-            - l_lambda_second_loop_y_theta2 * w_169;
-        let w_175 = self.k_29 * theta5_dot * w_73;
-        let w_176 = self.k_27 * theta5_dot * w_51 - l_theta2_theta3 * w_175;
-        let w_177 = inverse_theta2 * w_176;
-        let w_178 = minus_l_lambda_first_loop_x_theta3 * w_175
-            - l_lambda_first_loop_x_theta2 * w_176
-            + l_lambda_first_loop_x_lambda_drive * w_177;
-        let w_179 = l_lambda_first_loop_y_lambda_drive * w_177
-            - l_lambda_first_loop_y_theta3 * w_175 - l_lambda_first_loop_y_theta2 * w_176
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_178;
-        let w_180 = theta5_dot * self.k_35;
-        let w_181 = u5_x * w_180 - l_lambda_second_loop_x_theta3 * w_175
-            - l_lambda_second_loop_x_theta2 * w_176
-            + l_lambda_second_loop_x_lambda_drive * w_177
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_178
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_179;
-        let w_182 = inverse_lambda_second_loop_y
-            * (u5_y * w_180 - l_lambda_second_loop_y_theta3 * w_175
-                - l_lambda_second_loop_y_theta2 * w_176
-                + l_lambda_second_loop_y_lambda_drive * w_177
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_178
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_179
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_181);
-        let w_183 = inverse_lambda_second_loop_x * w_181
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_182;
-        let w_184 = inverse_lambda_first_loop_y * w_179
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_183
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_182;
-        let w_185 = inverse_lambda_first_loop_x * w_178
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_184
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_183
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_182;
-        let w_186 = minus_inverse_lambda_drive * w_177
-            - l_lambda_first_loop_x_lambda_drive * w_185
-            - l_lambda_first_loop_y_lambda_drive * w_184
-            - l_lambda_second_loop_x_lambda_drive * w_183
-            - l_lambda_second_loop_y_lambda_drive * w_182;
-        let w_187 = w_177 - inverse_theta2 * w_186 - l_lambda_first_loop_x_theta2 * w_185
-            - l_lambda_first_loop_y_theta2 * w_184
-            - l_lambda_second_loop_x_theta2 * w_183
-            - l_lambda_second_loop_y_theta2 * w_182;
-        let w_188 = theta6_dot * self.k_36;
-        let w_189 = u6_x * w_188;
-        let w_190 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_189 - u6_y * w_188);
-        let w_191 = inverse_lambda_second_loop_x * w_189
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_190;
-        let w_192 = l_lambda_second_loop_x_lambda_first_loop_y * w_191
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_190;
-        let w_193 = l_lambda_second_loop_x_lambda_first_loop_x * w_191
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_192
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_190;
-        let w_194 = l_lambda_second_loop_x_lambda_drive * w_191
-            - l_lambda_first_loop_x_lambda_drive * w_193
-            - l_lambda_first_loop_y_lambda_drive * w_192
-            - l_lambda_second_loop_y_lambda_drive * w_190;
-        let w_195 = l_lambda_second_loop_x_theta2 * w_191 - inverse_theta2 * w_194
-            - l_lambda_first_loop_x_theta2 * w_193 - l_lambda_first_loop_y_theta2 * w_192
-            - l_lambda_second_loop_y_theta2 * w_190;
-        let w_196 = inverse_theta3 * w_132 - l_theta2_theta3 * w_146
-            + minus_l_lambda_first_loop_x_theta3 * w_144
-            - l_lambda_first_loop_y_theta3 * w_143
-            - l_lambda_second_loop_x_theta3 * w_142
-            - l_lambda_second_loop_y_theta3 * w_141;
-        let w_197 = inverse_theta3 * w_150 - l_theta2_theta3 * w_164
-            + minus_l_lambda_first_loop_x_theta3 * w_162
-            - l_lambda_first_loop_y_theta3 * w_161
-            - l_lambda_second_loop_x_theta3 * w_160
-            - l_lambda_second_loop_y_theta3 * w_159;
-        let w_198 = l_theta2_theta3 * w_174 + minus_l_lambda_first_loop_x_theta3 * w_172
-            + l_lambda_first_loop_y_theta3 * w_171
-            + l_lambda_second_loop_x_theta3 * w_170
-            + l_lambda_second_loop_y_theta3 * w_169;
-        let w_199 = inverse_theta3 * w_175 - l_theta2_theta3 * w_187
-            + minus_l_lambda_first_loop_x_theta3 * w_185
-            - l_lambda_first_loop_y_theta3 * w_184
-            - l_lambda_second_loop_x_theta3 * w_183
-            - l_lambda_second_loop_y_theta3 * w_182;
-        let w_200 = minus_l_lambda_first_loop_x_theta3 * w_193 - l_theta2_theta3 * w_195
-            - l_lambda_first_loop_y_theta3 * w_192
-            + l_lambda_second_loop_x_theta3 * w_191
-            - l_lambda_second_loop_y_theta3 * w_190;
+            + l_lambda_second_loop_x_lambda_drive * w_171
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_172
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_173;
+        let w_176 = inverse_lambda_second_loop_y
+            * (u5_y * w_174 - l_lambda_second_loop_y_theta3 * w_169
+                - l_lambda_second_loop_y_theta2 * w_170
+                + l_lambda_second_loop_y_lambda_drive * w_171
+                - l_lambda_second_loop_y_lambda_first_loop_x * w_172
+                - l_lambda_second_loop_y_lambda_first_loop_y * w_173
+                - l_lambda_second_loop_y_lambda_second_loop_x * w_175);
+        let w_177 = inverse_lambda_second_loop_x * w_175
+            - l_lambda_second_loop_y_lambda_second_loop_x * w_176;
+        let w_178 = inverse_lambda_first_loop_y * w_173
+            - l_lambda_second_loop_x_lambda_first_loop_y * w_177
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_176;
+        let w_179 = inverse_lambda_first_loop_x * w_172
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_178
+            - l_lambda_second_loop_x_lambda_first_loop_x * w_177
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_176;
+        let w_180 = minus_inverse_lambda_drive * w_171
+            - l_lambda_first_loop_x_lambda_drive * w_179
+            - l_lambda_first_loop_y_lambda_drive * w_178
+            - l_lambda_second_loop_x_lambda_drive * w_177
+            - l_lambda_second_loop_y_lambda_drive * w_176;
+        let w_181 = w_171 - inverse_theta2 * w_180 - l_lambda_first_loop_x_theta2 * w_179
+            - l_lambda_first_loop_y_theta2 * w_178
+            - l_lambda_second_loop_x_theta2 * w_177
+            - l_lambda_second_loop_y_theta2 * w_176;
+        let w_182 = theta6_dot * self.k_36;
+        let w_183 = u6_x * w_182;
+        let w_184 = inverse_lambda_second_loop_y
+            * (l_lambda_second_loop_y_lambda_second_loop_x * w_183 - u6_y * w_182);
+        let w_185 = inverse_lambda_second_loop_x * w_183
+            + l_lambda_second_loop_y_lambda_second_loop_x * w_184;
+        let w_186 = l_lambda_second_loop_x_lambda_first_loop_y * w_185
+            - l_lambda_second_loop_y_lambda_first_loop_y * w_184;
+        let w_187 = l_lambda_second_loop_x_lambda_first_loop_x * w_185
+            - l_lambda_first_loop_y_lambda_first_loop_x * w_186
+            - l_lambda_second_loop_y_lambda_first_loop_x * w_184;
+        let w_188 = l_lambda_second_loop_x_lambda_drive * w_185
+            - l_lambda_first_loop_x_lambda_drive * w_187
+            - l_lambda_first_loop_y_lambda_drive * w_186
+            - l_lambda_second_loop_y_lambda_drive * w_184;
+        let w_189 = l_lambda_second_loop_x_theta2 * w_185 - inverse_theta2 * w_188
+            - l_lambda_first_loop_x_theta2 * w_187 - l_lambda_first_loop_y_theta2 * w_186
+            - l_lambda_second_loop_y_theta2 * w_184;
+        let w_190 = inverse_theta3 * w_126 - l_theta2_theta3 * w_140
+            + minus_l_lambda_first_loop_x_theta3 * w_138
+            - l_lambda_first_loop_y_theta3 * w_137
+            - l_lambda_second_loop_x_theta3 * w_136
+            - l_lambda_second_loop_y_theta3 * w_135;
+        let w_191 = inverse_theta3 * w_144 - l_theta2_theta3 * w_158
+            + minus_l_lambda_first_loop_x_theta3 * w_156
+            - l_lambda_first_loop_y_theta3 * w_155
+            - l_lambda_second_loop_x_theta3 * w_154
+            - l_lambda_second_loop_y_theta3 * w_153;
+        let w_192 = l_theta2_theta3 * w_168 + minus_l_lambda_first_loop_x_theta3 * w_166
+            + l_lambda_first_loop_y_theta3 * w_165
+            + l_lambda_second_loop_x_theta3 * w_164
+            + l_lambda_second_loop_y_theta3 * w_163;
+        let w_193 = inverse_theta3 * w_169 - l_theta2_theta3 * w_181
+            + minus_l_lambda_first_loop_x_theta3 * w_179
+            - l_lambda_first_loop_y_theta3 * w_178
+            - l_lambda_second_loop_x_theta3 * w_177
+            - l_lambda_second_loop_y_theta3 * w_176;
+        let w_194 = minus_l_lambda_first_loop_x_theta3 * w_187 - l_theta2_theta3 * w_189
+            - l_lambda_first_loop_y_theta3 * w_186
+            + l_lambda_second_loop_x_theta3 * w_185
+            - l_lambda_second_loop_y_theta3 * w_184;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [w_70, w_93, w_103, w_117, w_125],
-                [w_126, w_127, w_128, w_129, w_130],
+                [w_64, w_87, w_97, w_111, w_119],
+                [w_120, w_121, w_122, w_123, w_124],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_67
-                        - l_lambda_first_loop_x_theta4 * w_68,
-                    minus_l_lambda_first_loop_y_theta4 * w_90
-                        - l_lambda_first_loop_x_theta4 * w_91,
-                    self.inverse_theta4 * w_94 - l_lambda_first_loop_x_theta4 * w_101
-                        + minus_l_lambda_first_loop_y_theta4 * w_100,
-                    minus_l_lambda_first_loop_y_theta4 * w_114
-                        - l_lambda_first_loop_x_theta4 * w_115,
-                    -(l_lambda_first_loop_x_theta4 * w_123
-                        + minus_l_lambda_first_loop_y_theta4 * w_122),
+                    minus_l_lambda_first_loop_y_theta4 * w_61
+                        - l_lambda_first_loop_x_theta4 * w_62,
+                    minus_l_lambda_first_loop_y_theta4 * w_84
+                        - l_lambda_first_loop_x_theta4 * w_85,
+                    self.inverse_theta4 * w_88 - l_lambda_first_loop_x_theta4 * w_95
+                        + minus_l_lambda_first_loop_y_theta4 * w_94,
+                    minus_l_lambda_first_loop_y_theta4 * w_108
+                        - l_lambda_first_loop_x_theta4 * w_109,
+                    -(l_lambda_first_loop_x_theta4 * w_117
+                        + minus_l_lambda_first_loop_y_theta4 * w_116),
                 ],
                 [
-                    self.inverse_theta5 * w_55 - l_theta2_theta5 * w_70
-                        - l_theta3_theta5 * w_126
-                        + minus_l_lambda_second_loop_x_theta5 * w_66
-                        - l_lambda_second_loop_y_theta5 * w_65,
-                    self.inverse_theta5 * w_76 - l_theta2_theta5 * w_93
-                        - l_theta3_theta5 * w_127
-                        + minus_l_lambda_second_loop_x_theta5 * w_89
-                        - l_lambda_second_loop_y_theta5 * w_88,
-                    -(l_theta2_theta5 * w_103 + l_theta3_theta5 * w_128
-                        + minus_l_lambda_second_loop_x_theta5 * w_99
-                        + l_lambda_second_loop_y_theta5 * w_98),
-                    self.inverse_theta5 * w_104 - l_theta2_theta5 * w_117
-                        - l_theta3_theta5 * w_129
-                        + minus_l_lambda_second_loop_x_theta5 * w_113
-                        - l_lambda_second_loop_y_theta5 * w_112,
-                    minus_l_lambda_second_loop_x_theta5 * w_121 - l_theta2_theta5 * w_125
-                        - l_theta3_theta5 * w_130 - l_lambda_second_loop_y_theta5 * w_120,
+                    self.inverse_theta5 * w_49 - l_theta2_theta5 * w_64
+                        - l_theta3_theta5 * w_120
+                        + minus_l_lambda_second_loop_x_theta5 * w_60
+                        - l_lambda_second_loop_y_theta5 * w_59,
+                    self.inverse_theta5 * w_70 - l_theta2_theta5 * w_87
+                        - l_theta3_theta5 * w_121
+                        + minus_l_lambda_second_loop_x_theta5 * w_83
+                        - l_lambda_second_loop_y_theta5 * w_82,
+                    -(l_theta2_theta5 * w_97 + l_theta3_theta5 * w_122
+                        + minus_l_lambda_second_loop_x_theta5 * w_93
+                        + l_lambda_second_loop_y_theta5 * w_92),
+                    self.inverse_theta5 * w_98 - l_theta2_theta5 * w_111
+                        - l_theta3_theta5 * w_123
+                        + minus_l_lambda_second_loop_x_theta5 * w_107
+                        - l_lambda_second_loop_y_theta5 * w_106,
+                    minus_l_lambda_second_loop_x_theta5 * w_115 - l_theta2_theta5 * w_119
+                        - l_theta3_theta5 * w_124 - l_lambda_second_loop_y_theta5 * w_114,
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_65
-                        - l_lambda_second_loop_x_theta6 * w_66,
-                    minus_l_lambda_second_loop_y_theta6 * w_88
-                        - l_lambda_second_loop_x_theta6 * w_89,
-                    l_lambda_second_loop_x_theta6 * w_99
-                        + minus_l_lambda_second_loop_y_theta6 * w_98,
-                    minus_l_lambda_second_loop_y_theta6 * w_112
-                        - l_lambda_second_loop_x_theta6 * w_113,
-                    self.inverse_theta6 * w_118 - l_lambda_second_loop_x_theta6 * w_121
-                        + minus_l_lambda_second_loop_y_theta6 * w_120,
+                    minus_l_lambda_second_loop_y_theta6 * w_59
+                        - l_lambda_second_loop_x_theta6 * w_60,
+                    minus_l_lambda_second_loop_y_theta6 * w_82
+                        - l_lambda_second_loop_x_theta6 * w_83,
+                    l_lambda_second_loop_x_theta6 * w_93
+                        + minus_l_lambda_second_loop_y_theta6 * w_92,
+                    minus_l_lambda_second_loop_y_theta6 * w_106
+                        - l_lambda_second_loop_x_theta6 * w_107,
+                    self.inverse_theta6 * w_112 - l_lambda_second_loop_x_theta6 * w_115
+                        + minus_l_lambda_second_loop_y_theta6 * w_114,
                 ],
             ],
             accelerations_by_speeds: [
-                [w_146, w_164, w_174, w_187, w_195],
-                [w_196, w_197, -w_198, w_199, w_200],
+                [w_140, w_158, w_168, w_181, w_189],
+                [w_190, w_191, -w_192, w_193, w_194],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_143
-                        - l_lambda_first_loop_x_theta4 * w_144,
-                    minus_l_lambda_first_loop_y_theta4 * w_161
-                        - l_lambda_first_loop_x_theta4 * w_162,
-                    l_lambda_first_loop_x_theta4 * w_172
-                        + minus_l_lambda_first_loop_y_theta4 * w_171,
-                    minus_l_lambda_first_loop_y_theta4 * w_184
-                        - l_lambda_first_loop_x_theta4 * w_185,
-                    minus_l_lambda_first_loop_y_theta4 * w_192
-                        - l_lambda_first_loop_x_theta4 * w_193,
+                    minus_l_lambda_first_loop_y_theta4 * w_137
+                        - l_lambda_first_loop_x_theta4 * w_138,
+                    minus_l_lambda_first_loop_y_theta4 * w_155
+                        - l_lambda_first_loop_x_theta4 * w_156,
+                    l_lambda_first_loop_x_theta4 * w_166
+                        + minus_l_lambda_first_loop_y_theta4 * w_165,
+                    minus_l_lambda_first_loop_y_theta4 * w_178
+                        - l_lambda_first_loop_x_theta4 * w_179,
+                    minus_l_lambda_first_loop_y_theta4 * w_186
+                        - l_lambda_first_loop_x_theta4 * w_187,
                 ],
                 [
-                    self.inverse_theta5 * w_131 - l_theta2_theta5 * w_146
-                        - l_theta3_theta5 * w_196
-                        + minus_l_lambda_second_loop_x_theta5 * w_142
-                        - l_lambda_second_loop_y_theta5 * w_141,
-                    self.inverse_theta5 * w_149 - l_theta2_theta5 * w_164
-                        - l_theta3_theta5 * w_197
-                        + minus_l_lambda_second_loop_x_theta5 * w_160
-                        - l_lambda_second_loop_y_theta5 * w_159,
-                    l_theta3_theta5 * w_198 - l_theta2_theta5 * w_174
-                        + minus_l_lambda_second_loop_x_theta5 * w_170
-                        - l_lambda_second_loop_y_theta5 * w_169,
-                    minus_l_lambda_second_loop_x_theta5 * w_183 - l_theta2_theta5 * w_187
-                        - l_theta3_theta5 * w_199
-                        - l_lambda_second_loop_y_theta5 * w_182,
-                    -(l_theta2_theta5 * w_195 + l_theta3_theta5 * w_200
-                        + minus_l_lambda_second_loop_x_theta5 * w_191
-                        + l_lambda_second_loop_y_theta5 * w_190),
+                    self.inverse_theta5 * w_125 - l_theta2_theta5 * w_140
+                        - l_theta3_theta5 * w_190
+                        + minus_l_lambda_second_loop_x_theta5 * w_136
+                        - l_lambda_second_loop_y_theta5 * w_135,
+                    self.inverse_theta5 * w_143 - l_theta2_theta5 * w_158
+                        - l_theta3_theta5 * w_191
+                        + minus_l_lambda_second_loop_x_theta5 * w_154
+                        - l_lambda_second_loop_y_theta5 * w_153,
+                    l_theta3_theta5 * w_192 - l_theta2_theta5 * w_168
+                        + minus_l_lambda_second_loop_x_theta5 * w_164
+                        - l_lambda_second_loop_y_theta5 * w_163,
+                    minus_l_lambda_second_loop_x_theta5 * w_177 - l_theta2_theta5 * w_181
+                        - l_theta3_theta5 * w_193
+                        - l_lambda_second_loop_y_theta5 * w_176,
+                    -(l_theta2_theta5 * w_189 + l_theta3_theta5 * w_194
+                        + minus_l_lambda_second_loop_x_theta5 * w_185
+                        + l_lambda_second_loop_y_theta5 * w_184),
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_141
-                        - l_lambda_second_loop_x_theta6 * w_142,
-                    minus_l_lambda_second_loop_y_theta6 * w_159
-                        - l_lambda_second_loop_x_theta6 * w_160,
-                    minus_l_lambda_second_loop_y_theta6 * w_169
-                        - l_lambda_second_loop_x_theta6 * w_170,
-                    minus_l_lambda_second_loop_y_theta6 * w_182
-                        - l_lambda_second_loop_x_theta6 * w_183,
-                    l_lambda_second_loop_x_theta6 * w_191
-                        + minus_l_lambda_second_loop_y_theta6 * w_190,
+                    minus_l_lambda_second_loop_y_theta6 * w_135
+                        - l_lambda_second_loop_x_theta6 * w_136,
+                    minus_l_lambda_second_loop_y_theta6 * w_153
+                        - l_lambda_second_loop_x_theta6 * w_154,
+                    minus_l_lambda_second_loop_y_theta6 * w_163
+                        - l_lambda_second_loop_x_theta6 * w_164,
+                    minus_l_lambda_second_loop_y_theta6 * w_176
+                        - l_lambda_second_loop_x_theta6 * w_177,
+                    l_lambda_second_loop_x_theta6 * w_185
+                        + minus_l_lambda_second_loop_y_theta6 * w_184,
                 ],
             ],
             multipliers_by_positions: [
-                [w_69, w_92, w_102, w_116, w_124],
-                [w_68, w_91, w_101, w_115, w_123],
-                [w_67, w_90, w_100, w_114, -w_122],
-                [w_66, w_89, -w_99, w_113, w_121],
-                [w_65, w_88, w_98, w_112, w_120],
+                [w_63, w_86, w_96, w_110, w_118],
+                [w_62, w_85, w_95, w_109, w_117],
+                [w_61, w_84, w_94, w_108, -w_116],
+                [w_60, w_83, -w_93, w_107, w_115],
+                [w_59, w_82, w_92, w_106, w_114],
             ],
             multipliers_by_speeds: [
-                [-w_145, w_163, w_173, w_186, w_194],
-                [w_144, w_162, -w_172, w_185, w_193],
-                [w_143, w_161, w_171, w_184, w_192],
-                [w_142, w_160, w_170, w_183, -w_191],
-                [w_141, w_159, w_169, w_182, w_190],
+                [-w_139, w_157, w_167, w_180, w_188],
+                [w_138, w_156, -w_166, w_179, w_187],
+                [w_137, w_155, w_165, w_178, w_186],
+                [w_136, w_154, w_164, w_177, -w_185],
+                [w_135, w_153, w_163, w_176, w_184],
             ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta5_theta5,
@@ -2261,13 +2264,13 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
                     self.mass_theta4_theta4,
                     self.mass_theta4_theta4,
                 ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_23)
+                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_22)
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta6_theta6,
                     self.mass_theta6_theta6,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_28)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_30)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_31),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_24)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_26)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_27),
         }
     }
 }

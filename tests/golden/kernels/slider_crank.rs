@@ -231,7 +231,7 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SliderCrank<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 12 additions, 33 multiplications, 1 division.
+    /// Operations: 12 additions, 31 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SliderCrankPrepared<S> {
         let r_squared = self.r * self.r;
@@ -242,40 +242,41 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_3 = self.r * self.m3;
         let w_4 = self.l * w_3;
         let w_5 = self.r * self.m2;
-        let w_6 = self.l * S::from_f64(0.5) * w_5;
+        let w_6 = self.l * w_5;
+        let w_7 = S::from_f64(0.5) * w_6;
         let l_squared = self.l * self.l;
-        let w_7 = self.m3 * l_squared;
-        let w_8 = S::from_f64(0.5) * self.g;
-        let w_9 = self.r * self.m1 * w_8;
-        let w_10 = self.m3 * self.l;
-        let w_11 = self.m2 * self.l;
-        let w_12 = self.l * S::from_f64(2.0);
-        let w_13 = w_3 * w_12;
-        let w_14 = self.l * w_5;
+        let w_8 = self.m2 * l_squared;
+        let w_9 = self.m3 * l_squared;
+        let w_10 = S::from_f64(0.5) * self.g;
+        let w_11 = self.r * self.m1 * w_10;
+        let w_12 = self.m3 * self.l;
+        let w_13 = self.m2 * self.l;
+        let w_14 = self.l * S::from_f64(2.0);
+        let w_15 = w_3 * w_14;
         SliderCrankPrepared {
             r: self.r,
             mass_theta_theta: mass_theta_theta,
             l: self.l,
-            k: w_4 + w_6,
-            mass_phi_phi: S::from_f64(0.3333333333333333) * self.m2 * l_squared + w_7,
+            k: w_4 + w_7,
+            mass_phi_phi: S::from_f64(0.3333333333333333) * w_8 + w_9,
             T: self.T,
             k_2: self.r * S::from_f64(2.0),
             k_3: w_3,
             k_4: S::from_f64(0.5) * w_5,
-            k_5: w_9,
-            k_6: w_9 + w_5 * self.g + w_3 * self.g,
-            k_7: w_6 + w_4,
-            k_8: w_10,
-            k_9: S::from_f64(0.25) * w_11,
-            k_10: w_8 * w_11 + self.g * w_10,
+            k_5: w_11,
+            k_6: w_11 + w_5 * self.g + w_3 * self.g,
+            k_7: w_7 + w_4,
+            k_8: w_12,
+            k_9: S::from_f64(0.25) * w_13,
+            k_10: w_10 * w_13 + self.g * w_12,
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
-            k_11: self.m2 * w_8,
+            k_11: self.m2 * w_10,
             k_12: self.m3 * self.g,
-            k_13: w_13 + w_14,
+            k_13: w_15 + w_6,
             k_14: w_2 + w,
-            k_15: self.m2 * l_squared * S::from_f64(0.25) + w_7,
-            k_16: w_14 + w_13,
-            k_17: w_12,
+            k_15: w_8 * S::from_f64(0.25) + w_9,
+            k_16: w_6 + w_15,
+            k_17: w_14,
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -642,7 +643,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 66 additions, 117 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 66 additions, 114 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -654,57 +655,57 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
         let phi_dot_squared = phi_dot * phi_dot;
-        let w = sin_theta * rod_x;
-        let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
-            + self.T - self.k * phi_dot_squared * w;
+        let w = rod_y * phi_dot_squared;
+        let w_2 = sin_theta * rod_x;
+        let rhs_theta = cos_theta * (w * self.k_7 - self.k_6) + self.T
+            - self.k * phi_dot_squared * w_2;
         let theta_dot_squared = theta_dot * theta_dot;
-        let w_2 = rod_y * cos_theta;
-        let w_3 = sin_theta * rod_y;
-        let w_4 = cos_theta * rod_x;
-        let mass_phi_theta = self.k * (w_3 + w_4);
+        let w_3 = sin_theta * theta_dot_squared;
+        let w_4 = rod_y * cos_theta;
+        let w_5 = sin_theta * rod_y;
+        let w_6 = cos_theta * rod_x;
+        let mass_phi_theta = self.k * (w_5 + w_6);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
-            - self.k * theta_dot_squared * w_2 - rhs_theta * l_phi_theta;
-        let w_5 = self.r * theta_dot_squared;
-        let w_6 = self.l * phi_dot_squared;
-        let w_7 = rod_y * w_6;
-        let w_8 = sin_theta * w_5 + w_7;
+        let rhs_phi = rod_x * (w_3 * self.k_7 - self.k_10)
+            - self.k * theta_dot_squared * w_4 - rhs_theta * l_phi_theta;
+        let w_7 = self.l * w;
+        let w_8 = self.r * w_3 + w_7;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
+        let guide_by_phi = self.l * rod_x;
+        let k_lambda_guide_phi = guide_by_phi - mass_phi_theta * l_lambda_guide_theta;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_9 = theta_dot_squared * self.k_2;
-        let w_10 = sin_theta * w_9 + w_7;
+        let w_9 = self.k_2 * w_3 + w_7;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_lambda_guide = minus_inverse_lambda_guide
             * (w_8 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
-        let w_11 = rod_x * w_6;
-        let w_12 = cos_theta * w_5 + w_11;
-        let w_13 = cos_theta * w_9 + w_11;
+        let w_10 = cos_theta * theta_dot_squared;
+        let w_11 = guide_by_phi * phi_dot_squared;
+        let w_12 = self.r * w_10 + w_11;
+        let w_13 = w_10 * self.k_2 + w_11;
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let w_14 = S::from_f64(0.5) * self.k_13 * (w_2 - w);
+        let w_14 = S::from_f64(0.5) * self.k_13 * (w_4 - w_2);
         let w_15 = phi_ddot * w_14;
         let w_16 = sin_theta
-            * (self.k_6 - w_10 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
+            * (self.k_6 - w_9 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
             - cos_theta * (w_12 * self.k_3 + w_13 * self.k_4) - w_15
             + theta_dot_squared * self.k_14;
-        let w_17 = self.k * w_3 + w_4 * self.k_7;
+        let w_17 = self.k * w_5 + w_6 * self.k_7;
         let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
             + l_lambda_guide_theta * minus_lambda_guide;
         let w_18 = theta_ddot * w_14;
         let w_19 = theta_dot_squared * w_17 - w_18 - l_phi_theta * w_16;
         let w_20 = minus_inverse_lambda_guide
-            * (self.r * (sin_theta * theta_ddot + cos_theta * theta_dot_squared)
-                - l_lambda_guide_theta * w_16 - l_lambda_guide_phi * w_19);
+            * (self.r * (sin_theta * theta_ddot + w_10) - l_lambda_guide_theta * w_16
+                - l_lambda_guide_phi * w_19);
         let w_21 = inverse_phi * w_19 + l_lambda_guide_phi * w_20;
         let w_22 = phi_dot_squared * w_17 + w_15;
         let w_23 = rod_y
-            * (self.k_10 - w_10 * self.k_9 - w_8 * self.k_8
-                - self.l * minus_lambda_guide)
+            * (self.k_10 - w_9 * self.k_9 - w_8 * self.k_8 - self.l * minus_lambda_guide)
             - rod_x * (w_12 * self.k_8 + w_13 * self.k_9) + phi_dot_squared * self.k_15
             + w_18;
         let w_24 = w_23 - l_phi_theta * w_22;
@@ -712,11 +713,11 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
                 - l_lambda_guide_theta * w_22 - l_lambda_guide_phi * w_24);
         let w_26 = inverse_phi * w_24 + l_lambda_guide_phi * w_25;
-        let w_27 = theta_dot * (w * self.k_16 - w_2 * self.k_13);
+        let w_27 = theta_dot * (w_2 * self.k_16 - w_4 * self.k_13);
         let w_28 = minus_inverse_lambda_guide
             * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_27);
         let w_29 = inverse_phi * w_27 + l_lambda_guide_phi * w_28;
-        let w_30 = phi_dot * (w_2 * self.k_16 - w * self.k_13);
+        let w_30 = phi_dot * (w_4 * self.k_16 - w_2 * self.k_13);
         let w_31 = l_phi_theta * w_30;
         let w_32 = minus_inverse_lambda_guide
             * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_30

@@ -489,7 +489,7 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (0 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 26 additions, 86 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 26 additions, 83 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -500,59 +500,61 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = cos_theta * theta_dot;
-        let w_2 = phi_dot * self.k;
-        let w_3 = cos_phi * w_2;
+        let w = theta_dot * cos_phi;
+        let w_2 = cos_theta * phi_dot;
+        let w_3 = self.k * w_2;
         let theta_dot_squared = theta_dot * theta_dot;
         let w_4 = theta_dot_squared + phi_dot * phi_dot;
         let w_5 = w * w_3 - self.l * sin_theta * sin_phi * w_4;
         let w_6 = cos_phi * w_4;
-        let w_7 = sin_phi * w_2;
-        let w_8 = self.l * sin_theta * w_6 + w * w_7;
-        let w_9 = sin_theta * theta_dot;
-        let w_10 = self.l * sin_phi * cos_theta * w_4 + w_3 * w_9;
-        let w_11 = w_7 * w_9 - self.l * cos_theta * w_6;
+        let w_7 = sin_phi * theta_dot;
+        let w_8 = self.l * sin_theta * w_6 + w_3 * w_7;
+        let w_9 = phi_dot * self.k;
+        let w_10 = sin_theta * theta_dot;
+        let w_11 = cos_phi * w_10;
+        let w_12 = self.l * sin_phi * cos_theta * w_4 + w_9 * w_11;
+        let w_13 = sin_phi * w_10;
+        let w_14 = w_9 * w_13 - self.l * cos_theta * w_6;
         let sin_theta_squared = sin_theta * sin_theta;
-        let w_12 = self.k_2
+        let w_15 = self.k_2
             * (sin_theta * (sin_phi * w_5 - cos_phi * w_8)
-                + cos_theta * (sin_phi * w_10 - cos_phi * w_11))
+                + cos_theta * (sin_phi * w_12 - cos_phi * w_14))
             + theta_dot_squared * (sin_theta_squared * self.k_4 - self.mass_theta_theta)
             - cos_theta * self.k_3;
         let mass_phi_phi = self.mass_theta_theta * sin_theta_squared;
         let inverse_phi = S::from_f64(1.0) / mass_phi_phi;
-        let w_13 = self.k_2
-            * (sin_phi * (sin_theta * w_11 - cos_theta * w_8)
-                + cos_phi * (sin_theta * w_10 - cos_theta * w_5));
-        let w_14 = cos_theta * phi_dot;
-        let w_15 = self.l * (sin_phi * w_14 + cos_phi * w_9);
-        let w_16 = self.l * (cos_phi * w_14 - sin_phi * w_9);
-        let w_17 = sin_theta * phi_dot;
-        let w_18 = self.l * (sin_phi * w + cos_phi * w_17);
-        let w_19 = self.l * (cos_phi * w - sin_phi * w_17);
+        let w_16 = self.k_2
+            * (sin_phi * (sin_theta * w_14 - cos_theta * w_8)
+                + cos_phi * (sin_theta * w_12 - cos_theta * w_5));
+        let w_17 = self.k_4 * w_10;
+        let w_18 = self.l * (sin_phi * w_2 + w_11);
+        let w_19 = self.l * (cos_phi * w_2 - w_13);
+        let w_20 = sin_theta * phi_dot;
+        let w_21 = self.l * (cos_theta * w_7 + cos_phi * w_20);
+        let w_22 = self.l * (cos_theta * w - sin_phi * w_20);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [self.inverse_theta * w_12, S::from_f64(0.0)],
+                [self.inverse_theta * w_15, S::from_f64(0.0)],
                 [
                     inverse_phi
-                        * (w_13
-                            + sin_theta * cos_theta * self.k_4 * cos_theta * phi_dot
-                                * self.k_4 * w_9 * inverse_phi),
+                        * (w_16
+                            + sin_theta * cos_theta * self.k_4 * w_2 * w_17
+                                * inverse_phi),
                     S::from_f64(0.0),
                 ],
             ],
             accelerations_by_speeds: [
                 [
                     self.inverse_theta * cos_theta
-                        * (self.k_5 * (cos_phi * w_15 - sin_phi * w_16)
-                            - sin_theta * theta_dot * self.k_4),
+                        * (self.k_5 * (cos_phi * w_18 - sin_phi * w_19) - w_17),
                     self.inverse_theta * self.k_5 * cos_theta
-                        * (cos_phi * w_18 - sin_phi * w_19),
+                        * (cos_phi * w_21 - sin_phi * w_22),
                 ],
                 [
                     -(inverse_phi * self.k_5 * sin_theta
-                        * (sin_phi * w_15 + cos_phi * w_16)),
-                    -(inverse_phi * self.k_5 * sin_theta
                         * (sin_phi * w_18 + cos_phi * w_19)),
+                    -(inverse_phi * self.k_5 * sin_theta
+                        * (sin_phi * w_21 + cos_phi * w_22)),
                 ],
             ],
             multipliers_by_positions: [],

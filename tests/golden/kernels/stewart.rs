@@ -1596,46 +1596,44 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 35 additions, 72 multiplications, 1 division.
+    /// Operations: 35 additions, 66 multiplications, 1 division.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, _, platform_q0, platform_q1, platform_q2, platform_q3] = *q;
         let [_, _, _, platform_q0_dot, platform_q1_dot, platform_q2_dot, platform_q3_dot,
         ] = *qd;
-        let w = S::from_f64(1.0)
+        let w = platform_q0 * platform_q3_dot - platform_q3 * platform_q0_dot
+            - platform_q1 * platform_q2_dot + platform_q2 * platform_q1_dot;
+        let w_2 = platform_q0 * platform_q0_dot + platform_q1 * platform_q1_dot
+            + platform_q2 * platform_q2_dot + platform_q3 * platform_q3_dot;
+        let w_3 = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1 * platform_q1
                 + platform_q2 * platform_q2 + platform_q3 * platform_q3);
-        let w_squared = w * w;
-        let w_2 = w * w_squared;
-        let w_3 = platform_q0 * platform_q3_dot - platform_q3 * platform_q0_dot
-            - platform_q1 * platform_q2_dot + platform_q2 * platform_q1_dot;
-        let w_4 = platform_q0 * platform_q0_dot + platform_q1 * platform_q1_dot
-            + platform_q2 * platform_q2_dot + platform_q3 * platform_q3_dot;
-        let w_5 = S::from_f64(8.0) * self.C * w_3 * w_4;
-        let w_6 = platform_q0 * platform_q2_dot - platform_q2 * platform_q0_dot
+        let w_3_squared = w_3 * w_3;
+        let w_4 = w * w_2 * w_3 * w_3_squared * S::from_f64(8.0) * self.C;
+        let w_5 = platform_q0 * platform_q2_dot - platform_q2 * platform_q0_dot
             - platform_q3 * platform_q1_dot + platform_q1 * platform_q3_dot;
-        let w_7 = platform_q0 * platform_q1_dot - platform_q1 * platform_q0_dot
+        let w_6 = platform_q0 * platform_q1_dot - platform_q1 * platform_q0_dot
             - platform_q2 * platform_q3_dot + platform_q3 * platform_q2_dot;
-        let w_8 = self.A * w_4;
-        let w_9 = w_squared * (w_6 * w_3 * (self.C - self.A) - w_7 * w_8);
-        let w_10 = w_squared * (w_3 * w_7 * (self.A - self.C) - w_6 * w_8);
-        let w_11 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
-            + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
-        let w_12 = S::from_f64(1.3333333333333333)
-            * (self.A * S::from_f64(2.0) + self.C);
+        let w_7 = self.A * w_2;
+        let w_8 = w_3_squared * (w_5 * w * (self.C - self.A) - w_6 * w_7);
+        let w_9 = w_3_squared * (w * w_6 * (self.A - self.C) - w_5 * w_7);
+        let w_10 = (platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
+            + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot)
+            * S::from_f64(1.3333333333333333) * (self.A * S::from_f64(2.0) + self.C);
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            platform_q3 * w_2 * w_5
-                - S::from_f64(8.0) * w * (platform_q1 * w_9 + platform_q2 * w_10)
-                + platform_q0 * w_11 * w_12,
-            S::from_f64(8.0) * w * (platform_q0 * w_9 - platform_q3 * w_10)
-                - platform_q2 * w_2 * w_5 + platform_q1 * w_11 * w_12,
-            S::from_f64(8.0) * w * (platform_q3 * w_9 + platform_q0 * w_10)
-                + platform_q1 * w_2 * w_5 + platform_q2 * w_11 * w_12,
-            S::from_f64(8.0) * w * (platform_q1 * w_10 - platform_q2 * w_9)
-                - platform_q0 * w_2 * w_5 + platform_q3 * w_11 * w_12,
+            platform_q3 * w_4
+                - S::from_f64(8.0) * w_3 * (platform_q1 * w_8 + platform_q2 * w_9)
+                + platform_q0 * w_10,
+            S::from_f64(8.0) * w_3 * (platform_q0 * w_8 - platform_q3 * w_9)
+                - platform_q2 * w_4 + platform_q1 * w_10,
+            S::from_f64(8.0) * w_3 * (platform_q3 * w_8 + platform_q0 * w_9)
+                + platform_q1 * w_4 + platform_q2 * w_10,
+            S::from_f64(8.0) * w_3 * (platform_q1 * w_9 - platform_q2 * w_8)
+                - platform_q0 * w_4 + platform_q3 * w_10,
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
@@ -1655,7 +1653,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Constraints `C`, 7, in SI units; zero throughout the motion.
     ///
-    /// Operations: 107 additions, 124 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 107 additions, 123 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraints(&self, t: S, q: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -1737,82 +1735,81 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_10 = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_11 = S::from_f64(2.0) * w_10 * (platform_q2_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let w_12 = self.r * S::from_f64(2.0);
-        let w_13 = sin_a1_head_angle * w_12;
-        let w_14 = platform_q1 * platform_q2;
-        let w_15 = platform_q0 * platform_q3;
-        let w_16 = w_10 * (w_14 - w_15);
-        let w_17 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
-            + w_13 * w_16;
-        let w_18 = cos_a1_head_angle * w_12;
-        let w_19 = w_10 * (w_14 + w_15);
-        let w_20 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let w_21 = platform_y - self.R * sin_foot + w_18 * w_19
-            - w_20 * self.r * sin_a1_head_angle;
-        let w_22 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_23 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_18 * w_22 + w_13 * w_23) + platform_z;
-        let w_24 = w_12 * sin_a2_head_angle;
-        let w_25 = platform_x - self.R * cos_a2_foot_angle
-            - w_11 * self.r * cos_a2_head_angle + w_16 * w_24;
-        let w_26 = w_12 * cos_a2_head_angle;
-        let w_27 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_26
-            - w_20 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_22 * w_26 + w_23 * w_24) + platform_z;
-        let w_28 = self.heave * sin_w_2;
-        let w_29 = self.sway * w_7;
-        let w_30 = w_12 * sin_b1_head_angle;
-        let w_31 = platform_x - self.R * cos_b1_foot_angle
-            - w_11 * self.r * cos_b1_head_angle + w_16 * w_30;
-        let w_32 = w_12 * cos_b1_head_angle;
-        let w_33 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_32
-            - w_20 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_22 * w_32 + w_23 * w_30) + platform_z;
-        let w_34 = w_12 * sin_b2_head_angle;
-        let w_35 = platform_x - self.R * cos_b2_foot_angle
-            - w_11 * self.r * cos_b2_head_angle + w_16 * w_34;
-        let w_36 = w_12 * cos_b2_head_angle;
-        let w_37 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_36
-            - w_20 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_22 * w_36 + w_23 * w_34) + platform_z;
-        let w_38 = self.sway * w_8;
-        let w_39 = w_12 * sin_c1_head_angle;
-        let w_40 = platform_x - self.R * cos_c1_foot_angle
-            - w_11 * self.r * cos_c1_head_angle + w_16 * w_39;
-        let w_41 = w_12 * cos_c1_head_angle;
-        let w_42 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_41
-            - w_20 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_22 * w_41 + w_23 * w_39) + platform_z;
-        let w_43 = w_12 * sin_c2_head_angle;
-        let w_44 = platform_x - self.R * cos_c2_foot_angle
-            - w_11 * self.r * cos_c2_head_angle + w_16 * w_43;
-        let w_45 = w_12 * cos_c2_head_angle;
-        let w_46 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_45
-            - w_20 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_22 * w_45 + w_23 * w_43) + platform_z;
+        let w_11 = S::from_f64(2.0) * w_10;
+        let w_12 = (platform_q2_squared + platform_q3_squared) * w_11 - S::from_f64(1.0);
+        let w_13 = self.r * S::from_f64(2.0);
+        let w_14 = sin_a1_head_angle * w_13;
+        let w_15 = platform_q1 * platform_q2;
+        let w_16 = platform_q0 * platform_q3;
+        let w_17 = w_10 * (w_15 - w_16);
+        let w_18 = platform_x - self.R * cos_foot - w_12 * self.r * cos_a1_head_angle
+            + w_14 * w_17;
+        let w_19 = cos_a1_head_angle * w_13;
+        let w_20 = w_10 * (w_15 + w_16);
+        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
+        let w_22 = platform_y - self.R * sin_foot + w_19 * w_20
+            - w_21 * self.r * sin_a1_head_angle;
+        let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_24 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_10 * (w_19 * w_23 + w_14 * w_24) + platform_z;
+        let w_25 = w_13 * sin_a2_head_angle;
+        let w_26 = platform_x - self.R * cos_a2_foot_angle
+            - w_12 * self.r * cos_a2_head_angle + w_17 * w_25;
+        let w_27 = w_13 * cos_a2_head_angle;
+        let w_28 = platform_y - self.R * sin_a2_foot_angle + w_20 * w_27
+            - w_21 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_10 * (w_23 * w_27 + w_24 * w_25) + platform_z;
+        let w_29 = self.heave * sin_w_2;
+        let w_30 = self.sway * w_7;
+        let w_31 = w_13 * sin_b1_head_angle;
+        let w_32 = platform_x - self.R * cos_b1_foot_angle
+            - w_12 * self.r * cos_b1_head_angle + w_17 * w_31;
+        let w_33 = w_13 * cos_b1_head_angle;
+        let w_34 = platform_y - self.R * sin_b1_foot_angle + w_20 * w_33
+            - w_21 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_10 * (w_23 * w_33 + w_24 * w_31) + platform_z;
+        let w_35 = w_13 * sin_b2_head_angle;
+        let w_36 = platform_x - self.R * cos_b2_foot_angle
+            - w_12 * self.r * cos_b2_head_angle + w_17 * w_35;
+        let w_37 = w_13 * cos_b2_head_angle;
+        let w_38 = platform_y - self.R * sin_b2_foot_angle + w_20 * w_37
+            - w_21 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_10 * (w_23 * w_37 + w_24 * w_35) + platform_z;
+        let w_39 = self.sway * w_8;
+        let w_40 = w_13 * sin_c1_head_angle;
+        let w_41 = platform_x - self.R * cos_c1_foot_angle
+            - w_12 * self.r * cos_c1_head_angle + w_17 * w_40;
+        let w_42 = w_13 * cos_c1_head_angle;
+        let w_43 = platform_y - self.R * sin_c1_foot_angle + w_20 * w_42
+            - w_21 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_10 * (w_23 * w_42 + w_24 * w_40) + platform_z;
+        let w_44 = w_13 * sin_c2_head_angle;
+        let w_45 = platform_x - self.R * cos_c2_foot_angle
+            - w_12 * self.r * cos_c2_head_angle + w_17 * w_44;
+        let w_46 = w_13 * cos_c2_head_angle;
+        let w_47 = platform_y - self.R * sin_c2_foot_angle + w_20 * w_46
+            - w_21 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_10 * (w_23 * w_46 + w_24 * w_44) + platform_z;
         [
             platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared - S::from_f64(1.0),
-            (w_17 * w_17 + w_21 * w_21 + a1_on_platform_z * a1_on_platform_z).sqrt()
+            (w_18 * w_18 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z).sqrt()
                 - self.L - sin_w_2 * (self.heave + self.sway),
-            (w_25 * w_25 + w_27 * w_27 + a2_on_platform_z * a2_on_platform_z).sqrt()
-                - self.L - w_28 + w_29,
-            (w_31 * w_31 + w_33 * w_33 + b1_on_platform_z * b1_on_platform_z).sqrt()
-                - self.L - w_28 - w_29,
-            (w_35 * w_35 + w_37 * w_37 + b2_on_platform_z * b2_on_platform_z).sqrt()
-                - self.L - w_28 + w_38,
-            (w_40 * w_40 + w_42 * w_42 + c1_on_platform_z * c1_on_platform_z).sqrt()
-                - self.L - w_28 - w_38,
-            (w_44 * w_44 + w_46 * w_46 + c2_on_platform_z * c2_on_platform_z).sqrt()
-                - self.L - w_28 + self.sway * w_9,
+            (w_26 * w_26 + w_28 * w_28 + a2_on_platform_z * a2_on_platform_z).sqrt()
+                - self.L - w_29 + w_30,
+            (w_32 * w_32 + w_34 * w_34 + b1_on_platform_z * b1_on_platform_z).sqrt()
+                - self.L - w_29 - w_30,
+            (w_36 * w_36 + w_38 * w_38 + b2_on_platform_z * b2_on_platform_z).sqrt()
+                - self.L - w_29 + w_39,
+            (w_41 * w_41 + w_43 * w_43 + c1_on_platform_z * c1_on_platform_z).sqrt()
+                - self.L - w_29 - w_39,
+            (w_45 * w_45 + w_47 * w_47 + c2_on_platform_z * c2_on_platform_z).sqrt()
+                - self.L - w_29 + self.sway * w_9,
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 7, in SI units: what its rounding is relative to.
     ///
-    /// Operations: 123 additions, 124 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 123 additions, 123 multiplications, 1 division, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -1895,95 +1892,94 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_10 = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_11 = S::from_f64(2.0) * w_10 * (platform_q2_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let w_12 = self.r * S::from_f64(2.0);
-        let w_13 = sin_a1_head_angle * w_12;
-        let w_14 = platform_q1 * platform_q2;
-        let w_15 = platform_q0 * platform_q3;
-        let w_16 = w_10 * (w_14 - w_15);
-        let w_17 = platform_x - self.R * cos_foot - w_11 * self.r * cos_a1_head_angle
-            + w_13 * w_16;
-        let w_18 = cos_a1_head_angle * w_12;
-        let w_19 = w_10 * (w_14 + w_15);
-        let w_20 = S::from_f64(2.0) * w_10 * (platform_q1_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let w_21 = platform_y - self.R * sin_foot + w_18 * w_19
-            - w_20 * self.r * sin_a1_head_angle;
-        let w_22 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_23 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_18 * w_22 + w_13 * w_23) + platform_z;
-        let w_24 = (self.heave * sin_w_2).abs();
-        let w_25 = w_12 * sin_a2_head_angle;
-        let w_26 = platform_x - self.R * cos_a2_foot_angle
-            - w_11 * self.r * cos_a2_head_angle + w_16 * w_25;
-        let w_27 = w_12 * cos_a2_head_angle;
-        let w_28 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_27
-            - w_20 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_22 * w_27 + w_23 * w_25) + platform_z;
-        let w_29 = (self.sway * w_7).abs();
-        let w_30 = w_12 * sin_b1_head_angle;
-        let w_31 = platform_x - self.R * cos_b1_foot_angle
-            - w_11 * self.r * cos_b1_head_angle + w_16 * w_30;
-        let w_32 = w_12 * cos_b1_head_angle;
-        let w_33 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_32
-            - w_20 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_22 * w_32 + w_23 * w_30) + platform_z;
-        let w_34 = w_12 * sin_b2_head_angle;
-        let w_35 = platform_x - self.R * cos_b2_foot_angle
-            - w_11 * self.r * cos_b2_head_angle + w_16 * w_34;
-        let w_36 = w_12 * cos_b2_head_angle;
-        let w_37 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_36
-            - w_20 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_22 * w_36 + w_23 * w_34) + platform_z;
-        let w_38 = (self.sway * w_8).abs();
-        let w_39 = w_12 * sin_c1_head_angle;
-        let w_40 = platform_x - self.R * cos_c1_foot_angle
-            - w_11 * self.r * cos_c1_head_angle + w_16 * w_39;
-        let w_41 = w_12 * cos_c1_head_angle;
-        let w_42 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_41
-            - w_20 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_22 * w_41 + w_23 * w_39) + platform_z;
-        let w_43 = w_12 * sin_c2_head_angle;
-        let w_44 = platform_x - self.R * cos_c2_foot_angle
-            - w_11 * self.r * cos_c2_head_angle + w_16 * w_43;
-        let w_45 = w_12 * cos_c2_head_angle;
-        let w_46 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_45
-            - w_20 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_22 * w_45 + w_23 * w_43) + platform_z;
+        let w_11 = S::from_f64(2.0) * w_10;
+        let w_12 = (platform_q2_squared + platform_q3_squared) * w_11 - S::from_f64(1.0);
+        let w_13 = self.r * S::from_f64(2.0);
+        let w_14 = sin_a1_head_angle * w_13;
+        let w_15 = platform_q1 * platform_q2;
+        let w_16 = platform_q0 * platform_q3;
+        let w_17 = w_10 * (w_15 - w_16);
+        let w_18 = platform_x - self.R * cos_foot - w_12 * self.r * cos_a1_head_angle
+            + w_14 * w_17;
+        let w_19 = cos_a1_head_angle * w_13;
+        let w_20 = w_10 * (w_15 + w_16);
+        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
+        let w_22 = platform_y - self.R * sin_foot + w_19 * w_20
+            - w_21 * self.r * sin_a1_head_angle;
+        let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_24 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_10 * (w_19 * w_23 + w_14 * w_24) + platform_z;
+        let w_25 = (self.heave * sin_w_2).abs();
+        let w_26 = w_13 * sin_a2_head_angle;
+        let w_27 = platform_x - self.R * cos_a2_foot_angle
+            - w_12 * self.r * cos_a2_head_angle + w_17 * w_26;
+        let w_28 = w_13 * cos_a2_head_angle;
+        let w_29 = platform_y - self.R * sin_a2_foot_angle + w_20 * w_28
+            - w_21 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_10 * (w_23 * w_28 + w_24 * w_26) + platform_z;
+        let w_30 = (self.sway * w_7).abs();
+        let w_31 = w_13 * sin_b1_head_angle;
+        let w_32 = platform_x - self.R * cos_b1_foot_angle
+            - w_12 * self.r * cos_b1_head_angle + w_17 * w_31;
+        let w_33 = w_13 * cos_b1_head_angle;
+        let w_34 = platform_y - self.R * sin_b1_foot_angle + w_20 * w_33
+            - w_21 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_10 * (w_23 * w_33 + w_24 * w_31) + platform_z;
+        let w_35 = w_13 * sin_b2_head_angle;
+        let w_36 = platform_x - self.R * cos_b2_foot_angle
+            - w_12 * self.r * cos_b2_head_angle + w_17 * w_35;
+        let w_37 = w_13 * cos_b2_head_angle;
+        let w_38 = platform_y - self.R * sin_b2_foot_angle + w_20 * w_37
+            - w_21 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_10 * (w_23 * w_37 + w_24 * w_35) + platform_z;
+        let w_39 = (self.sway * w_8).abs();
+        let w_40 = w_13 * sin_c1_head_angle;
+        let w_41 = platform_x - self.R * cos_c1_foot_angle
+            - w_12 * self.r * cos_c1_head_angle + w_17 * w_40;
+        let w_42 = w_13 * cos_c1_head_angle;
+        let w_43 = platform_y - self.R * sin_c1_foot_angle + w_20 * w_42
+            - w_21 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_10 * (w_23 * w_42 + w_24 * w_40) + platform_z;
+        let w_44 = w_13 * sin_c2_head_angle;
+        let w_45 = platform_x - self.R * cos_c2_foot_angle
+            - w_12 * self.r * cos_c2_head_angle + w_17 * w_44;
+        let w_46 = w_13 * cos_c2_head_angle;
+        let w_47 = platform_y - self.R * sin_c2_foot_angle + w_20 * w_46
+            - w_21 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_10 * (w_23 * w_46 + w_24 * w_44) + platform_z;
         [
             platform_q0_squared.abs() + platform_q1_squared.abs()
                 + platform_q2_squared.abs() + platform_q3_squared.abs()
                 + S::from_f64(1.0),
             abs_L
-                + (w_17 * w_17 + w_21 * w_21 + a1_on_platform_z * a1_on_platform_z)
+                + (w_18 * w_18 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z)
                     .sqrt()
-                    .abs() + w_24 + (sin_w_2 * self.sway).abs(),
-            abs_L + w_24
-                + (w_26 * w_26 + w_28 * w_28 + a2_on_platform_z * a2_on_platform_z)
+                    .abs() + w_25 + (sin_w_2 * self.sway).abs(),
+            abs_L + w_25
+                + (w_27 * w_27 + w_29 * w_29 + a2_on_platform_z * a2_on_platform_z)
                     .sqrt()
-                    .abs() + w_29,
-            abs_L + w_24 + w_29
-                + (w_31 * w_31 + w_33 * w_33 + b1_on_platform_z * b1_on_platform_z)
-                    .sqrt()
-                    .abs(),
-            abs_L + w_24
-                + (w_35 * w_35 + w_37 * w_37 + b2_on_platform_z * b2_on_platform_z)
-                    .sqrt()
-                    .abs() + w_38,
-            abs_L + w_24 + w_38
-                + (w_40 * w_40 + w_42 * w_42 + c1_on_platform_z * c1_on_platform_z)
+                    .abs() + w_30,
+            abs_L + w_25 + w_30
+                + (w_32 * w_32 + w_34 * w_34 + b1_on_platform_z * b1_on_platform_z)
                     .sqrt()
                     .abs(),
-            abs_L + w_24
-                + (w_44 * w_44 + w_46 * w_46 + c2_on_platform_z * c2_on_platform_z)
+            abs_L + w_25
+                + (w_36 * w_36 + w_38 * w_38 + b2_on_platform_z * b2_on_platform_z)
+                    .sqrt()
+                    .abs() + w_39,
+            abs_L + w_25 + w_39
+                + (w_41 * w_41 + w_43 * w_43 + c1_on_platform_z * c1_on_platform_z)
+                    .sqrt()
+                    .abs(),
+            abs_L + w_25
+                + (w_45 * w_45 + w_47 * w_47 + c2_on_platform_z * c2_on_platform_z)
                     .sqrt()
                     .abs() + (self.sway * w_9).abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 7 x 7: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 270 additions, 536 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
+    /// Operations: 270 additions, 517 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -2045,187 +2041,194 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             c2_foot_angle,
             c2_head_angle,
         ]);
-        let platform_q1_squared = platform_q1 * platform_q1;
         let platform_q2_squared = platform_q2 * platform_q2;
         let platform_q3_squared = platform_q3 * platform_q3;
-        let w_5 = S::from_f64(1.0)
+        let w_5 = platform_q2_squared + platform_q3_squared;
+        let platform_q1_squared = platform_q1 * platform_q1;
+        let w_6 = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_6 = platform_q2_squared + platform_q3_squared;
-        let w_7 = w_5 * S::from_f64(2.0) * w_6 - S::from_f64(1.0);
-        let w_8 = self.r * cos_a1_head_angle;
-        let w_9 = S::from_f64(2.0) * self.r;
-        let w_10 = sin_a1_head_angle * w_9;
-        let w_11 = platform_q1 * platform_q2;
-        let w_12 = platform_q0 * platform_q3;
-        let w_13 = w_11 - w_12;
-        let w_14 = w_5 * w_13;
-        let w_15 = platform_x - self.R * cos_foot - w_7 * w_8 + w_10 * w_14;
-        let w_16 = cos_a1_head_angle * w_9;
-        let w_17 = w_11 + w_12;
-        let w_18 = w_5 * w_17;
-        let w_19 = platform_q1_squared + platform_q3_squared;
-        let w_20 = w_5 * S::from_f64(2.0) * w_19 - S::from_f64(1.0);
-        let w_21 = self.r * sin_a1_head_angle;
-        let w_22 = platform_y - self.R * sin_foot + w_16 * w_18 - w_20 * w_21;
-        let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_24 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
-        let w_25 = w_16 * w_23 + w_10 * w_24;
-        let a1_on_platform_z = w_5 * w_25 + platform_z;
-        let w_26 = w_15 * w_15 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_26 = w_26.sqrt();
-        let w_5_squared = w_5 * w_5;
-        let w_27 = w_5_squared * (w_6 * w_16 - w_13 * w_10);
-        let w_28 = platform_q3 * w_5;
-        let w_29 = w_5_squared * (w_10 * w_19 - w_17 * w_16);
-        let w_30 = w_5_squared * w_25;
-        let w_31 = a1_on_platform_z
-            * (platform_q0 * w_30 + w_5 * (platform_q2 * w_8 - platform_q1 * w_21));
-        let w_32 = platform_q2 * w_5;
-        let w_33 = w_17 * platform_q1 * w_5_squared;
-        let w_34 = w_5 - w_5_squared * w_19;
-        let w_35 = platform_q1 * w_34;
-        let w_36 = a1_on_platform_z
-            * (w_5 * (platform_q3 * w_8 + platform_q0 * w_21) - platform_q1 * w_30);
-        let w_37 = platform_q1 * w_5;
-        let w_38 = w_5 - w_5_squared * w_6;
-        let w_39 = platform_q2 * w_38;
-        let w_40 = w_13 * platform_q2 * w_5_squared;
-        let w_41 = a1_on_platform_z
-            * (w_5 * (platform_q3 * w_21 - platform_q0 * w_8) - platform_q2 * w_30);
-        let w_42 = platform_q0 * w_5;
-        let w_43 = platform_q3 * w_38;
-        let w_44 = platform_q3 * w_5_squared;
-        let w_45 = w_13 * w_44;
-        let w_46 = w_17 * w_44;
-        let w_47 = platform_q3 * w_34;
-        let w_48 = a1_on_platform_z
-            * (w_5 * (platform_q2 * w_21 + platform_q1 * w_8) - platform_q3 * w_30);
-        let w_49 = S::from_f64(2.0) * sqrt_w_26
-            * (w_15 * (w_21 * w_42 + w_16 * w_43 + w_10 * w_45)
-                - w_22 * (w_8 * w_42 - w_16 * w_46 - w_10 * w_47) - w_48);
-        let w_50 = self.r * cos_a2_head_angle;
-        let w_51 = w_9 * sin_a2_head_angle;
-        let w_52 = platform_x - self.R * cos_a2_foot_angle - w_7 * w_50 + w_14 * w_51;
-        let w_53 = w_9 * cos_a2_head_angle;
-        let w_54 = self.r * sin_a2_head_angle;
-        let w_55 = platform_y - self.R * sin_a2_foot_angle + w_18 * w_53 - w_20 * w_54;
-        let w_56 = w_23 * w_53 + w_24 * w_51;
-        let a2_on_platform_z = w_5 * w_56 + platform_z;
-        let w_57 = w_52 * w_52 + w_55 * w_55 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_57 = w_57.sqrt();
-        let w_58 = w_5_squared * (w_6 * w_53 - w_13 * w_51);
-        let w_59 = w_5_squared * (w_19 * w_51 - w_17 * w_53);
-        let w_60 = w_5_squared * w_56;
-        let w_61 = a2_on_platform_z
-            * (platform_q0 * w_60 + w_5 * (platform_q2 * w_50 - platform_q1 * w_54));
-        let w_62 = a2_on_platform_z
-            * (w_5 * (platform_q3 * w_50 + platform_q0 * w_54) - platform_q1 * w_60);
+        let w_7 = w_6 * S::from_f64(2.0);
+        let w_8 = w_5 * w_7 - S::from_f64(1.0);
+        let w_9 = self.r * cos_a1_head_angle;
+        let w_10 = S::from_f64(2.0) * self.r;
+        let w_11 = sin_a1_head_angle * w_10;
+        let w_12 = platform_q1 * platform_q2;
+        let w_13 = platform_q0 * platform_q3;
+        let w_14 = w_12 - w_13;
+        let w_15 = w_6 * w_14;
+        let w_16 = platform_x - self.R * cos_foot - w_8 * w_9 + w_11 * w_15;
+        let w_17 = cos_a1_head_angle * w_10;
+        let w_18 = w_12 + w_13;
+        let w_19 = w_6 * w_18;
+        let w_20 = platform_q1_squared + platform_q3_squared;
+        let w_21 = w_7 * w_20 - S::from_f64(1.0);
+        let w_22 = self.r * sin_a1_head_angle;
+        let w_23 = platform_y - self.R * sin_foot + w_17 * w_19 - w_21 * w_22;
+        let w_24 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_25 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
+        let w_26 = w_17 * w_24 + w_11 * w_25;
+        let a1_on_platform_z = w_6 * w_26 + platform_z;
+        let w_27 = w_16 * w_16 + w_23 * w_23 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_27 = w_27.sqrt();
+        let w_6_squared = w_6 * w_6;
+        let w_28 = w_6_squared * (w_5 * w_17 - w_14 * w_11);
+        let w_29 = platform_q3 * w_6;
+        let w_30 = w_6_squared * (w_11 * w_20 - w_18 * w_17);
+        let w_31 = w_6_squared * w_26;
+        let w_32 = a1_on_platform_z
+            * (platform_q0 * w_31 + w_6 * (platform_q2 * w_9 - platform_q1 * w_22));
+        let w_33 = S::from_f64(2.0) * sqrt_w_27;
+        let w_34 = platform_q2 * w_6;
+        let w_35 = w_18 * platform_q1 * w_6_squared;
+        let w_36 = w_6 - w_6_squared * w_20;
+        let w_37 = platform_q1 * w_36;
+        let w_38 = a1_on_platform_z
+            * (w_6 * (platform_q3 * w_9 + platform_q0 * w_22) - platform_q1 * w_31);
+        let w_39 = platform_q1 * w_6;
+        let w_40 = w_6 - w_6_squared * w_5;
+        let w_41 = platform_q2 * w_40;
+        let w_42 = w_14 * platform_q2 * w_6_squared;
+        let w_43 = a1_on_platform_z
+            * (w_6 * (platform_q3 * w_22 - platform_q0 * w_9) - platform_q2 * w_31);
+        let w_44 = platform_q0 * w_6;
+        let w_45 = platform_q3 * w_40;
+        let w_46 = platform_q3 * w_6_squared;
+        let w_47 = w_14 * w_46;
+        let w_48 = w_18 * w_46;
+        let w_49 = platform_q3 * w_36;
+        let w_50 = a1_on_platform_z
+            * (w_6 * (platform_q2 * w_22 + platform_q1 * w_9) - platform_q3 * w_31);
+        let w_51 = w_33
+            * (w_16 * (w_22 * w_44 + w_17 * w_45 + w_11 * w_47)
+                - w_23 * (w_9 * w_44 - w_17 * w_48 - w_11 * w_49) - w_50);
+        let w_52 = self.r * cos_a2_head_angle;
+        let w_53 = w_10 * sin_a2_head_angle;
+        let w_54 = platform_x - self.R * cos_a2_foot_angle - w_8 * w_52 + w_15 * w_53;
+        let w_55 = w_10 * cos_a2_head_angle;
+        let w_56 = self.r * sin_a2_head_angle;
+        let w_57 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_55 - w_21 * w_56;
+        let w_58 = w_24 * w_55 + w_25 * w_53;
+        let a2_on_platform_z = w_6 * w_58 + platform_z;
+        let w_59 = w_54 * w_54 + w_57 * w_57 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_59 = w_59.sqrt();
+        let w_60 = w_6_squared * (w_5 * w_55 - w_14 * w_53);
+        let w_61 = w_6_squared * (w_20 * w_53 - w_18 * w_55);
+        let w_62 = w_6_squared * w_58;
         let w_63 = a2_on_platform_z
-            * (w_5 * (platform_q3 * w_54 - platform_q0 * w_50) - platform_q2 * w_60);
-        let w_64 = a2_on_platform_z
-            * (w_5 * (platform_q2 * w_54 + platform_q1 * w_50) - platform_q3 * w_60);
-        let w_65 = S::from_f64(2.0) * sqrt_w_57
-            * (w_52 * (w_42 * w_54 + w_43 * w_53 + w_45 * w_51)
-                - w_55 * (w_42 * w_50 - w_46 * w_53 - w_47 * w_51) - w_64);
-        let w_66 = self.r * cos_b1_head_angle;
-        let w_67 = w_9 * sin_b1_head_angle;
-        let w_68 = platform_x - self.R * cos_b1_foot_angle - w_7 * w_66 + w_14 * w_67;
-        let w_69 = w_9 * cos_b1_head_angle;
-        let w_70 = self.r * sin_b1_head_angle;
-        let w_71 = platform_y - self.R * sin_b1_foot_angle + w_18 * w_69 - w_20 * w_70;
-        let w_72 = w_23 * w_69 + w_24 * w_67;
-        let b1_on_platform_z = w_5 * w_72 + platform_z;
-        let w_73 = w_68 * w_68 + w_71 * w_71 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_73 = w_73.sqrt();
-        let w_74 = w_5_squared * (w_6 * w_69 - w_13 * w_67);
-        let w_75 = w_5_squared * (w_19 * w_67 - w_17 * w_69);
-        let w_76 = w_5_squared * w_72;
-        let w_77 = b1_on_platform_z
-            * (platform_q0 * w_76 + w_5 * (platform_q2 * w_66 - platform_q1 * w_70));
-        let w_78 = b1_on_platform_z
-            * (w_5 * (platform_q3 * w_66 + platform_q0 * w_70) - platform_q1 * w_76);
-        let w_79 = b1_on_platform_z
-            * (w_5 * (platform_q3 * w_70 - platform_q0 * w_66) - platform_q2 * w_76);
+            * (platform_q0 * w_62 + w_6 * (platform_q2 * w_52 - platform_q1 * w_56));
+        let w_64 = S::from_f64(2.0) * sqrt_w_59;
+        let w_65 = a2_on_platform_z
+            * (w_6 * (platform_q3 * w_52 + platform_q0 * w_56) - platform_q1 * w_62);
+        let w_66 = a2_on_platform_z
+            * (w_6 * (platform_q3 * w_56 - platform_q0 * w_52) - platform_q2 * w_62);
+        let w_67 = a2_on_platform_z
+            * (w_6 * (platform_q2 * w_56 + platform_q1 * w_52) - platform_q3 * w_62);
+        let w_68 = w_64
+            * (w_54 * (w_44 * w_56 + w_45 * w_55 + w_47 * w_53)
+                - w_57 * (w_44 * w_52 - w_48 * w_55 - w_49 * w_53) - w_67);
+        let w_69 = self.r * cos_b1_head_angle;
+        let w_70 = w_10 * sin_b1_head_angle;
+        let w_71 = platform_x - self.R * cos_b1_foot_angle - w_8 * w_69 + w_15 * w_70;
+        let w_72 = w_10 * cos_b1_head_angle;
+        let w_73 = self.r * sin_b1_head_angle;
+        let w_74 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_72 - w_21 * w_73;
+        let w_75 = w_24 * w_72 + w_25 * w_70;
+        let b1_on_platform_z = w_6 * w_75 + platform_z;
+        let w_76 = w_71 * w_71 + w_74 * w_74 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_76 = w_76.sqrt();
+        let w_77 = w_6_squared * (w_5 * w_72 - w_14 * w_70);
+        let w_78 = w_6_squared * (w_20 * w_70 - w_18 * w_72);
+        let w_79 = w_6_squared * w_75;
         let w_80 = b1_on_platform_z
-            * (w_5 * (platform_q2 * w_70 + platform_q1 * w_66) - platform_q3 * w_76);
-        let w_81 = S::from_f64(2.0) * sqrt_w_73
-            * (w_68 * (w_42 * w_70 + w_43 * w_69 + w_45 * w_67)
-                - w_71 * (w_42 * w_66 - w_46 * w_69 - w_47 * w_67) - w_80);
-        let w_82 = self.r * cos_b2_head_angle;
-        let w_83 = w_9 * sin_b2_head_angle;
-        let w_84 = platform_x - self.R * cos_b2_foot_angle - w_7 * w_82 + w_14 * w_83;
-        let w_85 = w_9 * cos_b2_head_angle;
-        let w_86 = self.r * sin_b2_head_angle;
-        let w_87 = platform_y - self.R * sin_b2_foot_angle + w_18 * w_85 - w_20 * w_86;
-        let w_88 = w_23 * w_85 + w_24 * w_83;
-        let b2_on_platform_z = w_5 * w_88 + platform_z;
-        let w_89 = w_84 * w_84 + w_87 * w_87 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_89 = w_89.sqrt();
-        let w_90 = w_5_squared * (w_6 * w_85 - w_13 * w_83);
-        let w_91 = w_5_squared * (w_19 * w_83 - w_17 * w_85);
-        let w_92 = w_5_squared * w_88;
-        let w_93 = b2_on_platform_z
-            * (platform_q0 * w_92 + w_5 * (platform_q2 * w_82 - platform_q1 * w_86));
-        let w_94 = b2_on_platform_z
-            * (w_5 * (platform_q3 * w_82 + platform_q0 * w_86) - platform_q1 * w_92);
-        let w_95 = b2_on_platform_z
-            * (w_5 * (platform_q3 * w_86 - platform_q0 * w_82) - platform_q2 * w_92);
-        let w_96 = b2_on_platform_z
-            * (w_5 * (platform_q2 * w_86 + platform_q1 * w_82) - platform_q3 * w_92);
-        let w_97 = S::from_f64(2.0) * sqrt_w_89
-            * (w_84 * (w_42 * w_86 + w_43 * w_85 + w_45 * w_83)
-                - w_87 * (w_42 * w_82 - w_46 * w_85 - w_47 * w_83) - w_96);
-        let w_98 = self.r * cos_c1_head_angle;
-        let w_99 = w_9 * sin_c1_head_angle;
-        let w_100 = platform_x - self.R * cos_c1_foot_angle - w_7 * w_98 + w_14 * w_99;
-        let w_101 = w_9 * cos_c1_head_angle;
-        let w_102 = self.r * sin_c1_head_angle;
-        let w_103 = platform_y - self.R * sin_c1_foot_angle + w_18 * w_101
-            - w_20 * w_102;
-        let w_104 = w_23 * w_101 + w_24 * w_99;
-        let c1_on_platform_z = w_5 * w_104 + platform_z;
-        let w_105 = w_100 * w_100 + w_103 * w_103 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_105 = w_105.sqrt();
-        let w_106 = w_5_squared * (w_6 * w_101 - w_13 * w_99);
-        let w_107 = w_5_squared * (w_19 * w_99 - w_17 * w_101);
-        let w_108 = w_5_squared * w_104;
-        let w_109 = c1_on_platform_z
-            * (platform_q0 * w_108 + w_5 * (platform_q2 * w_98 - platform_q1 * w_102));
-        let w_110 = c1_on_platform_z
-            * (w_5 * (platform_q3 * w_98 + platform_q0 * w_102) - platform_q1 * w_108);
-        let w_111 = c1_on_platform_z
-            * (w_5 * (platform_q3 * w_102 - platform_q0 * w_98) - platform_q2 * w_108);
-        let w_112 = c1_on_platform_z
-            * (w_5 * (platform_q2 * w_102 + platform_q1 * w_98) - platform_q3 * w_108);
-        let w_113 = S::from_f64(2.0) * sqrt_w_105
-            * (w_100 * (w_42 * w_102 + w_43 * w_101 + w_45 * w_99)
-                - w_103 * (w_42 * w_98 - w_46 * w_101 - w_47 * w_99) - w_112);
-        let w_114 = self.r * cos_c2_head_angle;
-        let w_115 = w_9 * sin_c2_head_angle;
-        let w_116 = platform_x - self.R * cos_c2_foot_angle - w_7 * w_114 + w_14 * w_115;
-        let w_117 = w_9 * cos_c2_head_angle;
-        let w_118 = self.r * sin_c2_head_angle;
-        let w_119 = platform_y - self.R * sin_c2_foot_angle + w_18 * w_117
-            - w_20 * w_118;
-        let w_120 = w_23 * w_117 + w_24 * w_115;
-        let c2_on_platform_z = w_5 * w_120 + platform_z;
-        let w_121 = w_116 * w_116 + w_119 * w_119 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_121 = w_121.sqrt();
-        let w_122 = w_5_squared * (w_6 * w_117 - w_13 * w_115);
-        let w_123 = w_5_squared * (w_19 * w_115 - w_17 * w_117);
-        let w_124 = w_5_squared * w_120;
-        let w_125 = c2_on_platform_z
-            * (platform_q0 * w_124 + w_5 * (platform_q2 * w_114 - platform_q1 * w_118));
-        let w_126 = c2_on_platform_z
-            * (w_5 * (platform_q3 * w_114 + platform_q0 * w_118) - platform_q1 * w_124);
-        let w_127 = c2_on_platform_z
-            * (w_5 * (platform_q3 * w_118 - platform_q0 * w_114) - platform_q2 * w_124);
-        let w_128 = c2_on_platform_z
-            * (w_5 * (platform_q2 * w_118 + platform_q1 * w_114) - platform_q3 * w_124);
-        let w_129 = S::from_f64(2.0) * sqrt_w_121
-            * (w_116 * (w_42 * w_118 + w_43 * w_117 + w_45 * w_115)
-                - w_119 * (w_42 * w_114 - w_46 * w_117 - w_47 * w_115) - w_128);
+            * (platform_q0 * w_79 + w_6 * (platform_q2 * w_69 - platform_q1 * w_73));
+        let w_81 = S::from_f64(2.0) * sqrt_w_76;
+        let w_82 = b1_on_platform_z
+            * (w_6 * (platform_q3 * w_69 + platform_q0 * w_73) - platform_q1 * w_79);
+        let w_83 = b1_on_platform_z
+            * (w_6 * (platform_q3 * w_73 - platform_q0 * w_69) - platform_q2 * w_79);
+        let w_84 = b1_on_platform_z
+            * (w_6 * (platform_q2 * w_73 + platform_q1 * w_69) - platform_q3 * w_79);
+        let w_85 = w_81
+            * (w_71 * (w_44 * w_73 + w_45 * w_72 + w_47 * w_70)
+                - w_74 * (w_44 * w_69 - w_48 * w_72 - w_49 * w_70) - w_84);
+        let w_86 = self.r * cos_b2_head_angle;
+        let w_87 = w_10 * sin_b2_head_angle;
+        let w_88 = platform_x - self.R * cos_b2_foot_angle - w_8 * w_86 + w_15 * w_87;
+        let w_89 = w_10 * cos_b2_head_angle;
+        let w_90 = self.r * sin_b2_head_angle;
+        let w_91 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_89 - w_21 * w_90;
+        let w_92 = w_24 * w_89 + w_25 * w_87;
+        let b2_on_platform_z = w_6 * w_92 + platform_z;
+        let w_93 = w_88 * w_88 + w_91 * w_91 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_93 = w_93.sqrt();
+        let w_94 = w_6_squared * (w_5 * w_89 - w_14 * w_87);
+        let w_95 = w_6_squared * (w_20 * w_87 - w_18 * w_89);
+        let w_96 = w_6_squared * w_92;
+        let w_97 = b2_on_platform_z
+            * (platform_q0 * w_96 + w_6 * (platform_q2 * w_86 - platform_q1 * w_90));
+        let w_98 = S::from_f64(2.0) * sqrt_w_93;
+        let w_99 = b2_on_platform_z
+            * (w_6 * (platform_q3 * w_86 + platform_q0 * w_90) - platform_q1 * w_96);
+        let w_100 = b2_on_platform_z
+            * (w_6 * (platform_q3 * w_90 - platform_q0 * w_86) - platform_q2 * w_96);
+        let w_101 = b2_on_platform_z
+            * (w_6 * (platform_q2 * w_90 + platform_q1 * w_86) - platform_q3 * w_96);
+        let w_102 = w_98
+            * (w_88 * (w_44 * w_90 + w_45 * w_89 + w_47 * w_87)
+                - w_91 * (w_44 * w_86 - w_48 * w_89 - w_49 * w_87) - w_101);
+        let w_103 = self.r * cos_c1_head_angle;
+        let w_104 = w_10 * sin_c1_head_angle;
+        let w_105 = platform_x - self.R * cos_c1_foot_angle - w_8 * w_103 + w_15 * w_104;
+        let w_106 = w_10 * cos_c1_head_angle;
+        let w_107 = self.r * sin_c1_head_angle;
+        let w_108 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_106
+            - w_21 * w_107;
+        let w_109 = w_24 * w_106 + w_25 * w_104;
+        let c1_on_platform_z = w_6 * w_109 + platform_z;
+        let w_110 = w_105 * w_105 + w_108 * w_108 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_110 = w_110.sqrt();
+        let w_111 = w_6_squared * (w_5 * w_106 - w_14 * w_104);
+        let w_112 = w_6_squared * (w_20 * w_104 - w_18 * w_106);
+        let w_113 = w_6_squared * w_109;
+        let w_114 = c1_on_platform_z
+            * (platform_q0 * w_113 + w_6 * (platform_q2 * w_103 - platform_q1 * w_107));
+        let w_115 = S::from_f64(2.0) * sqrt_w_110;
+        let w_116 = c1_on_platform_z
+            * (w_6 * (platform_q3 * w_103 + platform_q0 * w_107) - platform_q1 * w_113);
+        let w_117 = c1_on_platform_z
+            * (w_6 * (platform_q3 * w_107 - platform_q0 * w_103) - platform_q2 * w_113);
+        let w_118 = c1_on_platform_z
+            * (w_6 * (platform_q2 * w_107 + platform_q1 * w_103) - platform_q3 * w_113);
+        let w_119 = w_115
+            * (w_105 * (w_44 * w_107 + w_45 * w_106 + w_47 * w_104)
+                - w_108 * (w_44 * w_103 - w_48 * w_106 - w_49 * w_104) - w_118);
+        let w_120 = self.r * cos_c2_head_angle;
+        let w_121 = w_10 * sin_c2_head_angle;
+        let w_122 = platform_x - self.R * cos_c2_foot_angle - w_8 * w_120 + w_15 * w_121;
+        let w_123 = w_10 * cos_c2_head_angle;
+        let w_124 = self.r * sin_c2_head_angle;
+        let w_125 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_123
+            - w_21 * w_124;
+        let w_126 = w_24 * w_123 + w_25 * w_121;
+        let c2_on_platform_z = w_6 * w_126 + platform_z;
+        let w_127 = w_122 * w_122 + w_125 * w_125 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_127 = w_127.sqrt();
+        let w_128 = w_6_squared * (w_5 * w_123 - w_14 * w_121);
+        let w_129 = w_6_squared * (w_20 * w_121 - w_18 * w_123);
+        let w_130 = w_6_squared * w_126;
+        let w_131 = c2_on_platform_z
+            * (platform_q0 * w_130 + w_6 * (platform_q2 * w_120 - platform_q1 * w_124));
+        let w_132 = S::from_f64(2.0) * sqrt_w_127;
+        let w_133 = c2_on_platform_z
+            * (w_6 * (platform_q3 * w_120 + platform_q0 * w_124) - platform_q1 * w_130);
+        let w_134 = c2_on_platform_z
+            * (w_6 * (platform_q3 * w_124 - platform_q0 * w_120) - platform_q2 * w_130);
+        let w_135 = c2_on_platform_z
+            * (w_6 * (platform_q2 * w_124 + platform_q1 * w_120) - platform_q3 * w_130);
+        let w_136 = w_132
+            * (w_122 * (w_44 * w_124 + w_45 * w_123 + w_47 * w_121)
+                - w_125 * (w_44 * w_120 - w_48 * w_123 - w_49 * w_121) - w_135);
         [
             [
                 S::from_f64(0.0),
@@ -2237,99 +2240,95 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 platform_q3 * S::from_f64(2.0),
             ],
             [
-                w_15 * sqrt_w_26 / w_26,
-                w_22 * sqrt_w_26 / w_26,
-                a1_on_platform_z * sqrt_w_26 / w_26,
-                S::from_f64(2.0) * sqrt_w_26
-                    * (w_15 * (platform_q0 * w_27 - w_21 * w_28)
-                        + w_22 * (platform_q0 * w_29 + w_8 * w_28) - w_31) / w_26,
-                S::from_f64(2.0) * sqrt_w_26
-                    * (w_15 * (platform_q1 * w_27 + w_21 * w_32)
-                        + w_22 * (w_8 * w_32 - w_16 * w_33 - w_10 * w_35) + w_36) / w_26,
-                S::from_f64(2.0) * sqrt_w_26
-                    * (w_15 * (w_21 * w_37 - w_16 * w_39 - w_10 * w_40)
-                        + w_22 * (platform_q2 * w_29 + w_8 * w_37) + w_41) / w_26,
-                -(w_49 / w_26),
+                w_16 * sqrt_w_27 / w_27,
+                w_23 * sqrt_w_27 / w_27,
+                a1_on_platform_z * sqrt_w_27 / w_27,
+                (w_16 * (platform_q0 * w_28 - w_22 * w_29)
+                    + w_23 * (platform_q0 * w_30 + w_9 * w_29) - w_32) * w_33 / w_27,
+                w_33
+                    * (w_16 * (platform_q1 * w_28 + w_22 * w_34)
+                        + w_23 * (w_9 * w_34 - w_17 * w_35 - w_11 * w_37) + w_38) / w_27,
+                w_33
+                    * (w_16 * (w_22 * w_39 - w_17 * w_41 - w_11 * w_42)
+                        + w_23 * (platform_q2 * w_30 + w_9 * w_39) + w_43) / w_27,
+                -(w_51 / w_27),
             ],
             [
-                w_52 * sqrt_w_57 / w_57,
-                w_55 * sqrt_w_57 / w_57,
-                a2_on_platform_z * sqrt_w_57 / w_57,
-                S::from_f64(2.0) * sqrt_w_57
-                    * (w_52 * (platform_q0 * w_58 - w_28 * w_54)
-                        + w_55 * (platform_q0 * w_59 + w_28 * w_50) - w_61) / w_57,
-                S::from_f64(2.0) * sqrt_w_57
-                    * (w_52 * (platform_q1 * w_58 + w_32 * w_54)
-                        + w_55 * (w_32 * w_50 - w_33 * w_53 - w_35 * w_51) + w_62)
-                    / w_57,
-                S::from_f64(2.0) * sqrt_w_57
-                    * (w_52 * (w_37 * w_54 - w_39 * w_53 - w_40 * w_51)
-                        + w_55 * (platform_q2 * w_59 + w_37 * w_50) + w_63) / w_57,
-                -(w_65 / w_57),
+                w_54 * sqrt_w_59 / w_59,
+                w_57 * sqrt_w_59 / w_59,
+                a2_on_platform_z * sqrt_w_59 / w_59,
+                (w_54 * (platform_q0 * w_60 - w_29 * w_56)
+                    + w_57 * (platform_q0 * w_61 + w_29 * w_52) - w_63) * w_64 / w_59,
+                w_64
+                    * (w_54 * (platform_q1 * w_60 + w_34 * w_56)
+                        + w_57 * (w_34 * w_52 - w_35 * w_55 - w_37 * w_53) + w_65)
+                    / w_59,
+                w_64
+                    * (w_54 * (w_39 * w_56 - w_41 * w_55 - w_42 * w_53)
+                        + w_57 * (platform_q2 * w_61 + w_39 * w_52) + w_66) / w_59,
+                -(w_68 / w_59),
             ],
             [
-                w_68 * sqrt_w_73 / w_73,
-                w_71 * sqrt_w_73 / w_73,
-                b1_on_platform_z * sqrt_w_73 / w_73,
-                S::from_f64(2.0) * sqrt_w_73
-                    * (w_68 * (platform_q0 * w_74 - w_28 * w_70)
-                        + w_71 * (platform_q0 * w_75 + w_28 * w_66) - w_77) / w_73,
-                S::from_f64(2.0) * sqrt_w_73
-                    * (w_68 * (platform_q1 * w_74 + w_32 * w_70)
-                        + w_71 * (w_32 * w_66 - w_33 * w_69 - w_35 * w_67) + w_78)
-                    / w_73,
-                S::from_f64(2.0) * sqrt_w_73
-                    * (w_68 * (w_37 * w_70 - w_39 * w_69 - w_40 * w_67)
-                        + w_71 * (platform_q2 * w_75 + w_37 * w_66) + w_79) / w_73,
-                -(w_81 / w_73),
+                w_71 * sqrt_w_76 / w_76,
+                w_74 * sqrt_w_76 / w_76,
+                b1_on_platform_z * sqrt_w_76 / w_76,
+                (w_71 * (platform_q0 * w_77 - w_29 * w_73)
+                    + w_74 * (platform_q0 * w_78 + w_29 * w_69) - w_80) * w_81 / w_76,
+                w_81
+                    * (w_71 * (platform_q1 * w_77 + w_34 * w_73)
+                        + w_74 * (w_34 * w_69 - w_35 * w_72 - w_37 * w_70) + w_82)
+                    / w_76,
+                w_81
+                    * (w_71 * (w_39 * w_73 - w_41 * w_72 - w_42 * w_70)
+                        + w_74 * (platform_q2 * w_78 + w_39 * w_69) + w_83) / w_76,
+                -(w_85 / w_76),
             ],
             [
-                w_84 * sqrt_w_89 / w_89,
-                w_87 * sqrt_w_89 / w_89,
-                b2_on_platform_z * sqrt_w_89 / w_89,
-                S::from_f64(2.0) * sqrt_w_89
-                    * (w_84 * (platform_q0 * w_90 - w_28 * w_86)
-                        + w_87 * (platform_q0 * w_91 + w_28 * w_82) - w_93) / w_89,
-                S::from_f64(2.0) * sqrt_w_89
-                    * (w_84 * (platform_q1 * w_90 + w_32 * w_86)
-                        + w_87 * (w_32 * w_82 - w_33 * w_85 - w_35 * w_83) + w_94)
-                    / w_89,
-                S::from_f64(2.0) * sqrt_w_89
-                    * (w_84 * (w_37 * w_86 - w_39 * w_85 - w_40 * w_83)
-                        + w_87 * (platform_q2 * w_91 + w_37 * w_82) + w_95) / w_89,
-                -(w_97 / w_89),
+                w_88 * sqrt_w_93 / w_93,
+                w_91 * sqrt_w_93 / w_93,
+                b2_on_platform_z * sqrt_w_93 / w_93,
+                (w_88 * (platform_q0 * w_94 - w_29 * w_90)
+                    + w_91 * (platform_q0 * w_95 + w_29 * w_86) - w_97) * w_98 / w_93,
+                w_98
+                    * (w_88 * (platform_q1 * w_94 + w_34 * w_90)
+                        + w_91 * (w_34 * w_86 - w_35 * w_89 - w_37 * w_87) + w_99)
+                    / w_93,
+                w_98
+                    * (w_88 * (w_39 * w_90 - w_41 * w_89 - w_42 * w_87)
+                        + w_91 * (platform_q2 * w_95 + w_39 * w_86) + w_100) / w_93,
+                -(w_102 / w_93),
             ],
             [
-                w_100 * sqrt_w_105 / w_105,
-                w_103 * sqrt_w_105 / w_105,
-                c1_on_platform_z * sqrt_w_105 / w_105,
-                S::from_f64(2.0) * sqrt_w_105
-                    * (w_100 * (platform_q0 * w_106 - w_28 * w_102)
-                        + w_103 * (platform_q0 * w_107 + w_28 * w_98) - w_109) / w_105,
-                S::from_f64(2.0) * sqrt_w_105
-                    * (w_100 * (platform_q1 * w_106 + w_32 * w_102)
-                        + w_103 * (w_32 * w_98 - w_33 * w_101 - w_35 * w_99) + w_110)
-                    / w_105,
-                S::from_f64(2.0) * sqrt_w_105
-                    * (w_100 * (w_37 * w_102 - w_39 * w_101 - w_40 * w_99)
-                        + w_103 * (platform_q2 * w_107 + w_37 * w_98) + w_111) / w_105,
-                -(w_113 / w_105),
+                w_105 * sqrt_w_110 / w_110,
+                w_108 * sqrt_w_110 / w_110,
+                c1_on_platform_z * sqrt_w_110 / w_110,
+                (w_105 * (platform_q0 * w_111 - w_29 * w_107)
+                    + w_108 * (platform_q0 * w_112 + w_29 * w_103) - w_114) * w_115
+                    / w_110,
+                w_115
+                    * (w_105 * (platform_q1 * w_111 + w_34 * w_107)
+                        + w_108 * (w_34 * w_103 - w_35 * w_106 - w_37 * w_104) + w_116)
+                    / w_110,
+                w_115
+                    * (w_105 * (w_39 * w_107 - w_41 * w_106 - w_42 * w_104)
+                        + w_108 * (platform_q2 * w_112 + w_39 * w_103) + w_117) / w_110,
+                -(w_119 / w_110),
             ],
             [
-                w_116 * sqrt_w_121 / w_121,
-                w_119 * sqrt_w_121 / w_121,
-                c2_on_platform_z * sqrt_w_121 / w_121,
-                S::from_f64(2.0) * sqrt_w_121
-                    * (w_116 * (platform_q0 * w_122 - w_28 * w_118)
-                        + w_119 * (platform_q0 * w_123 + w_28 * w_114) - w_125) / w_121,
-                S::from_f64(2.0) * sqrt_w_121
-                    * (w_116 * (platform_q1 * w_122 + w_32 * w_118)
-                        + w_119 * (w_32 * w_114 - w_33 * w_117 - w_35 * w_115) + w_126)
-                    / w_121,
-                S::from_f64(2.0) * sqrt_w_121
-                    * (w_116 * (w_37 * w_118 - w_39 * w_117 - w_40 * w_115)
-                        + w_119 * (platform_q2 * w_123 + w_37 * w_114) + w_127) / w_121,
-                -(w_129 / w_121),
+                w_122 * sqrt_w_127 / w_127,
+                w_125 * sqrt_w_127 / w_127,
+                c2_on_platform_z * sqrt_w_127 / w_127,
+                (w_122 * (platform_q0 * w_128 - w_29 * w_124)
+                    + w_125 * (platform_q0 * w_129 + w_29 * w_120) - w_131) * w_132
+                    / w_127,
+                w_132
+                    * (w_122 * (platform_q1 * w_128 + w_34 * w_124)
+                        + w_125 * (w_34 * w_120 - w_35 * w_123 - w_37 * w_121) + w_133)
+                    / w_127,
+                w_132
+                    * (w_122 * (w_39 * w_124 - w_41 * w_123 - w_42 * w_121)
+                        + w_125 * (platform_q2 * w_129 + w_39 * w_120) + w_134) / w_127,
+                -(w_136 / w_127),
             ],
         ]
     }
@@ -2362,7 +2361,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 7, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 893 additions, 1442 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 893 additions, 1438 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -2439,741 +2438,741 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             c2_foot_angle,
             c2_head_angle,
         ]);
-        let platform_q1_squared = platform_q1 * platform_q1;
         let platform_q2_squared = platform_q2 * platform_q2;
         let platform_q3_squared = platform_q3 * platform_q3;
-        let w_10 = S::from_f64(1.0)
+        let w_10 = platform_q2_squared + platform_q3_squared;
+        let platform_q1_squared = platform_q1 * platform_q1;
+        let w_11 = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_11 = platform_q2_squared + platform_q3_squared;
-        let w_12 = S::from_f64(2.0) * w_10 * w_11 - S::from_f64(1.0);
-        let w_13 = self.r * cos_a1_head_angle;
-        let w_14 = S::from_f64(2.0) * self.r;
-        let w_15 = sin_a1_head_angle * w_14;
-        let w_16 = platform_q1 * platform_q2;
-        let w_17 = platform_q0 * platform_q3;
-        let w_18 = w_16 - w_17;
-        let w_19 = w_10 * w_18;
-        let w_20 = platform_x - self.R * cos_foot - w_12 * w_13 + w_15 * w_19;
-        let w_21 = cos_a1_head_angle * w_14;
-        let w_22 = w_16 + w_17;
-        let w_23 = w_10 * w_22;
-        let w_24 = platform_q1_squared + platform_q3_squared;
-        let w_25 = S::from_f64(2.0) * w_10 * w_24 - S::from_f64(1.0);
-        let w_26 = self.r * sin_a1_head_angle;
-        let w_27 = platform_y - self.R * sin_foot + w_21 * w_23 - w_25 * w_26;
-        let w_28 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_29 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let w_30 = w_21 * w_28 + w_15 * w_29;
-        let a1_on_platform_z = w_10 * w_30 + platform_z;
-        let w_31 = w_20 * w_20 + w_27 * w_27 + a1_on_platform_z * a1_on_platform_z;
-        let w_10_squared = w_10 * w_10;
-        let w_32 = platform_q1_dot * platform_q1;
-        let w_33 = platform_q2_dot * platform_q2;
-        let w_34 = platform_q3_dot * platform_q3;
-        let w_35 = platform_q0_dot * platform_q0 + w_32 + w_33 + w_34;
-        let w_36 = w_11 * w_35;
-        let w_37 = w_33 + w_34;
-        let w_38 = w_10_squared * w_36 - w_10 * w_37;
-        let w_39 = self.r * S::from_f64(4.0);
-        let w_40 = cos_a1_head_angle * w_39;
-        let w_41 = sin_a1_head_angle * w_39;
-        let w_42 = w_18 * w_10_squared;
-        let w_43 = w_35 * w_42;
-        let w_44 = platform_q3_dot * platform_q0;
-        let w_45 = platform_q0_dot * platform_q3;
-        let w_46 = platform_q2_dot * platform_q1;
-        let w_47 = platform_q1_dot * platform_q2;
-        let w_48 = w_44 + w_45 - w_46 - w_47;
-        let w_49 = w_10 * w_48;
-        let w_50 = platform_x_dot + w_38 * w_40 - w_41 * w_43 - w_15 * w_49;
-        let w_51 = w_44 + w_45 + w_46 + w_47;
-        let w_52 = w_10 * w_51;
-        let w_53 = w_22 * w_10_squared;
-        let w_54 = w_35 * w_53;
-        let w_55 = w_24 * w_35;
-        let w_56 = w_32 + w_34;
-        let w_57 = w_10_squared * w_55 - w_10 * w_56;
-        let w_58 = platform_y_dot + w_21 * w_52 - w_40 * w_54 + w_41 * w_57;
-        let w_59 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
+        let w_12 = S::from_f64(2.0) * w_11;
+        let w_13 = w_10 * w_12 - S::from_f64(1.0);
+        let w_14 = self.r * cos_a1_head_angle;
+        let w_15 = S::from_f64(2.0) * self.r;
+        let w_16 = sin_a1_head_angle * w_15;
+        let w_17 = platform_q1 * platform_q2;
+        let w_18 = platform_q0 * platform_q3;
+        let w_19 = w_17 - w_18;
+        let w_20 = w_11 * w_19;
+        let w_21 = platform_x - self.R * cos_foot - w_13 * w_14 + w_16 * w_20;
+        let w_22 = cos_a1_head_angle * w_15;
+        let w_23 = w_17 + w_18;
+        let w_24 = w_11 * w_23;
+        let w_25 = platform_q1_squared + platform_q3_squared;
+        let w_26 = w_12 * w_25 - S::from_f64(1.0);
+        let w_27 = self.r * sin_a1_head_angle;
+        let w_28 = platform_y - self.R * sin_foot + w_22 * w_24 - w_26 * w_27;
+        let w_29 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_30 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let w_31 = w_22 * w_29 + w_16 * w_30;
+        let a1_on_platform_z = w_11 * w_31 + platform_z;
+        let w_32 = w_21 * w_21 + w_28 * w_28 + a1_on_platform_z * a1_on_platform_z;
+        let w_33 = platform_q1_dot * platform_q1;
+        let w_34 = platform_q2_dot * platform_q2;
+        let w_35 = platform_q3_dot * platform_q3;
+        let w_36 = platform_q0_dot * platform_q0 + w_33 + w_34 + w_35;
+        let w_11_squared = w_11 * w_11;
+        let w_37 = w_10 * w_11_squared;
+        let w_38 = w_34 + w_35;
+        let w_39 = w_36 * w_37 - w_11 * w_38;
+        let w_40 = self.r * S::from_f64(4.0);
+        let w_41 = cos_a1_head_angle * w_40;
+        let w_42 = sin_a1_head_angle * w_40;
+        let w_43 = w_19 * w_11_squared;
+        let w_44 = w_36 * w_43;
+        let w_45 = platform_q3_dot * platform_q0;
+        let w_46 = platform_q0_dot * platform_q3;
+        let w_47 = platform_q2_dot * platform_q1;
+        let w_48 = platform_q1_dot * platform_q2;
+        let w_49 = w_45 + w_46 - w_47 - w_48;
+        let w_50 = w_11 * w_49;
+        let w_51 = platform_x_dot + w_39 * w_41 - w_42 * w_44 - w_16 * w_50;
+        let w_52 = w_45 + w_46 + w_47 + w_48;
+        let w_53 = w_11 * w_52;
+        let w_54 = w_23 * w_11_squared;
+        let w_55 = w_36 * w_54;
+        let w_56 = w_25 * w_11_squared;
+        let w_57 = w_33 + w_35;
+        let w_58 = w_36 * w_56 - w_11 * w_57;
+        let w_59 = platform_y_dot + w_22 * w_53 - w_41 * w_55 + w_42 * w_58;
+        let w_60 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
             + platform_q3_dot * platform_q2 + platform_q2_dot * platform_q3;
-        let w_60 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
+        let w_61 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
             - platform_q1_dot * platform_q3 - platform_q3_dot * platform_q1;
-        let w_61 = w_10 * (w_15 * w_59 - w_21 * w_60)
-            - w_10_squared * w_35 * (w_28 * w_40 + w_29 * w_41) + platform_z_dot;
-        let w_62 = w_20 * w_50 + w_27 * w_58 + a1_on_platform_z * w_61;
-        let w_63 = platform_q0 * w_10;
-        let w_64 = w_10 - w_11 * w_10_squared;
-        let w_65 = platform_q3 * w_64;
-        let w_66 = platform_q3 * w_42;
-        let w_67 = w_26 * w_63 + w_21 * w_65 + w_15 * w_66;
-        let w_68 = platform_q3 * w_53;
-        let w_69 = w_10 - w_24 * w_10_squared;
-        let w_70 = platform_q3 * w_69;
-        let w_71 = w_13 * w_63 - w_21 * w_68 - w_15 * w_70;
-        let w_72 = w_30 * w_10_squared;
-        let w_73 = w_10 * (platform_q2 * w_26 + platform_q1 * w_13) - platform_q3 * w_72;
-        let w_74 = w_10_squared * (w_11 * w_21 - w_18 * w_15);
-        let w_75 = platform_q3 * w_10;
-        let w_76 = platform_q0 * w_74 - w_26 * w_75;
-        let w_77 = w_10_squared * (w_15 * w_24 - w_22 * w_21);
-        let w_78 = platform_q0 * w_77 + w_13 * w_75;
-        let w_79 = platform_q0 * w_72 + w_10 * (platform_q2 * w_13 - platform_q1 * w_26);
-        let w_80 = platform_q2 * w_10;
-        let w_81 = platform_q1 * w_74 + w_26 * w_80;
-        let w_82 = platform_q1 * w_53;
-        let w_83 = platform_q1 * w_69;
-        let w_84 = w_13 * w_80 - w_21 * w_82 - w_15 * w_83;
-        let w_85 = w_10 * (platform_q3 * w_13 + platform_q0 * w_26) - platform_q1 * w_72;
-        let w_86 = platform_q1_dot
-            * (w_20 * w_81 + w_27 * w_84 + a1_on_platform_z * w_85);
-        let w_87 = platform_q1 * w_10;
-        let w_88 = platform_q2 * w_64;
-        let w_89 = platform_q2 * w_42;
-        let w_90 = w_26 * w_87 - w_21 * w_88 - w_15 * w_89;
-        let w_91 = platform_q2 * w_77 + w_13 * w_87;
-        let w_92 = w_10 * (platform_q3 * w_26 - platform_q0 * w_13) - platform_q2 * w_72;
-        let w_93 = platform_q2_dot
-            * (w_20 * w_90 + w_27 * w_91 + a1_on_platform_z * w_92);
-        let w_94 = platform_q3_dot
-            * (w_20 * w_67 - w_27 * w_71 - a1_on_platform_z * w_73)
-            - platform_q0_dot * (w_20 * w_76 + w_27 * w_78 - a1_on_platform_z * w_79)
-            - w_86 - w_93;
-        let w_31_squared = w_31 * w_31;
-        let w_95 = platform_q3 * w_35;
-        let w_96 = platform_q0 * w_48 - platform_q0_dot * w_18 + w_95;
-        let w_97 = platform_q0_dot * w_11;
-        let w_98 = platform_q0 * w_37;
-        let w_99 = w_10 * w_10_squared;
-        let w_100 = self.r * S::from_f64(8.0);
-        let w_101 = sin_a1_head_angle * w_100;
-        let w_102 = cos_a1_head_angle * w_100;
-        let w_103 = w_35 * w_99 * (w_18 * w_101 - w_11 * w_102);
-        let w_104 = platform_q3_dot * w_10;
-        let w_105 = platform_q0_dot * w_24;
-        let w_106 = w_95 + platform_q0_dot * w_22 + platform_q0 * w_51;
-        let w_107 = platform_q0 * w_56;
-        let w_108 = w_35 * w_99 * (w_22 * w_102 - w_24 * w_101);
-        let w_109 = w_27
-            * (w_10_squared * (w_15 * w_105 - w_21 * w_106 + w_41 * w_107)
-                + platform_q0 * w_108 + w_13 * w_104);
-        let w_110 = platform_q2 * w_35;
-        let w_111 = platform_q0_dot * w_28 - platform_q0 * w_60 - w_110;
-        let w_112 = platform_q1 * w_35;
-        let w_113 = w_112 + platform_q0_dot * w_29 + platform_q0 * w_59;
-        let w_114 = w_35 * w_99 * (w_28 * w_102 + w_29 * w_101);
-        let w_115 = a1_on_platform_z
-            * (w_10_squared * (w_21 * w_111 + w_15 * w_113) - platform_q0 * w_114
-                + w_10 * (platform_q2_dot * w_13 - platform_q1_dot * w_26));
-        let w_116 = w_50 * w_76
-            + w_20
-                * (w_10_squared * (w_15 * w_96 + w_21 * w_97 + w_40 * w_98)
-                    + platform_q0 * w_103 - w_26 * w_104) + w_58 * w_78 + w_109
-            - w_61 * w_79 - w_115;
-        let w_117 = platform_q1 * w_48 - w_110 - platform_q1_dot * w_18;
-        let w_118 = platform_q1_dot * w_11;
-        let w_119 = platform_q1 * w_37;
-        let w_120 = platform_q2_dot * w_10;
-        let w_121 = w_20
-            * (w_10_squared * (w_15 * w_117 + w_21 * w_118 + w_40 * w_119)
-                + platform_q1 * w_103 + w_26 * w_120);
-        let w_122 = w_10_squared * (w_110 + platform_q1_dot * w_22 + platform_q1 * w_51);
-        let w_123 = w_35 * w_99;
-        let w_124 = w_123 * platform_q1 * w_22;
-        let w_125 = S::from_f64(4.0) * w_55 * w_99
-            - S::from_f64(2.0) * w_10_squared * (w_35 + w_56);
-        let w_126 = platform_q1 * w_125 + platform_q1_dot * w_69;
-        let w_127 = platform_q1 * w_60 - w_95 - platform_q1_dot * w_28;
-        let w_128 = platform_q0 * w_35;
-        let w_129 = w_128 + platform_q1_dot * w_29 + platform_q1 * w_59;
-        let w_130 = a1_on_platform_z
-            * (w_10_squared * (w_21 * w_127 - w_15 * w_129)
-                + w_10 * (platform_q3_dot * w_13 + platform_q0_dot * w_26)
-                + platform_q1 * w_114);
-        let w_131 = w_50 * w_81 + w_121 + w_58 * w_84
-            + w_27 * (w_13 * w_120 - w_21 * w_122 + w_102 * w_124 - w_15 * w_126)
-            + w_61 * w_85 + w_130;
-        let w_132 = w_10_squared * (platform_q2 * w_48 - w_112 - platform_q2_dot * w_18);
-        let w_133 = platform_q1_dot * w_10;
-        let w_134 = S::from_f64(4.0) * w_36 * w_99
-            - S::from_f64(2.0) * w_10_squared * (w_35 + w_37);
-        let w_135 = platform_q2 * w_134 + platform_q2_dot * w_64;
-        let w_136 = w_123 * platform_q2 * w_18;
-        let w_137 = platform_q2_dot * w_24;
-        let w_138 = w_112 + platform_q2_dot * w_22 + platform_q2 * w_51;
-        let w_139 = platform_q2 * w_56;
-        let w_140 = w_27
-            * (w_10_squared * (w_15 * w_137 - w_21 * w_138 + w_41 * w_139)
-                + platform_q2 * w_108 + w_13 * w_133);
-        let w_141 = platform_q2 * w_60 - platform_q2_dot * w_28 + w_128;
-        let w_142 = w_95 + platform_q2_dot * w_29 + platform_q2 * w_59;
-        let w_143 = a1_on_platform_z
-            * (w_10_squared * (w_21 * w_141 - w_15 * w_142)
-                + w_10 * (platform_q3_dot * w_26 - platform_q0_dot * w_13)
-                + platform_q2 * w_114);
-        let w_144 = w_50 * w_90
-            + w_20 * (w_15 * w_132 + w_26 * w_133 - w_21 * w_135 + w_101 * w_136)
-            + w_58 * w_91 + w_140 + w_61 * w_92 + w_143;
-        let w_145 = w_10_squared * (platform_q3_dot * w_18 - w_128 - platform_q3 * w_48);
-        let w_146 = platform_q0_dot * w_10;
-        let w_147 = platform_q3 * w_134 + platform_q3_dot * w_64;
-        let w_148 = platform_q3 * w_123;
-        let w_149 = w_18 * w_148;
-        let w_150 = w_10_squared * (w_128 + platform_q3_dot * w_22 + platform_q3 * w_51);
-        let w_151 = w_22 * w_148;
-        let w_152 = platform_q3 * w_125 + platform_q3_dot * w_69;
-        let w_153 = w_27 * (w_13 * w_146 - w_21 * w_150 + w_102 * w_151 - w_15 * w_152);
-        let w_154 = platform_q3 * w_60 - w_112 - platform_q3_dot * w_28;
-        let w_155 = w_110 + platform_q3_dot * w_29 + platform_q3 * w_59;
-        let w_156 = a1_on_platform_z
-            * (w_10_squared * (w_21 * w_154 - w_15 * w_155)
-                + w_10 * (platform_q2_dot * w_26 + platform_q1_dot * w_13)
-                + platform_q3 * w_114);
-        let w_157 = w_50 * w_67
-            + w_20 * (w_15 * w_145 + w_26 * w_146 + w_21 * w_147 - w_101 * w_149)
-            - w_58 * w_71 - w_153 - w_61 * w_73 - w_156;
-        let w_158 = S::from_f64(2.0)
-            * (w_62 * (w_94 / w_31_squared)
-                + (platform_q0_dot * w_116 + platform_q1_dot * w_131
-                    + platform_q2_dot * w_144 - platform_q3_dot * w_157) / w_31);
-        let w_159 = w_158
-            + (platform_x_dot * w_50 + platform_y_dot * w_58 + platform_z_dot * w_61)
-                / w_31
-            - w_62
-                * ((platform_x_dot * w_20 + w_27 * platform_y_dot
-                    + a1_on_platform_z * platform_z_dot) / w_31_squared);
+        let w_62 = w_11 * (w_16 * w_60 - w_22 * w_61)
+            - w_11_squared * w_36 * (w_29 * w_41 + w_30 * w_42) + platform_z_dot;
+        let w_63 = w_21 * w_51 + w_28 * w_59 + a1_on_platform_z * w_62;
+        let w_64 = platform_q0 * w_11;
+        let w_65 = w_11 - w_37;
+        let w_66 = platform_q3 * w_65;
+        let w_67 = platform_q3 * w_43;
+        let w_68 = w_27 * w_64 + w_22 * w_66 + w_16 * w_67;
+        let w_69 = platform_q3 * w_54;
+        let w_70 = w_11 - w_56;
+        let w_71 = platform_q3 * w_70;
+        let w_72 = w_14 * w_64 - w_22 * w_69 - w_16 * w_71;
+        let w_73 = w_31 * w_11_squared;
+        let w_74 = w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - platform_q3 * w_73;
+        let w_75 = w_11_squared * (w_10 * w_22 - w_19 * w_16);
+        let w_76 = platform_q3 * w_11;
+        let w_77 = platform_q0 * w_75 - w_27 * w_76;
+        let w_78 = w_11_squared * (w_16 * w_25 - w_23 * w_22);
+        let w_79 = platform_q0 * w_78 + w_14 * w_76;
+        let w_80 = platform_q0 * w_73 + w_11 * (platform_q2 * w_14 - platform_q1 * w_27);
+        let w_81 = platform_q2 * w_11;
+        let w_82 = platform_q1 * w_75 + w_27 * w_81;
+        let w_83 = platform_q1 * w_54;
+        let w_84 = platform_q1 * w_70;
+        let w_85 = w_14 * w_81 - w_22 * w_83 - w_16 * w_84;
+        let w_86 = w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - platform_q1 * w_73;
+        let w_87 = platform_q1_dot
+            * (w_21 * w_82 + w_28 * w_85 + a1_on_platform_z * w_86);
+        let w_88 = platform_q1 * w_11;
+        let w_89 = platform_q2 * w_65;
+        let w_90 = platform_q2 * w_43;
+        let w_91 = w_27 * w_88 - w_22 * w_89 - w_16 * w_90;
+        let w_92 = platform_q2 * w_78 + w_14 * w_88;
+        let w_93 = w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - platform_q2 * w_73;
+        let w_94 = platform_q2_dot
+            * (w_21 * w_91 + w_28 * w_92 + a1_on_platform_z * w_93);
+        let w_95 = platform_q3_dot
+            * (w_21 * w_68 - w_28 * w_72 - a1_on_platform_z * w_74)
+            - platform_q0_dot * (w_21 * w_77 + w_28 * w_79 - a1_on_platform_z * w_80)
+            - w_87 - w_94;
+        let w_32_squared = w_32 * w_32;
+        let w_96 = platform_q3 * w_36;
+        let w_97 = platform_q0 * w_49 - platform_q0_dot * w_19 + w_96;
+        let w_98 = platform_q0_dot * w_10;
+        let w_99 = platform_q0 * w_38;
+        let w_100 = w_11 * w_11_squared;
+        let w_101 = self.r * S::from_f64(8.0);
+        let w_102 = sin_a1_head_angle * w_101;
+        let w_103 = cos_a1_head_angle * w_101;
+        let w_104 = w_36 * w_100 * (w_19 * w_102 - w_10 * w_103);
+        let w_105 = platform_q3_dot * w_11;
+        let w_106 = platform_q0_dot * w_25;
+        let w_107 = w_96 + platform_q0_dot * w_23 + platform_q0 * w_52;
+        let w_108 = platform_q0 * w_57;
+        let w_109 = w_36 * w_100 * (w_23 * w_103 - w_25 * w_102);
+        let w_110 = w_28
+            * (w_11_squared * (w_16 * w_106 - w_22 * w_107 + w_42 * w_108)
+                + platform_q0 * w_109 + w_14 * w_105);
+        let w_111 = platform_q2 * w_36;
+        let w_112 = platform_q0_dot * w_29 - platform_q0 * w_61 - w_111;
+        let w_113 = platform_q1 * w_36;
+        let w_114 = w_113 + platform_q0_dot * w_30 + platform_q0 * w_60;
+        let w_115 = w_36 * w_100 * (w_29 * w_103 + w_30 * w_102);
+        let w_116 = a1_on_platform_z
+            * (w_11_squared * (w_22 * w_112 + w_16 * w_114) - platform_q0 * w_115
+                + w_11 * (platform_q2_dot * w_14 - platform_q1_dot * w_27));
+        let w_117 = w_51 * w_77
+            + w_21
+                * (w_11_squared * (w_16 * w_97 + w_22 * w_98 + w_41 * w_99)
+                    + platform_q0 * w_104 - w_27 * w_105) + w_59 * w_79 + w_110
+            - w_62 * w_80 - w_116;
+        let w_118 = platform_q1 * w_49 - w_111 - platform_q1_dot * w_19;
+        let w_119 = platform_q1_dot * w_10;
+        let w_120 = platform_q1 * w_38;
+        let w_121 = platform_q2_dot * w_11;
+        let w_122 = w_21
+            * (w_11_squared * (w_16 * w_118 + w_22 * w_119 + w_41 * w_120)
+                + platform_q1 * w_104 + w_27 * w_121);
+        let w_123 = w_11_squared * (w_111 + platform_q1_dot * w_23 + platform_q1 * w_52);
+        let w_124 = w_36 * w_100;
+        let w_125 = w_124 * platform_q1 * w_23;
+        let w_126 = S::from_f64(4.0) * w_124;
+        let w_127 = w_25 * w_126 - S::from_f64(2.0) * w_11_squared * (w_36 + w_57);
+        let w_128 = platform_q1 * w_127 + platform_q1_dot * w_70;
+        let w_129 = platform_q1 * w_61 - w_96 - platform_q1_dot * w_29;
+        let w_130 = platform_q0 * w_36;
+        let w_131 = w_130 + platform_q1_dot * w_30 + platform_q1 * w_60;
+        let w_132 = a1_on_platform_z
+            * (w_11_squared * (w_22 * w_129 - w_16 * w_131)
+                + w_11 * (platform_q3_dot * w_14 + platform_q0_dot * w_27)
+                + platform_q1 * w_115);
+        let w_133 = w_51 * w_82 + w_122 + w_59 * w_85
+            + w_28 * (w_14 * w_121 - w_22 * w_123 + w_103 * w_125 - w_16 * w_128)
+            + w_62 * w_86 + w_132;
+        let w_134 = w_11_squared * (platform_q2 * w_49 - w_113 - platform_q2_dot * w_19);
+        let w_135 = platform_q1_dot * w_11;
+        let w_136 = w_10 * w_126 - S::from_f64(2.0) * w_11_squared * (w_36 + w_38);
+        let w_137 = platform_q2 * w_136 + platform_q2_dot * w_65;
+        let w_138 = w_124 * platform_q2 * w_19;
+        let w_139 = platform_q2_dot * w_25;
+        let w_140 = w_113 + platform_q2_dot * w_23 + platform_q2 * w_52;
+        let w_141 = platform_q2 * w_57;
+        let w_142 = w_28
+            * (w_11_squared * (w_16 * w_139 - w_22 * w_140 + w_42 * w_141)
+                + platform_q2 * w_109 + w_14 * w_135);
+        let w_143 = platform_q2 * w_61 - platform_q2_dot * w_29 + w_130;
+        let w_144 = w_96 + platform_q2_dot * w_30 + platform_q2 * w_60;
+        let w_145 = a1_on_platform_z
+            * (w_11_squared * (w_22 * w_143 - w_16 * w_144)
+                + w_11 * (platform_q3_dot * w_27 - platform_q0_dot * w_14)
+                + platform_q2 * w_115);
+        let w_146 = w_51 * w_91
+            + w_21 * (w_16 * w_134 + w_27 * w_135 - w_22 * w_137 + w_102 * w_138)
+            + w_59 * w_92 + w_142 + w_62 * w_93 + w_145;
+        let w_147 = w_11_squared * (platform_q3_dot * w_19 - w_130 - platform_q3 * w_49);
+        let w_148 = platform_q0_dot * w_11;
+        let w_149 = platform_q3 * w_136 + platform_q3_dot * w_65;
+        let w_150 = platform_q3 * w_124;
+        let w_151 = w_19 * w_150;
+        let w_152 = w_11_squared * (w_130 + platform_q3_dot * w_23 + platform_q3 * w_52);
+        let w_153 = w_23 * w_150;
+        let w_154 = platform_q3 * w_127 + platform_q3_dot * w_70;
+        let w_155 = w_28 * (w_14 * w_148 - w_22 * w_152 + w_103 * w_153 - w_16 * w_154);
+        let w_156 = platform_q3 * w_61 - w_113 - platform_q3_dot * w_29;
+        let w_157 = w_111 + platform_q3_dot * w_30 + platform_q3 * w_60;
+        let w_158 = a1_on_platform_z
+            * (w_11_squared * (w_22 * w_156 - w_16 * w_157)
+                + w_11 * (platform_q2_dot * w_27 + platform_q1_dot * w_14)
+                + platform_q3 * w_115);
+        let w_159 = w_51 * w_68
+            + w_21 * (w_16 * w_147 + w_27 * w_148 + w_22 * w_149 - w_102 * w_151)
+            - w_59 * w_72 - w_155 - w_62 * w_74 - w_158;
+        let w_160 = S::from_f64(2.0)
+            * (w_63 * (w_95 / w_32_squared)
+                + (platform_q0_dot * w_117 + platform_q1_dot * w_133
+                    + platform_q2_dot * w_146 - platform_q3_dot * w_159) / w_32);
+        let w_161 = w_160
+            + (platform_x_dot * w_51 + platform_y_dot * w_59 + platform_z_dot * w_62)
+                / w_32
+            - w_63
+                * ((platform_x_dot * w_21 + w_28 * platform_y_dot
+                    + a1_on_platform_z * platform_z_dot) / w_32_squared);
         let w_squared = self.w * self.w;
-        let w_160 = self.heave * w_squared;
-        let w_161 = w_squared * self.sway;
-        let w_162 = self.r * cos_a2_head_angle;
-        let w_163 = w_14 * sin_a2_head_angle;
-        let w_164 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_162
-            + w_19 * w_163;
-        let w_165 = w_14 * cos_a2_head_angle;
-        let w_166 = self.r * sin_a2_head_angle;
-        let w_167 = platform_y - self.R * sin_a2_foot_angle + w_23 * w_165
-            - w_25 * w_166;
-        let w_168 = w_28 * w_165 + w_29 * w_163;
-        let a2_on_platform_z = w_10 * w_168 + platform_z;
-        let w_169 = w_164 * w_164 + w_167 * w_167 + a2_on_platform_z * a2_on_platform_z;
-        let w_170 = w_39 * cos_a2_head_angle;
-        let w_171 = w_39 * sin_a2_head_angle;
-        let w_172 = platform_x_dot + w_38 * w_170 - w_43 * w_171 - w_49 * w_163;
-        let w_173 = platform_y_dot + w_52 * w_165 - w_54 * w_170 + w_57 * w_171;
-        let w_174 = w_10 * (w_59 * w_163 - w_60 * w_165)
-            - w_10_squared * w_35 * (w_28 * w_170 + w_29 * w_171) + platform_z_dot;
-        let w_175 = w_164 * w_172 + w_167 * w_173 + a2_on_platform_z * w_174;
-        let w_176 = w_63 * w_166 + w_65 * w_165 + w_66 * w_163;
-        let w_177 = w_63 * w_162 - w_68 * w_165 - w_70 * w_163;
-        let w_178 = w_10_squared * w_168;
-        let w_179 = w_10 * (platform_q2 * w_166 + platform_q1 * w_162)
-            - platform_q3 * w_178;
-        let w_180 = w_10_squared * (w_11 * w_165 - w_18 * w_163);
-        let w_181 = platform_q0 * w_180 - w_75 * w_166;
-        let w_182 = w_10_squared * (w_24 * w_163 - w_22 * w_165);
-        let w_183 = platform_q0 * w_182 + w_75 * w_162;
-        let w_184 = platform_q0 * w_178
-            + w_10 * (platform_q2 * w_162 - platform_q1 * w_166);
-        let w_185 = platform_q1 * w_180 + w_80 * w_166;
-        let w_186 = w_80 * w_162 - w_82 * w_165 - w_83 * w_163;
-        let w_187 = w_10 * (platform_q3 * w_162 + platform_q0 * w_166)
-            - platform_q1 * w_178;
-        let w_188 = platform_q1_dot
-            * (w_164 * w_185 + w_167 * w_186 + a2_on_platform_z * w_187);
-        let w_189 = w_87 * w_166 - w_88 * w_165 - w_89 * w_163;
-        let w_190 = platform_q2 * w_182 + w_87 * w_162;
-        let w_191 = w_10 * (platform_q3 * w_166 - platform_q0 * w_162)
-            - platform_q2 * w_178;
-        let w_192 = platform_q2_dot
-            * (w_164 * w_189 + w_167 * w_190 + a2_on_platform_z * w_191);
-        let w_193 = platform_q3_dot
-            * (w_164 * w_176 - w_167 * w_177 - a2_on_platform_z * w_179)
+        let w_162 = self.heave * w_squared;
+        let w_163 = w_squared * self.sway;
+        let w_164 = self.r * cos_a2_head_angle;
+        let w_165 = w_15 * sin_a2_head_angle;
+        let w_166 = platform_x - self.R * cos_a2_foot_angle - w_13 * w_164
+            + w_20 * w_165;
+        let w_167 = w_15 * cos_a2_head_angle;
+        let w_168 = self.r * sin_a2_head_angle;
+        let w_169 = platform_y - self.R * sin_a2_foot_angle + w_24 * w_167
+            - w_26 * w_168;
+        let w_170 = w_29 * w_167 + w_30 * w_165;
+        let a2_on_platform_z = w_11 * w_170 + platform_z;
+        let w_171 = w_166 * w_166 + w_169 * w_169 + a2_on_platform_z * a2_on_platform_z;
+        let w_172 = w_40 * cos_a2_head_angle;
+        let w_173 = w_40 * sin_a2_head_angle;
+        let w_174 = platform_x_dot + w_39 * w_172 - w_44 * w_173 - w_50 * w_165;
+        let w_175 = platform_y_dot + w_53 * w_167 - w_55 * w_172 + w_58 * w_173;
+        let w_176 = w_11 * (w_60 * w_165 - w_61 * w_167)
+            - w_11_squared * w_36 * (w_29 * w_172 + w_30 * w_173) + platform_z_dot;
+        let w_177 = w_166 * w_174 + w_169 * w_175 + a2_on_platform_z * w_176;
+        let w_178 = w_64 * w_168 + w_66 * w_167 + w_67 * w_165;
+        let w_179 = w_64 * w_164 - w_69 * w_167 - w_71 * w_165;
+        let w_180 = w_11_squared * w_170;
+        let w_181 = w_11 * (platform_q2 * w_168 + platform_q1 * w_164)
+            - platform_q3 * w_180;
+        let w_182 = w_11_squared * (w_10 * w_167 - w_19 * w_165);
+        let w_183 = platform_q0 * w_182 - w_76 * w_168;
+        let w_184 = w_11_squared * (w_25 * w_165 - w_23 * w_167);
+        let w_185 = platform_q0 * w_184 + w_76 * w_164;
+        let w_186 = platform_q0 * w_180
+            + w_11 * (platform_q2 * w_164 - platform_q1 * w_168);
+        let w_187 = platform_q1 * w_182 + w_81 * w_168;
+        let w_188 = w_81 * w_164 - w_83 * w_167 - w_84 * w_165;
+        let w_189 = w_11 * (platform_q3 * w_164 + platform_q0 * w_168)
+            - platform_q1 * w_180;
+        let w_190 = platform_q1_dot
+            * (w_166 * w_187 + w_169 * w_188 + a2_on_platform_z * w_189);
+        let w_191 = w_88 * w_168 - w_89 * w_167 - w_90 * w_165;
+        let w_192 = platform_q2 * w_184 + w_88 * w_164;
+        let w_193 = w_11 * (platform_q3 * w_168 - platform_q0 * w_164)
+            - platform_q2 * w_180;
+        let w_194 = platform_q2_dot
+            * (w_166 * w_191 + w_169 * w_192 + a2_on_platform_z * w_193);
+        let w_195 = platform_q3_dot
+            * (w_166 * w_178 - w_169 * w_179 - a2_on_platform_z * w_181)
             - platform_q0_dot
-                * (w_164 * w_181 + w_167 * w_183 - a2_on_platform_z * w_184) - w_188
-            - w_192;
-        let w_169_squared = w_169 * w_169;
-        let w_194 = w_100 * sin_a2_head_angle;
-        let w_195 = w_100 * cos_a2_head_angle;
-        let w_196 = w_35 * w_99 * (w_18 * w_194 - w_11 * w_195);
-        let w_197 = w_35 * w_99 * (w_22 * w_195 - w_24 * w_194);
-        let w_198 = w_167
-            * (w_10_squared * (w_105 * w_163 - w_106 * w_165 + w_107 * w_171)
-                + platform_q0 * w_197 + w_104 * w_162);
-        let w_199 = w_35 * w_99 * (w_28 * w_195 + w_29 * w_194);
-        let w_200 = a2_on_platform_z
-            * (w_10_squared * (w_111 * w_165 + w_113 * w_163) - platform_q0 * w_199
-                + w_10 * (platform_q2_dot * w_162 - platform_q1_dot * w_166));
-        let w_201 = w_172 * w_181
-            + w_164
-                * (w_10_squared * (w_96 * w_163 + w_97 * w_165 + w_98 * w_170)
-                    + platform_q0 * w_196 - w_104 * w_166) + w_173 * w_183 + w_198
-            - w_174 * w_184 - w_200;
-        let w_202 = w_164
-            * (w_10_squared * (w_117 * w_163 + w_118 * w_165 + w_119 * w_170)
-                + platform_q1 * w_196 + w_120 * w_166);
-        let w_203 = a2_on_platform_z
-            * (w_10_squared * (w_127 * w_165 - w_129 * w_163)
-                + w_10 * (platform_q3_dot * w_162 + platform_q0_dot * w_166)
-                + platform_q1 * w_199);
-        let w_204 = w_172 * w_185 + w_202 + w_173 * w_186
-            + w_167 * (w_120 * w_162 - w_122 * w_165 + w_124 * w_195 - w_126 * w_163)
-            + w_174 * w_187 + w_203;
-        let w_205 = w_167
-            * (w_10_squared * (w_137 * w_163 - w_138 * w_165 + w_139 * w_171)
-                + platform_q2 * w_197 + w_133 * w_162);
-        let w_206 = a2_on_platform_z
-            * (w_10_squared * (w_141 * w_165 - w_142 * w_163)
-                + w_10 * (platform_q3_dot * w_166 - platform_q0_dot * w_162)
-                + platform_q2 * w_199);
-        let w_207 = w_172 * w_189
-            + w_164 * (w_132 * w_163 + w_133 * w_166 - w_135 * w_165 + w_136 * w_194)
-            + w_173 * w_190 + w_205 + w_174 * w_191 + w_206;
-        let w_208 = w_167
-            * (w_146 * w_162 - w_150 * w_165 + w_151 * w_195 - w_152 * w_163);
-        let w_209 = a2_on_platform_z
-            * (w_10_squared * (w_154 * w_165 - w_155 * w_163)
-                + w_10 * (platform_q2_dot * w_166 + platform_q1_dot * w_162)
-                + platform_q3 * w_199);
-        let w_210 = w_172 * w_176
-            + w_164 * (w_145 * w_163 + w_146 * w_166 + w_147 * w_165 - w_149 * w_194)
-            - w_173 * w_177 - w_208 - w_174 * w_179 - w_209;
-        let w_211 = S::from_f64(2.0)
-            * (w_175 * (w_193 / w_169_squared)
-                + (platform_q0_dot * w_201 + platform_q1_dot * w_204
-                    + platform_q2_dot * w_207 - platform_q3_dot * w_210) / w_169);
-        let w_212 = w_211
-            + (platform_x_dot * w_172 + platform_y_dot * w_173 + platform_z_dot * w_174)
-                / w_169
-            - w_175
-                * ((platform_x_dot * w_164 + platform_y_dot * w_167
-                    + platform_z_dot * a2_on_platform_z) / w_169_squared);
-        let w_213 = sin_w * w_160;
-        let w_214 = w_161 * w_7;
-        let w_215 = self.r * cos_b1_head_angle;
-        let w_216 = w_14 * sin_b1_head_angle;
-        let w_217 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_215
-            + w_19 * w_216;
-        let w_218 = w_14 * cos_b1_head_angle;
-        let w_219 = self.r * sin_b1_head_angle;
-        let w_220 = platform_y - self.R * sin_b1_foot_angle + w_23 * w_218
-            - w_25 * w_219;
-        let w_221 = w_28 * w_218 + w_29 * w_216;
-        let b1_on_platform_z = w_10 * w_221 + platform_z;
-        let w_222 = w_217 * w_217 + w_220 * w_220 + b1_on_platform_z * b1_on_platform_z;
-        let w_223 = w_39 * cos_b1_head_angle;
-        let w_224 = w_39 * sin_b1_head_angle;
-        let w_225 = platform_x_dot + w_38 * w_223 - w_43 * w_224 - w_49 * w_216;
-        let w_226 = platform_y_dot + w_52 * w_218 - w_54 * w_223 + w_57 * w_224;
-        let w_227 = w_10 * (w_59 * w_216 - w_60 * w_218)
-            - w_10_squared * w_35 * (w_28 * w_223 + w_29 * w_224) + platform_z_dot;
-        let w_228 = w_217 * w_225 + w_220 * w_226 + b1_on_platform_z * w_227;
-        let w_229 = w_63 * w_219 + w_65 * w_218 + w_66 * w_216;
-        let w_230 = w_63 * w_215 - w_68 * w_218 - w_70 * w_216;
-        let w_231 = w_10_squared * w_221;
-        let w_232 = w_10 * (platform_q2 * w_219 + platform_q1 * w_215)
-            - platform_q3 * w_231;
-        let w_233 = w_10_squared * (w_11 * w_218 - w_18 * w_216);
-        let w_234 = platform_q0 * w_233 - w_75 * w_219;
-        let w_235 = w_10_squared * (w_24 * w_216 - w_22 * w_218);
-        let w_236 = platform_q0 * w_235 + w_75 * w_215;
-        let w_237 = platform_q0 * w_231
-            + w_10 * (platform_q2 * w_215 - platform_q1 * w_219);
-        let w_238 = platform_q1 * w_233 + w_80 * w_219;
-        let w_239 = w_80 * w_215 - w_82 * w_218 - w_83 * w_216;
-        let w_240 = w_10 * (platform_q3 * w_215 + platform_q0 * w_219)
-            - platform_q1 * w_231;
-        let w_241 = platform_q1_dot
-            * (w_217 * w_238 + w_220 * w_239 + b1_on_platform_z * w_240);
-        let w_242 = w_87 * w_219 - w_88 * w_218 - w_89 * w_216;
-        let w_243 = platform_q2 * w_235 + w_87 * w_215;
-        let w_244 = w_10 * (platform_q3 * w_219 - platform_q0 * w_215)
-            - platform_q2 * w_231;
-        let w_245 = platform_q2_dot
-            * (w_217 * w_242 + w_220 * w_243 + b1_on_platform_z * w_244);
-        let w_246 = platform_q3_dot
-            * (w_217 * w_229 - w_220 * w_230 - b1_on_platform_z * w_232)
+                * (w_166 * w_183 + w_169 * w_185 - a2_on_platform_z * w_186) - w_190
+            - w_194;
+        let w_171_squared = w_171 * w_171;
+        let w_196 = w_101 * sin_a2_head_angle;
+        let w_197 = w_101 * cos_a2_head_angle;
+        let w_198 = w_36 * w_100 * (w_19 * w_196 - w_10 * w_197);
+        let w_199 = w_36 * w_100 * (w_23 * w_197 - w_25 * w_196);
+        let w_200 = w_169
+            * (w_11_squared * (w_106 * w_165 - w_107 * w_167 + w_108 * w_173)
+                + platform_q0 * w_199 + w_105 * w_164);
+        let w_201 = w_36 * w_100 * (w_29 * w_197 + w_30 * w_196);
+        let w_202 = a2_on_platform_z
+            * (w_11_squared * (w_112 * w_167 + w_114 * w_165) - platform_q0 * w_201
+                + w_11 * (platform_q2_dot * w_164 - platform_q1_dot * w_168));
+        let w_203 = w_174 * w_183
+            + w_166
+                * (w_11_squared * (w_97 * w_165 + w_98 * w_167 + w_99 * w_172)
+                    + platform_q0 * w_198 - w_105 * w_168) + w_175 * w_185 + w_200
+            - w_176 * w_186 - w_202;
+        let w_204 = w_166
+            * (w_11_squared * (w_118 * w_165 + w_119 * w_167 + w_120 * w_172)
+                + platform_q1 * w_198 + w_121 * w_168);
+        let w_205 = a2_on_platform_z
+            * (w_11_squared * (w_129 * w_167 - w_131 * w_165)
+                + w_11 * (platform_q3_dot * w_164 + platform_q0_dot * w_168)
+                + platform_q1 * w_201);
+        let w_206 = w_174 * w_187 + w_204 + w_175 * w_188
+            + w_169 * (w_121 * w_164 - w_123 * w_167 + w_125 * w_197 - w_128 * w_165)
+            + w_176 * w_189 + w_205;
+        let w_207 = w_169
+            * (w_11_squared * (w_139 * w_165 - w_140 * w_167 + w_141 * w_173)
+                + platform_q2 * w_199 + w_135 * w_164);
+        let w_208 = a2_on_platform_z
+            * (w_11_squared * (w_143 * w_167 - w_144 * w_165)
+                + w_11 * (platform_q3_dot * w_168 - platform_q0_dot * w_164)
+                + platform_q2 * w_201);
+        let w_209 = w_174 * w_191
+            + w_166 * (w_134 * w_165 + w_135 * w_168 - w_137 * w_167 + w_138 * w_196)
+            + w_175 * w_192 + w_207 + w_176 * w_193 + w_208;
+        let w_210 = w_169
+            * (w_148 * w_164 - w_152 * w_167 + w_153 * w_197 - w_154 * w_165);
+        let w_211 = a2_on_platform_z
+            * (w_11_squared * (w_156 * w_167 - w_157 * w_165)
+                + w_11 * (platform_q2_dot * w_168 + platform_q1_dot * w_164)
+                + platform_q3 * w_201);
+        let w_212 = w_174 * w_178
+            + w_166 * (w_147 * w_165 + w_148 * w_168 + w_149 * w_167 - w_151 * w_196)
+            - w_175 * w_179 - w_210 - w_176 * w_181 - w_211;
+        let w_213 = S::from_f64(2.0)
+            * (w_177 * (w_195 / w_171_squared)
+                + (platform_q0_dot * w_203 + platform_q1_dot * w_206
+                    + platform_q2_dot * w_209 - platform_q3_dot * w_212) / w_171);
+        let w_214 = w_213
+            + (platform_x_dot * w_174 + platform_y_dot * w_175 + platform_z_dot * w_176)
+                / w_171
+            - w_177
+                * ((platform_x_dot * w_166 + platform_y_dot * w_169
+                    + platform_z_dot * a2_on_platform_z) / w_171_squared);
+        let w_215 = sin_w * w_162;
+        let w_216 = w_163 * w_7;
+        let w_217 = self.r * cos_b1_head_angle;
+        let w_218 = w_15 * sin_b1_head_angle;
+        let w_219 = platform_x - self.R * cos_b1_foot_angle - w_13 * w_217
+            + w_20 * w_218;
+        let w_220 = w_15 * cos_b1_head_angle;
+        let w_221 = self.r * sin_b1_head_angle;
+        let w_222 = platform_y - self.R * sin_b1_foot_angle + w_24 * w_220
+            - w_26 * w_221;
+        let w_223 = w_29 * w_220 + w_30 * w_218;
+        let b1_on_platform_z = w_11 * w_223 + platform_z;
+        let w_224 = w_219 * w_219 + w_222 * w_222 + b1_on_platform_z * b1_on_platform_z;
+        let w_225 = w_40 * cos_b1_head_angle;
+        let w_226 = w_40 * sin_b1_head_angle;
+        let w_227 = platform_x_dot + w_39 * w_225 - w_44 * w_226 - w_50 * w_218;
+        let w_228 = platform_y_dot + w_53 * w_220 - w_55 * w_225 + w_58 * w_226;
+        let w_229 = w_11 * (w_60 * w_218 - w_61 * w_220)
+            - w_11_squared * w_36 * (w_29 * w_225 + w_30 * w_226) + platform_z_dot;
+        let w_230 = w_219 * w_227 + w_222 * w_228 + b1_on_platform_z * w_229;
+        let w_231 = w_64 * w_221 + w_66 * w_220 + w_67 * w_218;
+        let w_232 = w_64 * w_217 - w_69 * w_220 - w_71 * w_218;
+        let w_233 = w_11_squared * w_223;
+        let w_234 = w_11 * (platform_q2 * w_221 + platform_q1 * w_217)
+            - platform_q3 * w_233;
+        let w_235 = w_11_squared * (w_10 * w_220 - w_19 * w_218);
+        let w_236 = platform_q0 * w_235 - w_76 * w_221;
+        let w_237 = w_11_squared * (w_25 * w_218 - w_23 * w_220);
+        let w_238 = platform_q0 * w_237 + w_76 * w_217;
+        let w_239 = platform_q0 * w_233
+            + w_11 * (platform_q2 * w_217 - platform_q1 * w_221);
+        let w_240 = platform_q1 * w_235 + w_81 * w_221;
+        let w_241 = w_81 * w_217 - w_83 * w_220 - w_84 * w_218;
+        let w_242 = w_11 * (platform_q3 * w_217 + platform_q0 * w_221)
+            - platform_q1 * w_233;
+        let w_243 = platform_q1_dot
+            * (w_219 * w_240 + w_222 * w_241 + b1_on_platform_z * w_242);
+        let w_244 = w_88 * w_221 - w_89 * w_220 - w_90 * w_218;
+        let w_245 = platform_q2 * w_237 + w_88 * w_217;
+        let w_246 = w_11 * (platform_q3 * w_221 - platform_q0 * w_217)
+            - platform_q2 * w_233;
+        let w_247 = platform_q2_dot
+            * (w_219 * w_244 + w_222 * w_245 + b1_on_platform_z * w_246);
+        let w_248 = platform_q3_dot
+            * (w_219 * w_231 - w_222 * w_232 - b1_on_platform_z * w_234)
             - platform_q0_dot
-                * (w_217 * w_234 + w_220 * w_236 - b1_on_platform_z * w_237) - w_241
-            - w_245;
-        let w_222_squared = w_222 * w_222;
-        let w_247 = w_100 * sin_b1_head_angle;
-        let w_248 = w_100 * cos_b1_head_angle;
-        let w_249 = w_35 * w_99 * (w_18 * w_247 - w_11 * w_248);
-        let w_250 = w_35 * w_99 * (w_22 * w_248 - w_24 * w_247);
-        let w_251 = w_220
-            * (w_10_squared * (w_105 * w_216 - w_106 * w_218 + w_107 * w_224)
-                + platform_q0 * w_250 + w_104 * w_215);
-        let w_252 = w_35 * w_99 * (w_28 * w_248 + w_29 * w_247);
-        let w_253 = b1_on_platform_z
-            * (w_10_squared * (w_111 * w_218 + w_113 * w_216) - platform_q0 * w_252
-                + w_10 * (platform_q2_dot * w_215 - platform_q1_dot * w_219));
-        let w_254 = w_225 * w_234
-            + w_217
-                * (w_10_squared * (w_96 * w_216 + w_97 * w_218 + w_98 * w_223)
-                    + platform_q0 * w_249 - w_104 * w_219) + w_226 * w_236 + w_251
-            - w_227 * w_237 - w_253;
-        let w_255 = w_217
-            * (w_10_squared * (w_117 * w_216 + w_118 * w_218 + w_119 * w_223)
-                + platform_q1 * w_249 + w_120 * w_219);
-        let w_256 = b1_on_platform_z
-            * (w_10_squared * (w_127 * w_218 - w_129 * w_216)
-                + w_10 * (platform_q3_dot * w_215 + platform_q0_dot * w_219)
-                + platform_q1 * w_252);
-        let w_257 = w_225 * w_238 + w_255 + w_226 * w_239
-            + w_220 * (w_120 * w_215 - w_122 * w_218 + w_124 * w_248 - w_126 * w_216)
-            + w_227 * w_240 + w_256;
-        let w_258 = w_220
-            * (w_10_squared * (w_137 * w_216 - w_138 * w_218 + w_139 * w_224)
-                + platform_q2 * w_250 + w_133 * w_215);
-        let w_259 = b1_on_platform_z
-            * (w_10_squared * (w_141 * w_218 - w_142 * w_216)
-                + w_10 * (platform_q3_dot * w_219 - platform_q0_dot * w_215)
-                + platform_q2 * w_252);
-        let w_260 = w_225 * w_242
-            + w_217 * (w_132 * w_216 + w_133 * w_219 - w_135 * w_218 + w_136 * w_247)
-            + w_226 * w_243 + w_258 + w_227 * w_244 + w_259;
-        let w_261 = w_220
-            * (w_146 * w_215 - w_150 * w_218 + w_151 * w_248 - w_152 * w_216);
-        let w_262 = b1_on_platform_z
-            * (w_10_squared * (w_154 * w_218 - w_155 * w_216)
-                + w_10 * (platform_q2_dot * w_219 + platform_q1_dot * w_215)
-                + platform_q3 * w_252);
-        let w_263 = w_225 * w_229
-            + w_217 * (w_145 * w_216 + w_146 * w_219 + w_147 * w_218 - w_149 * w_247)
-            - w_226 * w_230 - w_261 - w_227 * w_232 - w_262;
-        let w_264 = S::from_f64(2.0)
-            * (w_228 * (w_246 / w_222_squared)
-                + (platform_q0_dot * w_254 + platform_q1_dot * w_257
-                    + platform_q2_dot * w_260 - platform_q3_dot * w_263) / w_222);
-        let w_265 = w_264
-            + (platform_x_dot * w_225 + platform_y_dot * w_226 + platform_z_dot * w_227)
-                / w_222
-            - w_228
-                * ((platform_x_dot * w_217 + platform_y_dot * w_220
-                    + platform_z_dot * b1_on_platform_z) / w_222_squared);
-        let w_266 = self.r * cos_b2_head_angle;
-        let w_267 = w_14 * sin_b2_head_angle;
-        let w_268 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_266
-            + w_19 * w_267;
-        let w_269 = w_14 * cos_b2_head_angle;
-        let w_270 = self.r * sin_b2_head_angle;
-        let w_271 = platform_y - self.R * sin_b2_foot_angle + w_23 * w_269
-            - w_25 * w_270;
-        let w_272 = w_28 * w_269 + w_29 * w_267;
-        let b2_on_platform_z = w_10 * w_272 + platform_z;
-        let w_273 = w_268 * w_268 + w_271 * w_271 + b2_on_platform_z * b2_on_platform_z;
-        let w_274 = w_39 * cos_b2_head_angle;
-        let w_275 = w_39 * sin_b2_head_angle;
-        let w_276 = platform_x_dot + w_38 * w_274 - w_43 * w_275 - w_49 * w_267;
-        let w_277 = platform_y_dot + w_52 * w_269 - w_54 * w_274 + w_57 * w_275;
-        let w_278 = w_10 * (w_59 * w_267 - w_60 * w_269)
-            - w_10_squared * w_35 * (w_28 * w_274 + w_29 * w_275) + platform_z_dot;
-        let w_279 = w_268 * w_276 + w_271 * w_277 + b2_on_platform_z * w_278;
-        let w_280 = w_63 * w_270 + w_65 * w_269 + w_66 * w_267;
-        let w_281 = w_63 * w_266 - w_68 * w_269 - w_70 * w_267;
-        let w_282 = w_10_squared * w_272;
-        let w_283 = w_10 * (platform_q2 * w_270 + platform_q1 * w_266)
-            - platform_q3 * w_282;
-        let w_284 = w_10_squared * (w_11 * w_269 - w_18 * w_267);
-        let w_285 = platform_q0 * w_284 - w_75 * w_270;
-        let w_286 = w_10_squared * (w_24 * w_267 - w_22 * w_269);
-        let w_287 = platform_q0 * w_286 + w_75 * w_266;
-        let w_288 = platform_q0 * w_282
-            + w_10 * (platform_q2 * w_266 - platform_q1 * w_270);
-        let w_289 = platform_q1 * w_284 + w_80 * w_270;
-        let w_290 = w_80 * w_266 - w_82 * w_269 - w_83 * w_267;
-        let w_291 = w_10 * (platform_q3 * w_266 + platform_q0 * w_270)
-            - platform_q1 * w_282;
-        let w_292 = platform_q1_dot
-            * (w_268 * w_289 + w_271 * w_290 + b2_on_platform_z * w_291);
-        let w_293 = w_87 * w_270 - w_88 * w_269 - w_89 * w_267;
-        let w_294 = platform_q2 * w_286 + w_87 * w_266;
-        let w_295 = w_10 * (platform_q3 * w_270 - platform_q0 * w_266)
-            - platform_q2 * w_282;
-        let w_296 = platform_q2_dot
-            * (w_268 * w_293 + w_271 * w_294 + b2_on_platform_z * w_295);
-        let w_297 = platform_q3_dot
-            * (w_268 * w_280 - w_271 * w_281 - b2_on_platform_z * w_283)
+                * (w_219 * w_236 + w_222 * w_238 - b1_on_platform_z * w_239) - w_243
+            - w_247;
+        let w_224_squared = w_224 * w_224;
+        let w_249 = w_101 * sin_b1_head_angle;
+        let w_250 = w_101 * cos_b1_head_angle;
+        let w_251 = w_36 * w_100 * (w_19 * w_249 - w_10 * w_250);
+        let w_252 = w_36 * w_100 * (w_23 * w_250 - w_25 * w_249);
+        let w_253 = w_222
+            * (w_11_squared * (w_106 * w_218 - w_107 * w_220 + w_108 * w_226)
+                + platform_q0 * w_252 + w_105 * w_217);
+        let w_254 = w_36 * w_100 * (w_29 * w_250 + w_30 * w_249);
+        let w_255 = b1_on_platform_z
+            * (w_11_squared * (w_112 * w_220 + w_114 * w_218) - platform_q0 * w_254
+                + w_11 * (platform_q2_dot * w_217 - platform_q1_dot * w_221));
+        let w_256 = w_227 * w_236
+            + w_219
+                * (w_11_squared * (w_97 * w_218 + w_98 * w_220 + w_99 * w_225)
+                    + platform_q0 * w_251 - w_105 * w_221) + w_228 * w_238 + w_253
+            - w_229 * w_239 - w_255;
+        let w_257 = w_219
+            * (w_11_squared * (w_118 * w_218 + w_119 * w_220 + w_120 * w_225)
+                + platform_q1 * w_251 + w_121 * w_221);
+        let w_258 = b1_on_platform_z
+            * (w_11_squared * (w_129 * w_220 - w_131 * w_218)
+                + w_11 * (platform_q3_dot * w_217 + platform_q0_dot * w_221)
+                + platform_q1 * w_254);
+        let w_259 = w_227 * w_240 + w_257 + w_228 * w_241
+            + w_222 * (w_121 * w_217 - w_123 * w_220 + w_125 * w_250 - w_128 * w_218)
+            + w_229 * w_242 + w_258;
+        let w_260 = w_222
+            * (w_11_squared * (w_139 * w_218 - w_140 * w_220 + w_141 * w_226)
+                + platform_q2 * w_252 + w_135 * w_217);
+        let w_261 = b1_on_platform_z
+            * (w_11_squared * (w_143 * w_220 - w_144 * w_218)
+                + w_11 * (platform_q3_dot * w_221 - platform_q0_dot * w_217)
+                + platform_q2 * w_254);
+        let w_262 = w_227 * w_244
+            + w_219 * (w_134 * w_218 + w_135 * w_221 - w_137 * w_220 + w_138 * w_249)
+            + w_228 * w_245 + w_260 + w_229 * w_246 + w_261;
+        let w_263 = w_222
+            * (w_148 * w_217 - w_152 * w_220 + w_153 * w_250 - w_154 * w_218);
+        let w_264 = b1_on_platform_z
+            * (w_11_squared * (w_156 * w_220 - w_157 * w_218)
+                + w_11 * (platform_q2_dot * w_221 + platform_q1_dot * w_217)
+                + platform_q3 * w_254);
+        let w_265 = w_227 * w_231
+            + w_219 * (w_147 * w_218 + w_148 * w_221 + w_149 * w_220 - w_151 * w_249)
+            - w_228 * w_232 - w_263 - w_229 * w_234 - w_264;
+        let w_266 = S::from_f64(2.0)
+            * (w_230 * (w_248 / w_224_squared)
+                + (platform_q0_dot * w_256 + platform_q1_dot * w_259
+                    + platform_q2_dot * w_262 - platform_q3_dot * w_265) / w_224);
+        let w_267 = w_266
+            + (platform_x_dot * w_227 + platform_y_dot * w_228 + platform_z_dot * w_229)
+                / w_224
+            - w_230
+                * ((platform_x_dot * w_219 + platform_y_dot * w_222
+                    + platform_z_dot * b1_on_platform_z) / w_224_squared);
+        let w_268 = self.r * cos_b2_head_angle;
+        let w_269 = w_15 * sin_b2_head_angle;
+        let w_270 = platform_x - self.R * cos_b2_foot_angle - w_13 * w_268
+            + w_20 * w_269;
+        let w_271 = w_15 * cos_b2_head_angle;
+        let w_272 = self.r * sin_b2_head_angle;
+        let w_273 = platform_y - self.R * sin_b2_foot_angle + w_24 * w_271
+            - w_26 * w_272;
+        let w_274 = w_29 * w_271 + w_30 * w_269;
+        let b2_on_platform_z = w_11 * w_274 + platform_z;
+        let w_275 = w_270 * w_270 + w_273 * w_273 + b2_on_platform_z * b2_on_platform_z;
+        let w_276 = w_40 * cos_b2_head_angle;
+        let w_277 = w_40 * sin_b2_head_angle;
+        let w_278 = platform_x_dot + w_39 * w_276 - w_44 * w_277 - w_50 * w_269;
+        let w_279 = platform_y_dot + w_53 * w_271 - w_55 * w_276 + w_58 * w_277;
+        let w_280 = w_11 * (w_60 * w_269 - w_61 * w_271)
+            - w_11_squared * w_36 * (w_29 * w_276 + w_30 * w_277) + platform_z_dot;
+        let w_281 = w_270 * w_278 + w_273 * w_279 + b2_on_platform_z * w_280;
+        let w_282 = w_64 * w_272 + w_66 * w_271 + w_67 * w_269;
+        let w_283 = w_64 * w_268 - w_69 * w_271 - w_71 * w_269;
+        let w_284 = w_11_squared * w_274;
+        let w_285 = w_11 * (platform_q2 * w_272 + platform_q1 * w_268)
+            - platform_q3 * w_284;
+        let w_286 = w_11_squared * (w_10 * w_271 - w_19 * w_269);
+        let w_287 = platform_q0 * w_286 - w_76 * w_272;
+        let w_288 = w_11_squared * (w_25 * w_269 - w_23 * w_271);
+        let w_289 = platform_q0 * w_288 + w_76 * w_268;
+        let w_290 = platform_q0 * w_284
+            + w_11 * (platform_q2 * w_268 - platform_q1 * w_272);
+        let w_291 = platform_q1 * w_286 + w_81 * w_272;
+        let w_292 = w_81 * w_268 - w_83 * w_271 - w_84 * w_269;
+        let w_293 = w_11 * (platform_q3 * w_268 + platform_q0 * w_272)
+            - platform_q1 * w_284;
+        let w_294 = platform_q1_dot
+            * (w_270 * w_291 + w_273 * w_292 + b2_on_platform_z * w_293);
+        let w_295 = w_88 * w_272 - w_89 * w_271 - w_90 * w_269;
+        let w_296 = platform_q2 * w_288 + w_88 * w_268;
+        let w_297 = w_11 * (platform_q3 * w_272 - platform_q0 * w_268)
+            - platform_q2 * w_284;
+        let w_298 = platform_q2_dot
+            * (w_270 * w_295 + w_273 * w_296 + b2_on_platform_z * w_297);
+        let w_299 = platform_q3_dot
+            * (w_270 * w_282 - w_273 * w_283 - b2_on_platform_z * w_285)
             - platform_q0_dot
-                * (w_268 * w_285 + w_271 * w_287 - b2_on_platform_z * w_288) - w_292
-            - w_296;
-        let w_273_squared = w_273 * w_273;
-        let w_298 = w_100 * sin_b2_head_angle;
-        let w_299 = w_100 * cos_b2_head_angle;
-        let w_300 = w_35 * w_99 * (w_18 * w_298 - w_11 * w_299);
-        let w_301 = w_35 * w_99 * (w_22 * w_299 - w_24 * w_298);
-        let w_302 = w_271
-            * (w_10_squared * (w_105 * w_267 - w_106 * w_269 + w_107 * w_275)
-                + platform_q0 * w_301 + w_104 * w_266);
-        let w_303 = w_35 * w_99 * (w_28 * w_299 + w_29 * w_298);
-        let w_304 = b2_on_platform_z
-            * (w_10_squared * (w_111 * w_269 + w_113 * w_267) - platform_q0 * w_303
-                + w_10 * (platform_q2_dot * w_266 - platform_q1_dot * w_270));
-        let w_305 = w_276 * w_285
-            + w_268
-                * (w_10_squared * (w_96 * w_267 + w_97 * w_269 + w_98 * w_274)
-                    + platform_q0 * w_300 - w_104 * w_270) + w_277 * w_287 + w_302
-            - w_278 * w_288 - w_304;
-        let w_306 = w_268
-            * (w_10_squared * (w_117 * w_267 + w_118 * w_269 + w_119 * w_274)
-                + platform_q1 * w_300 + w_120 * w_270);
-        let w_307 = b2_on_platform_z
-            * (w_10_squared * (w_127 * w_269 - w_129 * w_267)
-                + w_10 * (platform_q3_dot * w_266 + platform_q0_dot * w_270)
-                + platform_q1 * w_303);
-        let w_308 = w_276 * w_289 + w_306 + w_277 * w_290
-            + w_271 * (w_120 * w_266 - w_122 * w_269 + w_124 * w_299 - w_126 * w_267)
-            + w_278 * w_291 + w_307;
-        let w_309 = w_271
-            * (w_10_squared * (w_137 * w_267 - w_138 * w_269 + w_139 * w_275)
-                + platform_q2 * w_301 + w_133 * w_266);
-        let w_310 = b2_on_platform_z
-            * (w_10_squared * (w_141 * w_269 - w_142 * w_267)
-                + w_10 * (platform_q3_dot * w_270 - platform_q0_dot * w_266)
-                + platform_q2 * w_303);
-        let w_311 = w_276 * w_293
-            + w_268 * (w_132 * w_267 + w_133 * w_270 - w_135 * w_269 + w_136 * w_298)
-            + w_277 * w_294 + w_309 + w_278 * w_295 + w_310;
-        let w_312 = w_271
-            * (w_146 * w_266 - w_150 * w_269 + w_151 * w_299 - w_152 * w_267);
-        let w_313 = b2_on_platform_z
-            * (w_10_squared * (w_154 * w_269 - w_155 * w_267)
-                + w_10 * (platform_q2_dot * w_270 + platform_q1_dot * w_266)
-                + platform_q3 * w_303);
-        let w_314 = w_276 * w_280
-            + w_268 * (w_145 * w_267 + w_146 * w_270 + w_147 * w_269 - w_149 * w_298)
-            - w_277 * w_281 - w_312 - w_278 * w_283 - w_313;
-        let w_315 = S::from_f64(2.0)
-            * (w_279 * (w_297 / w_273_squared)
-                + (platform_q0_dot * w_305 + platform_q1_dot * w_308
-                    + platform_q2_dot * w_311 - platform_q3_dot * w_314) / w_273);
-        let w_316 = w_315
-            + (platform_x_dot * w_276 + platform_y_dot * w_277 + platform_z_dot * w_278)
-                / w_273
-            - w_279
-                * ((platform_x_dot * w_268 + platform_y_dot * w_271
-                    + platform_z_dot * b2_on_platform_z) / w_273_squared);
-        let w_317 = w_161 * w_8;
-        let w_318 = self.r * cos_c1_head_angle;
-        let w_319 = w_14 * sin_c1_head_angle;
-        let w_320 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_318
-            + w_19 * w_319;
-        let w_321 = w_14 * cos_c1_head_angle;
-        let w_322 = self.r * sin_c1_head_angle;
-        let w_323 = platform_y - self.R * sin_c1_foot_angle + w_23 * w_321
-            - w_25 * w_322;
-        let w_324 = w_28 * w_321 + w_29 * w_319;
-        let c1_on_platform_z = w_10 * w_324 + platform_z;
-        let w_325 = w_320 * w_320 + w_323 * w_323 + c1_on_platform_z * c1_on_platform_z;
-        let w_326 = w_39 * cos_c1_head_angle;
-        let w_327 = w_39 * sin_c1_head_angle;
-        let w_328 = platform_x_dot + w_38 * w_326 - w_43 * w_327 - w_49 * w_319;
-        let w_329 = platform_y_dot + w_52 * w_321 - w_54 * w_326 + w_57 * w_327;
-        let w_330 = w_10 * (w_59 * w_319 - w_60 * w_321)
-            - w_10_squared * w_35 * (w_28 * w_326 + w_29 * w_327) + platform_z_dot;
-        let w_331 = w_320 * w_328 + w_323 * w_329 + c1_on_platform_z * w_330;
-        let w_332 = w_63 * w_322 + w_65 * w_321 + w_66 * w_319;
-        let w_333 = w_63 * w_318 - w_68 * w_321 - w_70 * w_319;
-        let w_334 = w_10_squared * w_324;
-        let w_335 = w_10 * (platform_q2 * w_322 + platform_q1 * w_318)
-            - platform_q3 * w_334;
-        let w_336 = w_10_squared * (w_11 * w_321 - w_18 * w_319);
-        let w_337 = platform_q0 * w_336 - w_75 * w_322;
-        let w_338 = w_10_squared * (w_24 * w_319 - w_22 * w_321);
-        let w_339 = platform_q0 * w_338 + w_75 * w_318;
-        let w_340 = platform_q0 * w_334
-            + w_10 * (platform_q2 * w_318 - platform_q1 * w_322);
-        let w_341 = platform_q1 * w_336 + w_80 * w_322;
-        let w_342 = w_80 * w_318 - w_82 * w_321 - w_83 * w_319;
-        let w_343 = w_10 * (platform_q3 * w_318 + platform_q0 * w_322)
-            - platform_q1 * w_334;
-        let w_344 = platform_q1_dot
-            * (w_320 * w_341 + w_323 * w_342 + c1_on_platform_z * w_343);
-        let w_345 = w_87 * w_322 - w_88 * w_321 - w_89 * w_319;
-        let w_346 = platform_q2 * w_338 + w_87 * w_318;
-        let w_347 = w_10 * (platform_q3 * w_322 - platform_q0 * w_318)
-            - platform_q2 * w_334;
-        let w_348 = platform_q2_dot
-            * (w_320 * w_345 + w_323 * w_346 + c1_on_platform_z * w_347);
-        let w_349 = platform_q3_dot
-            * (w_320 * w_332 - w_323 * w_333 - c1_on_platform_z * w_335)
+                * (w_270 * w_287 + w_273 * w_289 - b2_on_platform_z * w_290) - w_294
+            - w_298;
+        let w_275_squared = w_275 * w_275;
+        let w_300 = w_101 * sin_b2_head_angle;
+        let w_301 = w_101 * cos_b2_head_angle;
+        let w_302 = w_36 * w_100 * (w_19 * w_300 - w_10 * w_301);
+        let w_303 = w_36 * w_100 * (w_23 * w_301 - w_25 * w_300);
+        let w_304 = w_273
+            * (w_11_squared * (w_106 * w_269 - w_107 * w_271 + w_108 * w_277)
+                + platform_q0 * w_303 + w_105 * w_268);
+        let w_305 = w_36 * w_100 * (w_29 * w_301 + w_30 * w_300);
+        let w_306 = b2_on_platform_z
+            * (w_11_squared * (w_112 * w_271 + w_114 * w_269) - platform_q0 * w_305
+                + w_11 * (platform_q2_dot * w_268 - platform_q1_dot * w_272));
+        let w_307 = w_278 * w_287
+            + w_270
+                * (w_11_squared * (w_97 * w_269 + w_98 * w_271 + w_99 * w_276)
+                    + platform_q0 * w_302 - w_105 * w_272) + w_279 * w_289 + w_304
+            - w_280 * w_290 - w_306;
+        let w_308 = w_270
+            * (w_11_squared * (w_118 * w_269 + w_119 * w_271 + w_120 * w_276)
+                + platform_q1 * w_302 + w_121 * w_272);
+        let w_309 = b2_on_platform_z
+            * (w_11_squared * (w_129 * w_271 - w_131 * w_269)
+                + w_11 * (platform_q3_dot * w_268 + platform_q0_dot * w_272)
+                + platform_q1 * w_305);
+        let w_310 = w_278 * w_291 + w_308 + w_279 * w_292
+            + w_273 * (w_121 * w_268 - w_123 * w_271 + w_125 * w_301 - w_128 * w_269)
+            + w_280 * w_293 + w_309;
+        let w_311 = w_273
+            * (w_11_squared * (w_139 * w_269 - w_140 * w_271 + w_141 * w_277)
+                + platform_q2 * w_303 + w_135 * w_268);
+        let w_312 = b2_on_platform_z
+            * (w_11_squared * (w_143 * w_271 - w_144 * w_269)
+                + w_11 * (platform_q3_dot * w_272 - platform_q0_dot * w_268)
+                + platform_q2 * w_305);
+        let w_313 = w_278 * w_295
+            + w_270 * (w_134 * w_269 + w_135 * w_272 - w_137 * w_271 + w_138 * w_300)
+            + w_279 * w_296 + w_311 + w_280 * w_297 + w_312;
+        let w_314 = w_273
+            * (w_148 * w_268 - w_152 * w_271 + w_153 * w_301 - w_154 * w_269);
+        let w_315 = b2_on_platform_z
+            * (w_11_squared * (w_156 * w_271 - w_157 * w_269)
+                + w_11 * (platform_q2_dot * w_272 + platform_q1_dot * w_268)
+                + platform_q3 * w_305);
+        let w_316 = w_278 * w_282
+            + w_270 * (w_147 * w_269 + w_148 * w_272 + w_149 * w_271 - w_151 * w_300)
+            - w_279 * w_283 - w_314 - w_280 * w_285 - w_315;
+        let w_317 = S::from_f64(2.0)
+            * (w_281 * (w_299 / w_275_squared)
+                + (platform_q0_dot * w_307 + platform_q1_dot * w_310
+                    + platform_q2_dot * w_313 - platform_q3_dot * w_316) / w_275);
+        let w_318 = w_317
+            + (platform_x_dot * w_278 + platform_y_dot * w_279 + platform_z_dot * w_280)
+                / w_275
+            - w_281
+                * ((platform_x_dot * w_270 + platform_y_dot * w_273
+                    + platform_z_dot * b2_on_platform_z) / w_275_squared);
+        let w_319 = w_163 * w_8;
+        let w_320 = self.r * cos_c1_head_angle;
+        let w_321 = w_15 * sin_c1_head_angle;
+        let w_322 = platform_x - self.R * cos_c1_foot_angle - w_13 * w_320
+            + w_20 * w_321;
+        let w_323 = w_15 * cos_c1_head_angle;
+        let w_324 = self.r * sin_c1_head_angle;
+        let w_325 = platform_y - self.R * sin_c1_foot_angle + w_24 * w_323
+            - w_26 * w_324;
+        let w_326 = w_29 * w_323 + w_30 * w_321;
+        let c1_on_platform_z = w_11 * w_326 + platform_z;
+        let w_327 = w_322 * w_322 + w_325 * w_325 + c1_on_platform_z * c1_on_platform_z;
+        let w_328 = w_40 * cos_c1_head_angle;
+        let w_329 = w_40 * sin_c1_head_angle;
+        let w_330 = platform_x_dot + w_39 * w_328 - w_44 * w_329 - w_50 * w_321;
+        let w_331 = platform_y_dot + w_53 * w_323 - w_55 * w_328 + w_58 * w_329;
+        let w_332 = w_11 * (w_60 * w_321 - w_61 * w_323)
+            - w_11_squared * w_36 * (w_29 * w_328 + w_30 * w_329) + platform_z_dot;
+        let w_333 = w_322 * w_330 + w_325 * w_331 + c1_on_platform_z * w_332;
+        let w_334 = w_64 * w_324 + w_66 * w_323 + w_67 * w_321;
+        let w_335 = w_64 * w_320 - w_69 * w_323 - w_71 * w_321;
+        let w_336 = w_11_squared * w_326;
+        let w_337 = w_11 * (platform_q2 * w_324 + platform_q1 * w_320)
+            - platform_q3 * w_336;
+        let w_338 = w_11_squared * (w_10 * w_323 - w_19 * w_321);
+        let w_339 = platform_q0 * w_338 - w_76 * w_324;
+        let w_340 = w_11_squared * (w_25 * w_321 - w_23 * w_323);
+        let w_341 = platform_q0 * w_340 + w_76 * w_320;
+        let w_342 = platform_q0 * w_336
+            + w_11 * (platform_q2 * w_320 - platform_q1 * w_324);
+        let w_343 = platform_q1 * w_338 + w_81 * w_324;
+        let w_344 = w_81 * w_320 - w_83 * w_323 - w_84 * w_321;
+        let w_345 = w_11 * (platform_q3 * w_320 + platform_q0 * w_324)
+            - platform_q1 * w_336;
+        let w_346 = platform_q1_dot
+            * (w_322 * w_343 + w_325 * w_344 + c1_on_platform_z * w_345);
+        let w_347 = w_88 * w_324 - w_89 * w_323 - w_90 * w_321;
+        let w_348 = platform_q2 * w_340 + w_88 * w_320;
+        let w_349 = w_11 * (platform_q3 * w_324 - platform_q0 * w_320)
+            - platform_q2 * w_336;
+        let w_350 = platform_q2_dot
+            * (w_322 * w_347 + w_325 * w_348 + c1_on_platform_z * w_349);
+        let w_351 = platform_q3_dot
+            * (w_322 * w_334 - w_325 * w_335 - c1_on_platform_z * w_337)
             - platform_q0_dot
-                * (w_320 * w_337 + w_323 * w_339 - c1_on_platform_z * w_340) - w_344
-            - w_348;
-        let w_325_squared = w_325 * w_325;
-        let w_350 = w_100 * sin_c1_head_angle;
-        let w_351 = w_100 * cos_c1_head_angle;
-        let w_352 = w_35 * w_99 * (w_18 * w_350 - w_11 * w_351);
-        let w_353 = w_35 * w_99 * (w_22 * w_351 - w_24 * w_350);
-        let w_354 = w_323
-            * (w_10_squared * (w_105 * w_319 - w_106 * w_321 + w_107 * w_327)
-                + platform_q0 * w_353 + w_104 * w_318);
-        let w_355 = w_35 * w_99 * (w_28 * w_351 + w_29 * w_350);
-        let w_356 = c1_on_platform_z
-            * (w_10_squared * (w_111 * w_321 + w_113 * w_319) - platform_q0 * w_355
-                + w_10 * (platform_q2_dot * w_318 - platform_q1_dot * w_322));
-        let w_357 = w_328 * w_337
-            + w_320
-                * (w_10_squared * (w_96 * w_319 + w_97 * w_321 + w_98 * w_326)
-                    + platform_q0 * w_352 - w_104 * w_322) + w_329 * w_339 + w_354
-            - w_330 * w_340 - w_356;
-        let w_358 = w_320
-            * (w_10_squared * (w_117 * w_319 + w_118 * w_321 + w_119 * w_326)
-                + platform_q1 * w_352 + w_120 * w_322);
-        let w_359 = c1_on_platform_z
-            * (w_10_squared * (w_127 * w_321 - w_129 * w_319)
-                + w_10 * (platform_q3_dot * w_318 + platform_q0_dot * w_322)
-                + platform_q1 * w_355);
-        let w_360 = w_328 * w_341 + w_358 + w_329 * w_342
-            + w_323 * (w_120 * w_318 - w_122 * w_321 + w_124 * w_351 - w_126 * w_319)
-            + w_330 * w_343 + w_359;
-        let w_361 = w_323
-            * (w_10_squared * (w_137 * w_319 - w_138 * w_321 + w_139 * w_327)
-                + platform_q2 * w_353 + w_133 * w_318);
-        let w_362 = c1_on_platform_z
-            * (w_10_squared * (w_141 * w_321 - w_142 * w_319)
-                + w_10 * (platform_q3_dot * w_322 - platform_q0_dot * w_318)
-                + platform_q2 * w_355);
-        let w_363 = w_328 * w_345
-            + w_320 * (w_132 * w_319 + w_133 * w_322 - w_135 * w_321 + w_136 * w_350)
-            + w_329 * w_346 + w_361 + w_330 * w_347 + w_362;
-        let w_364 = w_323
-            * (w_146 * w_318 - w_150 * w_321 + w_151 * w_351 - w_152 * w_319);
-        let w_365 = c1_on_platform_z
-            * (w_10_squared * (w_154 * w_321 - w_155 * w_319)
-                + w_10 * (platform_q2_dot * w_322 + platform_q1_dot * w_318)
-                + platform_q3 * w_355);
-        let w_366 = w_328 * w_332
-            + w_320 * (w_145 * w_319 + w_146 * w_322 + w_147 * w_321 - w_149 * w_350)
-            - w_329 * w_333 - w_364 - w_330 * w_335 - w_365;
-        let w_367 = S::from_f64(2.0)
-            * (w_331 * (w_349 / w_325_squared)
-                + (platform_q0_dot * w_357 + platform_q1_dot * w_360
-                    + platform_q2_dot * w_363 - platform_q3_dot * w_366) / w_325);
-        let w_368 = w_367
-            + (platform_x_dot * w_328 + platform_y_dot * w_329 + platform_z_dot * w_330)
-                / w_325
-            - w_331
-                * ((platform_x_dot * w_320 + platform_y_dot * w_323
-                    + platform_z_dot * c1_on_platform_z) / w_325_squared);
-        let w_369 = self.r * cos_c2_head_angle;
-        let w_370 = w_14 * sin_c2_head_angle;
-        let w_371 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_369
-            + w_19 * w_370;
-        let w_372 = w_14 * cos_c2_head_angle;
-        let w_373 = self.r * sin_c2_head_angle;
-        let w_374 = platform_y - self.R * sin_c2_foot_angle + w_23 * w_372
-            - w_25 * w_373;
-        let w_375 = w_28 * w_372 + w_29 * w_370;
-        let c2_on_platform_z = w_10 * w_375 + platform_z;
-        let w_376 = w_371 * w_371 + w_374 * w_374 + c2_on_platform_z * c2_on_platform_z;
-        let w_377 = w_39 * cos_c2_head_angle;
-        let w_378 = w_39 * sin_c2_head_angle;
-        let w_379 = platform_x_dot + w_38 * w_377 - w_43 * w_378 - w_49 * w_370;
-        let w_380 = platform_y_dot + w_52 * w_372 - w_54 * w_377 + w_57 * w_378;
-        let w_381 = w_10 * (w_59 * w_370 - w_60 * w_372)
-            - w_10_squared * w_35 * (w_28 * w_377 + w_29 * w_378) + platform_z_dot;
-        let w_382 = w_371 * w_379 + w_374 * w_380 + c2_on_platform_z * w_381;
-        let w_383 = w_63 * w_373 + w_65 * w_372 + w_66 * w_370;
-        let w_384 = w_63 * w_369 - w_68 * w_372 - w_70 * w_370;
-        let w_385 = w_10_squared * w_375;
-        let w_386 = w_10 * (platform_q2 * w_373 + platform_q1 * w_369)
-            - platform_q3 * w_385;
-        let w_387 = w_10_squared * (w_11 * w_372 - w_18 * w_370);
-        let w_388 = platform_q0 * w_387 - w_75 * w_373;
-        let w_389 = w_10_squared * (w_24 * w_370 - w_22 * w_372);
-        let w_390 = platform_q0 * w_389 + w_75 * w_369;
-        let w_391 = platform_q0 * w_385
-            + w_10 * (platform_q2 * w_369 - platform_q1 * w_373);
-        let w_392 = platform_q1 * w_387 + w_80 * w_373;
-        let w_393 = w_80 * w_369 - w_82 * w_372 - w_83 * w_370;
-        let w_394 = w_10 * (platform_q3 * w_369 + platform_q0 * w_373)
-            - platform_q1 * w_385;
-        let w_395 = platform_q1_dot
-            * (w_371 * w_392 + w_374 * w_393 + c2_on_platform_z * w_394);
-        let w_396 = w_87 * w_373 - w_88 * w_372 - w_89 * w_370;
-        let w_397 = platform_q2 * w_389 + w_87 * w_369;
-        let w_398 = w_10 * (platform_q3 * w_373 - platform_q0 * w_369)
-            - platform_q2 * w_385;
-        let w_399 = platform_q2_dot
-            * (w_371 * w_396 + w_374 * w_397 + c2_on_platform_z * w_398);
-        let w_400 = platform_q3_dot
-            * (w_371 * w_383 - w_374 * w_384 - c2_on_platform_z * w_386)
+                * (w_322 * w_339 + w_325 * w_341 - c1_on_platform_z * w_342) - w_346
+            - w_350;
+        let w_327_squared = w_327 * w_327;
+        let w_352 = w_101 * sin_c1_head_angle;
+        let w_353 = w_101 * cos_c1_head_angle;
+        let w_354 = w_36 * w_100 * (w_19 * w_352 - w_10 * w_353);
+        let w_355 = w_36 * w_100 * (w_23 * w_353 - w_25 * w_352);
+        let w_356 = w_325
+            * (w_11_squared * (w_106 * w_321 - w_107 * w_323 + w_108 * w_329)
+                + platform_q0 * w_355 + w_105 * w_320);
+        let w_357 = w_36 * w_100 * (w_29 * w_353 + w_30 * w_352);
+        let w_358 = c1_on_platform_z
+            * (w_11_squared * (w_112 * w_323 + w_114 * w_321) - platform_q0 * w_357
+                + w_11 * (platform_q2_dot * w_320 - platform_q1_dot * w_324));
+        let w_359 = w_330 * w_339
+            + w_322
+                * (w_11_squared * (w_97 * w_321 + w_98 * w_323 + w_99 * w_328)
+                    + platform_q0 * w_354 - w_105 * w_324) + w_331 * w_341 + w_356
+            - w_332 * w_342 - w_358;
+        let w_360 = w_322
+            * (w_11_squared * (w_118 * w_321 + w_119 * w_323 + w_120 * w_328)
+                + platform_q1 * w_354 + w_121 * w_324);
+        let w_361 = c1_on_platform_z
+            * (w_11_squared * (w_129 * w_323 - w_131 * w_321)
+                + w_11 * (platform_q3_dot * w_320 + platform_q0_dot * w_324)
+                + platform_q1 * w_357);
+        let w_362 = w_330 * w_343 + w_360 + w_331 * w_344
+            + w_325 * (w_121 * w_320 - w_123 * w_323 + w_125 * w_353 - w_128 * w_321)
+            + w_332 * w_345 + w_361;
+        let w_363 = w_325
+            * (w_11_squared * (w_139 * w_321 - w_140 * w_323 + w_141 * w_329)
+                + platform_q2 * w_355 + w_135 * w_320);
+        let w_364 = c1_on_platform_z
+            * (w_11_squared * (w_143 * w_323 - w_144 * w_321)
+                + w_11 * (platform_q3_dot * w_324 - platform_q0_dot * w_320)
+                + platform_q2 * w_357);
+        let w_365 = w_330 * w_347
+            + w_322 * (w_134 * w_321 + w_135 * w_324 - w_137 * w_323 + w_138 * w_352)
+            + w_331 * w_348 + w_363 + w_332 * w_349 + w_364;
+        let w_366 = w_325
+            * (w_148 * w_320 - w_152 * w_323 + w_153 * w_353 - w_154 * w_321);
+        let w_367 = c1_on_platform_z
+            * (w_11_squared * (w_156 * w_323 - w_157 * w_321)
+                + w_11 * (platform_q2_dot * w_324 + platform_q1_dot * w_320)
+                + platform_q3 * w_357);
+        let w_368 = w_330 * w_334
+            + w_322 * (w_147 * w_321 + w_148 * w_324 + w_149 * w_323 - w_151 * w_352)
+            - w_331 * w_335 - w_366 - w_332 * w_337 - w_367;
+        let w_369 = S::from_f64(2.0)
+            * (w_333 * (w_351 / w_327_squared)
+                + (platform_q0_dot * w_359 + platform_q1_dot * w_362
+                    + platform_q2_dot * w_365 - platform_q3_dot * w_368) / w_327);
+        let w_370 = w_369
+            + (platform_x_dot * w_330 + platform_y_dot * w_331 + platform_z_dot * w_332)
+                / w_327
+            - w_333
+                * ((platform_x_dot * w_322 + platform_y_dot * w_325
+                    + platform_z_dot * c1_on_platform_z) / w_327_squared);
+        let w_371 = self.r * cos_c2_head_angle;
+        let w_372 = w_15 * sin_c2_head_angle;
+        let w_373 = platform_x - self.R * cos_c2_foot_angle - w_13 * w_371
+            + w_20 * w_372;
+        let w_374 = w_15 * cos_c2_head_angle;
+        let w_375 = self.r * sin_c2_head_angle;
+        let w_376 = platform_y - self.R * sin_c2_foot_angle + w_24 * w_374
+            - w_26 * w_375;
+        let w_377 = w_29 * w_374 + w_30 * w_372;
+        let c2_on_platform_z = w_11 * w_377 + platform_z;
+        let w_378 = w_373 * w_373 + w_376 * w_376 + c2_on_platform_z * c2_on_platform_z;
+        let w_379 = w_40 * cos_c2_head_angle;
+        let w_380 = w_40 * sin_c2_head_angle;
+        let w_381 = platform_x_dot + w_39 * w_379 - w_44 * w_380 - w_50 * w_372;
+        let w_382 = platform_y_dot + w_53 * w_374 - w_55 * w_379 + w_58 * w_380;
+        let w_383 = w_11 * (w_60 * w_372 - w_61 * w_374)
+            - w_11_squared * w_36 * (w_29 * w_379 + w_30 * w_380) + platform_z_dot;
+        let w_384 = w_373 * w_381 + w_376 * w_382 + c2_on_platform_z * w_383;
+        let w_385 = w_64 * w_375 + w_66 * w_374 + w_67 * w_372;
+        let w_386 = w_64 * w_371 - w_69 * w_374 - w_71 * w_372;
+        let w_387 = w_11_squared * w_377;
+        let w_388 = w_11 * (platform_q2 * w_375 + platform_q1 * w_371)
+            - platform_q3 * w_387;
+        let w_389 = w_11_squared * (w_10 * w_374 - w_19 * w_372);
+        let w_390 = platform_q0 * w_389 - w_76 * w_375;
+        let w_391 = w_11_squared * (w_25 * w_372 - w_23 * w_374);
+        let w_392 = platform_q0 * w_391 + w_76 * w_371;
+        let w_393 = platform_q0 * w_387
+            + w_11 * (platform_q2 * w_371 - platform_q1 * w_375);
+        let w_394 = platform_q1 * w_389 + w_81 * w_375;
+        let w_395 = w_81 * w_371 - w_83 * w_374 - w_84 * w_372;
+        let w_396 = w_11 * (platform_q3 * w_371 + platform_q0 * w_375)
+            - platform_q1 * w_387;
+        let w_397 = platform_q1_dot
+            * (w_373 * w_394 + w_376 * w_395 + c2_on_platform_z * w_396);
+        let w_398 = w_88 * w_375 - w_89 * w_374 - w_90 * w_372;
+        let w_399 = platform_q2 * w_391 + w_88 * w_371;
+        let w_400 = w_11 * (platform_q3 * w_375 - platform_q0 * w_371)
+            - platform_q2 * w_387;
+        let w_401 = platform_q2_dot
+            * (w_373 * w_398 + w_376 * w_399 + c2_on_platform_z * w_400);
+        let w_402 = platform_q3_dot
+            * (w_373 * w_385 - w_376 * w_386 - c2_on_platform_z * w_388)
             - platform_q0_dot
-                * (w_371 * w_388 + w_374 * w_390 - c2_on_platform_z * w_391) - w_395
-            - w_399;
-        let w_376_squared = w_376 * w_376;
-        let w_401 = w_100 * sin_c2_head_angle;
-        let w_402 = w_100 * cos_c2_head_angle;
-        let w_403 = w_35 * w_99 * (w_18 * w_401 - w_11 * w_402);
-        let w_404 = w_35 * w_99 * (w_22 * w_402 - w_24 * w_401);
-        let w_405 = w_374
-            * (w_10_squared * (w_105 * w_370 - w_106 * w_372 + w_107 * w_378)
-                + platform_q0 * w_404 + w_104 * w_369);
-        let w_406 = w_35 * w_99 * (w_28 * w_402 + w_29 * w_401);
-        let w_407 = c2_on_platform_z
-            * (w_10_squared * (w_111 * w_372 + w_113 * w_370) - platform_q0 * w_406
-                + w_10 * (platform_q2_dot * w_369 - platform_q1_dot * w_373));
-        let w_408 = w_379 * w_388
-            + w_371
-                * (w_10_squared * (w_96 * w_370 + w_97 * w_372 + w_98 * w_377)
-                    + platform_q0 * w_403 - w_104 * w_373) + w_380 * w_390 + w_405
-            - w_381 * w_391 - w_407;
-        let w_409 = w_371
-            * (w_10_squared * (w_117 * w_370 + w_118 * w_372 + w_119 * w_377)
-                + platform_q1 * w_403 + w_120 * w_373);
-        let w_410 = c2_on_platform_z
-            * (w_10_squared * (w_127 * w_372 - w_129 * w_370)
-                + w_10 * (platform_q3_dot * w_369 + platform_q0_dot * w_373)
-                + platform_q1 * w_406);
-        let w_411 = w_379 * w_392 + w_409 + w_380 * w_393
-            + w_374 * (w_120 * w_369 - w_122 * w_372 + w_124 * w_402 - w_126 * w_370)
-            + w_381 * w_394 + w_410;
-        let w_412 = w_374
-            * (w_10_squared * (w_137 * w_370 - w_138 * w_372 + w_139 * w_378)
-                + platform_q2 * w_404 + w_133 * w_369);
-        let w_413 = c2_on_platform_z
-            * (w_10_squared * (w_141 * w_372 - w_142 * w_370)
-                + w_10 * (platform_q3_dot * w_373 - platform_q0_dot * w_369)
-                + platform_q2 * w_406);
-        let w_414 = w_379 * w_396
-            + w_371 * (w_132 * w_370 + w_133 * w_373 - w_135 * w_372 + w_136 * w_401)
-            + w_380 * w_397 + w_412 + w_381 * w_398 + w_413;
-        let w_415 = w_374
-            * (w_146 * w_369 - w_150 * w_372 + w_151 * w_402 - w_152 * w_370);
-        let w_416 = c2_on_platform_z
-            * (w_10_squared * (w_154 * w_372 - w_155 * w_370)
-                + w_10 * (platform_q2_dot * w_373 + platform_q1_dot * w_369)
-                + platform_q3 * w_406);
-        let w_417 = w_379 * w_383
-            + w_371 * (w_145 * w_370 + w_146 * w_373 + w_147 * w_372 - w_149 * w_401)
-            - w_380 * w_384 - w_415 - w_381 * w_386 - w_416;
-        let w_418 = S::from_f64(2.0)
-            * (w_382 * (w_400 / w_376_squared)
-                + (platform_q0_dot * w_408 + platform_q1_dot * w_411
-                    + platform_q2_dot * w_414 - platform_q3_dot * w_417) / w_376);
-        let w_419 = w_418
-            + (platform_x_dot * w_379 + platform_y_dot * w_380 + platform_z_dot * w_381)
-                / w_376
-            - w_382
-                * ((platform_x_dot * w_371 + platform_y_dot * w_374
-                    + platform_z_dot * c2_on_platform_z) / w_376_squared);
+                * (w_373 * w_390 + w_376 * w_392 - c2_on_platform_z * w_393) - w_397
+            - w_401;
+        let w_378_squared = w_378 * w_378;
+        let w_403 = w_101 * sin_c2_head_angle;
+        let w_404 = w_101 * cos_c2_head_angle;
+        let w_405 = w_36 * w_100 * (w_19 * w_403 - w_10 * w_404);
+        let w_406 = w_36 * w_100 * (w_23 * w_404 - w_25 * w_403);
+        let w_407 = w_376
+            * (w_11_squared * (w_106 * w_372 - w_107 * w_374 + w_108 * w_380)
+                + platform_q0 * w_406 + w_105 * w_371);
+        let w_408 = w_36 * w_100 * (w_29 * w_404 + w_30 * w_403);
+        let w_409 = c2_on_platform_z
+            * (w_11_squared * (w_112 * w_374 + w_114 * w_372) - platform_q0 * w_408
+                + w_11 * (platform_q2_dot * w_371 - platform_q1_dot * w_375));
+        let w_410 = w_381 * w_390
+            + w_373
+                * (w_11_squared * (w_97 * w_372 + w_98 * w_374 + w_99 * w_379)
+                    + platform_q0 * w_405 - w_105 * w_375) + w_382 * w_392 + w_407
+            - w_383 * w_393 - w_409;
+        let w_411 = w_373
+            * (w_11_squared * (w_118 * w_372 + w_119 * w_374 + w_120 * w_379)
+                + platform_q1 * w_405 + w_121 * w_375);
+        let w_412 = c2_on_platform_z
+            * (w_11_squared * (w_129 * w_374 - w_131 * w_372)
+                + w_11 * (platform_q3_dot * w_371 + platform_q0_dot * w_375)
+                + platform_q1 * w_408);
+        let w_413 = w_381 * w_394 + w_411 + w_382 * w_395
+            + w_376 * (w_121 * w_371 - w_123 * w_374 + w_125 * w_404 - w_128 * w_372)
+            + w_383 * w_396 + w_412;
+        let w_414 = w_376
+            * (w_11_squared * (w_139 * w_372 - w_140 * w_374 + w_141 * w_380)
+                + platform_q2 * w_406 + w_135 * w_371);
+        let w_415 = c2_on_platform_z
+            * (w_11_squared * (w_143 * w_374 - w_144 * w_372)
+                + w_11 * (platform_q3_dot * w_375 - platform_q0_dot * w_371)
+                + platform_q2 * w_408);
+        let w_416 = w_381 * w_398
+            + w_373 * (w_134 * w_372 + w_135 * w_375 - w_137 * w_374 + w_138 * w_403)
+            + w_382 * w_399 + w_414 + w_383 * w_400 + w_415;
+        let w_417 = w_376
+            * (w_148 * w_371 - w_152 * w_374 + w_153 * w_404 - w_154 * w_372);
+        let w_418 = c2_on_platform_z
+            * (w_11_squared * (w_156 * w_374 - w_157 * w_372)
+                + w_11 * (platform_q2_dot * w_375 + platform_q1_dot * w_371)
+                + platform_q3 * w_408);
+        let w_419 = w_381 * w_385
+            + w_373 * (w_147 * w_372 + w_148 * w_375 + w_149 * w_374 - w_151 * w_403)
+            - w_382 * w_386 - w_417 - w_383 * w_388 - w_418;
+        let w_420 = S::from_f64(2.0)
+            * (w_384 * (w_402 / w_378_squared)
+                + (platform_q0_dot * w_410 + platform_q1_dot * w_413
+                    + platform_q2_dot * w_416 - platform_q3_dot * w_419) / w_378);
+        let w_421 = w_420
+            + (platform_x_dot * w_381 + platform_y_dot * w_382 + platform_z_dot * w_383)
+                / w_378
+            - w_384
+                * ((platform_x_dot * w_373 + platform_y_dot * w_376
+                    + platform_z_dot * c2_on_platform_z) / w_378_squared);
         [
             S::from_f64(2.0)
                 * (platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
                     + platform_q2_dot * platform_q2_dot
                     + platform_q3_dot * platform_q3_dot),
-            w_31.sqrt() * w_159 + sin_w * (w_160 + w_161),
-            w_169.sqrt() * w_212 + w_213 - w_214,
-            w_222.sqrt() * w_265 + w_213 + w_214,
-            w_273.sqrt() * w_316 + w_213 - w_317,
-            w_325.sqrt() * w_368 + w_213 + w_317,
-            w_376.sqrt() * w_419 + w_213 - w_161 * w_9,
+            w_32.sqrt() * w_161 + sin_w * (w_162 + w_163),
+            w_171.sqrt() * w_214 + w_215 - w_216,
+            w_224.sqrt() * w_267 + w_215 + w_216,
+            w_275.sqrt() * w_318 + w_215 - w_319,
+            w_327.sqrt() * w_370 + w_215 + w_319,
+            w_378.sqrt() * w_421 + w_215 - w_163 * w_9,
         ]
     }
     /// `C` (7), `C_q` (7 x 7) and `C_t` (7) together, in SI units, for projection.
     ///
-    /// Operations: 304 additions, 549 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 304 additions, 530 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -3259,200 +3258,207 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             c2_head_angle,
             w_9,
         ]);
-        let w_10 = S::from_f64(1.0)
+        let w_10 = platform_q2_squared + platform_q3_squared;
+        let w_11 = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_11 = platform_q2_squared + platform_q3_squared;
-        let w_12 = S::from_f64(2.0) * w_10 * w_11 - S::from_f64(1.0);
-        let w_13 = self.r * cos_a1_head_angle;
-        let w_14 = self.r * S::from_f64(2.0);
-        let w_15 = sin_a1_head_angle * w_14;
-        let w_16 = platform_q1 * platform_q2;
-        let w_17 = platform_q0 * platform_q3;
-        let w_18 = w_16 - w_17;
-        let w_19 = w_10 * w_18;
-        let w_20 = platform_x - self.R * cos_foot - w_12 * w_13 + w_15 * w_19;
-        let w_21 = cos_a1_head_angle * w_14;
-        let w_22 = w_16 + w_17;
-        let w_23 = w_10 * w_22;
-        let w_24 = platform_q1_squared + platform_q3_squared;
-        let w_25 = S::from_f64(2.0) * w_10 * w_24 - S::from_f64(1.0);
-        let w_26 = self.r * sin_a1_head_angle;
-        let w_27 = platform_y - self.R * sin_foot + w_21 * w_23 - w_25 * w_26;
-        let w_28 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_29 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let w_30 = w_21 * w_28 + w_15 * w_29;
-        let a1_on_platform_z = w_10 * w_30 + platform_z;
-        let w_31 = w_20 * w_20 + w_27 * w_27 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_31 = w_31.sqrt();
-        let w_32 = self.r * cos_a2_head_angle;
-        let w_33 = w_14 * sin_a2_head_angle;
-        let w_34 = platform_x - self.R * cos_a2_foot_angle - w_12 * w_32 + w_19 * w_33;
-        let w_35 = w_14 * cos_a2_head_angle;
-        let w_36 = self.r * sin_a2_head_angle;
-        let w_37 = platform_y - self.R * sin_a2_foot_angle + w_23 * w_35 - w_25 * w_36;
-        let w_38 = w_28 * w_35 + w_29 * w_33;
-        let a2_on_platform_z = w_10 * w_38 + platform_z;
-        let w_39 = w_34 * w_34 + w_37 * w_37 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_39 = w_39.sqrt();
-        let w_40 = self.heave * sin_w_2;
-        let w_41 = self.sway * sin_w_4;
-        let w_42 = self.r * cos_b1_head_angle;
-        let w_43 = w_14 * sin_b1_head_angle;
-        let w_44 = platform_x - self.R * cos_b1_foot_angle - w_12 * w_42 + w_19 * w_43;
-        let w_45 = w_14 * cos_b1_head_angle;
-        let w_46 = self.r * sin_b1_head_angle;
-        let w_47 = platform_y - self.R * sin_b1_foot_angle + w_23 * w_45 - w_25 * w_46;
-        let w_48 = w_28 * w_45 + w_29 * w_43;
-        let b1_on_platform_z = w_10 * w_48 + platform_z;
-        let w_49 = w_44 * w_44 + w_47 * w_47 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_49 = w_49.sqrt();
-        let w_50 = self.r * cos_b2_head_angle;
-        let w_51 = w_14 * sin_b2_head_angle;
-        let w_52 = platform_x - self.R * cos_b2_foot_angle - w_12 * w_50 + w_19 * w_51;
-        let w_53 = w_14 * cos_b2_head_angle;
-        let w_54 = self.r * sin_b2_head_angle;
-        let w_55 = platform_y - self.R * sin_b2_foot_angle + w_23 * w_53 - w_25 * w_54;
-        let w_56 = w_28 * w_53 + w_29 * w_51;
-        let b2_on_platform_z = w_10 * w_56 + platform_z;
-        let w_57 = w_52 * w_52 + w_55 * w_55 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_57 = w_57.sqrt();
-        let w_58 = self.sway * sin_w_6;
-        let w_59 = self.r * cos_c1_head_angle;
-        let w_60 = w_14 * sin_c1_head_angle;
-        let w_61 = platform_x - self.R * cos_c1_foot_angle - w_12 * w_59 + w_19 * w_60;
-        let w_62 = w_14 * cos_c1_head_angle;
-        let w_63 = self.r * sin_c1_head_angle;
-        let w_64 = platform_y - self.R * sin_c1_foot_angle + w_23 * w_62 - w_25 * w_63;
-        let w_65 = w_28 * w_62 + w_29 * w_60;
-        let c1_on_platform_z = w_10 * w_65 + platform_z;
-        let w_66 = w_61 * w_61 + w_64 * w_64 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_66 = w_66.sqrt();
-        let w_67 = self.r * cos_c2_head_angle;
-        let w_68 = w_14 * sin_c2_head_angle;
-        let w_69 = platform_x - self.R * cos_c2_foot_angle - w_12 * w_67 + w_19 * w_68;
-        let w_70 = w_14 * cos_c2_head_angle;
-        let w_71 = self.r * sin_c2_head_angle;
-        let w_72 = platform_y - self.R * sin_c2_foot_angle + w_23 * w_70 - w_25 * w_71;
-        let w_73 = w_28 * w_70 + w_29 * w_68;
-        let c2_on_platform_z = w_10 * w_73 + platform_z;
-        let w_74 = w_69 * w_69 + w_72 * w_72 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_74 = w_74.sqrt();
-        let w_10_squared = w_10 * w_10;
-        let w_75 = w_10_squared * (w_11 * w_21 - w_18 * w_15);
-        let w_76 = platform_q3 * w_10;
-        let w_77 = w_10_squared * (w_15 * w_24 - w_22 * w_21);
-        let w_78 = w_30 * w_10_squared;
-        let w_79 = a1_on_platform_z
-            * (platform_q0 * w_78 + w_10 * (platform_q2 * w_13 - platform_q1 * w_26));
-        let w_80 = platform_q2 * w_10;
-        let w_81 = w_10_squared * platform_q1 * w_22;
-        let w_82 = w_10 - w_24 * w_10_squared;
-        let w_83 = platform_q1 * w_82;
-        let w_84 = a1_on_platform_z
-            * (w_10 * (platform_q3 * w_13 + platform_q0 * w_26) - platform_q1 * w_78);
-        let w_85 = platform_q1 * w_10;
-        let w_86 = w_10 - w_11 * w_10_squared;
-        let w_87 = platform_q2 * w_86;
-        let w_88 = w_10_squared * platform_q2 * w_18;
-        let w_89 = a1_on_platform_z
-            * (w_10 * (platform_q3 * w_26 - platform_q0 * w_13) - platform_q2 * w_78);
-        let w_90 = platform_q0 * w_10;
-        let w_91 = platform_q3 * w_86;
-        let w_92 = platform_q3 * w_10_squared;
-        let w_93 = w_18 * w_92;
-        let w_94 = w_22 * w_92;
-        let w_95 = platform_q3 * w_82;
-        let w_96 = a1_on_platform_z
-            * (w_10 * (platform_q2 * w_26 + platform_q1 * w_13) - platform_q3 * w_78);
-        let w_97 = S::from_f64(2.0) * sqrt_w_31
-            * (w_20 * (w_26 * w_90 + w_21 * w_91 + w_15 * w_93)
-                - w_27 * (w_13 * w_90 - w_21 * w_94 - w_15 * w_95) - w_96);
-        let w_98 = w_10_squared * (w_11 * w_35 - w_18 * w_33);
-        let w_99 = w_10_squared * (w_24 * w_33 - w_22 * w_35);
-        let w_100 = w_38 * w_10_squared;
-        let w_101 = a2_on_platform_z
-            * (platform_q0 * w_100 + w_10 * (platform_q2 * w_32 - platform_q1 * w_36));
-        let w_102 = a2_on_platform_z
-            * (w_10 * (platform_q3 * w_32 + platform_q0 * w_36) - platform_q1 * w_100);
+        let w_12 = S::from_f64(2.0) * w_11;
+        let w_13 = w_10 * w_12 - S::from_f64(1.0);
+        let w_14 = self.r * cos_a1_head_angle;
+        let w_15 = self.r * S::from_f64(2.0);
+        let w_16 = sin_a1_head_angle * w_15;
+        let w_17 = platform_q1 * platform_q2;
+        let w_18 = platform_q0 * platform_q3;
+        let w_19 = w_17 - w_18;
+        let w_20 = w_11 * w_19;
+        let w_21 = platform_x - self.R * cos_foot - w_13 * w_14 + w_16 * w_20;
+        let w_22 = cos_a1_head_angle * w_15;
+        let w_23 = w_17 + w_18;
+        let w_24 = w_11 * w_23;
+        let w_25 = platform_q1_squared + platform_q3_squared;
+        let w_26 = w_12 * w_25 - S::from_f64(1.0);
+        let w_27 = self.r * sin_a1_head_angle;
+        let w_28 = platform_y - self.R * sin_foot + w_22 * w_24 - w_26 * w_27;
+        let w_29 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_30 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let w_31 = w_22 * w_29 + w_16 * w_30;
+        let a1_on_platform_z = w_11 * w_31 + platform_z;
+        let w_32 = w_21 * w_21 + w_28 * w_28 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_32 = w_32.sqrt();
+        let w_33 = self.r * cos_a2_head_angle;
+        let w_34 = w_15 * sin_a2_head_angle;
+        let w_35 = platform_x - self.R * cos_a2_foot_angle - w_13 * w_33 + w_20 * w_34;
+        let w_36 = w_15 * cos_a2_head_angle;
+        let w_37 = self.r * sin_a2_head_angle;
+        let w_38 = platform_y - self.R * sin_a2_foot_angle + w_24 * w_36 - w_26 * w_37;
+        let w_39 = w_29 * w_36 + w_30 * w_34;
+        let a2_on_platform_z = w_11 * w_39 + platform_z;
+        let w_40 = w_35 * w_35 + w_38 * w_38 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_40 = w_40.sqrt();
+        let w_41 = self.heave * sin_w_2;
+        let w_42 = self.sway * sin_w_4;
+        let w_43 = self.r * cos_b1_head_angle;
+        let w_44 = w_15 * sin_b1_head_angle;
+        let w_45 = platform_x - self.R * cos_b1_foot_angle - w_13 * w_43 + w_20 * w_44;
+        let w_46 = w_15 * cos_b1_head_angle;
+        let w_47 = self.r * sin_b1_head_angle;
+        let w_48 = platform_y - self.R * sin_b1_foot_angle + w_24 * w_46 - w_26 * w_47;
+        let w_49 = w_29 * w_46 + w_30 * w_44;
+        let b1_on_platform_z = w_11 * w_49 + platform_z;
+        let w_50 = w_45 * w_45 + w_48 * w_48 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_50 = w_50.sqrt();
+        let w_51 = self.r * cos_b2_head_angle;
+        let w_52 = w_15 * sin_b2_head_angle;
+        let w_53 = platform_x - self.R * cos_b2_foot_angle - w_13 * w_51 + w_20 * w_52;
+        let w_54 = w_15 * cos_b2_head_angle;
+        let w_55 = self.r * sin_b2_head_angle;
+        let w_56 = platform_y - self.R * sin_b2_foot_angle + w_24 * w_54 - w_26 * w_55;
+        let w_57 = w_29 * w_54 + w_30 * w_52;
+        let b2_on_platform_z = w_11 * w_57 + platform_z;
+        let w_58 = w_53 * w_53 + w_56 * w_56 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_58 = w_58.sqrt();
+        let w_59 = self.sway * sin_w_6;
+        let w_60 = self.r * cos_c1_head_angle;
+        let w_61 = w_15 * sin_c1_head_angle;
+        let w_62 = platform_x - self.R * cos_c1_foot_angle - w_13 * w_60 + w_20 * w_61;
+        let w_63 = w_15 * cos_c1_head_angle;
+        let w_64 = self.r * sin_c1_head_angle;
+        let w_65 = platform_y - self.R * sin_c1_foot_angle + w_24 * w_63 - w_26 * w_64;
+        let w_66 = w_29 * w_63 + w_30 * w_61;
+        let c1_on_platform_z = w_11 * w_66 + platform_z;
+        let w_67 = w_62 * w_62 + w_65 * w_65 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_67 = w_67.sqrt();
+        let w_68 = self.r * cos_c2_head_angle;
+        let w_69 = w_15 * sin_c2_head_angle;
+        let w_70 = platform_x - self.R * cos_c2_foot_angle - w_13 * w_68 + w_20 * w_69;
+        let w_71 = w_15 * cos_c2_head_angle;
+        let w_72 = self.r * sin_c2_head_angle;
+        let w_73 = platform_y - self.R * sin_c2_foot_angle + w_24 * w_71 - w_26 * w_72;
+        let w_74 = w_29 * w_71 + w_30 * w_69;
+        let c2_on_platform_z = w_11 * w_74 + platform_z;
+        let w_75 = w_70 * w_70 + w_73 * w_73 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_75 = w_75.sqrt();
+        let w_11_squared = w_11 * w_11;
+        let w_76 = w_11_squared * (w_10 * w_22 - w_19 * w_16);
+        let w_77 = platform_q3 * w_11;
+        let w_78 = w_11_squared * (w_16 * w_25 - w_23 * w_22);
+        let w_79 = w_31 * w_11_squared;
+        let w_80 = a1_on_platform_z
+            * (platform_q0 * w_79 + w_11 * (platform_q2 * w_14 - platform_q1 * w_27));
+        let w_81 = S::from_f64(2.0) * sqrt_w_32;
+        let w_82 = platform_q2 * w_11;
+        let w_83 = w_11_squared * platform_q1 * w_23;
+        let w_84 = w_11 - w_25 * w_11_squared;
+        let w_85 = platform_q1 * w_84;
+        let w_86 = a1_on_platform_z
+            * (w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - platform_q1 * w_79);
+        let w_87 = platform_q1 * w_11;
+        let w_88 = w_11 - w_10 * w_11_squared;
+        let w_89 = platform_q2 * w_88;
+        let w_90 = w_11_squared * platform_q2 * w_19;
+        let w_91 = a1_on_platform_z
+            * (w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - platform_q2 * w_79);
+        let w_92 = platform_q0 * w_11;
+        let w_93 = platform_q3 * w_88;
+        let w_94 = platform_q3 * w_11_squared;
+        let w_95 = w_19 * w_94;
+        let w_96 = w_23 * w_94;
+        let w_97 = platform_q3 * w_84;
+        let w_98 = a1_on_platform_z
+            * (w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - platform_q3 * w_79);
+        let w_99 = w_81
+            * (w_21 * (w_27 * w_92 + w_22 * w_93 + w_16 * w_95)
+                - w_28 * (w_14 * w_92 - w_22 * w_96 - w_16 * w_97) - w_98);
+        let w_100 = w_11_squared * (w_10 * w_36 - w_19 * w_34);
+        let w_101 = w_11_squared * (w_25 * w_34 - w_23 * w_36);
+        let w_102 = w_39 * w_11_squared;
         let w_103 = a2_on_platform_z
-            * (w_10 * (platform_q3 * w_36 - platform_q0 * w_32) - platform_q2 * w_100);
-        let w_104 = a2_on_platform_z
-            * (w_10 * (platform_q2 * w_36 + platform_q1 * w_32) - platform_q3 * w_100);
-        let w_105 = S::from_f64(2.0) * sqrt_w_39
-            * (w_34 * (w_36 * w_90 + w_35 * w_91 + w_33 * w_93)
-                - w_37 * (w_32 * w_90 - w_35 * w_94 - w_33 * w_95) - w_104);
-        let w_106 = w_10_squared * (w_11 * w_45 - w_18 * w_43);
-        let w_107 = w_10_squared * (w_24 * w_43 - w_22 * w_45);
-        let w_108 = w_48 * w_10_squared;
-        let w_109 = b1_on_platform_z
-            * (platform_q0 * w_108 + w_10 * (platform_q2 * w_42 - platform_q1 * w_46));
-        let w_110 = b1_on_platform_z
-            * (w_10 * (platform_q3 * w_42 + platform_q0 * w_46) - platform_q1 * w_108);
-        let w_111 = b1_on_platform_z
-            * (w_10 * (platform_q3 * w_46 - platform_q0 * w_42) - platform_q2 * w_108);
+            * (platform_q0 * w_102 + w_11 * (platform_q2 * w_33 - platform_q1 * w_37));
+        let w_104 = S::from_f64(2.0) * sqrt_w_40;
+        let w_105 = a2_on_platform_z
+            * (w_11 * (platform_q3 * w_33 + platform_q0 * w_37) - platform_q1 * w_102);
+        let w_106 = a2_on_platform_z
+            * (w_11 * (platform_q3 * w_37 - platform_q0 * w_33) - platform_q2 * w_102);
+        let w_107 = a2_on_platform_z
+            * (w_11 * (platform_q2 * w_37 + platform_q1 * w_33) - platform_q3 * w_102);
+        let w_108 = w_104
+            * (w_35 * (w_37 * w_92 + w_36 * w_93 + w_34 * w_95)
+                - w_38 * (w_33 * w_92 - w_36 * w_96 - w_34 * w_97) - w_107);
+        let w_109 = w_11_squared * (w_10 * w_46 - w_19 * w_44);
+        let w_110 = w_11_squared * (w_25 * w_44 - w_23 * w_46);
+        let w_111 = w_49 * w_11_squared;
         let w_112 = b1_on_platform_z
-            * (w_10 * (platform_q2 * w_46 + platform_q1 * w_42) - platform_q3 * w_108);
-        let w_113 = S::from_f64(2.0) * sqrt_w_49
-            * (w_44 * (w_46 * w_90 + w_45 * w_91 + w_43 * w_93)
-                - w_47 * (w_42 * w_90 - w_45 * w_94 - w_43 * w_95) - w_112);
-        let w_114 = w_10_squared * (w_11 * w_53 - w_18 * w_51);
-        let w_115 = w_10_squared * (w_24 * w_51 - w_22 * w_53);
-        let w_116 = w_56 * w_10_squared;
-        let w_117 = b2_on_platform_z
-            * (platform_q0 * w_116 + w_10 * (platform_q2 * w_50 - platform_q1 * w_54));
-        let w_118 = b2_on_platform_z
-            * (w_10 * (platform_q3 * w_50 + platform_q0 * w_54) - platform_q1 * w_116);
-        let w_119 = b2_on_platform_z
-            * (w_10 * (platform_q3 * w_54 - platform_q0 * w_50) - platform_q2 * w_116);
-        let w_120 = b2_on_platform_z
-            * (w_10 * (platform_q2 * w_54 + platform_q1 * w_50) - platform_q3 * w_116);
-        let w_121 = S::from_f64(2.0) * sqrt_w_57
-            * (w_52 * (w_54 * w_90 + w_53 * w_91 + w_51 * w_93)
-                - w_55 * (w_50 * w_90 - w_53 * w_94 - w_51 * w_95) - w_120);
-        let w_122 = w_10_squared * (w_11 * w_62 - w_18 * w_60);
-        let w_123 = w_10_squared * (w_24 * w_60 - w_22 * w_62);
-        let w_124 = w_65 * w_10_squared;
-        let w_125 = c1_on_platform_z
-            * (platform_q0 * w_124 + w_10 * (platform_q2 * w_59 - platform_q1 * w_63));
-        let w_126 = c1_on_platform_z
-            * (w_10 * (platform_q3 * w_59 + platform_q0 * w_63) - platform_q1 * w_124);
-        let w_127 = c1_on_platform_z
-            * (w_10 * (platform_q3 * w_63 - platform_q0 * w_59) - platform_q2 * w_124);
-        let w_128 = c1_on_platform_z
-            * (w_10 * (platform_q2 * w_63 + platform_q1 * w_59) - platform_q3 * w_124);
-        let w_129 = S::from_f64(2.0) * sqrt_w_66
-            * (w_61 * (w_63 * w_90 + w_62 * w_91 + w_60 * w_93)
-                - w_64 * (w_59 * w_90 - w_62 * w_94 - w_60 * w_95) - w_128);
-        let w_130 = w_10_squared * (w_11 * w_70 - w_18 * w_68);
-        let w_131 = w_10_squared * (w_24 * w_68 - w_22 * w_70);
-        let w_132 = w_73 * w_10_squared;
-        let w_133 = c2_on_platform_z
-            * (platform_q0 * w_132 + w_10 * (platform_q2 * w_67 - platform_q1 * w_71));
-        let w_134 = c2_on_platform_z
-            * (w_10 * (platform_q3 * w_67 + platform_q0 * w_71) - platform_q1 * w_132);
-        let w_135 = c2_on_platform_z
-            * (w_10 * (platform_q3 * w_71 - platform_q0 * w_67) - platform_q2 * w_132);
-        let w_136 = c2_on_platform_z
-            * (w_10 * (platform_q2 * w_71 + platform_q1 * w_67) - platform_q3 * w_132);
-        let w_137 = S::from_f64(2.0) * sqrt_w_74
-            * (w_69 * (w_71 * w_90 + w_70 * w_91 + w_68 * w_93)
-                - w_72 * (w_67 * w_90 - w_70 * w_94 - w_68 * w_95) - w_136);
-        let w_138 = self.heave * self.w;
-        let w_139 = self.w * self.sway;
-        let w_140 = w_139 * cos_w_4;
-        let w_141 = cos_w_2 * w_138;
-        let w_142 = w_139 * cos_w_6;
+            * (platform_q0 * w_111 + w_11 * (platform_q2 * w_43 - platform_q1 * w_47));
+        let w_113 = S::from_f64(2.0) * sqrt_w_50;
+        let w_114 = b1_on_platform_z
+            * (w_11 * (platform_q3 * w_43 + platform_q0 * w_47) - platform_q1 * w_111);
+        let w_115 = b1_on_platform_z
+            * (w_11 * (platform_q3 * w_47 - platform_q0 * w_43) - platform_q2 * w_111);
+        let w_116 = b1_on_platform_z
+            * (w_11 * (platform_q2 * w_47 + platform_q1 * w_43) - platform_q3 * w_111);
+        let w_117 = w_113
+            * (w_45 * (w_47 * w_92 + w_46 * w_93 + w_44 * w_95)
+                - w_48 * (w_43 * w_92 - w_46 * w_96 - w_44 * w_97) - w_116);
+        let w_118 = w_11_squared * (w_10 * w_54 - w_19 * w_52);
+        let w_119 = w_11_squared * (w_25 * w_52 - w_23 * w_54);
+        let w_120 = w_57 * w_11_squared;
+        let w_121 = b2_on_platform_z
+            * (platform_q0 * w_120 + w_11 * (platform_q2 * w_51 - platform_q1 * w_55));
+        let w_122 = S::from_f64(2.0) * sqrt_w_58;
+        let w_123 = b2_on_platform_z
+            * (w_11 * (platform_q3 * w_51 + platform_q0 * w_55) - platform_q1 * w_120);
+        let w_124 = b2_on_platform_z
+            * (w_11 * (platform_q3 * w_55 - platform_q0 * w_51) - platform_q2 * w_120);
+        let w_125 = b2_on_platform_z
+            * (w_11 * (platform_q2 * w_55 + platform_q1 * w_51) - platform_q3 * w_120);
+        let w_126 = w_122
+            * (w_53 * (w_55 * w_92 + w_54 * w_93 + w_52 * w_95)
+                - w_56 * (w_51 * w_92 - w_54 * w_96 - w_52 * w_97) - w_125);
+        let w_127 = w_11_squared * (w_10 * w_63 - w_19 * w_61);
+        let w_128 = w_11_squared * (w_25 * w_61 - w_23 * w_63);
+        let w_129 = w_66 * w_11_squared;
+        let w_130 = c1_on_platform_z
+            * (platform_q0 * w_129 + w_11 * (platform_q2 * w_60 - platform_q1 * w_64));
+        let w_131 = S::from_f64(2.0) * sqrt_w_67;
+        let w_132 = c1_on_platform_z
+            * (w_11 * (platform_q3 * w_60 + platform_q0 * w_64) - platform_q1 * w_129);
+        let w_133 = c1_on_platform_z
+            * (w_11 * (platform_q3 * w_64 - platform_q0 * w_60) - platform_q2 * w_129);
+        let w_134 = c1_on_platform_z
+            * (w_11 * (platform_q2 * w_64 + platform_q1 * w_60) - platform_q3 * w_129);
+        let w_135 = w_131
+            * (w_62 * (w_64 * w_92 + w_63 * w_93 + w_61 * w_95)
+                - w_65 * (w_60 * w_92 - w_63 * w_96 - w_61 * w_97) - w_134);
+        let w_136 = w_11_squared * (w_10 * w_71 - w_19 * w_69);
+        let w_137 = w_11_squared * (w_25 * w_69 - w_23 * w_71);
+        let w_138 = w_74 * w_11_squared;
+        let w_139 = c2_on_platform_z
+            * (platform_q0 * w_138 + w_11 * (platform_q2 * w_68 - platform_q1 * w_72));
+        let w_140 = S::from_f64(2.0) * sqrt_w_75;
+        let w_141 = c2_on_platform_z
+            * (w_11 * (platform_q3 * w_68 + platform_q0 * w_72) - platform_q1 * w_138);
+        let w_142 = c2_on_platform_z
+            * (w_11 * (platform_q3 * w_72 - platform_q0 * w_68) - platform_q2 * w_138);
+        let w_143 = c2_on_platform_z
+            * (w_11 * (platform_q2 * w_72 + platform_q1 * w_68) - platform_q3 * w_138);
+        let w_144 = w_140
+            * (w_70 * (w_72 * w_92 + w_71 * w_93 + w_69 * w_95)
+                - w_73 * (w_68 * w_92 - w_71 * w_96 - w_69 * w_97) - w_143);
+        let w_145 = self.heave * self.w;
+        let w_146 = self.w * self.sway;
+        let w_147 = w_146 * cos_w_4;
+        let w_148 = cos_w_2 * w_145;
+        let w_149 = w_146 * cos_w_6;
         sim_kernel::ConstraintLinearization {
             values: [
                 platform_q0_squared + platform_q1_squared + platform_q2_squared
                     + platform_q3_squared - S::from_f64(1.0),
-                sqrt_w_31 - self.L - sin_w_2 * (self.heave + self.sway),
-                sqrt_w_39 - self.L - w_40 + w_41,
-                sqrt_w_49 - self.L - w_40 - w_41,
-                sqrt_w_57 - self.L - w_40 + w_58,
-                sqrt_w_66 - self.L - w_40 - w_58,
-                sqrt_w_74 - self.L - w_40 + self.sway * sin_w_9,
+                sqrt_w_32 - self.L - sin_w_2 * (self.heave + self.sway),
+                sqrt_w_40 - self.L - w_41 + w_42,
+                sqrt_w_50 - self.L - w_41 - w_42,
+                sqrt_w_58 - self.L - w_41 + w_59,
+                sqrt_w_67 - self.L - w_41 - w_59,
+                sqrt_w_75 - self.L - w_41 + self.sway * sin_w_9,
             ],
             jacobian: [
                 [
@@ -3465,110 +3471,110 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                     platform_q3 * S::from_f64(2.0),
                 ],
                 [
-                    w_20 * sqrt_w_31 / w_31,
-                    w_27 * sqrt_w_31 / w_31,
-                    a1_on_platform_z * sqrt_w_31 / w_31,
-                    S::from_f64(2.0) * sqrt_w_31
-                        * (w_20 * (platform_q0 * w_75 - w_26 * w_76)
-                            + w_27 * (platform_q0 * w_77 + w_13 * w_76) - w_79) / w_31,
-                    S::from_f64(2.0) * sqrt_w_31
-                        * (w_20 * (platform_q1 * w_75 + w_26 * w_80)
-                            + w_27 * (w_13 * w_80 - w_21 * w_81 - w_15 * w_83) + w_84)
-                        / w_31,
-                    S::from_f64(2.0) * sqrt_w_31
-                        * (w_20 * (w_26 * w_85 - w_21 * w_87 - w_15 * w_88)
-                            + w_27 * (platform_q2 * w_77 + w_13 * w_85) + w_89) / w_31,
-                    -(w_97 / w_31),
+                    w_21 * sqrt_w_32 / w_32,
+                    w_28 * sqrt_w_32 / w_32,
+                    a1_on_platform_z * sqrt_w_32 / w_32,
+                    (w_21 * (platform_q0 * w_76 - w_27 * w_77)
+                        + w_28 * (platform_q0 * w_78 + w_14 * w_77) - w_80) * w_81
+                        / w_32,
+                    w_81
+                        * (w_21 * (platform_q1 * w_76 + w_27 * w_82)
+                            + w_28 * (w_14 * w_82 - w_22 * w_83 - w_16 * w_85) + w_86)
+                        / w_32,
+                    w_81
+                        * (w_21 * (w_27 * w_87 - w_22 * w_89 - w_16 * w_90)
+                            + w_28 * (platform_q2 * w_78 + w_14 * w_87) + w_91) / w_32,
+                    -(w_99 / w_32),
                 ],
                 [
-                    w_34 * sqrt_w_39 / w_39,
-                    w_37 * sqrt_w_39 / w_39,
-                    a2_on_platform_z * sqrt_w_39 / w_39,
-                    S::from_f64(2.0) * sqrt_w_39
-                        * (w_34 * (platform_q0 * w_98 - w_36 * w_76)
-                            + w_37 * (platform_q0 * w_99 + w_32 * w_76) - w_101) / w_39,
-                    S::from_f64(2.0) * sqrt_w_39
-                        * (w_34 * (platform_q1 * w_98 + w_36 * w_80)
-                            + w_37 * (w_32 * w_80 - w_35 * w_81 - w_33 * w_83) + w_102)
-                        / w_39,
-                    S::from_f64(2.0) * sqrt_w_39
-                        * (w_34 * (w_36 * w_85 - w_35 * w_87 - w_33 * w_88)
-                            + w_37 * (platform_q2 * w_99 + w_32 * w_85) + w_103) / w_39,
-                    -(w_105 / w_39),
+                    w_35 * sqrt_w_40 / w_40,
+                    w_38 * sqrt_w_40 / w_40,
+                    a2_on_platform_z * sqrt_w_40 / w_40,
+                    (w_35 * (platform_q0 * w_100 - w_37 * w_77)
+                        + w_38 * (platform_q0 * w_101 + w_33 * w_77) - w_103) * w_104
+                        / w_40,
+                    w_104
+                        * (w_35 * (platform_q1 * w_100 + w_37 * w_82)
+                            + w_38 * (w_33 * w_82 - w_36 * w_83 - w_34 * w_85) + w_105)
+                        / w_40,
+                    w_104
+                        * (w_35 * (w_37 * w_87 - w_36 * w_89 - w_34 * w_90)
+                            + w_38 * (platform_q2 * w_101 + w_33 * w_87) + w_106) / w_40,
+                    -(w_108 / w_40),
                 ],
                 [
-                    w_44 * sqrt_w_49 / w_49,
-                    w_47 * sqrt_w_49 / w_49,
-                    b1_on_platform_z * sqrt_w_49 / w_49,
-                    S::from_f64(2.0) * sqrt_w_49
-                        * (w_44 * (platform_q0 * w_106 - w_46 * w_76)
-                            + w_47 * (platform_q0 * w_107 + w_42 * w_76) - w_109) / w_49,
-                    S::from_f64(2.0) * sqrt_w_49
-                        * (w_44 * (platform_q1 * w_106 + w_46 * w_80)
-                            + w_47 * (w_42 * w_80 - w_45 * w_81 - w_43 * w_83) + w_110)
-                        / w_49,
-                    S::from_f64(2.0) * sqrt_w_49
-                        * (w_44 * (w_46 * w_85 - w_45 * w_87 - w_43 * w_88)
-                            + w_47 * (platform_q2 * w_107 + w_42 * w_85) + w_111) / w_49,
-                    -(w_113 / w_49),
+                    w_45 * sqrt_w_50 / w_50,
+                    w_48 * sqrt_w_50 / w_50,
+                    b1_on_platform_z * sqrt_w_50 / w_50,
+                    (w_45 * (platform_q0 * w_109 - w_47 * w_77)
+                        + w_48 * (platform_q0 * w_110 + w_43 * w_77) - w_112) * w_113
+                        / w_50,
+                    w_113
+                        * (w_45 * (platform_q1 * w_109 + w_47 * w_82)
+                            + w_48 * (w_43 * w_82 - w_46 * w_83 - w_44 * w_85) + w_114)
+                        / w_50,
+                    w_113
+                        * (w_45 * (w_47 * w_87 - w_46 * w_89 - w_44 * w_90)
+                            + w_48 * (platform_q2 * w_110 + w_43 * w_87) + w_115) / w_50,
+                    -(w_117 / w_50),
                 ],
                 [
-                    w_52 * sqrt_w_57 / w_57,
-                    w_55 * sqrt_w_57 / w_57,
-                    b2_on_platform_z * sqrt_w_57 / w_57,
-                    S::from_f64(2.0) * sqrt_w_57
-                        * (w_52 * (platform_q0 * w_114 - w_54 * w_76)
-                            + w_55 * (platform_q0 * w_115 + w_50 * w_76) - w_117) / w_57,
-                    S::from_f64(2.0) * sqrt_w_57
-                        * (w_52 * (platform_q1 * w_114 + w_54 * w_80)
-                            + w_55 * (w_50 * w_80 - w_53 * w_81 - w_51 * w_83) + w_118)
-                        / w_57,
-                    S::from_f64(2.0) * sqrt_w_57
-                        * (w_52 * (w_54 * w_85 - w_53 * w_87 - w_51 * w_88)
-                            + w_55 * (platform_q2 * w_115 + w_50 * w_85) + w_119) / w_57,
-                    -(w_121 / w_57),
+                    w_53 * sqrt_w_58 / w_58,
+                    w_56 * sqrt_w_58 / w_58,
+                    b2_on_platform_z * sqrt_w_58 / w_58,
+                    (w_53 * (platform_q0 * w_118 - w_55 * w_77)
+                        + w_56 * (platform_q0 * w_119 + w_51 * w_77) - w_121) * w_122
+                        / w_58,
+                    w_122
+                        * (w_53 * (platform_q1 * w_118 + w_55 * w_82)
+                            + w_56 * (w_51 * w_82 - w_54 * w_83 - w_52 * w_85) + w_123)
+                        / w_58,
+                    w_122
+                        * (w_53 * (w_55 * w_87 - w_54 * w_89 - w_52 * w_90)
+                            + w_56 * (platform_q2 * w_119 + w_51 * w_87) + w_124) / w_58,
+                    -(w_126 / w_58),
                 ],
                 [
-                    w_61 * sqrt_w_66 / w_66,
-                    w_64 * sqrt_w_66 / w_66,
-                    c1_on_platform_z * sqrt_w_66 / w_66,
-                    S::from_f64(2.0) * sqrt_w_66
-                        * (w_61 * (platform_q0 * w_122 - w_63 * w_76)
-                            + w_64 * (platform_q0 * w_123 + w_59 * w_76) - w_125) / w_66,
-                    S::from_f64(2.0) * sqrt_w_66
-                        * (w_61 * (platform_q1 * w_122 + w_63 * w_80)
-                            + w_64 * (w_59 * w_80 - w_62 * w_81 - w_60 * w_83) + w_126)
-                        / w_66,
-                    S::from_f64(2.0) * sqrt_w_66
-                        * (w_61 * (w_63 * w_85 - w_62 * w_87 - w_60 * w_88)
-                            + w_64 * (platform_q2 * w_123 + w_59 * w_85) + w_127) / w_66,
-                    -(w_129 / w_66),
+                    w_62 * sqrt_w_67 / w_67,
+                    w_65 * sqrt_w_67 / w_67,
+                    c1_on_platform_z * sqrt_w_67 / w_67,
+                    (w_62 * (platform_q0 * w_127 - w_64 * w_77)
+                        + w_65 * (platform_q0 * w_128 + w_60 * w_77) - w_130) * w_131
+                        / w_67,
+                    w_131
+                        * (w_62 * (platform_q1 * w_127 + w_64 * w_82)
+                            + w_65 * (w_60 * w_82 - w_63 * w_83 - w_61 * w_85) + w_132)
+                        / w_67,
+                    w_131
+                        * (w_62 * (w_64 * w_87 - w_63 * w_89 - w_61 * w_90)
+                            + w_65 * (platform_q2 * w_128 + w_60 * w_87) + w_133) / w_67,
+                    -(w_135 / w_67),
                 ],
                 [
-                    w_69 * sqrt_w_74 / w_74,
-                    w_72 * sqrt_w_74 / w_74,
-                    c2_on_platform_z * sqrt_w_74 / w_74,
-                    S::from_f64(2.0) * sqrt_w_74
-                        * (w_69 * (platform_q0 * w_130 - w_71 * w_76)
-                            + w_72 * (platform_q0 * w_131 + w_67 * w_76) - w_133) / w_74,
-                    S::from_f64(2.0) * sqrt_w_74
-                        * (w_69 * (platform_q1 * w_130 + w_71 * w_80)
-                            + w_72 * (w_67 * w_80 - w_70 * w_81 - w_68 * w_83) + w_134)
-                        / w_74,
-                    S::from_f64(2.0) * sqrt_w_74
-                        * (w_69 * (w_71 * w_85 - w_70 * w_87 - w_68 * w_88)
-                            + w_72 * (platform_q2 * w_131 + w_67 * w_85) + w_135) / w_74,
-                    -(w_137 / w_74),
+                    w_70 * sqrt_w_75 / w_75,
+                    w_73 * sqrt_w_75 / w_75,
+                    c2_on_platform_z * sqrt_w_75 / w_75,
+                    (w_70 * (platform_q0 * w_136 - w_72 * w_77)
+                        + w_73 * (platform_q0 * w_137 + w_68 * w_77) - w_139) * w_140
+                        / w_75,
+                    w_140
+                        * (w_70 * (platform_q1 * w_136 + w_72 * w_82)
+                            + w_73 * (w_68 * w_82 - w_71 * w_83 - w_69 * w_85) + w_141)
+                        / w_75,
+                    w_140
+                        * (w_70 * (w_72 * w_87 - w_71 * w_89 - w_69 * w_90)
+                            + w_73 * (platform_q2 * w_137 + w_68 * w_87) + w_142) / w_75,
+                    -(w_144 / w_75),
                 ],
             ],
             time_derivative: [
                 S::from_f64(0.0),
-                -(cos_w_2 * (w_138 + w_139)),
-                w_140 - w_141,
-                -(w_141 + w_140),
-                w_142 - w_141,
-                -(w_141 + w_142),
-                w_139 * cos_w_9 - w_141,
+                -(cos_w_2 * (w_145 + w_146)),
+                w_147 - w_148,
+                -(w_148 + w_147),
+                w_149 - w_148,
+                -(w_148 + w_149),
+                w_146 * cos_w_9 - w_148,
             ],
         }
     }
@@ -3708,7 +3714,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 58 additions, 100 multiplications, 1 division, 12 sine-cosine pairs.
+    /// Operations: 58 additions, 99 multiplications, 1 division, 12 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 7]) -> [S; 75] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -3772,75 +3778,74 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         ]);
         let a1_on_ground_x = self.R * cos_foot;
         let a1_on_ground_y = self.R * sin_foot;
-        let platform_q1_squared = platform_q1 * platform_q1;
         let platform_q2_squared = platform_q2 * platform_q2;
         let platform_q3_squared = platform_q3 * platform_q3;
+        let platform_q1_squared = platform_q1 * platform_q1;
         let w_5 = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
-        let w_6 = S::from_f64(2.0) * w_5 * (platform_q2_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let w_7 = self.r * S::from_f64(2.0);
-        let w_8 = sin_a1_head_angle * w_7;
-        let w_9 = platform_q1 * platform_q2;
-        let w_10 = platform_q0 * platform_q3;
-        let w_11 = w_5 * (w_9 - w_10);
-        let a1_on_platform_x = platform_x - w_6 * self.r * cos_a1_head_angle
-            + w_8 * w_11;
-        let w_12 = cos_a1_head_angle * w_7;
-        let w_13 = w_5 * (w_9 + w_10);
-        let w_14 = S::from_f64(2.0) * w_5 * (platform_q1_squared + platform_q3_squared)
-            - S::from_f64(1.0);
-        let a1_on_platform_y = platform_y + w_12 * w_13
-            - w_14 * self.r * sin_a1_head_angle;
-        let w_15 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
-        let w_16 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_5 * (w_12 * w_15 + w_8 * w_16) + platform_z;
+        let w_6 = S::from_f64(2.0) * w_5;
+        let w_7 = (platform_q2_squared + platform_q3_squared) * w_6 - S::from_f64(1.0);
+        let w_8 = self.r * S::from_f64(2.0);
+        let w_9 = sin_a1_head_angle * w_8;
+        let w_10 = platform_q1 * platform_q2;
+        let w_11 = platform_q0 * platform_q3;
+        let w_12 = w_5 * (w_10 - w_11);
+        let a1_on_platform_x = platform_x - w_7 * self.r * cos_a1_head_angle
+            + w_9 * w_12;
+        let w_13 = cos_a1_head_angle * w_8;
+        let w_14 = w_5 * (w_10 + w_11);
+        let w_15 = w_6 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
+        let a1_on_platform_y = platform_y + w_13 * w_14
+            - w_15 * self.r * sin_a1_head_angle;
+        let w_16 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
+        let w_17 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
+        let a1_on_platform_z = w_5 * (w_13 * w_16 + w_9 * w_17) + platform_z;
         let a2_on_ground_x = self.R * cos_a2_foot_angle;
         let a2_on_ground_y = self.R * sin_a2_foot_angle;
-        let w_17 = w_7 * sin_a2_head_angle;
-        let a2_on_platform_x = platform_x - w_6 * self.r * cos_a2_head_angle
-            + w_11 * w_17;
-        let w_18 = w_7 * cos_a2_head_angle;
-        let a2_on_platform_y = platform_y + w_13 * w_18
-            - w_14 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_5 * (w_15 * w_18 + w_16 * w_17) + platform_z;
+        let w_18 = w_8 * sin_a2_head_angle;
+        let a2_on_platform_x = platform_x - w_7 * self.r * cos_a2_head_angle
+            + w_12 * w_18;
+        let w_19 = w_8 * cos_a2_head_angle;
+        let a2_on_platform_y = platform_y + w_14 * w_19
+            - w_15 * self.r * sin_a2_head_angle;
+        let a2_on_platform_z = w_5 * (w_16 * w_19 + w_17 * w_18) + platform_z;
         let b1_on_ground_x = self.R * cos_b1_foot_angle;
         let b1_on_ground_y = self.R * sin_b1_foot_angle;
-        let w_19 = w_7 * sin_b1_head_angle;
-        let b1_on_platform_x = platform_x - w_6 * self.r * cos_b1_head_angle
-            + w_11 * w_19;
-        let w_20 = w_7 * cos_b1_head_angle;
-        let b1_on_platform_y = platform_y + w_13 * w_20
-            - w_14 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_5 * (w_15 * w_20 + w_16 * w_19) + platform_z;
+        let w_20 = w_8 * sin_b1_head_angle;
+        let b1_on_platform_x = platform_x - w_7 * self.r * cos_b1_head_angle
+            + w_12 * w_20;
+        let w_21 = w_8 * cos_b1_head_angle;
+        let b1_on_platform_y = platform_y + w_14 * w_21
+            - w_15 * self.r * sin_b1_head_angle;
+        let b1_on_platform_z = w_5 * (w_16 * w_21 + w_17 * w_20) + platform_z;
         let b2_on_ground_x = self.R * cos_b2_foot_angle;
         let b2_on_ground_y = self.R * sin_b2_foot_angle;
-        let w_21 = w_7 * sin_b2_head_angle;
-        let b2_on_platform_x = platform_x - w_6 * self.r * cos_b2_head_angle
-            + w_11 * w_21;
-        let w_22 = w_7 * cos_b2_head_angle;
-        let b2_on_platform_y = platform_y + w_13 * w_22
-            - w_14 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_5 * (w_15 * w_22 + w_16 * w_21) + platform_z;
+        let w_22 = w_8 * sin_b2_head_angle;
+        let b2_on_platform_x = platform_x - w_7 * self.r * cos_b2_head_angle
+            + w_12 * w_22;
+        let w_23 = w_8 * cos_b2_head_angle;
+        let b2_on_platform_y = platform_y + w_14 * w_23
+            - w_15 * self.r * sin_b2_head_angle;
+        let b2_on_platform_z = w_5 * (w_16 * w_23 + w_17 * w_22) + platform_z;
         let c1_on_ground_x = self.R * cos_c1_foot_angle;
         let c1_on_ground_y = self.R * sin_c1_foot_angle;
-        let w_23 = w_7 * sin_c1_head_angle;
-        let c1_on_platform_x = platform_x - w_6 * self.r * cos_c1_head_angle
-            + w_11 * w_23;
-        let w_24 = w_7 * cos_c1_head_angle;
-        let c1_on_platform_y = platform_y + w_13 * w_24
-            - w_14 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_5 * (w_15 * w_24 + w_16 * w_23) + platform_z;
+        let w_24 = w_8 * sin_c1_head_angle;
+        let c1_on_platform_x = platform_x - w_7 * self.r * cos_c1_head_angle
+            + w_12 * w_24;
+        let w_25 = w_8 * cos_c1_head_angle;
+        let c1_on_platform_y = platform_y + w_14 * w_25
+            - w_15 * self.r * sin_c1_head_angle;
+        let c1_on_platform_z = w_5 * (w_16 * w_25 + w_17 * w_24) + platform_z;
         let c2_on_ground_x = self.R * cos_c2_foot_angle;
         let c2_on_ground_y = self.R * sin_c2_foot_angle;
-        let w_25 = w_7 * sin_c2_head_angle;
-        let c2_on_platform_x = platform_x - w_6 * self.r * cos_c2_head_angle
-            + w_11 * w_25;
-        let w_26 = w_7 * cos_c2_head_angle;
-        let c2_on_platform_y = platform_y + w_13 * w_26
-            - w_14 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_5 * (w_15 * w_26 + w_16 * w_25) + platform_z;
+        let w_26 = w_8 * sin_c2_head_angle;
+        let c2_on_platform_x = platform_x - w_7 * self.r * cos_c2_head_angle
+            + w_12 * w_26;
+        let w_27 = w_8 * cos_c2_head_angle;
+        let c2_on_platform_y = platform_y + w_14 * w_27
+            - w_15 * self.r * sin_c2_head_angle;
+        let c2_on_platform_z = w_5 * (w_16 * w_27 + w_17 * w_26) + platform_z;
         [
             a1_on_ground_x,
             a1_on_ground_y,
@@ -3967,7 +3972,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 1326 additions, 2128 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
+    /// Operations: 1326 additions, 2004 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -4010,67 +4015,71 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let w_22 = w_squared * (w_6 * w_11 * self.k_45 - w_16 * w_21);
         let w_23 = w_squared * (w_11 * w_16 * self.k_46 - w_6 * w_21);
         let w_24 = w * w_squared;
-        let w_25 = self.k_47 * w_11 * w_20;
-        let w_26 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
+        let w_25 = w_20 * w_24;
+        let w_26 = platform_q3 * w_25;
+        let w_27 = w_11 * self.k_47;
+        let w_28 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
             + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
+        let w_29 = self.k_3 * w_28;
         let rhs_platform_q0 = S::from_f64(8.0) * w
-            * (platform_q1 * w_22 + platform_q2 * w_23) - platform_q3 * w_24 * w_25
-            - platform_q0 * self.k_3 * w_26;
-        let w_27 = self.k_3 - w_squared * self.k;
-        let w_28 = platform_q2 * platform_q3;
-        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_27
-            + w_squared * self.k_4 * w_28;
-        let w_29 = self.k * (platform_q1_squared + platform_q2_squared);
+            * (platform_q1 * w_22 + platform_q2 * w_23) - w_26 * w_27
+            - platform_q0 * w_29;
+        let w_30 = platform_q2 * w_25;
+        let w_31 = self.k_3 - w_squared * self.k;
+        let w_32 = platform_q2 * platform_q3;
+        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_31
+            + w_squared * self.k_4 * w_32;
+        let w_33 = self.k * (platform_q1_squared + platform_q2_squared);
         let mass_platform_q0_platform_q0 = w_squared
-            * (w_29 + platform_q3_squared * self.k_2) + platform_q0_squared * self.k_3;
+            * (w_33 + platform_q3_squared * self.k_2) + platform_q0_squared * self.k_3;
         let inverse_platform_q0 = S::from_f64(1.0) / mass_platform_q0_platform_q0;
         let l_platform_q1_platform_q0 = mass_platform_q1_platform_q0
             * inverse_platform_q0;
         let rhs_platform_q1 = S::from_f64(8.0) * w
-            * (platform_q3 * w_23 - platform_q0 * w_22) + platform_q2 * w_24 * w_25
-            - platform_q1 * self.k_3 * w_26
-            - rhs_platform_q0 * l_platform_q1_platform_q0;
-        let w_30 = self.k_3 - w_squared * self.k_2;
-        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_30;
+            * (platform_q3 * w_23 - platform_q0 * w_22) + w_27 * w_30
+            - platform_q1 * w_29 - rhs_platform_q0 * l_platform_q1_platform_q0;
+        let w_34 = self.k_3 - w_squared * self.k_2;
+        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_34;
         let l_platform_q3_platform_q0 = mass_platform_q3_platform_q0
             * inverse_platform_q0;
-        let w_31 = self.k * (platform_q0_squared + platform_q3_squared);
+        let w_35 = self.k * (platform_q0_squared + platform_q3_squared);
         let mass_platform_q1_platform_q1 = w_squared
-            * (w_31 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
+            * (w_35 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
         let pivot_platform_q1 = mass_platform_q1_platform_q1
             - mass_platform_q1_platform_q0 * l_platform_q1_platform_q0;
         let inverse_platform_q1 = S::from_f64(1.0) / pivot_platform_q1;
-        let w_32 = platform_q0 * platform_q2;
-        let k_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_27
-            + w_squared * self.k_5 * w_32
+        let w_36 = platform_q0 * platform_q2;
+        let k_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_31
+            + w_squared * self.k_5 * w_36
             - mass_platform_q1_platform_q0 * l_platform_q3_platform_q0;
         let l_platform_q3_platform_q1 = inverse_platform_q1 * k_platform_q3_platform_q1;
         let mass_platform_q2_platform_q2 = w_squared
-            * (w_31 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
-        let w_33 = platform_q1 * platform_q3;
-        let mass_platform_q2_platform_q0 = w_squared * (self.k_5 * w_33 - self.k * w_32)
-            + self.k_3 * w_32;
+            * (w_35 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
+        let w_37 = platform_q1 * platform_q3;
+        let mass_platform_q2_platform_q0 = w_squared * (self.k_5 * w_37 - self.k * w_36)
+            + self.k_3 * w_36;
         let l_platform_q2_platform_q0 = mass_platform_q2_platform_q0
             * inverse_platform_q0;
-        let k_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_30
+        let k_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_34
             - mass_platform_q1_platform_q0 * l_platform_q2_platform_q0;
         let l_platform_q2_platform_q1 = inverse_platform_q1 * k_platform_q2_platform_q1;
         let pivot_platform_q2 = mass_platform_q2_platform_q2
             - mass_platform_q2_platform_q0 * l_platform_q2_platform_q0
             - k_platform_q2_platform_q1 * l_platform_q2_platform_q1;
         let inverse_platform_q2 = S::from_f64(1.0) / pivot_platform_q2;
-        let w_34 = platform_q1 * platform_q0;
-        let k_platform_q3_platform_q2 = w_squared * (self.k_4 * w_34 - self.k * w_28)
-            + self.k_3 * w_28 - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
+        let w_38 = platform_q1 * platform_q0;
+        let k_platform_q3_platform_q2 = w_squared * (self.k_4 * w_38 - self.k * w_32)
+            + self.k_3 * w_32 - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
             - k_platform_q2_platform_q1 * l_platform_q3_platform_q1;
         let l_platform_q3_platform_q2 = inverse_platform_q2 * k_platform_q3_platform_q2;
+        let w_39 = platform_q1 * w_25;
         let minus_rhs_platform_q2 = S::from_f64(8.0) * w
-            * (platform_q3 * w_22 + platform_q0 * w_23) + platform_q1 * w_24 * w_25
-            + platform_q2 * self.k_3 * w_26 + rhs_platform_q0 * l_platform_q2_platform_q0
+            * (platform_q3 * w_22 + platform_q0 * w_23) + w_27 * w_39
+            + platform_q2 * w_29 + rhs_platform_q0 * l_platform_q2_platform_q0
             + l_platform_q2_platform_q1 * rhs_platform_q1;
         let rhs_platform_q3 = S::from_f64(8.0) * w
-            * (platform_q2 * w_22 - platform_q1 * w_23) + platform_q0 * w_24 * w_25
-            - platform_q3 * self.k_3 * w_26 - rhs_platform_q0 * l_platform_q3_platform_q0
+            * (platform_q2 * w_22 - platform_q1 * w_23) + platform_q0 * w_25 * w_27
+            - platform_q3 * w_29 - rhs_platform_q0 * l_platform_q3_platform_q0
             - l_platform_q3_platform_q1 * rhs_platform_q1
             + l_platform_q3_platform_q2 * minus_rhs_platform_q2;
         let platform_norm_by_platform_q0 = platform_q0 * S::from_f64(2.0);
@@ -4086,7 +4095,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_platform_norm_platform_q2 = inverse_platform_q2
             * k_lambda_platform_norm_platform_q2;
         let mass_platform_q3_platform_q3 = w_squared
-            * (w_29 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
+            * (w_33 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
         let pivot_platform_q3 = mass_platform_q3_platform_q3
             - mass_platform_q3_platform_q0 * l_platform_q3_platform_q0
             - k_platform_q3_platform_q1 * l_platform_q3_platform_q1
@@ -4099,218 +4108,228 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_platform_norm_platform_q3 = inverse_platform_q3
             * k_lambda_platform_norm_platform_q3;
         let rhs_lambda_platform_norm = l_lambda_platform_norm_platform_q2
-            * minus_rhs_platform_q2 - S::from_f64(2.0) * w_26
+            * minus_rhs_platform_q2 - S::from_f64(2.0) * w_28
             - rhs_platform_q0 * l_lambda_platform_norm_platform_q0
             - l_lambda_platform_norm_platform_q1 * rhs_platform_q1
             - l_lambda_platform_norm_platform_q3 * rhs_platform_q3;
-        let w_35 = platform_q2_squared + platform_q3_squared;
-        let w_36 = w * S::from_f64(2.0) * w_35 - S::from_f64(1.0);
-        let w_37 = platform_q1 * platform_q2;
-        let w_38 = platform_q0 * platform_q3;
-        let w_39 = w_37 - w_38;
-        let w_40 = w_39 * self.k_8;
-        let w_41 = platform_x - self.k_6 - w_36 * self.k_7 + w * w_40;
-        let w_42 = w_37 + w_38;
-        let w_43 = w_42 * self.k_10;
-        let w_44 = platform_q1_squared + platform_q3_squared;
-        let w_45 = w * S::from_f64(2.0) * w_44 - S::from_f64(1.0);
-        let w_46 = platform_y - self.k_9 + w * w_43 - w_45 * self.k_11;
-        let w_47 = w_33 - w_32;
-        let w_48 = w_28 + w_34;
-        let w_49 = self.k_10 * w_47 + self.k_8 * w_48;
-        let a1_on_platform_z = w * w_49 + platform_z;
-        let w_50 = w_41 * w_41 + w_46 * w_46 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_50 = w_50.sqrt();
-        let w_51 = platform_q1 * self.k_11;
-        let w_52 = w - w_squared * w_35;
-        let w_53 = platform_q2 * w_52;
-        let w_54 = platform_q2 * w_39;
-        let w_55 = w * w_51 - self.k_10 * w_53 - w_squared * self.k_8 * w_54;
-        let w_56 = w_squared * (self.k_8 * w_44 - w_43);
-        let w_57 = platform_q1 * self.k_7;
-        let w_58 = platform_q2 * w_56 + w * w_57;
-        let w_59 = platform_q3 * self.k_11;
-        let w_60 = platform_q0 * self.k_7;
-        let w_61 = w_squared * w_49;
-        let w_62 = w * (w_59 - w_60) - platform_q2 * w_61;
-        let w_63 = w_41 * w_55 + w_46 * w_58 + a1_on_platform_z * w_62;
-        let w_64 = w_squared * (w_35 * self.k_10 - w_40);
-        let w_65 = platform_q0 * w_64 - w * w_59;
-        let w_66 = platform_q3 * self.k_7;
-        let w_67 = platform_q0 * w_56 + w * w_66;
-        let w_68 = platform_q2 * self.k_7;
-        let w_69 = platform_q0 * w_61 + w * (w_68 - w_51);
-        let w_70 = w_41 * w_65 + w_46 * w_67 - a1_on_platform_z * w_69;
-        let a1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_50 * w_70 / w_50;
+        let w_40 = platform_q2_squared + platform_q3_squared;
+        let w_41 = w * S::from_f64(2.0);
+        let w_42 = w_40 * w_41 - S::from_f64(1.0);
+        let w_43 = platform_q1 * platform_q2;
+        let w_44 = platform_q0 * platform_q3;
+        let w_45 = w_43 - w_44;
+        let w_46 = w * w_45;
+        let w_47 = platform_x - self.k_6 - w_42 * self.k_7 + self.k_8 * w_46;
+        let w_48 = w_43 + w_44;
+        let w_49 = w * w_48;
+        let w_50 = platform_q1_squared + platform_q3_squared;
+        let w_51 = w_41 * w_50 - S::from_f64(1.0);
+        let w_52 = platform_y - self.k_9 + self.k_10 * w_49 - w_51 * self.k_11;
+        let w_53 = w_37 - w_36;
+        let w_54 = w_32 + w_38;
+        let w_55 = self.k_10 * w_53 + self.k_8 * w_54;
+        let a1_on_platform_z = w * w_55 + platform_z;
+        let w_56 = w_47 * w_47 + w_52 * w_52 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_56 = w_56.sqrt();
+        let w_57 = S::from_f64(2.0) * sqrt_w_56;
+        let w_58 = platform_q1 * w;
+        let w_59 = w_squared * w_40;
+        let w_60 = w - w_59;
+        let w_61 = platform_q2 * w_60;
+        let w_62 = w_squared * w_45;
+        let w_63 = platform_q2 * w_62;
+        let w_64 = self.k_11 * w_58 - self.k_10 * w_61 - self.k_8 * w_63;
+        let w_65 = w_squared * (self.k_8 * w_50 - w_48 * self.k_10);
+        let w_66 = platform_q2 * w_65 + self.k_7 * w_58;
+        let w_67 = w_squared * w_55;
+        let w_68 = w * (platform_q3 * self.k_11 - platform_q0 * self.k_7)
+            - platform_q2 * w_67;
+        let w_69 = w_47 * w_64 + w_52 * w_66 + a1_on_platform_z * w_68;
+        let w_70 = w_squared * (w_40 * self.k_10 - w_45 * self.k_8);
+        let w_71 = platform_q3 * w;
+        let w_72 = platform_q0 * w_70 - self.k_11 * w_71;
+        let w_73 = platform_q0 * w_65 + self.k_7 * w_71;
+        let w_74 = platform_q0 * w_67
+            + w * (platform_q2 * self.k_7 - platform_q1 * self.k_11);
+        let w_75 = w_47 * w_72 + w_52 * w_73 - a1_on_platform_z * w_74;
+        let a1_leg_by_platform_q0 = w_75 * w_57 / w_56;
         let l_lambda_a1_leg_platform_q0 = a1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_71 = platform_q2 * self.k_11;
-        let w_72 = platform_q1 * w_64 + w * w_71;
-        let w_73 = platform_q1 * w_42;
-        let w_74 = w - w_squared * w_44;
-        let w_75 = platform_q1 * w_74;
-        let w_76 = w * w_68 - w_squared * self.k_10 * w_73 - self.k_8 * w_75;
-        let w_77 = platform_q0 * self.k_11;
-        let w_78 = w * (w_66 + w_77) - platform_q1 * w_61;
-        let w_79 = w_41 * w_72 + w_46 * w_76 + a1_on_platform_z * w_78;
-        let k_lambda_a1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_50 * w_79 / w_50
+        let w_76 = platform_q2 * w;
+        let w_77 = platform_q1 * w_70 + self.k_11 * w_76;
+        let w_78 = w_squared * w_48;
+        let w_79 = platform_q1 * w_78;
+        let w_80 = w_squared * w_50;
+        let w_81 = w - w_80;
+        let w_82 = platform_q1 * w_81;
+        let w_83 = self.k_7 * w_76 - self.k_10 * w_79 - self.k_8 * w_82;
+        let w_84 = w * (platform_q3 * self.k_7 + platform_q0 * self.k_11)
+            - platform_q1 * w_67;
+        let w_85 = w_47 * w_77 + w_52 * w_83 + a1_on_platform_z * w_84;
+        let k_lambda_a1_leg_platform_q1 = w_57 * w_85 / w_56
             - mass_platform_q1_platform_q0 * l_lambda_a1_leg_platform_q0;
         let l_lambda_a1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a1_leg_platform_q1;
-        let k_lambda_a1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_50 * w_63 / w_50
+        let k_lambda_a1_leg_platform_q2 = w_57 * w_69 / w_56
             - mass_platform_q2_platform_q0 * l_lambda_a1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a1_leg_platform_q1;
         let l_lambda_a1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a1_leg_platform_q2;
-        let w_80 = w_18 + w_19;
-        let w_81 = w_squared * w_35 * w_20 - w * w_80;
-        let w_82 = w_39 * w_20;
-        let w_83 = w_7 + w_8 - w_9 - w_10;
-        let w_84 = platform_x_dot + w_81 * self.k_48 - w_squared * self.k_49 * w_82
-            - w * self.k_8 * w_83;
-        let w_85 = w_7 + w_8 + w_9 + w_10;
-        let w_86 = w_42 * w_20;
-        let w_87 = w_17 + w_19;
-        let w_88 = w_squared * w_44 * w_20 - w * w_87;
-        let w_89 = platform_y_dot + w * self.k_10 * w_85 - w_squared * self.k_48 * w_86
-            + self.k_49 * w_88;
-        let w_90 = w_12 + w_13 + w_14 + w_15;
-        let w_91 = w_2 + w_3 - w_4 - w_5;
-        let w_92 = w * (self.k_8 * w_90 - self.k_10 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_48 + w_48 * self.k_49) + platform_z_dot;
-        let w_93 = w_41 * w_84 + w_46 * w_89 + a1_on_platform_z * w_92;
-        let w_94 = platform_q3 * w_52;
-        let w_95 = platform_q3 * w_39;
-        let w_96 = w * w_77 + self.k_10 * w_94 + w_squared * self.k_8 * w_95;
-        let w_97 = platform_q3 * w_42;
-        let w_98 = platform_q3 * w_74;
-        let w_99 = w * w_60 - w_squared * self.k_10 * w_97 - self.k_8 * w_98;
-        let w_100 = w * (w_71 + w_57) - platform_q3 * w_61;
-        let w_101 = w_41 * w_96 - w_46 * w_99 - a1_on_platform_z * w_100;
-        let w_50_squared = w_50 * w_50;
-        let w_102 = w_93
-            * ((w_101 * platform_q3_dot - w_70 * platform_q0_dot - w_79 * platform_q1_dot
-                - w_63 * platform_q2_dot) / w_50_squared);
-        let w_103 = platform_q3 * w_20;
-        let w_104 = platform_q0 * w_83 - w_39 * platform_q0_dot + w_103;
-        let w_105 = w_20 * w_24 * (w_39 * self.k_51 - w_35 * self.k_50);
-        let w_106 = self.k_11 * platform_q3_dot;
-        let w_107 = w_41
-            * (w_squared
-                * (self.k_8 * w_104 + w_35 * self.k_10 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_48) + platform_q0 * w_105 - w * w_106);
-        let w_108 = w_103 + w_42 * platform_q0_dot + platform_q0 * w_85;
-        let w_109 = w_20 * w_24 * (w_42 * self.k_50 - w_44 * self.k_51);
-        let w_110 = self.k_7 * platform_q3_dot;
-        let w_111 = w_46
-            * (w_squared
-                * (self.k_8 * w_44 * platform_q0_dot - self.k_10 * w_108
-                    + platform_q0 * self.k_49 * w_87) + platform_q0 * w_109 + w * w_110);
-        let w_112 = platform_q2 * w_20;
-        let w_113 = w_47 * platform_q0_dot - platform_q0 * w_91 - w_112;
-        let w_114 = platform_q1 * w_20;
-        let w_115 = w_114 + w_48 * platform_q0_dot + platform_q0 * w_90;
-        let w_116 = w_20 * w_24 * (w_47 * self.k_50 + w_48 * self.k_51);
-        let w_117 = self.k_7 * platform_q2_dot;
-        let w_118 = self.k_11 * platform_q1_dot;
-        let w_119 = w_65 * w_84 + w_107 + w_67 * w_89 + w_111 - w_69 * w_92
-            - a1_on_platform_z
-                * (w_squared * (self.k_10 * w_113 + self.k_8 * w_115)
-                    - platform_q0 * w_116 + w * (w_117 - w_118));
-        let w_120 = platform_q1 * w_83 - w_112 - w_39 * platform_q1_dot;
-        let w_121 = self.k_11 * platform_q2_dot;
-        let w_122 = w_41
-            * (w_squared
-                * (self.k_8 * w_120 + w_35 * self.k_10 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_48) + platform_q1 * w_105 + w * w_121);
-        let w_123 = w_squared * (w_112 + w_42 * platform_q1_dot + platform_q1 * w_85);
-        let w_124 = platform_q1 * w_86;
-        let w_125 = S::from_f64(4.0) * w_20;
-        let w_126 = w_44 * w_24 * w_125 - S::from_f64(2.0) * w_squared * (w_20 + w_87);
-        let w_127 = platform_q1 * w_126 + w_74 * platform_q1_dot;
-        let w_128 = platform_q1 * w_91 - w_103 - w_47 * platform_q1_dot;
-        let w_129 = platform_q0 * w_20;
-        let w_130 = w_129 + w_48 * platform_q1_dot + platform_q1 * w_90;
-        let w_131 = self.k_11 * platform_q0_dot;
-        let w_132 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_128 - self.k_8 * w_130) + w * (w_110 + w_131)
-                + platform_q1 * w_116);
-        let w_133 = w_72 * w_84 + w_122 + w_76 * w_89
-            + w_46
-                * (w * w_117 - self.k_10 * w_123 + w_24 * self.k_50 * w_124
-                    - self.k_8 * w_127) + w_78 * w_92 + w_132;
-        let w_134 = w_squared * (platform_q2 * w_83 - w_114 - w_39 * platform_q2_dot);
-        let w_135 = w_35 * w_24 * w_125 - S::from_f64(2.0) * w_squared * (w_20 + w_80);
-        let w_136 = platform_q2 * w_135 + w_52 * platform_q2_dot;
-        let w_137 = platform_q2 * w_82;
-        let w_138 = w_114 + w_42 * platform_q2_dot + platform_q2 * w_85;
-        let w_139 = self.k_7 * platform_q1_dot;
-        let w_140 = w_46
-            * (w_squared
-                * (self.k_8 * w_44 * platform_q2_dot - self.k_10 * w_138
-                    + platform_q2 * self.k_49 * w_87) + platform_q2 * w_109 + w * w_139);
-        let w_141 = platform_q2 * w_91 - w_47 * platform_q2_dot + w_129;
-        let w_142 = w_103 + w_48 * platform_q2_dot + platform_q2 * w_90;
-        let w_143 = self.k_7 * platform_q0_dot;
-        let w_144 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_141 - self.k_8 * w_142) + w * (w_106 - w_143)
-                + platform_q2 * w_116);
-        let w_145 = w_55 * w_84
-            + w_41
-                * (self.k_8 * w_134 + w * w_118 - self.k_10 * w_136
-                    + w_24 * self.k_51 * w_137) + w_58 * w_89 + w_140 + w_62 * w_92
-            + w_144;
-        let w_146 = w_squared * (w_39 * platform_q3_dot - w_129 - platform_q3 * w_83);
-        let w_147 = platform_q3 * w_135 + w_52 * platform_q3_dot;
-        let w_148 = platform_q3 * w_82;
-        let w_149 = w_squared * (w_129 + w_42 * platform_q3_dot + platform_q3 * w_85);
-        let w_150 = platform_q3 * w_86;
-        let w_151 = platform_q3 * w_126 + w_74 * platform_q3_dot;
-        let w_152 = w_46
-            * (w * w_143 - self.k_10 * w_149 + w_24 * self.k_50 * w_150
-                - self.k_8 * w_151);
-        let w_153 = platform_q3 * w_91 - w_114 - w_47 * platform_q3_dot;
-        let w_154 = w_112 + w_48 * platform_q3_dot + platform_q3 * w_90;
-        let w_155 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_153 - self.k_8 * w_154) + w * (w_121 + w_139)
-                + platform_q3 * w_116);
-        let w_156 = w_96 * w_84
-            + w_41
-                * (self.k_8 * w_146 + w * w_131 + self.k_10 * w_147
-                    - w_24 * self.k_51 * w_148) - w_99 * w_89 - w_152 - w_100 * w_92
-            - w_155;
-        let w_157 = S::from_f64(2.0)
-            * (w_102
-                + (platform_q0_dot * w_119 + platform_q1_dot * w_133
-                    + platform_q2_dot * w_145 - platform_q3_dot * w_156) / w_50);
-        let w_158 = w_157
-            + (platform_x_dot * w_84 + platform_y_dot * w_89 + platform_z_dot * w_92)
-                / w_50
-            - w_93
-                * ((w_41 * platform_x_dot + w_46 * platform_y_dot
-                    + a1_on_platform_z * platform_z_dot) / w_50_squared);
-        let w_159 = self.w * t;
-        let w_160 = self.k_12 + w_159;
-        let w_161 = self.k_25 + w_159;
-        let w_162 = self.k_38 + w_159;
+        let w_86 = w_18 + w_19;
+        let w_87 = w_59 * w_20 - w * w_86;
+        let w_88 = w_62 * w_20;
+        let w_89 = w_7 + w_8 - w_9 - w_10;
+        let w_90 = w * w_89;
+        let w_91 = platform_x_dot + w_87 * self.k_48 - self.k_49 * w_88
+            - self.k_8 * w_90;
+        let w_92 = w_7 + w_8 + w_9 + w_10;
+        let w_93 = w * w_92;
+        let w_94 = w_78 * w_20;
+        let w_95 = w_17 + w_19;
+        let w_96 = w_80 * w_20 - w * w_95;
+        let w_97 = platform_y_dot + self.k_10 * w_93 - self.k_48 * w_94
+            + self.k_49 * w_96;
+        let w_98 = w_12 + w_13 + w_14 + w_15;
+        let w_99 = w_2 + w_3 - w_4 - w_5;
+        let w_100 = w * (self.k_8 * w_98 - self.k_10 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_48 + w_54 * self.k_49) + platform_z_dot;
+        let w_101 = w_47 * w_91 + w_52 * w_97 + a1_on_platform_z * w_100;
+        let w_102 = platform_q0 * w;
+        let w_103 = platform_q3 * w_60;
+        let w_104 = platform_q3 * w_62;
+        let w_105 = self.k_11 * w_102 + self.k_10 * w_103 + self.k_8 * w_104;
+        let w_106 = platform_q3 * w_78;
+        let w_107 = platform_q3 * w_81;
+        let w_108 = self.k_7 * w_102 - self.k_10 * w_106 - self.k_8 * w_107;
+        let w_109 = w * (platform_q2 * self.k_11 + platform_q1 * self.k_7)
+            - platform_q3 * w_67;
+        let w_110 = w_47 * w_105 - w_52 * w_108 - a1_on_platform_z * w_109;
+        let w_56_squared = w_56 * w_56;
+        let w_111 = w_101
+            * ((w_110 * platform_q3_dot - w_75 * platform_q0_dot - w_85 * platform_q1_dot
+                - w_69 * platform_q2_dot) / w_56_squared);
+        let w_112 = platform_q3 * w_20;
+        let w_113 = platform_q0 * w_89 - w_45 * platform_q0_dot + w_112;
+        let w_114 = w_40 * platform_q0_dot;
+        let w_115 = platform_q0 * w_86;
+        let w_116 = w_20 * w_24 * (w_45 * self.k_51 - w_40 * self.k_50);
+        let w_117 = w * platform_q3_dot;
+        let w_118 = w_50 * platform_q0_dot;
+        let w_119 = w_112 + w_48 * platform_q0_dot + platform_q0 * w_92;
+        let w_120 = platform_q0 * w_95;
+        let w_121 = w_20 * w_24 * (w_48 * self.k_50 - w_50 * self.k_51);
+        let w_122 = w_52
+            * (w_squared * (self.k_8 * w_118 - self.k_10 * w_119 + self.k_49 * w_120)
+                + platform_q0 * w_121 + self.k_7 * w_117);
+        let w_123 = platform_q2 * w_20;
+        let w_124 = w_53 * platform_q0_dot - platform_q0 * w_99 - w_123;
+        let w_125 = platform_q1 * w_20;
+        let w_126 = w_125 + w_54 * platform_q0_dot + platform_q0 * w_98;
+        let w_127 = w_20 * w_24 * (w_53 * self.k_50 + w_54 * self.k_51);
+        let w_128 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_124 + self.k_8 * w_126) - platform_q0 * w_127
+                + w * (self.k_7 * platform_q2_dot - self.k_11 * platform_q1_dot));
+        let w_129 = w_72 * w_91
+            + w_47
+                * (w_squared * (self.k_8 * w_113 + self.k_10 * w_114 + self.k_48 * w_115)
+                    + platform_q0 * w_116 - self.k_11 * w_117) + w_73 * w_97 + w_122
+            - w_74 * w_100 - w_128;
+        let w_130 = platform_q1 * w_89 - w_123 - w_45 * platform_q1_dot;
+        let w_131 = w_40 * platform_q1_dot;
+        let w_132 = platform_q1 * w_86;
+        let w_133 = w * platform_q2_dot;
+        let w_134 = w_47
+            * (w_squared * (self.k_8 * w_130 + self.k_10 * w_131 + self.k_48 * w_132)
+                + platform_q1 * w_116 + self.k_11 * w_133);
+        let w_135 = w_squared * (w_123 + w_48 * platform_q1_dot + platform_q1 * w_92);
+        let w_136 = w_48 * w_39;
+        let w_137 = S::from_f64(4.0) * w_25;
+        let w_138 = w_50 * w_137 - S::from_f64(2.0) * w_squared * (w_20 + w_95);
+        let w_139 = platform_q1 * w_138 + w_81 * platform_q1_dot;
+        let w_140 = platform_q1 * w_99 - w_112 - w_53 * platform_q1_dot;
+        let w_141 = platform_q0 * w_20;
+        let w_142 = w_141 + w_54 * platform_q1_dot + platform_q1 * w_98;
+        let w_143 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_140 - self.k_8 * w_142)
+                + w * (self.k_7 * platform_q3_dot + self.k_11 * platform_q0_dot)
+                + platform_q1 * w_127);
+        let w_144 = w_77 * w_91 + w_134 + w_83 * w_97
+            + w_52
+                * (self.k_7 * w_133 - self.k_10 * w_135 + self.k_50 * w_136
+                    - self.k_8 * w_139) + w_84 * w_100 + w_143;
+        let w_145 = w_squared * (platform_q2 * w_89 - w_125 - w_45 * platform_q2_dot);
+        let w_146 = w * platform_q1_dot;
+        let w_147 = w_40 * w_137 - S::from_f64(2.0) * w_squared * (w_20 + w_86);
+        let w_148 = platform_q2 * w_147 + w_60 * platform_q2_dot;
+        let w_149 = w_45 * w_30;
+        let w_150 = w_50 * platform_q2_dot;
+        let w_151 = w_125 + w_48 * platform_q2_dot + platform_q2 * w_92;
+        let w_152 = platform_q2 * w_95;
+        let w_153 = w_52
+            * (w_squared * (self.k_8 * w_150 - self.k_10 * w_151 + self.k_49 * w_152)
+                + platform_q2 * w_121 + self.k_7 * w_146);
+        let w_154 = platform_q2 * w_99 - w_53 * platform_q2_dot + w_141;
+        let w_155 = w_112 + w_54 * platform_q2_dot + platform_q2 * w_98;
+        let w_156 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_154 - self.k_8 * w_155)
+                + w * (self.k_11 * platform_q3_dot - self.k_7 * platform_q0_dot)
+                + platform_q2 * w_127);
+        let w_157 = w_64 * w_91
+            + w_47
+                * (self.k_8 * w_145 + self.k_11 * w_146 - self.k_10 * w_148
+                    + self.k_51 * w_149) + w_66 * w_97 + w_153 + w_68 * w_100 + w_156;
+        let w_158 = w_squared * (w_45 * platform_q3_dot - w_141 - platform_q3 * w_89);
+        let w_159 = w * platform_q0_dot;
+        let w_160 = platform_q3 * w_147 + w_60 * platform_q3_dot;
+        let w_161 = w_45 * w_26;
+        let w_162 = w_squared * (w_141 + w_48 * platform_q3_dot + platform_q3 * w_92);
+        let w_163 = w_48 * w_26;
+        let w_164 = platform_q3 * w_138 + w_81 * platform_q3_dot;
+        let w_165 = w_52
+            * (self.k_7 * w_159 - self.k_10 * w_162 + self.k_50 * w_163
+                - self.k_8 * w_164);
+        let w_166 = platform_q3 * w_99 - w_125 - w_53 * platform_q3_dot;
+        let w_167 = w_123 + w_54 * platform_q3_dot + platform_q3 * w_98;
+        let w_168 = a1_on_platform_z
+            * (w_squared * (self.k_10 * w_166 - self.k_8 * w_167)
+                + w * (self.k_11 * platform_q2_dot + self.k_7 * platform_q1_dot)
+                + platform_q3 * w_127);
+        let w_169 = w_105 * w_91
+            + w_47
+                * (self.k_8 * w_158 + self.k_11 * w_159 + self.k_10 * w_160
+                    - self.k_51 * w_161) - w_108 * w_97 - w_165 - w_109 * w_100 - w_168;
+        let w_170 = S::from_f64(2.0)
+            * (w_111
+                + (platform_q0_dot * w_129 + platform_q1_dot * w_144
+                    + platform_q2_dot * w_157 - platform_q3_dot * w_169) / w_56);
+        let w_171 = w_170
+            + (platform_x_dot * w_91 + platform_y_dot * w_97 + platform_z_dot * w_100)
+                / w_56
+            - w_101
+                * ((w_47 * platform_x_dot + w_52 * platform_y_dot
+                    + a1_on_platform_z * platform_z_dot) / w_56_squared);
+        let w_172 = self.w * t;
+        let w_173 = self.k_12 + w_172;
+        let w_174 = self.k_25 + w_172;
+        let w_175 = self.k_38 + w_172;
         let (
-            [sin_w_159,
-            sin_w_160,
-            sin_w_161,
-            sin_w_162,
+            [sin_w_172,
+            sin_w_173,
+            sin_w_174,
+            sin_w_175,
             ],
-            [cos_w_159,
-            cos_w_160,
-            cos_w_161,
-            cos_w_162,
+            [cos_w_172,
+            cos_w_173,
+            cos_w_174,
+            cos_w_175,
             ],
-        ) = S::sin_cos_each([w_159, w_160, w_161, w_162]);
-        let minus_k_lambda_a1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_50 * w_101
-            / w_50 + mass_platform_q3_platform_q0 * l_lambda_a1_leg_platform_q0
+        ) = S::sin_cos_each([w_172, w_173, w_174, w_175]);
+        let minus_k_lambda_a1_leg_platform_q3 = w_57 * w_110 / w_56
+            + mass_platform_q3_platform_q0 * l_lambda_a1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a1_leg_platform_q2;
         let minus_l_lambda_a1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a1_leg_platform_q3;
-        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_50 / w_50;
+        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_z = a1_leg_by_platform_z * self.inverse_platform_x;
         let minus_pivot_lambda_platform_norm = platform_norm_by_platform_q0
             * l_lambda_platform_norm_platform_q0
@@ -4327,145 +4346,131 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let minus_l_lambda_a1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a1_leg_lambda_platform_norm;
         let rhs_lambda_a1_leg = l_lambda_a1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_50 * w_158 + sin_w_159 * self.k_54)
+            - (sqrt_w_56 * w_171 + sin_w_172 * self.k_54)
             - rhs_platform_q0 * l_lambda_a1_leg_platform_q0
             - l_lambda_a1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_a1_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_a1_leg_platform_z
             + minus_l_lambda_a1_leg_lambda_platform_norm * rhs_lambda_platform_norm;
-        let w_163 = w_39 * self.k_15;
-        let w_164 = platform_x - self.k_13 - w_36 * self.k_14 + w * w_163;
-        let w_165 = w_42 * self.k_17;
-        let w_166 = platform_y - self.k_16 + w * w_165 - w_45 * self.k_18;
-        let w_167 = w_47 * self.k_17 + w_48 * self.k_15;
-        let a2_on_platform_z = w * w_167 + platform_z;
-        let w_168 = w_164 * w_164 + w_166 * w_166 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_168 = w_168.sqrt();
-        let w_169 = platform_q1 * self.k_18;
-        let w_170 = w * w_169 - w_53 * self.k_17 - w_squared * w_54 * self.k_15;
-        let w_171 = w_squared * (w_44 * self.k_15 - w_165);
-        let w_172 = platform_q1 * self.k_14;
-        let w_173 = platform_q2 * w_171 + w * w_172;
-        let w_174 = platform_q3 * self.k_18;
-        let w_175 = platform_q0 * self.k_14;
-        let w_176 = w_squared * w_167;
-        let w_177 = w * (w_174 - w_175) - platform_q2 * w_176;
-        let w_178 = w_164 * w_170 + w_166 * w_173 + a2_on_platform_z * w_177;
-        let w_179 = w_squared * (w_35 * self.k_17 - w_163);
-        let w_180 = platform_q0 * w_179 - w * w_174;
-        let w_181 = platform_q3 * self.k_14;
-        let w_182 = platform_q0 * w_171 + w * w_181;
-        let w_183 = platform_q2 * self.k_14;
-        let w_184 = platform_q0 * w_176 + w * (w_183 - w_169);
-        let w_185 = w_164 * w_180 + w_166 * w_182 - a2_on_platform_z * w_184;
-        let a2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_168 * w_185 / w_168;
+        let w_176 = platform_x - self.k_13 - w_42 * self.k_14 + w_46 * self.k_15;
+        let w_177 = platform_y - self.k_16 + w_49 * self.k_17 - w_51 * self.k_18;
+        let w_178 = w_53 * self.k_17 + w_54 * self.k_15;
+        let a2_on_platform_z = w * w_178 + platform_z;
+        let w_179 = w_176 * w_176 + w_177 * w_177 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_179 = w_179.sqrt();
+        let w_180 = S::from_f64(2.0) * sqrt_w_179;
+        let w_181 = w_58 * self.k_18 - w_61 * self.k_17 - w_63 * self.k_15;
+        let w_182 = w_squared * (w_50 * self.k_15 - w_48 * self.k_17);
+        let w_183 = platform_q2 * w_182 + w_58 * self.k_14;
+        let w_184 = w_squared * w_178;
+        let w_185 = w * (platform_q3 * self.k_18 - platform_q0 * self.k_14)
+            - platform_q2 * w_184;
+        let w_186 = w_176 * w_181 + w_177 * w_183 + a2_on_platform_z * w_185;
+        let w_187 = w_squared * (w_40 * self.k_17 - w_45 * self.k_15);
+        let w_188 = platform_q0 * w_187 - w_71 * self.k_18;
+        let w_189 = platform_q0 * w_182 + w_71 * self.k_14;
+        let w_190 = platform_q0 * w_184
+            + w * (platform_q2 * self.k_14 - platform_q1 * self.k_18);
+        let w_191 = w_176 * w_188 + w_177 * w_189 - a2_on_platform_z * w_190;
+        let a2_leg_by_platform_q0 = w_191 * w_180 / w_179;
         let l_lambda_a2_leg_platform_q0 = a2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_186 = platform_q2 * self.k_18;
-        let w_187 = platform_q1 * w_179 + w * w_186;
-        let w_188 = w * w_183 - w_squared * w_73 * self.k_17 - w_75 * self.k_15;
-        let w_189 = platform_q0 * self.k_18;
-        let w_190 = w * (w_181 + w_189) - platform_q1 * w_176;
-        let w_191 = w_164 * w_187 + w_166 * w_188 + a2_on_platform_z * w_190;
-        let k_lambda_a2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_168 * w_191 / w_168
+        let w_192 = platform_q1 * w_187 + w_76 * self.k_18;
+        let w_193 = w_76 * self.k_14 - w_79 * self.k_17 - w_82 * self.k_15;
+        let w_194 = w * (platform_q3 * self.k_14 + platform_q0 * self.k_18)
+            - platform_q1 * w_184;
+        let w_195 = w_176 * w_192 + w_177 * w_193 + a2_on_platform_z * w_194;
+        let k_lambda_a2_leg_platform_q1 = w_180 * w_195 / w_179
             - mass_platform_q1_platform_q0 * l_lambda_a2_leg_platform_q0;
         let l_lambda_a2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a2_leg_platform_q1;
-        let k_lambda_a2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_168 * w_178 / w_168
+        let k_lambda_a2_leg_platform_q2 = w_180 * w_186 / w_179
             - mass_platform_q2_platform_q0 * l_lambda_a2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a2_leg_platform_q1;
         let l_lambda_a2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a2_leg_platform_q2;
-        let w_192 = platform_x_dot + w_81 * self.k_55 - w_squared * w_82 * self.k_56
-            - w * self.k_15 * w_83;
-        let w_193 = platform_y_dot + w * self.k_17 * w_85 - w_squared * w_86 * self.k_55
-            + w_88 * self.k_56;
-        let w_194 = w * (self.k_15 * w_90 - self.k_17 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_55 + w_48 * self.k_56) + platform_z_dot;
-        let w_195 = w_164 * w_192 + w_166 * w_193 + a2_on_platform_z * w_194;
-        let w_196 = w * w_189 + w_94 * self.k_17 + w_squared * w_95 * self.k_15;
-        let w_197 = w * w_175 - w_squared * w_97 * self.k_17 - w_98 * self.k_15;
-        let w_198 = w * (w_186 + w_172) - platform_q3 * w_176;
-        let w_199 = w_164 * w_196 - w_166 * w_197 - a2_on_platform_z * w_198;
-        let w_168_squared = w_168 * w_168;
-        let w_200 = w_195
-            * ((w_199 * platform_q3_dot - w_185 * platform_q0_dot
-                - w_191 * platform_q1_dot - w_178 * platform_q2_dot) / w_168_squared);
-        let w_201 = w_20 * w_24 * (w_39 * self.k_58 - w_35 * self.k_57);
-        let w_202 = self.k_18 * platform_q3_dot;
-        let w_203 = w_164
-            * (w_squared
-                * (self.k_15 * w_104 + w_35 * self.k_17 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_55) + platform_q0 * w_201 - w * w_202);
-        let w_204 = w_20 * w_24 * (w_42 * self.k_57 - w_44 * self.k_58);
-        let w_205 = self.k_14 * platform_q3_dot;
-        let w_206 = w_166
-            * (w_squared
-                * (w_44 * self.k_15 * platform_q0_dot - self.k_17 * w_108
-                    + platform_q0 * w_87 * self.k_56) + platform_q0 * w_204 + w * w_205);
-        let w_207 = w_20 * w_24 * (w_47 * self.k_57 + w_48 * self.k_58);
-        let w_208 = self.k_14 * platform_q2_dot;
-        let w_209 = self.k_18 * platform_q1_dot;
-        let w_210 = w_180 * w_192 + w_203 + w_182 * w_193 + w_206 - w_184 * w_194
-            - a2_on_platform_z
-                * (w_squared * (self.k_17 * w_113 + self.k_15 * w_115)
-                    - platform_q0 * w_207 + w * (w_208 - w_209));
-        let w_211 = self.k_18 * platform_q2_dot;
-        let w_212 = w_164
-            * (w_squared
-                * (self.k_15 * w_120 + w_35 * self.k_17 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_55) + platform_q1 * w_201 + w * w_211);
-        let w_213 = self.k_18 * platform_q0_dot;
-        let w_214 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_128 - self.k_15 * w_130) + w * (w_205 + w_213)
-                + platform_q1 * w_207);
-        let w_215 = w_187 * w_192 + w_212 + w_188 * w_193
-            + w_166
-                * (w * w_208 - self.k_17 * w_123 + w_24 * w_124 * self.k_57
-                    - self.k_15 * w_127) + w_190 * w_194 + w_214;
-        let w_216 = self.k_14 * platform_q1_dot;
-        let w_217 = w_166
-            * (w_squared
-                * (w_44 * self.k_15 * platform_q2_dot - self.k_17 * w_138
-                    + platform_q2 * w_87 * self.k_56) + platform_q2 * w_204 + w * w_216);
-        let w_218 = self.k_14 * platform_q0_dot;
-        let w_219 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_141 - self.k_15 * w_142) + w * (w_202 - w_218)
-                + platform_q2 * w_207);
-        let w_220 = w_170 * w_192
-            + w_164
-                * (self.k_15 * w_134 + w * w_209 - self.k_17 * w_136
-                    + w_24 * w_137 * self.k_58) + w_173 * w_193 + w_217 + w_177 * w_194
-            + w_219;
-        let w_221 = w_166
-            * (w * w_218 - self.k_17 * w_149 + w_24 * w_150 * self.k_57
-                - self.k_15 * w_151);
-        let w_222 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_153 - self.k_15 * w_154) + w * (w_211 + w_216)
-                + platform_q3 * w_207);
-        let w_223 = w_196 * w_192
-            + w_164
-                * (self.k_15 * w_146 + w * w_213 + self.k_17 * w_147
-                    - w_24 * w_148 * self.k_58) - w_197 * w_193 - w_221 - w_198 * w_194
-            - w_222;
-        let w_224 = S::from_f64(2.0)
-            * (w_200
-                + (platform_q0_dot * w_210 + platform_q1_dot * w_215
-                    + platform_q2_dot * w_220 - platform_q3_dot * w_223) / w_168);
-        let w_225 = w_224
-            + (platform_x_dot * w_192 + platform_y_dot * w_193 + platform_z_dot * w_194)
-                / w_168
-            - w_195
-                * ((w_164 * platform_x_dot + w_166 * platform_y_dot
-                    + a2_on_platform_z * platform_z_dot) / w_168_squared);
-        let w_226 = sin_w_159 * self.k_52;
-        let w_227 = self.k_53 * sin_w_160;
-        let minus_k_lambda_a2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_168 * w_199
-            / w_168 + mass_platform_q3_platform_q0 * l_lambda_a2_leg_platform_q0
+        let w_196 = platform_x_dot + w_87 * self.k_55 - w_88 * self.k_56
+            - self.k_15 * w_90;
+        let w_197 = platform_y_dot + self.k_17 * w_93 - w_94 * self.k_55
+            + w_96 * self.k_56;
+        let w_198 = w * (self.k_15 * w_98 - self.k_17 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_55 + w_54 * self.k_56) + platform_z_dot;
+        let w_199 = w_176 * w_196 + w_177 * w_197 + a2_on_platform_z * w_198;
+        let w_200 = w_102 * self.k_18 + w_103 * self.k_17 + w_104 * self.k_15;
+        let w_201 = w_102 * self.k_14 - w_106 * self.k_17 - w_107 * self.k_15;
+        let w_202 = w * (platform_q2 * self.k_18 + platform_q1 * self.k_14)
+            - platform_q3 * w_184;
+        let w_203 = w_176 * w_200 - w_177 * w_201 - a2_on_platform_z * w_202;
+        let w_179_squared = w_179 * w_179;
+        let w_204 = w_199
+            * ((w_203 * platform_q3_dot - w_191 * platform_q0_dot
+                - w_195 * platform_q1_dot - w_186 * platform_q2_dot) / w_179_squared);
+        let w_205 = w_20 * w_24 * (w_45 * self.k_58 - w_40 * self.k_57);
+        let w_206 = w_20 * w_24 * (w_48 * self.k_57 - w_50 * self.k_58);
+        let w_207 = w_177
+            * (w_squared * (self.k_15 * w_118 - self.k_17 * w_119 + w_120 * self.k_56)
+                + platform_q0 * w_206 + self.k_14 * w_117);
+        let w_208 = w_20 * w_24 * (w_53 * self.k_57 + w_54 * self.k_58);
+        let w_209 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_124 + self.k_15 * w_126) - platform_q0 * w_208
+                + w * (self.k_14 * platform_q2_dot - self.k_18 * platform_q1_dot));
+        let w_210 = w_188 * w_196
+            + w_176
+                * (w_squared
+                    * (self.k_15 * w_113 + self.k_17 * w_114 + w_115 * self.k_55)
+                    + platform_q0 * w_205 - self.k_18 * w_117) + w_189 * w_197 + w_207
+            - w_190 * w_198 - w_209;
+        let w_211 = w_176
+            * (w_squared * (self.k_15 * w_130 + self.k_17 * w_131 + w_132 * self.k_55)
+                + platform_q1 * w_205 + self.k_18 * w_133);
+        let w_212 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_140 - self.k_15 * w_142)
+                + w * (self.k_14 * platform_q3_dot + self.k_18 * platform_q0_dot)
+                + platform_q1 * w_208);
+        let w_213 = w_192 * w_196 + w_211 + w_193 * w_197
+            + w_177
+                * (self.k_14 * w_133 - self.k_17 * w_135 + w_136 * self.k_57
+                    - self.k_15 * w_139) + w_194 * w_198 + w_212;
+        let w_214 = w_177
+            * (w_squared * (self.k_15 * w_150 - self.k_17 * w_151 + w_152 * self.k_56)
+                + platform_q2 * w_206 + self.k_14 * w_146);
+        let w_215 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_154 - self.k_15 * w_155)
+                + w * (self.k_18 * platform_q3_dot - self.k_14 * platform_q0_dot)
+                + platform_q2 * w_208);
+        let w_216 = w_181 * w_196
+            + w_176
+                * (self.k_15 * w_145 + self.k_18 * w_146 - self.k_17 * w_148
+                    + w_149 * self.k_58) + w_183 * w_197 + w_214 + w_185 * w_198 + w_215;
+        let w_217 = w_177
+            * (self.k_14 * w_159 - self.k_17 * w_162 + w_163 * self.k_57
+                - self.k_15 * w_164);
+        let w_218 = a2_on_platform_z
+            * (w_squared * (self.k_17 * w_166 - self.k_15 * w_167)
+                + w * (self.k_18 * platform_q2_dot + self.k_14 * platform_q1_dot)
+                + platform_q3 * w_208);
+        let w_219 = w_200 * w_196
+            + w_176
+                * (self.k_15 * w_158 + self.k_18 * w_159 + self.k_17 * w_160
+                    - w_161 * self.k_58) - w_201 * w_197 - w_217 - w_202 * w_198 - w_218;
+        let w_220 = S::from_f64(2.0)
+            * (w_204
+                + (platform_q0_dot * w_210 + platform_q1_dot * w_213
+                    + platform_q2_dot * w_216 - platform_q3_dot * w_219) / w_179);
+        let w_221 = w_220
+            + (platform_x_dot * w_196 + platform_y_dot * w_197 + platform_z_dot * w_198)
+                / w_179
+            - w_199
+                * ((w_176 * platform_x_dot + w_177 * platform_y_dot
+                    + a2_on_platform_z * platform_z_dot) / w_179_squared);
+        let w_222 = sin_w_172 * self.k_52;
+        let w_223 = self.k_53 * sin_w_173;
+        let minus_k_lambda_a2_leg_platform_q3 = w_180 * w_203 / w_179
+            + mass_platform_q3_platform_q0 * l_lambda_a2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a2_leg_platform_q2;
         let minus_l_lambda_a2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a2_leg_platform_q3;
-        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_168 / w_168;
+        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_z = a2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_a2_leg_platform_q3
@@ -4474,11 +4479,11 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_a2_leg_platform_q2;
         let minus_l_lambda_a2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a2_leg_lambda_platform_norm;
-        let a1_leg_by_platform_x = w_41 * sqrt_w_50 / w_50;
+        let a1_leg_by_platform_x = w_47 * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_x = a1_leg_by_platform_x * self.inverse_platform_x;
-        let a1_leg_by_platform_y = w_46 * sqrt_w_50 / w_50;
+        let a1_leg_by_platform_y = w_52 * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_y = a1_leg_by_platform_y * self.inverse_platform_x;
-        let w_228 = a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
+        let w_224 = a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
             + k_lambda_a1_leg_platform_q1 * l_lambda_a1_leg_platform_q1
             + k_lambda_a1_leg_platform_q2 * l_lambda_a1_leg_platform_q2
             + minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a1_leg_platform_q3
@@ -4486,11 +4491,11 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + a1_leg_by_platform_y * l_lambda_a1_leg_platform_y
             + a1_leg_by_platform_z * l_lambda_a1_leg_platform_z;
         let pivot_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
-            * minus_l_lambda_a1_leg_lambda_platform_norm - w_228;
+            * minus_l_lambda_a1_leg_lambda_platform_norm - w_224;
         let inverse_lambda_a1_leg = S::from_f64(1.0) / pivot_lambda_a1_leg;
-        let a2_leg_by_platform_x = w_164 * sqrt_w_168 / w_168;
+        let a2_leg_by_platform_x = w_176 * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_x = a2_leg_by_platform_x * self.inverse_platform_x;
-        let a2_leg_by_platform_y = w_166 * sqrt_w_168 / w_168;
+        let a2_leg_by_platform_y = w_177 * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_y = a2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_a2_leg_lambda_platform_norm
@@ -4504,144 +4509,130 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_a2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_a2_leg_lambda_a1_leg;
         let rhs_lambda_a2_leg = l_lambda_a2_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_168 * w_225 + w_226 - w_227)
+            - (sqrt_w_179 * w_221 + w_222 - w_223)
             - rhs_platform_q0 * l_lambda_a2_leg_platform_q0
             - l_lambda_a2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_a2_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_a2_leg_platform_z
             + minus_l_lambda_a2_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_a2_leg_lambda_a1_leg * rhs_lambda_a1_leg;
-        let w_229 = w_39 * self.k_21;
-        let w_230 = platform_x - self.k_19 - w_36 * self.k_20 + w * w_229;
-        let w_231 = w_42 * self.k_23;
-        let w_232 = platform_y - self.k_22 + w * w_231 - w_45 * self.k_24;
-        let w_233 = w_47 * self.k_23 + w_48 * self.k_21;
-        let b1_on_platform_z = w * w_233 + platform_z;
-        let w_234 = w_230 * w_230 + w_232 * w_232 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_234 = w_234.sqrt();
-        let w_235 = platform_q1 * self.k_24;
-        let w_236 = w * w_235 - w_53 * self.k_23 - w_squared * w_54 * self.k_21;
-        let w_237 = w_squared * (w_44 * self.k_21 - w_231);
-        let w_238 = platform_q1 * self.k_20;
-        let w_239 = platform_q2 * w_237 + w * w_238;
-        let w_240 = platform_q3 * self.k_24;
-        let w_241 = platform_q0 * self.k_20;
-        let w_242 = w_squared * w_233;
-        let w_243 = w * (w_240 - w_241) - platform_q2 * w_242;
-        let w_244 = w_230 * w_236 + w_232 * w_239 + b1_on_platform_z * w_243;
-        let w_245 = w_squared * (w_35 * self.k_23 - w_229);
-        let w_246 = platform_q0 * w_245 - w * w_240;
-        let w_247 = platform_q3 * self.k_20;
-        let w_248 = platform_q0 * w_237 + w * w_247;
-        let w_249 = platform_q2 * self.k_20;
-        let w_250 = platform_q0 * w_242 + w * (w_249 - w_235);
-        let w_251 = w_230 * w_246 + w_232 * w_248 - b1_on_platform_z * w_250;
-        let b1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_234 * w_251 / w_234;
+        let w_225 = platform_x - self.k_19 - w_42 * self.k_20 + w_46 * self.k_21;
+        let w_226 = platform_y - self.k_22 + w_49 * self.k_23 - w_51 * self.k_24;
+        let w_227 = w_53 * self.k_23 + w_54 * self.k_21;
+        let b1_on_platform_z = w * w_227 + platform_z;
+        let w_228 = w_225 * w_225 + w_226 * w_226 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_228 = w_228.sqrt();
+        let w_229 = S::from_f64(2.0) * sqrt_w_228;
+        let w_230 = w_58 * self.k_24 - w_61 * self.k_23 - w_63 * self.k_21;
+        let w_231 = w_squared * (w_50 * self.k_21 - w_48 * self.k_23);
+        let w_232 = platform_q2 * w_231 + w_58 * self.k_20;
+        let w_233 = w_squared * w_227;
+        let w_234 = w * (platform_q3 * self.k_24 - platform_q0 * self.k_20)
+            - platform_q2 * w_233;
+        let w_235 = w_225 * w_230 + w_226 * w_232 + b1_on_platform_z * w_234;
+        let w_236 = w_squared * (w_40 * self.k_23 - w_45 * self.k_21);
+        let w_237 = platform_q0 * w_236 - w_71 * self.k_24;
+        let w_238 = platform_q0 * w_231 + w_71 * self.k_20;
+        let w_239 = platform_q0 * w_233
+            + w * (platform_q2 * self.k_20 - platform_q1 * self.k_24);
+        let w_240 = w_225 * w_237 + w_226 * w_238 - b1_on_platform_z * w_239;
+        let b1_leg_by_platform_q0 = w_240 * w_229 / w_228;
         let l_lambda_b1_leg_platform_q0 = b1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_252 = platform_q2 * self.k_24;
-        let w_253 = platform_q1 * w_245 + w * w_252;
-        let w_254 = w * w_249 - w_squared * w_73 * self.k_23 - w_75 * self.k_21;
-        let w_255 = platform_q0 * self.k_24;
-        let w_256 = w * (w_247 + w_255) - platform_q1 * w_242;
-        let w_257 = w_230 * w_253 + w_232 * w_254 + b1_on_platform_z * w_256;
-        let k_lambda_b1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_234 * w_257 / w_234
+        let w_241 = platform_q1 * w_236 + w_76 * self.k_24;
+        let w_242 = w_76 * self.k_20 - w_79 * self.k_23 - w_82 * self.k_21;
+        let w_243 = w * (platform_q3 * self.k_20 + platform_q0 * self.k_24)
+            - platform_q1 * w_233;
+        let w_244 = w_225 * w_241 + w_226 * w_242 + b1_on_platform_z * w_243;
+        let k_lambda_b1_leg_platform_q1 = w_229 * w_244 / w_228
             - mass_platform_q1_platform_q0 * l_lambda_b1_leg_platform_q0;
         let l_lambda_b1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b1_leg_platform_q1;
-        let k_lambda_b1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_234 * w_244 / w_234
+        let k_lambda_b1_leg_platform_q2 = w_229 * w_235 / w_228
             - mass_platform_q2_platform_q0 * l_lambda_b1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b1_leg_platform_q1;
         let l_lambda_b1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b1_leg_platform_q2;
-        let w_258 = platform_x_dot + w_81 * self.k_59 - w_squared * w_82 * self.k_60
-            - w * self.k_21 * w_83;
-        let w_259 = platform_y_dot + w * self.k_23 * w_85 - w_squared * w_86 * self.k_59
-            + w_88 * self.k_60;
-        let w_260 = w * (self.k_21 * w_90 - self.k_23 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_59 + w_48 * self.k_60) + platform_z_dot;
-        let w_261 = w_230 * w_258 + w_232 * w_259 + b1_on_platform_z * w_260;
-        let w_262 = w * w_255 + w_94 * self.k_23 + w_squared * w_95 * self.k_21;
-        let w_263 = w * w_241 - w_squared * w_97 * self.k_23 - w_98 * self.k_21;
-        let w_264 = w * (w_252 + w_238) - platform_q3 * w_242;
-        let w_265 = w_230 * w_262 - w_232 * w_263 - b1_on_platform_z * w_264;
-        let w_234_squared = w_234 * w_234;
-        let w_266 = w_261
-            * ((w_265 * platform_q3_dot - w_251 * platform_q0_dot
-                - w_257 * platform_q1_dot - w_244 * platform_q2_dot) / w_234_squared);
-        let w_267 = w_20 * w_24 * (w_39 * self.k_62 - w_35 * self.k_61);
-        let w_268 = self.k_24 * platform_q3_dot;
-        let w_269 = w_230
-            * (w_squared
-                * (self.k_21 * w_104 + w_35 * self.k_23 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_59) + platform_q0 * w_267 - w * w_268);
-        let w_270 = w_20 * w_24 * (w_42 * self.k_61 - w_44 * self.k_62);
-        let w_271 = self.k_20 * platform_q3_dot;
-        let w_272 = w_232
-            * (w_squared
-                * (w_44 * self.k_21 * platform_q0_dot - self.k_23 * w_108
-                    + platform_q0 * w_87 * self.k_60) + platform_q0 * w_270 + w * w_271);
-        let w_273 = w_20 * w_24 * (w_47 * self.k_61 + w_48 * self.k_62);
-        let w_274 = self.k_20 * platform_q2_dot;
-        let w_275 = self.k_24 * platform_q1_dot;
-        let w_276 = w_246 * w_258 + w_269 + w_248 * w_259 + w_272 - w_250 * w_260
-            - b1_on_platform_z
-                * (w_squared * (self.k_23 * w_113 + self.k_21 * w_115)
-                    - platform_q0 * w_273 + w * (w_274 - w_275));
-        let w_277 = self.k_24 * platform_q2_dot;
-        let w_278 = w_230
-            * (w_squared
-                * (self.k_21 * w_120 + w_35 * self.k_23 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_59) + platform_q1 * w_267 + w * w_277);
-        let w_279 = self.k_24 * platform_q0_dot;
-        let w_280 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_128 - self.k_21 * w_130) + w * (w_271 + w_279)
-                + platform_q1 * w_273);
-        let w_281 = w_253 * w_258 + w_278 + w_254 * w_259
-            + w_232
-                * (w * w_274 - self.k_23 * w_123 + w_24 * w_124 * self.k_61
-                    - self.k_21 * w_127) + w_256 * w_260 + w_280;
-        let w_282 = self.k_20 * platform_q1_dot;
-        let w_283 = w_232
-            * (w_squared
-                * (w_44 * self.k_21 * platform_q2_dot - self.k_23 * w_138
-                    + platform_q2 * w_87 * self.k_60) + platform_q2 * w_270 + w * w_282);
-        let w_284 = self.k_20 * platform_q0_dot;
-        let w_285 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_141 - self.k_21 * w_142) + w * (w_268 - w_284)
-                + platform_q2 * w_273);
-        let w_286 = w_236 * w_258
-            + w_230
-                * (self.k_21 * w_134 + w * w_275 - self.k_23 * w_136
-                    + w_24 * w_137 * self.k_62) + w_239 * w_259 + w_283 + w_243 * w_260
-            + w_285;
-        let w_287 = w_232
-            * (w * w_284 - self.k_23 * w_149 + w_24 * w_150 * self.k_61
-                - self.k_21 * w_151);
-        let w_288 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_153 - self.k_21 * w_154) + w * (w_277 + w_282)
-                + platform_q3 * w_273);
-        let w_289 = w_262 * w_258
-            + w_230
-                * (self.k_21 * w_146 + w * w_279 + self.k_23 * w_147
-                    - w_24 * w_148 * self.k_62) - w_263 * w_259 - w_287 - w_264 * w_260
-            - w_288;
-        let w_290 = S::from_f64(2.0)
-            * (w_266
-                + (platform_q0_dot * w_276 + platform_q1_dot * w_281
-                    + platform_q2_dot * w_286 - platform_q3_dot * w_289) / w_234);
-        let w_291 = w_290
-            + (platform_x_dot * w_258 + platform_y_dot * w_259 + platform_z_dot * w_260)
-                / w_234
-            - w_261
-                * ((w_230 * platform_x_dot + w_232 * platform_y_dot
-                    + b1_on_platform_z * platform_z_dot) / w_234_squared);
-        let minus_k_lambda_b1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_234 * w_265
-            / w_234 + mass_platform_q3_platform_q0 * l_lambda_b1_leg_platform_q0
+        let w_245 = platform_x_dot + w_87 * self.k_59 - w_88 * self.k_60
+            - self.k_21 * w_90;
+        let w_246 = platform_y_dot + self.k_23 * w_93 - w_94 * self.k_59
+            + w_96 * self.k_60;
+        let w_247 = w * (self.k_21 * w_98 - self.k_23 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_59 + w_54 * self.k_60) + platform_z_dot;
+        let w_248 = w_225 * w_245 + w_226 * w_246 + b1_on_platform_z * w_247;
+        let w_249 = w_102 * self.k_24 + w_103 * self.k_23 + w_104 * self.k_21;
+        let w_250 = w_102 * self.k_20 - w_106 * self.k_23 - w_107 * self.k_21;
+        let w_251 = w * (platform_q2 * self.k_24 + platform_q1 * self.k_20)
+            - platform_q3 * w_233;
+        let w_252 = w_225 * w_249 - w_226 * w_250 - b1_on_platform_z * w_251;
+        let w_228_squared = w_228 * w_228;
+        let w_253 = w_248
+            * ((w_252 * platform_q3_dot - w_240 * platform_q0_dot
+                - w_244 * platform_q1_dot - w_235 * platform_q2_dot) / w_228_squared);
+        let w_254 = w_20 * w_24 * (w_45 * self.k_62 - w_40 * self.k_61);
+        let w_255 = w_20 * w_24 * (w_48 * self.k_61 - w_50 * self.k_62);
+        let w_256 = w_226
+            * (w_squared * (self.k_21 * w_118 - self.k_23 * w_119 + w_120 * self.k_60)
+                + platform_q0 * w_255 + self.k_20 * w_117);
+        let w_257 = w_20 * w_24 * (w_53 * self.k_61 + w_54 * self.k_62);
+        let w_258 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_124 + self.k_21 * w_126) - platform_q0 * w_257
+                + w * (self.k_20 * platform_q2_dot - self.k_24 * platform_q1_dot));
+        let w_259 = w_237 * w_245
+            + w_225
+                * (w_squared
+                    * (self.k_21 * w_113 + self.k_23 * w_114 + w_115 * self.k_59)
+                    + platform_q0 * w_254 - self.k_24 * w_117) + w_238 * w_246 + w_256
+            - w_239 * w_247 - w_258;
+        let w_260 = w_225
+            * (w_squared * (self.k_21 * w_130 + self.k_23 * w_131 + w_132 * self.k_59)
+                + platform_q1 * w_254 + self.k_24 * w_133);
+        let w_261 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_140 - self.k_21 * w_142)
+                + w * (self.k_20 * platform_q3_dot + self.k_24 * platform_q0_dot)
+                + platform_q1 * w_257);
+        let w_262 = w_241 * w_245 + w_260 + w_242 * w_246
+            + w_226
+                * (self.k_20 * w_133 - self.k_23 * w_135 + w_136 * self.k_61
+                    - self.k_21 * w_139) + w_243 * w_247 + w_261;
+        let w_263 = w_226
+            * (w_squared * (self.k_21 * w_150 - self.k_23 * w_151 + w_152 * self.k_60)
+                + platform_q2 * w_255 + self.k_20 * w_146);
+        let w_264 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_154 - self.k_21 * w_155)
+                + w * (self.k_24 * platform_q3_dot - self.k_20 * platform_q0_dot)
+                + platform_q2 * w_257);
+        let w_265 = w_230 * w_245
+            + w_225
+                * (self.k_21 * w_145 + self.k_24 * w_146 - self.k_23 * w_148
+                    + w_149 * self.k_62) + w_232 * w_246 + w_263 + w_234 * w_247 + w_264;
+        let w_266 = w_226
+            * (self.k_20 * w_159 - self.k_23 * w_162 + w_163 * self.k_61
+                - self.k_21 * w_164);
+        let w_267 = b1_on_platform_z
+            * (w_squared * (self.k_23 * w_166 - self.k_21 * w_167)
+                + w * (self.k_24 * platform_q2_dot + self.k_20 * platform_q1_dot)
+                + platform_q3 * w_257);
+        let w_268 = w_249 * w_245
+            + w_225
+                * (self.k_21 * w_158 + self.k_24 * w_159 + self.k_23 * w_160
+                    - w_161 * self.k_62) - w_250 * w_246 - w_266 - w_251 * w_247 - w_267;
+        let w_269 = S::from_f64(2.0)
+            * (w_253
+                + (platform_q0_dot * w_259 + platform_q1_dot * w_262
+                    + platform_q2_dot * w_265 - platform_q3_dot * w_268) / w_228);
+        let w_270 = w_269
+            + (platform_x_dot * w_245 + platform_y_dot * w_246 + platform_z_dot * w_247)
+                / w_228
+            - w_248
+                * ((w_225 * platform_x_dot + w_226 * platform_y_dot
+                    + b1_on_platform_z * platform_z_dot) / w_228_squared);
+        let minus_k_lambda_b1_leg_platform_q3 = w_229 * w_252 / w_228
+            + mass_platform_q3_platform_q0 * l_lambda_b1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b1_leg_platform_q2;
         let minus_l_lambda_b1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b1_leg_platform_q3;
-        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_234 / w_234;
+        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_z = b1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b1_leg_platform_q3
@@ -4650,9 +4641,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b1_leg_platform_q2;
         let minus_l_lambda_b1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b1_leg_lambda_platform_norm;
-        let b1_leg_by_platform_x = w_230 * sqrt_w_234 / w_234;
+        let b1_leg_by_platform_x = w_225 * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_x = b1_leg_by_platform_x * self.inverse_platform_x;
-        let b1_leg_by_platform_y = w_232 * sqrt_w_234 / w_234;
+        let b1_leg_by_platform_y = w_226 * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_y = b1_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b1_leg_lambda_platform_norm
@@ -4665,7 +4656,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - a1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
         let l_lambda_b1_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_b1_leg_lambda_a1_leg;
-        let w_292 = a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
+        let w_271 = a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
             + k_lambda_a2_leg_platform_q1 * l_lambda_a2_leg_platform_q1
             + k_lambda_a2_leg_platform_q2 * l_lambda_a2_leg_platform_q2
             + minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3
@@ -4673,7 +4664,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + a2_leg_by_platform_y * l_lambda_a2_leg_platform_y
             + a2_leg_by_platform_z * l_lambda_a2_leg_platform_z;
         let pivot_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
-            * minus_l_lambda_a2_leg_lambda_platform_norm - w_292
+            * minus_l_lambda_a2_leg_lambda_platform_norm - w_271
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_a2_leg_lambda_a1_leg;
         let inverse_lambda_a2_leg = S::from_f64(1.0) / pivot_lambda_a2_leg;
         let k_lambda_b1_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
@@ -4689,7 +4680,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_b1_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b1_leg_lambda_a2_leg;
         let rhs_lambda_b1_leg = l_lambda_b1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_234 * w_291 + w_226 + w_227)
+            - (sqrt_w_228 * w_270 + w_222 + w_223)
             - rhs_platform_q0 * l_lambda_b1_leg_platform_q0
             - l_lambda_b1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_b1_leg_platform_q3 * rhs_platform_q3
@@ -4697,138 +4688,124 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + minus_l_lambda_b1_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_b1_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b1_leg_lambda_a2_leg * rhs_lambda_a2_leg;
-        let w_293 = w_39 * self.k_28;
-        let w_294 = platform_x - self.k_26 - w_36 * self.k_27 + w * w_293;
-        let w_295 = w_42 * self.k_30;
-        let w_296 = platform_y - self.k_29 + w * w_295 - w_45 * self.k_31;
-        let w_297 = w_47 * self.k_30 + w_48 * self.k_28;
-        let b2_on_platform_z = w * w_297 + platform_z;
-        let w_298 = w_294 * w_294 + w_296 * w_296 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_298 = w_298.sqrt();
-        let w_299 = platform_q1 * self.k_31;
-        let w_300 = w * w_299 - w_53 * self.k_30 - w_squared * w_54 * self.k_28;
-        let w_301 = w_squared * (w_44 * self.k_28 - w_295);
-        let w_302 = platform_q1 * self.k_27;
-        let w_303 = platform_q2 * w_301 + w * w_302;
-        let w_304 = platform_q3 * self.k_31;
-        let w_305 = platform_q0 * self.k_27;
-        let w_306 = w_squared * w_297;
-        let w_307 = w * (w_304 - w_305) - platform_q2 * w_306;
-        let w_308 = w_294 * w_300 + w_296 * w_303 + b2_on_platform_z * w_307;
-        let w_309 = w_squared * (w_35 * self.k_30 - w_293);
-        let w_310 = platform_q0 * w_309 - w * w_304;
-        let w_311 = platform_q3 * self.k_27;
-        let w_312 = platform_q0 * w_301 + w * w_311;
-        let w_313 = platform_q2 * self.k_27;
-        let w_314 = platform_q0 * w_306 + w * (w_313 - w_299);
-        let w_315 = w_294 * w_310 + w_296 * w_312 - b2_on_platform_z * w_314;
-        let b2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_298 * w_315 / w_298;
+        let w_272 = platform_x - self.k_26 - w_42 * self.k_27 + w_46 * self.k_28;
+        let w_273 = platform_y - self.k_29 + w_49 * self.k_30 - w_51 * self.k_31;
+        let w_274 = w_53 * self.k_30 + w_54 * self.k_28;
+        let b2_on_platform_z = w * w_274 + platform_z;
+        let w_275 = w_272 * w_272 + w_273 * w_273 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_275 = w_275.sqrt();
+        let w_276 = S::from_f64(2.0) * sqrt_w_275;
+        let w_277 = w_58 * self.k_31 - w_61 * self.k_30 - w_63 * self.k_28;
+        let w_278 = w_squared * (w_50 * self.k_28 - w_48 * self.k_30);
+        let w_279 = platform_q2 * w_278 + w_58 * self.k_27;
+        let w_280 = w_squared * w_274;
+        let w_281 = w * (platform_q3 * self.k_31 - platform_q0 * self.k_27)
+            - platform_q2 * w_280;
+        let w_282 = w_272 * w_277 + w_273 * w_279 + b2_on_platform_z * w_281;
+        let w_283 = w_squared * (w_40 * self.k_30 - w_45 * self.k_28);
+        let w_284 = platform_q0 * w_283 - w_71 * self.k_31;
+        let w_285 = platform_q0 * w_278 + w_71 * self.k_27;
+        let w_286 = platform_q0 * w_280
+            + w * (platform_q2 * self.k_27 - platform_q1 * self.k_31);
+        let w_287 = w_272 * w_284 + w_273 * w_285 - b2_on_platform_z * w_286;
+        let b2_leg_by_platform_q0 = w_287 * w_276 / w_275;
         let l_lambda_b2_leg_platform_q0 = b2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_316 = platform_q2 * self.k_31;
-        let w_317 = platform_q1 * w_309 + w * w_316;
-        let w_318 = w * w_313 - w_squared * w_73 * self.k_30 - w_75 * self.k_28;
-        let w_319 = platform_q0 * self.k_31;
-        let w_320 = w * (w_311 + w_319) - platform_q1 * w_306;
-        let w_321 = w_294 * w_317 + w_296 * w_318 + b2_on_platform_z * w_320;
-        let k_lambda_b2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_298 * w_321 / w_298
+        let w_288 = platform_q1 * w_283 + w_76 * self.k_31;
+        let w_289 = w_76 * self.k_27 - w_79 * self.k_30 - w_82 * self.k_28;
+        let w_290 = w * (platform_q3 * self.k_27 + platform_q0 * self.k_31)
+            - platform_q1 * w_280;
+        let w_291 = w_272 * w_288 + w_273 * w_289 + b2_on_platform_z * w_290;
+        let k_lambda_b2_leg_platform_q1 = w_276 * w_291 / w_275
             - mass_platform_q1_platform_q0 * l_lambda_b2_leg_platform_q0;
         let l_lambda_b2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b2_leg_platform_q1;
-        let k_lambda_b2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_298 * w_308 / w_298
+        let k_lambda_b2_leg_platform_q2 = w_276 * w_282 / w_275
             - mass_platform_q2_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b2_leg_platform_q1;
         let l_lambda_b2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b2_leg_platform_q2;
-        let w_322 = platform_x_dot + w_81 * self.k_63 - w_squared * w_82 * self.k_64
-            - w * self.k_28 * w_83;
-        let w_323 = platform_y_dot + w * self.k_30 * w_85 - w_squared * w_86 * self.k_63
-            + w_88 * self.k_64;
-        let w_324 = w * (self.k_28 * w_90 - self.k_30 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_63 + w_48 * self.k_64) + platform_z_dot;
-        let w_325 = w_294 * w_322 + w_296 * w_323 + b2_on_platform_z * w_324;
-        let w_326 = w * w_319 + w_94 * self.k_30 + w_squared * w_95 * self.k_28;
-        let w_327 = w * w_305 - w_squared * w_97 * self.k_30 - w_98 * self.k_28;
-        let w_328 = w * (w_316 + w_302) - platform_q3 * w_306;
-        let w_329 = w_294 * w_326 - w_296 * w_327 - b2_on_platform_z * w_328;
-        let w_298_squared = w_298 * w_298;
-        let w_330 = w_325
-            * ((w_329 * platform_q3_dot - w_315 * platform_q0_dot
-                - w_321 * platform_q1_dot - w_308 * platform_q2_dot) / w_298_squared);
-        let w_331 = w_20 * w_24 * (w_39 * self.k_66 - w_35 * self.k_65);
-        let w_332 = self.k_31 * platform_q3_dot;
-        let w_333 = w_294
-            * (w_squared
-                * (self.k_28 * w_104 + w_35 * self.k_30 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_63) + platform_q0 * w_331 - w * w_332);
-        let w_334 = w_20 * w_24 * (w_42 * self.k_65 - w_44 * self.k_66);
-        let w_335 = self.k_27 * platform_q3_dot;
-        let w_336 = w_296
-            * (w_squared
-                * (w_44 * self.k_28 * platform_q0_dot - self.k_30 * w_108
-                    + platform_q0 * w_87 * self.k_64) + platform_q0 * w_334 + w * w_335);
-        let w_337 = w_20 * w_24 * (w_47 * self.k_65 + w_48 * self.k_66);
-        let w_338 = self.k_27 * platform_q2_dot;
-        let w_339 = self.k_31 * platform_q1_dot;
-        let w_340 = w_310 * w_322 + w_333 + w_312 * w_323 + w_336 - w_314 * w_324
-            - b2_on_platform_z
-                * (w_squared * (self.k_30 * w_113 + self.k_28 * w_115)
-                    - platform_q0 * w_337 + w * (w_338 - w_339));
-        let w_341 = self.k_31 * platform_q2_dot;
-        let w_342 = w_294
-            * (w_squared
-                * (self.k_28 * w_120 + w_35 * self.k_30 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_63) + platform_q1 * w_331 + w * w_341);
-        let w_343 = self.k_31 * platform_q0_dot;
-        let w_344 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_128 - self.k_28 * w_130) + w * (w_335 + w_343)
-                + platform_q1 * w_337);
-        let w_345 = w_317 * w_322 + w_342 + w_318 * w_323
-            + w_296
-                * (w * w_338 - self.k_30 * w_123 + w_24 * w_124 * self.k_65
-                    - self.k_28 * w_127) + w_320 * w_324 + w_344;
-        let w_346 = self.k_27 * platform_q1_dot;
-        let w_347 = w_296
-            * (w_squared
-                * (w_44 * self.k_28 * platform_q2_dot - self.k_30 * w_138
-                    + platform_q2 * w_87 * self.k_64) + platform_q2 * w_334 + w * w_346);
-        let w_348 = self.k_27 * platform_q0_dot;
-        let w_349 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_141 - self.k_28 * w_142) + w * (w_332 - w_348)
-                + platform_q2 * w_337);
-        let w_350 = w_300 * w_322
-            + w_294
-                * (self.k_28 * w_134 + w * w_339 - self.k_30 * w_136
-                    + w_24 * w_137 * self.k_66) + w_303 * w_323 + w_347 + w_307 * w_324
-            + w_349;
-        let w_351 = w_296
-            * (w * w_348 - self.k_30 * w_149 + w_24 * w_150 * self.k_65
-                - self.k_28 * w_151);
-        let w_352 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_153 - self.k_28 * w_154) + w * (w_341 + w_346)
-                + platform_q3 * w_337);
-        let w_353 = w_326 * w_322
-            + w_294
-                * (self.k_28 * w_146 + w * w_343 + self.k_30 * w_147
-                    - w_24 * w_148 * self.k_66) - w_327 * w_323 - w_351 - w_328 * w_324
-            - w_352;
-        let w_354 = S::from_f64(2.0)
-            * (w_330
-                + (platform_q0_dot * w_340 + platform_q1_dot * w_345
-                    + platform_q2_dot * w_350 - platform_q3_dot * w_353) / w_298);
-        let w_355 = w_354
-            + (platform_x_dot * w_322 + platform_y_dot * w_323 + platform_z_dot * w_324)
-                / w_298
-            - w_325
-                * ((w_294 * platform_x_dot + w_296 * platform_y_dot
-                    + b2_on_platform_z * platform_z_dot) / w_298_squared);
-        let w_356 = self.k_53 * sin_w_161;
-        let minus_k_lambda_b2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_298 * w_329
-            / w_298 + mass_platform_q3_platform_q0 * l_lambda_b2_leg_platform_q0
+        let w_292 = platform_x_dot + w_87 * self.k_63 - w_88 * self.k_64
+            - self.k_28 * w_90;
+        let w_293 = platform_y_dot + self.k_30 * w_93 - w_94 * self.k_63
+            + w_96 * self.k_64;
+        let w_294 = w * (self.k_28 * w_98 - self.k_30 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_63 + w_54 * self.k_64) + platform_z_dot;
+        let w_295 = w_272 * w_292 + w_273 * w_293 + b2_on_platform_z * w_294;
+        let w_296 = w_102 * self.k_31 + w_103 * self.k_30 + w_104 * self.k_28;
+        let w_297 = w_102 * self.k_27 - w_106 * self.k_30 - w_107 * self.k_28;
+        let w_298 = w * (platform_q2 * self.k_31 + platform_q1 * self.k_27)
+            - platform_q3 * w_280;
+        let w_299 = w_272 * w_296 - w_273 * w_297 - b2_on_platform_z * w_298;
+        let w_275_squared = w_275 * w_275;
+        let w_300 = w_295
+            * ((w_299 * platform_q3_dot - w_287 * platform_q0_dot
+                - w_291 * platform_q1_dot - w_282 * platform_q2_dot) / w_275_squared);
+        let w_301 = w_20 * w_24 * (w_45 * self.k_66 - w_40 * self.k_65);
+        let w_302 = w_20 * w_24 * (w_48 * self.k_65 - w_50 * self.k_66);
+        let w_303 = w_273
+            * (w_squared * (self.k_28 * w_118 - self.k_30 * w_119 + w_120 * self.k_64)
+                + platform_q0 * w_302 + self.k_27 * w_117);
+        let w_304 = w_20 * w_24 * (w_53 * self.k_65 + w_54 * self.k_66);
+        let w_305 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_124 + self.k_28 * w_126) - platform_q0 * w_304
+                + w * (self.k_27 * platform_q2_dot - self.k_31 * platform_q1_dot));
+        let w_306 = w_284 * w_292
+            + w_272
+                * (w_squared
+                    * (self.k_28 * w_113 + self.k_30 * w_114 + w_115 * self.k_63)
+                    + platform_q0 * w_301 - self.k_31 * w_117) + w_285 * w_293 + w_303
+            - w_286 * w_294 - w_305;
+        let w_307 = w_272
+            * (w_squared * (self.k_28 * w_130 + self.k_30 * w_131 + w_132 * self.k_63)
+                + platform_q1 * w_301 + self.k_31 * w_133);
+        let w_308 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_140 - self.k_28 * w_142)
+                + w * (self.k_27 * platform_q3_dot + self.k_31 * platform_q0_dot)
+                + platform_q1 * w_304);
+        let w_309 = w_288 * w_292 + w_307 + w_289 * w_293
+            + w_273
+                * (self.k_27 * w_133 - self.k_30 * w_135 + w_136 * self.k_65
+                    - self.k_28 * w_139) + w_290 * w_294 + w_308;
+        let w_310 = w_273
+            * (w_squared * (self.k_28 * w_150 - self.k_30 * w_151 + w_152 * self.k_64)
+                + platform_q2 * w_302 + self.k_27 * w_146);
+        let w_311 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_154 - self.k_28 * w_155)
+                + w * (self.k_31 * platform_q3_dot - self.k_27 * platform_q0_dot)
+                + platform_q2 * w_304);
+        let w_312 = w_277 * w_292
+            + w_272
+                * (self.k_28 * w_145 + self.k_31 * w_146 - self.k_30 * w_148
+                    + w_149 * self.k_66) + w_279 * w_293 + w_310 + w_281 * w_294 + w_311;
+        let w_313 = w_273
+            * (self.k_27 * w_159 - self.k_30 * w_162 + w_163 * self.k_65
+                - self.k_28 * w_164);
+        let w_314 = b2_on_platform_z
+            * (w_squared * (self.k_30 * w_166 - self.k_28 * w_167)
+                + w * (self.k_31 * platform_q2_dot + self.k_27 * platform_q1_dot)
+                + platform_q3 * w_304);
+        let w_315 = w_296 * w_292
+            + w_272
+                * (self.k_28 * w_158 + self.k_31 * w_159 + self.k_30 * w_160
+                    - w_161 * self.k_66) - w_297 * w_293 - w_313 - w_298 * w_294 - w_314;
+        let w_316 = S::from_f64(2.0)
+            * (w_300
+                + (platform_q0_dot * w_306 + platform_q1_dot * w_309
+                    + platform_q2_dot * w_312 - platform_q3_dot * w_315) / w_275);
+        let w_317 = w_316
+            + (platform_x_dot * w_292 + platform_y_dot * w_293 + platform_z_dot * w_294)
+                / w_275
+            - w_295
+                * ((w_272 * platform_x_dot + w_273 * platform_y_dot
+                    + b2_on_platform_z * platform_z_dot) / w_275_squared);
+        let w_318 = self.k_53 * sin_w_174;
+        let minus_k_lambda_b2_leg_platform_q3 = w_276 * w_299 / w_275
+            + mass_platform_q3_platform_q0 * l_lambda_b2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b2_leg_platform_q2;
         let minus_l_lambda_b2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b2_leg_platform_q3;
-        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_298 / w_298;
+        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_z = b2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b2_leg_platform_q3
@@ -4837,9 +4814,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b2_leg_platform_q2;
         let minus_l_lambda_b2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b2_leg_lambda_platform_norm;
-        let b2_leg_by_platform_x = w_294 * sqrt_w_298 / w_298;
+        let b2_leg_by_platform_x = w_272 * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_x = b2_leg_by_platform_x * self.inverse_platform_x;
-        let b2_leg_by_platform_y = w_296 * sqrt_w_298 / w_298;
+        let b2_leg_by_platform_y = w_273 * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_y = b2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b2_leg_lambda_platform_norm
@@ -4864,7 +4841,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg;
         let l_lambda_b2_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b2_leg_lambda_a2_leg;
-        let w_357 = b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
+        let w_319 = b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
             + k_lambda_b1_leg_platform_q1 * l_lambda_b1_leg_platform_q1
             + k_lambda_b1_leg_platform_q2 * l_lambda_b1_leg_platform_q2
             + minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3
@@ -4872,7 +4849,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + b1_leg_by_platform_y * l_lambda_b1_leg_platform_y
             + b1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
         let pivot_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
-            * minus_l_lambda_b1_leg_lambda_platform_norm - w_357
+            * minus_l_lambda_b1_leg_lambda_platform_norm - w_319
             - k_lambda_b1_leg_lambda_a1_leg * l_lambda_b1_leg_lambda_a1_leg
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_b1_leg_lambda_a2_leg;
         let inverse_lambda_b1_leg = S::from_f64(1.0) / pivot_lambda_b1_leg;
@@ -4890,7 +4867,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_b2_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_b2_leg_lambda_b1_leg;
         let rhs_lambda_b2_leg = l_lambda_b2_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_298 * w_355 + w_226 - w_356)
+            - (sqrt_w_275 * w_317 + w_222 - w_318)
             - rhs_platform_q0 * l_lambda_b2_leg_platform_q0
             - l_lambda_b2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_b2_leg_platform_q3 * rhs_platform_q3
@@ -4899,137 +4876,123 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_b2_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b2_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_b2_leg_lambda_b1_leg * rhs_lambda_b1_leg;
-        let w_358 = w_39 * self.k_34;
-        let w_359 = platform_x - self.k_32 - w_36 * self.k_33 + w * w_358;
-        let w_360 = w_42 * self.k_36;
-        let w_361 = platform_y - self.k_35 + w * w_360 - w_45 * self.k_37;
-        let w_362 = w_47 * self.k_36 + w_48 * self.k_34;
-        let c1_on_platform_z = w * w_362 + platform_z;
-        let w_363 = w_359 * w_359 + w_361 * w_361 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_363 = w_363.sqrt();
-        let w_364 = platform_q1 * self.k_37;
-        let w_365 = w * w_364 - w_53 * self.k_36 - w_squared * w_54 * self.k_34;
-        let w_366 = w_squared * (w_44 * self.k_34 - w_360);
-        let w_367 = platform_q1 * self.k_33;
-        let w_368 = platform_q2 * w_366 + w * w_367;
-        let w_369 = platform_q3 * self.k_37;
-        let w_370 = platform_q0 * self.k_33;
-        let w_371 = w_squared * w_362;
-        let w_372 = w * (w_369 - w_370) - platform_q2 * w_371;
-        let w_373 = w_359 * w_365 + w_361 * w_368 + c1_on_platform_z * w_372;
-        let w_374 = w_squared * (w_35 * self.k_36 - w_358);
-        let w_375 = platform_q0 * w_374 - w * w_369;
-        let w_376 = platform_q3 * self.k_33;
-        let w_377 = platform_q0 * w_366 + w * w_376;
-        let w_378 = platform_q2 * self.k_33;
-        let w_379 = platform_q0 * w_371 + w * (w_378 - w_364);
-        let w_380 = w_359 * w_375 + w_361 * w_377 - c1_on_platform_z * w_379;
-        let c1_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_363 * w_380 / w_363;
+        let w_320 = platform_x - self.k_32 - w_42 * self.k_33 + w_46 * self.k_34;
+        let w_321 = platform_y - self.k_35 + w_49 * self.k_36 - w_51 * self.k_37;
+        let w_322 = w_53 * self.k_36 + w_54 * self.k_34;
+        let c1_on_platform_z = w * w_322 + platform_z;
+        let w_323 = w_320 * w_320 + w_321 * w_321 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_323 = w_323.sqrt();
+        let w_324 = S::from_f64(2.0) * sqrt_w_323;
+        let w_325 = w_58 * self.k_37 - w_61 * self.k_36 - w_63 * self.k_34;
+        let w_326 = w_squared * (w_50 * self.k_34 - w_48 * self.k_36);
+        let w_327 = platform_q2 * w_326 + w_58 * self.k_33;
+        let w_328 = w_squared * w_322;
+        let w_329 = w * (platform_q3 * self.k_37 - platform_q0 * self.k_33)
+            - platform_q2 * w_328;
+        let w_330 = w_320 * w_325 + w_321 * w_327 + c1_on_platform_z * w_329;
+        let w_331 = w_squared * (w_40 * self.k_36 - w_45 * self.k_34);
+        let w_332 = platform_q0 * w_331 - w_71 * self.k_37;
+        let w_333 = platform_q0 * w_326 + w_71 * self.k_33;
+        let w_334 = platform_q0 * w_328
+            + w * (platform_q2 * self.k_33 - platform_q1 * self.k_37);
+        let w_335 = w_320 * w_332 + w_321 * w_333 - c1_on_platform_z * w_334;
+        let c1_leg_by_platform_q0 = w_335 * w_324 / w_323;
         let l_lambda_c1_leg_platform_q0 = c1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_381 = platform_q2 * self.k_37;
-        let w_382 = platform_q1 * w_374 + w * w_381;
-        let w_383 = w * w_378 - w_squared * w_73 * self.k_36 - w_75 * self.k_34;
-        let w_384 = platform_q0 * self.k_37;
-        let w_385 = w * (w_376 + w_384) - platform_q1 * w_371;
-        let w_386 = w_359 * w_382 + w_361 * w_383 + c1_on_platform_z * w_385;
-        let k_lambda_c1_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_363 * w_386 / w_363
+        let w_336 = platform_q1 * w_331 + w_76 * self.k_37;
+        let w_337 = w_76 * self.k_33 - w_79 * self.k_36 - w_82 * self.k_34;
+        let w_338 = w * (platform_q3 * self.k_33 + platform_q0 * self.k_37)
+            - platform_q1 * w_328;
+        let w_339 = w_320 * w_336 + w_321 * w_337 + c1_on_platform_z * w_338;
+        let k_lambda_c1_leg_platform_q1 = w_324 * w_339 / w_323
             - mass_platform_q1_platform_q0 * l_lambda_c1_leg_platform_q0;
         let l_lambda_c1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c1_leg_platform_q1;
-        let k_lambda_c1_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_363 * w_373 / w_363
+        let k_lambda_c1_leg_platform_q2 = w_324 * w_330 / w_323
             - mass_platform_q2_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c1_leg_platform_q1;
         let l_lambda_c1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c1_leg_platform_q2;
-        let w_387 = platform_x_dot + w_81 * self.k_67 - w_squared * w_82 * self.k_68
-            - w * self.k_34 * w_83;
-        let w_388 = platform_y_dot + w * self.k_36 * w_85 - w_squared * w_86 * self.k_67
-            + w_88 * self.k_68;
-        let w_389 = w * (self.k_34 * w_90 - self.k_36 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_67 + w_48 * self.k_68) + platform_z_dot;
-        let w_390 = w_359 * w_387 + w_361 * w_388 + c1_on_platform_z * w_389;
-        let w_391 = w * w_384 + w_94 * self.k_36 + w_squared * w_95 * self.k_34;
-        let w_392 = w * w_370 - w_squared * w_97 * self.k_36 - w_98 * self.k_34;
-        let w_393 = w * (w_381 + w_367) - platform_q3 * w_371;
-        let w_394 = w_359 * w_391 - w_361 * w_392 - c1_on_platform_z * w_393;
-        let w_363_squared = w_363 * w_363;
-        let w_395 = w_390
-            * ((w_394 * platform_q3_dot - w_380 * platform_q0_dot
-                - w_386 * platform_q1_dot - w_373 * platform_q2_dot) / w_363_squared);
-        let w_396 = w_20 * w_24 * (w_39 * self.k_70 - w_35 * self.k_69);
-        let w_397 = self.k_37 * platform_q3_dot;
-        let w_398 = w_359
-            * (w_squared
-                * (self.k_34 * w_104 + w_35 * self.k_36 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_67) + platform_q0 * w_396 - w * w_397);
-        let w_399 = w_20 * w_24 * (w_42 * self.k_69 - w_44 * self.k_70);
-        let w_400 = self.k_33 * platform_q3_dot;
-        let w_401 = w_361
-            * (w_squared
-                * (w_44 * self.k_34 * platform_q0_dot - self.k_36 * w_108
-                    + platform_q0 * w_87 * self.k_68) + platform_q0 * w_399 + w * w_400);
-        let w_402 = w_20 * w_24 * (w_47 * self.k_69 + w_48 * self.k_70);
-        let w_403 = self.k_33 * platform_q2_dot;
-        let w_404 = self.k_37 * platform_q1_dot;
-        let w_405 = w_375 * w_387 + w_398 + w_377 * w_388 + w_401 - w_379 * w_389
-            - c1_on_platform_z
-                * (w_squared * (self.k_36 * w_113 + self.k_34 * w_115)
-                    - platform_q0 * w_402 + w * (w_403 - w_404));
-        let w_406 = self.k_37 * platform_q2_dot;
-        let w_407 = w_359
-            * (w_squared
-                * (self.k_34 * w_120 + w_35 * self.k_36 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_67) + platform_q1 * w_396 + w * w_406);
-        let w_408 = self.k_37 * platform_q0_dot;
-        let w_409 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_128 - self.k_34 * w_130) + w * (w_400 + w_408)
-                + platform_q1 * w_402);
-        let w_410 = w_382 * w_387 + w_407 + w_383 * w_388
-            + w_361
-                * (w * w_403 - self.k_36 * w_123 + w_24 * w_124 * self.k_69
-                    - self.k_34 * w_127) + w_385 * w_389 + w_409;
-        let w_411 = self.k_33 * platform_q1_dot;
-        let w_412 = w_361
-            * (w_squared
-                * (w_44 * self.k_34 * platform_q2_dot - self.k_36 * w_138
-                    + platform_q2 * w_87 * self.k_68) + platform_q2 * w_399 + w * w_411);
-        let w_413 = self.k_33 * platform_q0_dot;
-        let w_414 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_141 - self.k_34 * w_142) + w * (w_397 - w_413)
-                + platform_q2 * w_402);
-        let w_415 = w_365 * w_387
-            + w_359
-                * (self.k_34 * w_134 + w * w_404 - self.k_36 * w_136
-                    + w_24 * w_137 * self.k_70) + w_368 * w_388 + w_412 + w_372 * w_389
-            + w_414;
-        let w_416 = w_361
-            * (w * w_413 - self.k_36 * w_149 + w_24 * w_150 * self.k_69
-                - self.k_34 * w_151);
-        let w_417 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_153 - self.k_34 * w_154) + w * (w_406 + w_411)
-                + platform_q3 * w_402);
-        let w_418 = w_391 * w_387
-            + w_359
-                * (self.k_34 * w_146 + w * w_408 + self.k_36 * w_147
-                    - w_24 * w_148 * self.k_70) - w_392 * w_388 - w_416 - w_393 * w_389
-            - w_417;
-        let w_419 = S::from_f64(2.0)
-            * (w_395
-                + (platform_q0_dot * w_405 + platform_q1_dot * w_410
-                    + platform_q2_dot * w_415 - platform_q3_dot * w_418) / w_363);
-        let w_420 = w_419
-            + (platform_x_dot * w_387 + platform_y_dot * w_388 + platform_z_dot * w_389)
-                / w_363
-            - w_390
-                * ((w_359 * platform_x_dot + w_361 * platform_y_dot
-                    + c1_on_platform_z * platform_z_dot) / w_363_squared);
-        let minus_k_lambda_c1_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_363 * w_394
-            / w_363 + mass_platform_q3_platform_q0 * l_lambda_c1_leg_platform_q0
+        let w_340 = platform_x_dot + w_87 * self.k_67 - w_88 * self.k_68
+            - self.k_34 * w_90;
+        let w_341 = platform_y_dot + self.k_36 * w_93 - w_94 * self.k_67
+            + w_96 * self.k_68;
+        let w_342 = w * (self.k_34 * w_98 - self.k_36 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_67 + w_54 * self.k_68) + platform_z_dot;
+        let w_343 = w_320 * w_340 + w_321 * w_341 + c1_on_platform_z * w_342;
+        let w_344 = w_102 * self.k_37 + w_103 * self.k_36 + w_104 * self.k_34;
+        let w_345 = w_102 * self.k_33 - w_106 * self.k_36 - w_107 * self.k_34;
+        let w_346 = w * (platform_q2 * self.k_37 + platform_q1 * self.k_33)
+            - platform_q3 * w_328;
+        let w_347 = w_320 * w_344 - w_321 * w_345 - c1_on_platform_z * w_346;
+        let w_323_squared = w_323 * w_323;
+        let w_348 = w_343
+            * ((w_347 * platform_q3_dot - w_335 * platform_q0_dot
+                - w_339 * platform_q1_dot - w_330 * platform_q2_dot) / w_323_squared);
+        let w_349 = w_20 * w_24 * (w_45 * self.k_70 - w_40 * self.k_69);
+        let w_350 = w_20 * w_24 * (w_48 * self.k_69 - w_50 * self.k_70);
+        let w_351 = w_321
+            * (w_squared * (self.k_34 * w_118 - self.k_36 * w_119 + w_120 * self.k_68)
+                + platform_q0 * w_350 + self.k_33 * w_117);
+        let w_352 = w_20 * w_24 * (w_53 * self.k_69 + w_54 * self.k_70);
+        let w_353 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_124 + self.k_34 * w_126) - platform_q0 * w_352
+                + w * (self.k_33 * platform_q2_dot - self.k_37 * platform_q1_dot));
+        let w_354 = w_332 * w_340
+            + w_320
+                * (w_squared
+                    * (self.k_34 * w_113 + self.k_36 * w_114 + w_115 * self.k_67)
+                    + platform_q0 * w_349 - self.k_37 * w_117) + w_333 * w_341 + w_351
+            - w_334 * w_342 - w_353;
+        let w_355 = w_320
+            * (w_squared * (self.k_34 * w_130 + self.k_36 * w_131 + w_132 * self.k_67)
+                + platform_q1 * w_349 + self.k_37 * w_133);
+        let w_356 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_140 - self.k_34 * w_142)
+                + w * (self.k_33 * platform_q3_dot + self.k_37 * platform_q0_dot)
+                + platform_q1 * w_352);
+        let w_357 = w_336 * w_340 + w_355 + w_337 * w_341
+            + w_321
+                * (self.k_33 * w_133 - self.k_36 * w_135 + w_136 * self.k_69
+                    - self.k_34 * w_139) + w_338 * w_342 + w_356;
+        let w_358 = w_321
+            * (w_squared * (self.k_34 * w_150 - self.k_36 * w_151 + w_152 * self.k_68)
+                + platform_q2 * w_350 + self.k_33 * w_146);
+        let w_359 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_154 - self.k_34 * w_155)
+                + w * (self.k_37 * platform_q3_dot - self.k_33 * platform_q0_dot)
+                + platform_q2 * w_352);
+        let w_360 = w_325 * w_340
+            + w_320
+                * (self.k_34 * w_145 + self.k_37 * w_146 - self.k_36 * w_148
+                    + w_149 * self.k_70) + w_327 * w_341 + w_358 + w_329 * w_342 + w_359;
+        let w_361 = w_321
+            * (self.k_33 * w_159 - self.k_36 * w_162 + w_163 * self.k_69
+                - self.k_34 * w_164);
+        let w_362 = c1_on_platform_z
+            * (w_squared * (self.k_36 * w_166 - self.k_34 * w_167)
+                + w * (self.k_37 * platform_q2_dot + self.k_33 * platform_q1_dot)
+                + platform_q3 * w_352);
+        let w_363 = w_344 * w_340
+            + w_320
+                * (self.k_34 * w_158 + self.k_37 * w_159 + self.k_36 * w_160
+                    - w_161 * self.k_70) - w_345 * w_341 - w_361 - w_346 * w_342 - w_362;
+        let w_364 = S::from_f64(2.0)
+            * (w_348
+                + (platform_q0_dot * w_354 + platform_q1_dot * w_357
+                    + platform_q2_dot * w_360 - platform_q3_dot * w_363) / w_323);
+        let w_365 = w_364
+            + (platform_x_dot * w_340 + platform_y_dot * w_341 + platform_z_dot * w_342)
+                / w_323
+            - w_343
+                * ((w_320 * platform_x_dot + w_321 * platform_y_dot
+                    + c1_on_platform_z * platform_z_dot) / w_323_squared);
+        let minus_k_lambda_c1_leg_platform_q3 = w_324 * w_347 / w_323
+            + mass_platform_q3_platform_q0 * l_lambda_c1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c1_leg_platform_q2;
         let minus_l_lambda_c1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c1_leg_platform_q3;
-        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_363 / w_363;
+        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_z = c1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c1_leg_platform_q3
@@ -5038,9 +5001,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_c1_leg_platform_q2;
         let minus_l_lambda_c1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c1_leg_lambda_platform_norm;
-        let c1_leg_by_platform_x = w_359 * sqrt_w_363 / w_363;
+        let c1_leg_by_platform_x = w_320 * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_x = c1_leg_by_platform_x * self.inverse_platform_x;
-        let c1_leg_by_platform_y = w_361 * sqrt_w_363 / w_363;
+        let c1_leg_by_platform_y = w_321 * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_y = c1_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
@@ -5078,7 +5041,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg;
         let l_lambda_c1_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_c1_leg_lambda_b1_leg;
-        let w_421 = b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
+        let w_366 = b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
             + k_lambda_b2_leg_platform_q1 * l_lambda_b2_leg_platform_q1
             + k_lambda_b2_leg_platform_q2 * l_lambda_b2_leg_platform_q2
             + minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
@@ -5086,7 +5049,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + b2_leg_by_platform_y * l_lambda_b2_leg_platform_y
             + b2_leg_by_platform_z * l_lambda_b2_leg_platform_z;
         let pivot_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
-            * minus_l_lambda_b2_leg_lambda_platform_norm - w_421
+            * minus_l_lambda_b2_leg_lambda_platform_norm - w_366
             - k_lambda_b2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg
             - k_lambda_b2_leg_lambda_a2_leg * l_lambda_b2_leg_lambda_a2_leg
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_b2_leg_lambda_b1_leg;
@@ -5106,7 +5069,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_c1_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c1_leg_lambda_b2_leg;
         let rhs_lambda_c1_leg = l_lambda_c1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_363 * w_420 + w_226 + w_356)
+            - (sqrt_w_323 * w_365 + w_222 + w_318)
             - rhs_platform_q0 * l_lambda_c1_leg_platform_q0
             - l_lambda_c1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_c1_leg_platform_q3 * rhs_platform_q3
@@ -5116,138 +5079,124 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_c1_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_c1_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c1_leg_lambda_b2_leg * rhs_lambda_b2_leg;
-        let w_422 = w_39 * self.k_41;
-        let w_423 = platform_x - self.k_39 - w_36 * self.k_40 + w * w_422;
-        let w_424 = w_42 * self.k_43;
-        let w_425 = platform_y - self.k_42 + w * w_424 - w_45 * self.k_44;
-        let w_426 = w_47 * self.k_43 + w_48 * self.k_41;
-        let c2_on_platform_z = w * w_426 + platform_z;
-        let w_427 = w_423 * w_423 + w_425 * w_425 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_427 = w_427.sqrt();
-        let w_428 = platform_q1 * self.k_44;
-        let w_429 = w * w_428 - w_53 * self.k_43 - w_squared * w_54 * self.k_41;
-        let w_430 = w_squared * (w_44 * self.k_41 - w_424);
-        let w_431 = platform_q1 * self.k_40;
-        let w_432 = platform_q2 * w_430 + w * w_431;
-        let w_433 = platform_q3 * self.k_44;
-        let w_434 = platform_q0 * self.k_40;
-        let w_435 = w_squared * w_426;
-        let w_436 = w * (w_433 - w_434) - platform_q2 * w_435;
-        let w_437 = w_423 * w_429 + w_425 * w_432 + c2_on_platform_z * w_436;
-        let w_438 = w_squared * (w_35 * self.k_43 - w_422);
-        let w_439 = platform_q0 * w_438 - w * w_433;
-        let w_440 = platform_q3 * self.k_40;
-        let w_441 = platform_q0 * w_430 + w * w_440;
-        let w_442 = platform_q2 * self.k_40;
-        let w_443 = platform_q0 * w_435 + w * (w_442 - w_428);
-        let w_444 = w_423 * w_439 + w_425 * w_441 - c2_on_platform_z * w_443;
-        let c2_leg_by_platform_q0 = S::from_f64(2.0) * sqrt_w_427 * w_444 / w_427;
+        let w_367 = platform_x - self.k_39 - w_42 * self.k_40 + w_46 * self.k_41;
+        let w_368 = platform_y - self.k_42 + w_49 * self.k_43 - w_51 * self.k_44;
+        let w_369 = w_53 * self.k_43 + w_54 * self.k_41;
+        let c2_on_platform_z = w * w_369 + platform_z;
+        let w_370 = w_367 * w_367 + w_368 * w_368 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_370 = w_370.sqrt();
+        let w_371 = S::from_f64(2.0) * sqrt_w_370;
+        let w_372 = w_58 * self.k_44 - w_61 * self.k_43 - w_63 * self.k_41;
+        let w_373 = w_squared * (w_50 * self.k_41 - w_48 * self.k_43);
+        let w_374 = platform_q2 * w_373 + w_58 * self.k_40;
+        let w_375 = w_squared * w_369;
+        let w_376 = w * (platform_q3 * self.k_44 - platform_q0 * self.k_40)
+            - platform_q2 * w_375;
+        let w_377 = w_367 * w_372 + w_368 * w_374 + c2_on_platform_z * w_376;
+        let w_378 = w_squared * (w_40 * self.k_43 - w_45 * self.k_41);
+        let w_379 = platform_q0 * w_378 - w_71 * self.k_44;
+        let w_380 = platform_q0 * w_373 + w_71 * self.k_40;
+        let w_381 = platform_q0 * w_375
+            + w * (platform_q2 * self.k_40 - platform_q1 * self.k_44);
+        let w_382 = w_367 * w_379 + w_368 * w_380 - c2_on_platform_z * w_381;
+        let c2_leg_by_platform_q0 = w_382 * w_371 / w_370;
         let l_lambda_c2_leg_platform_q0 = c2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_445 = platform_q2 * self.k_44;
-        let w_446 = platform_q1 * w_438 + w * w_445;
-        let w_447 = w * w_442 - w_squared * w_73 * self.k_43 - w_75 * self.k_41;
-        let w_448 = platform_q0 * self.k_44;
-        let w_449 = w * (w_440 + w_448) - platform_q1 * w_435;
-        let w_450 = w_423 * w_446 + w_425 * w_447 + c2_on_platform_z * w_449;
-        let k_lambda_c2_leg_platform_q1 = S::from_f64(2.0) * sqrt_w_427 * w_450 / w_427
+        let w_383 = platform_q1 * w_378 + w_76 * self.k_44;
+        let w_384 = w_76 * self.k_40 - w_79 * self.k_43 - w_82 * self.k_41;
+        let w_385 = w * (platform_q3 * self.k_40 + platform_q0 * self.k_44)
+            - platform_q1 * w_375;
+        let w_386 = w_367 * w_383 + w_368 * w_384 + c2_on_platform_z * w_385;
+        let k_lambda_c2_leg_platform_q1 = w_371 * w_386 / w_370
             - mass_platform_q1_platform_q0 * l_lambda_c2_leg_platform_q0;
         let l_lambda_c2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c2_leg_platform_q1;
-        let k_lambda_c2_leg_platform_q2 = S::from_f64(2.0) * sqrt_w_427 * w_437 / w_427
+        let k_lambda_c2_leg_platform_q2 = w_371 * w_377 / w_370
             - mass_platform_q2_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c2_leg_platform_q1;
         let l_lambda_c2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c2_leg_platform_q2;
-        let w_451 = platform_x_dot + w_81 * self.k_71 - w_squared * w_82 * self.k_72
-            - w * self.k_41 * w_83;
-        let w_452 = platform_y_dot + w * self.k_43 * w_85 - w_squared * w_86 * self.k_71
-            + w_88 * self.k_72;
-        let w_453 = w * (self.k_41 * w_90 - self.k_43 * w_91)
-            - w_squared * w_20 * (w_47 * self.k_71 + w_48 * self.k_72) + platform_z_dot;
-        let w_454 = w_423 * w_451 + w_425 * w_452 + c2_on_platform_z * w_453;
-        let w_455 = w * w_448 + w_94 * self.k_43 + w_squared * w_95 * self.k_41;
-        let w_456 = w * w_434 - w_squared * w_97 * self.k_43 - w_98 * self.k_41;
-        let w_457 = w * (w_445 + w_431) - platform_q3 * w_435;
-        let w_458 = w_423 * w_455 - w_425 * w_456 - c2_on_platform_z * w_457;
-        let w_427_squared = w_427 * w_427;
-        let w_459 = w_454
-            * ((w_458 * platform_q3_dot - w_444 * platform_q0_dot
-                - w_450 * platform_q1_dot - w_437 * platform_q2_dot) / w_427_squared);
-        let w_460 = w_20 * w_24 * (w_39 * self.k_74 - w_35 * self.k_73);
-        let w_461 = self.k_44 * platform_q3_dot;
-        let w_462 = w_423
-            * (w_squared
-                * (self.k_41 * w_104 + w_35 * self.k_43 * platform_q0_dot
-                    + platform_q0 * w_80 * self.k_71) + platform_q0 * w_460 - w * w_461);
-        let w_463 = w_20 * w_24 * (w_42 * self.k_73 - w_44 * self.k_74);
-        let w_464 = self.k_40 * platform_q3_dot;
-        let w_465 = w_425
-            * (w_squared
-                * (w_44 * self.k_41 * platform_q0_dot - self.k_43 * w_108
-                    + platform_q0 * w_87 * self.k_72) + platform_q0 * w_463 + w * w_464);
-        let w_466 = w_20 * w_24 * (w_47 * self.k_73 + w_48 * self.k_74);
-        let w_467 = self.k_40 * platform_q2_dot;
-        let w_468 = self.k_44 * platform_q1_dot;
-        let w_469 = w_439 * w_451 + w_462 + w_441 * w_452 + w_465 - w_443 * w_453
-            - c2_on_platform_z
-                * (w_squared * (self.k_43 * w_113 + self.k_41 * w_115)
-                    - platform_q0 * w_466 + w * (w_467 - w_468));
-        let w_470 = self.k_44 * platform_q2_dot;
-        let w_471 = w_423
-            * (w_squared
-                * (self.k_41 * w_120 + w_35 * self.k_43 * platform_q1_dot
-                    + platform_q1 * w_80 * self.k_71) + platform_q1 * w_460 + w * w_470);
-        let w_472 = self.k_44 * platform_q0_dot;
-        let w_473 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_128 - self.k_41 * w_130) + w * (w_464 + w_472)
-                + platform_q1 * w_466);
-        let w_474 = w_446 * w_451 + w_471 + w_447 * w_452
-            + w_425
-                * (w * w_467 - self.k_43 * w_123 + w_24 * w_124 * self.k_73
-                    - self.k_41 * w_127) + w_449 * w_453 + w_473;
-        let w_475 = self.k_40 * platform_q1_dot;
-        let w_476 = w_425
-            * (w_squared
-                * (w_44 * self.k_41 * platform_q2_dot - self.k_43 * w_138
-                    + platform_q2 * w_87 * self.k_72) + platform_q2 * w_463 + w * w_475);
-        let w_477 = self.k_40 * platform_q0_dot;
-        let w_478 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_141 - self.k_41 * w_142) + w * (w_461 - w_477)
-                + platform_q2 * w_466);
-        let w_479 = w_429 * w_451
-            + w_423
-                * (self.k_41 * w_134 + w * w_468 - self.k_43 * w_136
-                    + w_24 * w_137 * self.k_74) + w_432 * w_452 + w_476 + w_436 * w_453
-            + w_478;
-        let w_480 = w_425
-            * (w * w_477 - self.k_43 * w_149 + w_24 * w_150 * self.k_73
-                - self.k_41 * w_151);
-        let w_481 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_153 - self.k_41 * w_154) + w * (w_470 + w_475)
-                + platform_q3 * w_466);
-        let w_482 = w_455 * w_451
-            + w_423
-                * (self.k_41 * w_146 + w * w_472 + self.k_43 * w_147
-                    - w_24 * w_148 * self.k_74) - w_456 * w_452 - w_480 - w_457 * w_453
-            - w_481;
-        let w_483 = S::from_f64(2.0)
-            * (w_459
-                + (platform_q0_dot * w_469 + platform_q1_dot * w_474
-                    + platform_q2_dot * w_479 - platform_q3_dot * w_482) / w_427);
-        let w_484 = w_483
-            + (platform_x_dot * w_451 + platform_y_dot * w_452 + platform_z_dot * w_453)
-                / w_427
-            - w_454
-                * ((w_423 * platform_x_dot + w_425 * platform_y_dot
-                    + c2_on_platform_z * platform_z_dot) / w_427_squared);
-        let w_485 = sqrt_w_427 * w_484 + w_226 - self.k_53 * sin_w_162;
-        let minus_k_lambda_c2_leg_platform_q3 = S::from_f64(2.0) * sqrt_w_427 * w_458
-            / w_427 + mass_platform_q3_platform_q0 * l_lambda_c2_leg_platform_q0
+        let w_387 = platform_x_dot + w_87 * self.k_71 - w_88 * self.k_72
+            - self.k_41 * w_90;
+        let w_388 = platform_y_dot + self.k_43 * w_93 - w_94 * self.k_71
+            + w_96 * self.k_72;
+        let w_389 = w * (self.k_41 * w_98 - self.k_43 * w_99)
+            - w_squared * w_20 * (w_53 * self.k_71 + w_54 * self.k_72) + platform_z_dot;
+        let w_390 = w_367 * w_387 + w_368 * w_388 + c2_on_platform_z * w_389;
+        let w_391 = w_102 * self.k_44 + w_103 * self.k_43 + w_104 * self.k_41;
+        let w_392 = w_102 * self.k_40 - w_106 * self.k_43 - w_107 * self.k_41;
+        let w_393 = w * (platform_q2 * self.k_44 + platform_q1 * self.k_40)
+            - platform_q3 * w_375;
+        let w_394 = w_367 * w_391 - w_368 * w_392 - c2_on_platform_z * w_393;
+        let w_370_squared = w_370 * w_370;
+        let w_395 = w_390
+            * ((w_394 * platform_q3_dot - w_382 * platform_q0_dot
+                - w_386 * platform_q1_dot - w_377 * platform_q2_dot) / w_370_squared);
+        let w_396 = w_20 * w_24 * (w_45 * self.k_74 - w_40 * self.k_73);
+        let w_397 = w_20 * w_24 * (w_48 * self.k_73 - w_50 * self.k_74);
+        let w_398 = w_368
+            * (w_squared * (self.k_41 * w_118 - self.k_43 * w_119 + w_120 * self.k_72)
+                + platform_q0 * w_397 + self.k_40 * w_117);
+        let w_399 = w_20 * w_24 * (w_53 * self.k_73 + w_54 * self.k_74);
+        let w_400 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_124 + self.k_41 * w_126) - platform_q0 * w_399
+                + w * (self.k_40 * platform_q2_dot - self.k_44 * platform_q1_dot));
+        let w_401 = w_379 * w_387
+            + w_367
+                * (w_squared
+                    * (self.k_41 * w_113 + self.k_43 * w_114 + w_115 * self.k_71)
+                    + platform_q0 * w_396 - self.k_44 * w_117) + w_380 * w_388 + w_398
+            - w_381 * w_389 - w_400;
+        let w_402 = w_367
+            * (w_squared * (self.k_41 * w_130 + self.k_43 * w_131 + w_132 * self.k_71)
+                + platform_q1 * w_396 + self.k_44 * w_133);
+        let w_403 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_140 - self.k_41 * w_142)
+                + w * (self.k_40 * platform_q3_dot + self.k_44 * platform_q0_dot)
+                + platform_q1 * w_399);
+        let w_404 = w_383 * w_387 + w_402 + w_384 * w_388
+            + w_368
+                * (self.k_40 * w_133 - self.k_43 * w_135 + w_136 * self.k_73
+                    - self.k_41 * w_139) + w_385 * w_389 + w_403;
+        let w_405 = w_368
+            * (w_squared * (self.k_41 * w_150 - self.k_43 * w_151 + w_152 * self.k_72)
+                + platform_q2 * w_397 + self.k_40 * w_146);
+        let w_406 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_154 - self.k_41 * w_155)
+                + w * (self.k_44 * platform_q3_dot - self.k_40 * platform_q0_dot)
+                + platform_q2 * w_399);
+        let w_407 = w_372 * w_387
+            + w_367
+                * (self.k_41 * w_145 + self.k_44 * w_146 - self.k_43 * w_148
+                    + w_149 * self.k_74) + w_374 * w_388 + w_405 + w_376 * w_389 + w_406;
+        let w_408 = w_368
+            * (self.k_40 * w_159 - self.k_43 * w_162 + w_163 * self.k_73
+                - self.k_41 * w_164);
+        let w_409 = c2_on_platform_z
+            * (w_squared * (self.k_43 * w_166 - self.k_41 * w_167)
+                + w * (self.k_44 * platform_q2_dot + self.k_40 * platform_q1_dot)
+                + platform_q3 * w_399);
+        let w_410 = w_391 * w_387
+            + w_367
+                * (self.k_41 * w_158 + self.k_44 * w_159 + self.k_43 * w_160
+                    - w_161 * self.k_74) - w_392 * w_388 - w_408 - w_393 * w_389 - w_409;
+        let w_411 = S::from_f64(2.0)
+            * (w_395
+                + (platform_q0_dot * w_401 + platform_q1_dot * w_404
+                    + platform_q2_dot * w_407 - platform_q3_dot * w_410) / w_370);
+        let w_412 = w_411
+            + (platform_x_dot * w_387 + platform_y_dot * w_388 + platform_z_dot * w_389)
+                / w_370
+            - w_390
+                * ((w_367 * platform_x_dot + w_368 * platform_y_dot
+                    + c2_on_platform_z * platform_z_dot) / w_370_squared);
+        let w_413 = sqrt_w_370 * w_412 + w_222 - self.k_53 * sin_w_175;
+        let minus_k_lambda_c2_leg_platform_q3 = w_371 * w_394 / w_370
+            + mass_platform_q3_platform_q0 * l_lambda_c2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c2_leg_platform_q2;
         let minus_l_lambda_c2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c2_leg_platform_q3;
-        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_427 / w_427;
+        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_370 / w_370;
         let l_lambda_c2_leg_platform_z = c2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c2_leg_platform_q3
@@ -5256,9 +5205,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_c2_leg_platform_q2;
         let minus_l_lambda_c2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c2_leg_lambda_platform_norm;
-        let c2_leg_by_platform_x = w_423 * sqrt_w_427 / w_427;
+        let c2_leg_by_platform_x = w_367 * sqrt_w_370 / w_370;
         let l_lambda_c2_leg_platform_x = c2_leg_by_platform_x * self.inverse_platform_x;
-        let c2_leg_by_platform_y = w_425 * sqrt_w_427 / w_427;
+        let c2_leg_by_platform_y = w_368 * sqrt_w_370 / w_370;
         let l_lambda_c2_leg_platform_y = c2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
@@ -5310,7 +5259,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg;
         let l_lambda_c2_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c2_leg_lambda_b2_leg;
-        let w_486 = c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
+        let w_414 = c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             + k_lambda_c1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             + k_lambda_c1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
             + minus_k_lambda_c1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
@@ -5318,7 +5267,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + c1_leg_by_platform_y * l_lambda_c1_leg_platform_y
             + c1_leg_by_platform_z * l_lambda_c1_leg_platform_z;
         let pivot_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
-            * minus_l_lambda_c1_leg_lambda_platform_norm - w_486
+            * minus_l_lambda_c1_leg_lambda_platform_norm - w_414
             - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
             - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
             - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg
@@ -5340,7 +5289,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_c2_leg_lambda_c1_leg = inverse_lambda_c1_leg
             * k_lambda_c2_leg_lambda_c1_leg;
         let rhs_lambda_c2_leg = l_lambda_c2_leg_platform_q2 * minus_rhs_platform_q2
-            - w_485 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
+            - w_413 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
             - l_lambda_c2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_c2_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_c2_leg_platform_z
@@ -5350,7 +5299,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_c2_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c2_leg_lambda_b2_leg * rhs_lambda_b2_leg
             - l_lambda_c2_leg_lambda_c1_leg * rhs_lambda_c1_leg;
-        let w_487 = c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
+        let w_415 = c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
             + k_lambda_c2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
             + k_lambda_c2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
             + minus_k_lambda_c2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
@@ -5358,7 +5307,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + c2_leg_by_platform_y * l_lambda_c2_leg_platform_y
             + c2_leg_by_platform_z * l_lambda_c2_leg_platform_z;
         let pivot_lambda_c2_leg = k_lambda_c2_leg_lambda_platform_norm
-            * minus_l_lambda_c2_leg_lambda_platform_norm - w_487
+            * minus_l_lambda_c2_leg_lambda_platform_norm - w_415
             - k_lambda_c2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
             - k_lambda_c2_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
             - k_lambda_c2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
@@ -5420,14 +5369,14 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_b2_leg_platform_q1 * lambda_b2_leg
             - l_lambda_c1_leg_platform_q1 * lambda_c1_leg
             - l_lambda_c2_leg_platform_q1 * lambda_c2_leg;
-        let w_488 = cos_w_159 * self.k_76;
-        let w_489 = self.k_77 * cos_w_160;
-        let w_490 = self.k_77 * cos_w_161;
-        let w_491 = self.minus_rhs_platform_z * platform_z_dot
-            + lambda_a1_leg * cos_w_159 * self.k_78 + lambda_a2_leg * (w_488 - w_489)
-            + lambda_b1_leg * (w_488 + w_489) + lambda_b2_leg * (w_488 - w_490)
-            + lambda_c1_leg * (w_488 + w_490)
-            + lambda_c2_leg * (w_488 - self.k_77 * cos_w_162);
+        let w_416 = cos_w_172 * self.k_76;
+        let w_417 = self.k_77 * cos_w_173;
+        let w_418 = self.k_77 * cos_w_174;
+        let w_419 = self.minus_rhs_platform_z * platform_z_dot
+            + lambda_a1_leg * cos_w_172 * self.k_78 + lambda_a2_leg * (w_416 - w_417)
+            + lambda_b1_leg * (w_416 + w_417) + lambda_b2_leg * (w_416 - w_418)
+            + lambda_c1_leg * (w_416 + w_418)
+            + lambda_c2_leg * (w_416 - self.k_77 * cos_w_175);
         sim_kernel::Dynamics {
             accelerations: [
                 -(l_lambda_a1_leg_platform_x * lambda_a1_leg
@@ -5472,7 +5421,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 lambda_c1_leg,
                 lambda_c2_leg,
             ],
-            power: -w_491,
+            power: -w_419,
             refused: sim_kernel::pivot_is_refused(
                 mass_platform_q0_platform_q0,
                 mass_platform_q0_platform_q0,
@@ -5494,12 +5443,12 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_platform_norm,
                     minus_pivot_lambda_platform_norm,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_228)
-                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_292)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_357)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_421)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_486)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_487),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_224)
+                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_271)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_319)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_366)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_414)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_415),
         }
     }
 }

@@ -563,7 +563,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 82 additions, 170 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 82 additions, 162 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -574,104 +574,105 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let rhs_psi = sin_theta * theta_dot
-            * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
-        let w = psi_dot * theta_dot;
+        let w = cos_theta * psi_dot;
+        let rhs_psi = sin_theta * theta_dot * (w * self.k_6 + self.C * phi_dot);
+        let w_2 = self.C * sin_theta;
+        let w_3 = psi_dot * w_2;
         let mass_phi_psi = self.C * cos_theta;
         let sin_theta_squared = sin_theta * sin_theta;
         let mass_psi_psi = self.C * cos_theta * cos_theta
             + sin_theta_squared * self.inertia_about_pivot;
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
-        let w_2 = cos_theta * cos_phi;
-        let w_3 = cos_theta * psi_dot;
-        let w_4 = phi_dot + w_3;
-        let w_5 = phi_dot - w_4;
-        let w_6 = cos_phi * w_5;
-        let w_7 = sin_theta * cos_phi;
-        let w_8 = sin_phi * theta_dot;
-        let w_9 = psi_dot * w_7 - w_8;
-        let w_10 = sin_theta * sin_phi;
-        let w_11 = psi_dot * (w_4 * self.k_2 * w_2 + sin_theta * w_9 * self.k_3)
-            + self.A * psi_dot * (phi_dot * w_2 - theta_dot * w_10);
-        let w_12 = self.k_4
-            * (w_2 * self.g
-                - self.l * psi_dot * (cos_theta * w_6 + sin_theta * (w_9 - w_8))) - w_11;
-        let w_13 = cos_theta * sin_phi;
-        let w_14 = cos_phi * theta_dot;
-        let w_15 = w_14 + psi_dot * w_10;
-        let w_16 = psi_dot * (w_4 * w_13 * self.k_3 + sin_theta * self.k_2 * w_15)
-            - self.A * psi_dot * (phi_dot * w_13 + theta_dot * w_7);
-        let w_17 = sin_phi * w_5;
-        let w_18 = w_14 + w_15;
-        let w_19 = w_16
+        let w_4 = cos_theta * cos_phi;
+        let w_5 = phi_dot + w;
+        let w_6 = phi_dot - w_5;
+        let w_7 = cos_phi * w_6;
+        let w_8 = sin_theta * cos_phi;
+        let w_9 = sin_phi * theta_dot;
+        let w_10 = psi_dot * w_8 - w_9;
+        let w_11 = w_5 * self.k_2;
+        let w_12 = sin_theta * sin_phi;
+        let w_13 = psi_dot * (w_11 * w_4 + sin_theta * w_10 * self.k_3)
+            + self.A * psi_dot * (phi_dot * w_4 - theta_dot * w_12);
+        let w_14 = self.k_4
+            * (self.g * w_4
+                - self.l * psi_dot * (cos_theta * w_7 + sin_theta * (w_10 - w_9)))
+            - w_13;
+        let w_15 = w_5 * self.k_3;
+        let w_16 = cos_theta * sin_phi;
+        let w_17 = cos_phi * theta_dot;
+        let w_18 = w_17 + psi_dot * w_12;
+        let w_19 = psi_dot * (w_15 * w_16 + sin_theta * self.k_2 * w_18)
+            - self.A * psi_dot * (phi_dot * w_16 + theta_dot * w_8);
+        let w_20 = sin_phi * w_6;
+        let w_21 = w_17 + w_18;
+        let w_22 = w_19
             + self.k_4
-                * (w_13 * self.g
-                    - self.l * psi_dot * (cos_theta * w_17 + sin_theta * w_18));
+                * (self.g * w_16
+                    - self.l * psi_dot * (cos_theta * w_20 + sin_theta * w_21));
         let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let phi_ddot = inverse_phi * (self.C * sin_theta * w - rhs_psi * l_phi_psi);
-        let w_20 = sin_theta * (sin_phi * w_12 - cos_phi * w_19 + self.C * phi_ddot);
-        let w_21 = w_13 * w;
-        let w_22 = w * w_2;
-        let w_23 = cos_phi
-            * (w_4 * w_15 * self.k_3 - self.A * (phi_dot * w_15 - w_22)
-                + (w_10 * self.g - self.l * (w_15 * w_5 - w_22)) * self.k_4);
-        let w_24 = sin_phi
-            * ((w_7 * self.g - self.l * (w_9 * w_5 + w_21)) * self.k_4
-                - (w_9 * w_4 * self.k_2 + self.A * (w_9 * phi_dot + w_21))) - w_23;
+        let phi_ddot = inverse_phi * (theta_dot * w_3 - rhs_psi * l_phi_psi);
+        let w_23 = theta_dot * w;
+        let w_24 = sin_phi * w_23;
+        let w_25 = cos_phi * w_23;
+        let w_26 = cos_phi
+            * (w_18 * w_15 - self.A * (phi_dot * w_18 - w_25)
+                + (w_12 * self.g - self.l * (w_18 * w_6 - w_25)) * self.k_4);
+        let w_27 = cos_theta
+            * (sin_phi
+                * ((w_8 * self.g - self.l * (w_10 * w_6 + w_24)) * self.k_4
+                    - (w_10 * w_11 + self.A * (w_10 * phi_dot + w_24))) - w_26);
         let psi_ddot = rhs_psi * inverse_psi - l_phi_psi * phi_ddot;
-        let w_25 = w_20 + cos_theta * w_24
-            + psi_dot * theta_dot * (self.C - sin_theta_squared * self.k_5)
+        let w_28 = sin_theta * (sin_phi * w_14 - cos_phi * w_22 + self.C * phi_ddot)
+            + w_27 + psi_dot * theta_dot * (self.C - sin_theta_squared * self.k_5)
             + S::from_f64(2.0) * psi_ddot * cos_theta * sin_theta * self.k_9;
-        let w_26 = inverse_phi
-            * (self.C * (cos_theta * w + sin_theta * psi_ddot) - l_phi_psi * w_25);
-        let w_27 = self.k * (sin_theta * w_17 - cos_theta * w_18);
-        let w_28 = self.k_3 * (w_4 * w_10 + cos_theta * w_15)
-            - self.A * (phi_dot * w_10 - theta_dot * w_2);
-        let w_29 = self.k_2 * (w_7 * w_4 + cos_theta * w_9)
-            + self.A * (w_7 * phi_dot + theta_dot * w_13)
-            + self.k * (sin_theta * w_6 + cos_theta * (w_8 - w_9));
-        let w_30 = self.C * theta_dot;
-        let w_31 = sin_theta
-            * (cos_phi * (w_27 - w_28) - sin_phi * w_29 + cos_theta * w_30);
-        let w_32 = inverse_phi * (sin_theta * w_30 - l_phi_psi * w_31);
-        let w_33 = sin_phi * w_4 * self.k_2 - self.A * sin_phi * (w_3 - phi_dot)
-            - self.k * sin_phi * (w_3 - phi_dot + w_4);
-        let w_34 = self.k * cos_phi * (phi_dot - w_3 - w_4);
-        let w_35 = cos_phi * w_4 * self.k_3 - self.A * cos_phi * (phi_dot - w_3);
-        let w_36 = self.C * psi_dot;
-        let w_37 = sin_theta
-            * (sin_phi * w_33 + cos_phi * (w_34 - w_35) + cos_theta * w_36);
-        let w_38 = inverse_phi * (sin_theta * w_36 - l_phi_psi * w_37);
-        let w_39 = self.C * sin_theta * (cos_phi * w_15 - sin_phi * w_9);
-        let w_40 = inverse_phi * l_phi_psi * w_39;
+        let w_29 = inverse_phi
+            * (self.C * (w_23 + sin_theta * psi_ddot) - l_phi_psi * w_28);
+        let w_30 = self.k * (sin_theta * w_20 - cos_theta * w_21);
+        let w_31 = self.k_3 * (w_5 * w_12 + cos_theta * w_18)
+            - self.A * (phi_dot * w_12 - theta_dot * w_4);
+        let w_32 = self.k_2 * (w_8 * w_5 + cos_theta * w_10)
+            + self.A * (w_8 * phi_dot + theta_dot * w_16)
+            + self.k * (sin_theta * w_7 + cos_theta * (w_9 - w_10));
+        let w_33 = sin_theta
+            * (cos_phi * (w_30 - w_31) - sin_phi * w_32 + mass_phi_psi * theta_dot);
+        let w_34 = inverse_phi * (theta_dot * w_2 - l_phi_psi * w_33);
+        let w_35 = sin_phi * w_11 - self.A * sin_phi * (w - phi_dot)
+            - self.k * sin_phi * (w - phi_dot + w_5);
+        let w_36 = self.k * cos_phi * (phi_dot - w - w_5);
+        let w_37 = cos_phi * w_15 - self.A * cos_phi * (phi_dot - w);
+        let w_38 = sin_theta * (sin_phi * w_35 + cos_phi * (w_36 - w_37) + self.C * w);
+        let w_39 = inverse_phi * (w_3 - l_phi_psi * w_38);
+        let w_40 = self.C * sin_theta * (cos_phi * w_18 - sin_phi * w_10);
+        let w_41 = inverse_phi * l_phi_psi * w_40;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
-                    inverse_psi * w_25 - l_phi_psi * w_26,
+                    inverse_psi * w_28 - l_phi_psi * w_29,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
-                    self.inverse_theta * (cos_phi * w_12 + sin_phi * w_19),
+                    self.inverse_theta * (cos_phi * w_14 + sin_phi * w_22),
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), w_26, S::from_f64(0.0)],
+                [S::from_f64(0.0), w_29, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
-                    inverse_psi * w_31 - l_phi_psi * w_32,
-                    inverse_psi * w_37 - l_phi_psi * w_38,
-                    inverse_psi * w_39 + l_phi_psi * w_40,
+                    inverse_psi * w_33 - l_phi_psi * w_34,
+                    inverse_psi * w_38 - l_phi_psi * w_39,
+                    inverse_psi * w_40 + l_phi_psi * w_41,
                 ],
                 [
-                    self.inverse_theta * (sin_phi * (w_28 - w_27) - cos_phi * w_29),
-                    self.inverse_theta * (cos_phi * w_33 + sin_phi * (w_35 - w_34)),
-                    -(self.inverse_theta * self.C * (cos_phi * w_9 + sin_phi * w_15)),
+                    self.inverse_theta * (sin_phi * (w_31 - w_30) - cos_phi * w_32),
+                    self.inverse_theta * (cos_phi * w_35 + sin_phi * (w_37 - w_36)),
+                    -(self.inverse_theta * self.C * (cos_phi * w_10 + sin_phi * w_18)),
                 ],
-                [w_32, w_38, -w_40],
+                [w_34, w_39, -w_41],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],

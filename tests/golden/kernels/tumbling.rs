@@ -433,7 +433,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 48 additions, 97 multiplications, 3 sine-cosine pairs.
+    /// Operations: 48 additions, 88 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn output_rates(
         &self,
@@ -453,55 +453,53 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
         let w = psi_dot * cos_theta;
         let w_2 = sin_theta * psi_ddot;
         let w_3 = theta_dot * (w - phi_dot) + w_2;
-        let w_4 = theta_ddot + psi_dot * phi_dot * sin_theta;
-        let w_5 = sin_phi * w_3 + cos_phi * w_4;
-        let w_6 = sin_phi * w_4;
-        let w_7 = phi_ddot - psi_dot * theta_dot * sin_theta + cos_theta * psi_ddot;
+        let w_4 = psi_dot * sin_theta;
+        let w_5 = theta_ddot + phi_dot * w_4;
+        let w_6 = sin_phi * w_3 + cos_phi * w_5;
+        let w_7 = sin_phi * w_5;
+        let w_8 = phi_ddot - theta_dot * w_4 + cos_theta * psi_ddot;
         let w_z = phi_dot + w;
-        let w_8 = cos_theta * sin_psi;
-        let w_9 = cos_phi * cos_psi;
-        let w_10 = psi_dot * sin_theta;
-        let w_x = cos_phi * theta_dot + sin_phi * w_10;
-        let w_11 = cos_theta * phi_dot;
-        let w_12 = psi_dot + w_11;
-        let w_13 = theta_dot * sin_theta;
-        let w_14 = cos_phi * w_12 - sin_phi * w_13;
-        let w_15 = cos_psi * w_z;
-        let w_16 = self.A
-            * (w_5 * (w_9 - sin_phi * w_8) - w_x * (sin_psi * w_14 + sin_phi * w_15));
-        let w_17 = sin_phi * cos_psi;
-        let w_18 = cos_phi * (theta_dot * (phi_dot - w) - w_2) + w_6;
-        let w_y = cos_phi * w_10 - theta_dot * sin_phi;
-        let w_19 = self.B
-            * ((w_17 + cos_phi * w_8) * w_18
-                - w_y * (cos_phi * (w_15 - sin_psi * w_13) - sin_phi * sin_psi * w_12));
-        let w_20 = self.A
-            * (w_5 * (cos_phi * sin_psi + cos_theta * w_17)
-                + w_x * (cos_psi * w_14 - sin_phi * sin_psi * w_z));
-        let w_21 = w_18 * (cos_theta * w_9 - sin_phi * sin_psi)
+        let w_9 = cos_psi * w_z;
+        let w_10 = cos_theta * sin_psi;
+        let w_11 = theta_dot * w_z;
+        let w_12 = cos_phi * cos_psi;
+        let w_x = cos_phi * theta_dot + sin_phi * w_4;
+        let w_13 = cos_theta * phi_dot;
+        let w_14 = psi_dot + w_13;
+        let w_15 = theta_dot * sin_theta;
+        let w_16 = cos_phi * w_14 - sin_phi * w_15;
+        let w_17 = self.A
+            * (w_6 * (w_12 - sin_phi * w_10) - w_x * (sin_psi * w_16 + sin_phi * w_9));
+        let w_18 = sin_phi * cos_psi;
+        let w_19 = cos_phi * (theta_dot * (phi_dot - w) - w_2) + w_7;
+        let w_y = cos_phi * w_4 - theta_dot * sin_phi;
+        let w_20 = self.B
+            * ((w_18 + cos_phi * w_10) * w_19
+                - w_y * (cos_phi * (w_9 - sin_psi * w_15) - sin_phi * sin_psi * w_14));
+        let w_21 = sin_psi * w_z;
+        let w_22 = self.A
+            * (w_6 * (cos_phi * sin_psi + cos_theta * w_18)
+                + w_x * (cos_psi * w_16 - sin_phi * w_21));
+        let w_23 = w_19 * (cos_theta * w_12 - sin_phi * sin_psi)
             + w_y
-                * (cos_phi * (sin_psi * (w + phi_dot) + cos_psi * w_13)
-                    + sin_phi * cos_psi * (w_11 + psi_dot));
-        let w_22 = sin_theta
-            * (self.A * (cos_phi * phi_dot * w_x + sin_phi * w_5)
-                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_18)
-                - theta_dot * w_z * self.C);
+                * (cos_phi * (sin_psi * (w + phi_dot) + cos_psi * w_15)
+                    + sin_phi * cos_psi * (w_13 + psi_dot));
+        let w_24 = sin_theta
+            * (self.A * (cos_phi * phi_dot * w_x + sin_phi * w_6)
+                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_19) - self.C * w_11);
+        let w_25 = self.A * w_x;
+        let w_26 = self.B * w_y;
+        let w_27 = w_8 * self.C;
         [
-            w_5,
-            cos_phi * w_3 - w_6,
-            w_7,
-            self.C
-                * (sin_theta * (psi_dot * cos_psi * w_z + w_7 * sin_psi)
-                    + theta_dot * w_8 * w_z) + w_16 + w_19,
-            self.C
-                * (sin_psi * w_10 * w_z
-                    - cos_psi * (theta_dot * cos_theta * w_z + sin_theta * w_7)) + w_20
-                - self.B * w_21,
-            w_22
-                + cos_theta
-                    * (theta_dot * (sin_phi * self.A * w_x + cos_phi * self.B * w_y)
-                        + w_7 * self.C),
-            w_5 * self.A * w_x - self.B * w_y * w_18 + w_7 * w_z * self.C,
+            w_6,
+            cos_phi * w_3 - w_7,
+            w_8,
+            self.C * (sin_theta * (psi_dot * w_9 + w_8 * sin_psi) + w_10 * w_11) + w_17
+                + w_20,
+            self.C * (w_4 * w_21 - cos_psi * (cos_theta * w_11 + sin_theta * w_8)) + w_22
+                - self.B * w_23,
+            w_24 + cos_theta * (theta_dot * (sin_phi * w_25 + cos_phi * w_26) + w_27),
+            w_6 * w_25 - w_19 * w_26 + w_z * w_27,
         ]
             .into()
     }
@@ -689,7 +687,7 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 108 additions, 228 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 108 additions, 220 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -715,16 +713,17 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let w_6 = sin_theta * sin_phi;
         let w_x = w_4 + w_6 * psi_dot;
         let w_7 = w_y * w_x;
-        let w_8 = self.C * psi_dot;
-        let w_9 = sin_theta * theta_dot * w_8;
-        let rhs_phi = self.k * w_7 + w_9;
-        let w_10 = sin_theta * theta_dot
+        let w_8 = psi_dot * theta_dot;
+        let w_9 = sin_theta * self.C;
+        let w_10 = w_8 * w_9;
+        let rhs_phi = self.k * w_7 + w_10;
+        let w_11 = sin_theta * theta_dot
             * (cos_theta * psi_dot
                 * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
                 + phi_dot * (w_3 + self.k_10));
         let sin_theta_squared = sin_theta * sin_theta;
-        let w_11 = cos_phi * self.k;
-        let mass_theta_psi = w_6 * w_11;
+        let w_12 = cos_phi * self.k;
+        let mass_theta_psi = w_6 * w_12;
         let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
         let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
         let l_psi_theta = mass_theta_psi * inverse_theta;
@@ -735,102 +734,104 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta
             - mass_phi_psi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_12 = cos_theta * psi_dot;
-        let w_z = phi_dot + w_12;
-        let w_13 = cos_phi * cos_theta;
-        let w_14 = psi_dot * (w_z * self.k_2 * w_13 + sin_theta * w_y * self.k_12)
-            + self.A * psi_dot * (phi_dot * w_13 - w_6 * theta_dot);
-        let w_15 = sin_phi * cos_theta;
-        let w_16 = psi_dot * (w_z * w_15 * self.k_3 + sin_theta * w_x * self.k_13)
-            - self.B * psi_dot * (phi_dot * w_15 + sin_theta * w_4);
+        let w_13 = cos_theta * psi_dot;
+        let w_z = phi_dot + w_13;
+        let w_14 = w_z * self.k_2;
+        let w_15 = cos_phi * cos_theta;
+        let w_16 = psi_dot * (w_14 * w_15 + sin_theta * w_y * self.k_12)
+            + self.A * psi_dot * (phi_dot * w_15 - w_6 * theta_dot);
+        let w_17 = sin_phi * cos_theta;
+        let w_18 = w_z * self.k_3;
+        let w_19 = psi_dot * (w_17 * w_18 + sin_theta * w_x * self.k_13)
+            - self.B * psi_dot * (phi_dot * w_17 + sin_theta * w_4);
         let psi_ddot = inverse_psi
-            * (w_10
+            * (w_11
                 + sin_phi * cos_phi
                     * (sin_theta_squared * psi_dot * phi_dot * self.k_8
                         + cos_theta * self.k_4 * theta_dot * theta_dot)
                 - rhs_theta * l_psi_theta - rhs_phi * l_psi_phi);
-        let w_17 = sin_theta
-            * (self.k_4 * w_7 - w_9 - sin_phi * w_14 - cos_phi * w_16
+        let w_20 = sin_theta
+            * (self.k_4 * w_7 - w_10 - sin_phi * w_16 - cos_phi * w_19
                 + self.C * (rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot));
-        let w_18 = w_z * self.k_2;
-        let w_19 = w_y * phi_dot + psi_dot * theta_dot * w_15;
-        let w_20 = w_y * w_18 + self.A * w_19;
-        let w_21 = phi_dot * w_x - w_12 * w_4;
-        let w_22 = w_z * w_x * self.k_3 - self.B * w_21;
-        let w_23 = sin_phi * w_y + cos_phi * w_x;
-        let w_24 = self.C * theta_dot;
-        let w_25 = self.k_4 * w_23 - w_24;
+        let w_21 = w_y * phi_dot + w_17 * w_8;
+        let w_22 = w_y * w_14 + self.A * w_21;
+        let w_23 = phi_dot * w_x - w_13 * w_4;
+        let w_24 = w_x * w_18 - self.B * w_23;
+        let w_25 = sin_phi * w_y + cos_phi * w_x;
+        let w_26 = self.C * theta_dot;
+        let w_27 = self.k_4 * w_25 - w_26;
+        let w_28 = S::from_f64(2.0) * psi_ddot;
         let theta_ddot = rhs_theta * inverse_theta - l_psi_theta * psi_ddot;
-        let w_26 = w_11 * w_15;
-        let w_27 = w_17
-            - cos_theta * (sin_phi * w_20 + cos_phi * w_22 + cos_theta * psi_dot * w_25)
-            - S::from_f64(2.0) * psi_ddot * sin_theta * cos_theta * (w_2 + w - self.C)
-            - theta_ddot * w_26;
-        let w_28 = sin_phi * w_16 - cos_phi * w_14 - psi_ddot * w_26;
-        let w_29 = self.k * w_23 + w_24;
-        let w_30 = cos_theta * psi_dot * w_29 + sin_theta * self.C * psi_ddot;
-        let w_31 = inverse_psi * (w_27 - l_psi_theta * w_28 - l_psi_phi * w_30);
-        let w_32 = w_y * w_z * self.k_13 + self.B * w_19;
-        let w_33 = w_18 * w_x + self.A * w_21 + w_22;
+        let w_29 = w_12 * w_17;
+        let w_30 = w_20
+            - cos_theta * (sin_phi * w_22 + cos_phi * w_24 + cos_theta * psi_dot * w_27)
+            - sin_theta * cos_theta * (w_2 + w - self.C) * w_28 - theta_ddot * w_29;
+        let w_31 = sin_phi * w_19 - cos_phi * w_16 - psi_ddot * w_29;
+        let w_32 = self.k * w_25 + w_26;
+        let w_33 = cos_theta * psi_dot * w_32 + w_9 * psi_ddot;
+        let w_34 = inverse_psi * (w_30 - l_psi_theta * w_31 - l_psi_phi * w_33);
+        let w_35 = w_y * w_z * self.k_13 + self.B * w_21;
+        let w_36 = w_14 * w_x + self.A * w_23 + w_24;
         let w_x_squared = w_x * w_x;
         let w_y_squared = w_y * w_y;
-        let w_34 = sin_phi * w_11;
-        let w_35 = sin_theta * (w_3 + self.k_4);
-        let w_36 = sin_theta * (cos_phi * (w_32 - w_20) + sin_phi * w_33)
+        let w_37 = sin_phi * w_12;
+        let w_38 = sin_theta * (w_3 + self.k_4);
+        let w_39 = sin_theta * (cos_phi * (w_35 - w_22) + sin_phi * w_36)
             - cos_theta * (self.k * w_x_squared + self.k_4 * w_y_squared)
-            - S::from_f64(2.0) * psi_ddot * sin_theta_squared * w_34 + theta_ddot * w_35;
-        let w_37 = sin_phi * (w_20 - w_32) + cos_phi * w_33 + psi_ddot * w_35
-            + S::from_f64(2.0) * theta_ddot * w_34;
-        let w_38 = self.k_4 * w_x_squared + self.k * w_y_squared;
-        let w_39 = inverse_psi * (w_36 - l_psi_theta * w_37 - l_psi_phi * w_38);
-        let w_40 = self.k_2 * (w_5 * w_z + cos_theta * w_y)
-            + self.A * (w_5 * phi_dot + theta_dot * w_15);
-        let w_41 = self.k_3 * (w_6 * w_z + cos_theta * w_x)
+            - w_28 * sin_theta_squared * w_37 + theta_ddot * w_38;
+        let w_40 = sin_phi * (w_22 - w_35) + cos_phi * w_36 + psi_ddot * w_38
+            + S::from_f64(2.0) * theta_ddot * w_37;
+        let w_41 = self.k_4 * w_x_squared + self.k * w_y_squared;
+        let w_42 = inverse_psi * (w_39 - l_psi_theta * w_40 - l_psi_phi * w_41);
+        let w_43 = self.k_2 * (w_5 * w_z + cos_theta * w_y)
+            + self.A * (w_5 * phi_dot + theta_dot * w_17);
+        let w_44 = self.k_3 * (w_6 * w_z + cos_theta * w_x)
             - self.B * (w_6 * phi_dot - cos_theta * w_4);
-        let w_42 = sin_phi * w_41 - cos_phi * w_40;
-        let w_43 = sin_theta * w_29;
-        let w_44 = inverse_psi
-            * (sin_theta * (sin_phi * w_40 + cos_phi * w_41)
-                + cos_theta * sin_theta * w_25 + l_psi_theta * w_42 + l_psi_phi * w_43);
-        let w_45 = sin_phi * w_z * self.k_2 - self.A * sin_phi * (w_12 - phi_dot);
-        let w_46 = cos_phi * w_z * self.k_3 - self.B * cos_phi * (phi_dot - w_12);
-        let w_47 = sin_theta * w_8;
-        let w_48 = cos_phi * w_45 + sin_phi * w_46;
-        let w_49 = w_11 * w_y + sin_phi * w_x * self.k_4 + w_47;
-        let w_50 = sin_theta * (sin_phi * w_45 - cos_phi * w_46)
-            - cos_theta * (cos_phi * w_y * self.k_4 + sin_phi * self.k * w_x - w_47)
-            - l_psi_theta * w_48 - l_psi_phi * w_49;
-        let w_51 = inverse_psi * w_50;
-        let w_52 = w_y * self.k_14;
-        let w_53 = w_x * self.k_15;
-        let w_54 = cos_phi * w_52 + sin_phi * w_53;
-        let w_55 = inverse_psi
-            * (sin_theta * (sin_phi * w_52 - cos_phi * w_53) - l_psi_theta * w_54);
+        let w_45 = sin_phi * w_44 - cos_phi * w_43;
+        let w_46 = sin_theta * w_32;
+        let w_47 = inverse_psi
+            * (sin_theta * (sin_phi * w_43 + cos_phi * w_44)
+                + cos_theta * sin_theta * w_27 + l_psi_theta * w_45 + l_psi_phi * w_46);
+        let w_48 = sin_phi * w_14 - self.A * sin_phi * (w_13 - phi_dot);
+        let w_49 = cos_phi * w_18 - self.B * cos_phi * (phi_dot - w_13);
+        let w_50 = sin_phi * w_x;
+        let w_51 = psi_dot * w_9;
+        let w_52 = cos_phi * w_48 + sin_phi * w_49;
+        let w_53 = w_12 * w_y + self.k_4 * w_50 + w_51;
+        let w_54 = sin_theta * (sin_phi * w_48 - cos_phi * w_49)
+            - cos_theta * (cos_phi * w_y * self.k_4 + self.k * w_50 - w_51)
+            - l_psi_theta * w_52 - l_psi_phi * w_53;
+        let w_55 = inverse_psi * w_54;
+        let w_56 = w_y * self.k_14;
+        let w_57 = w_x * self.k_15;
+        let w_58 = cos_phi * w_56 + sin_phi * w_57;
+        let w_59 = inverse_psi
+            * (sin_theta * (sin_phi * w_56 - cos_phi * w_57) - l_psi_theta * w_58);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [S::from_f64(0.0), w_31, w_39],
+                [S::from_f64(0.0), w_34, w_42],
                 [
                     S::from_f64(0.0),
-                    inverse_theta * w_28 - l_psi_theta * w_31,
-                    inverse_theta * w_37 - l_psi_theta * w_39,
+                    inverse_theta * w_31 - l_psi_theta * w_34,
+                    inverse_theta * w_40 - l_psi_theta * w_42,
                 ],
                 [
                     S::from_f64(0.0),
-                    self.inverse_phi * w_30 - l_psi_phi * w_31,
-                    self.inverse_phi * w_38 - l_psi_phi * w_39,
+                    self.inverse_phi * w_33 - l_psi_phi * w_34,
+                    self.inverse_phi * w_41 - l_psi_phi * w_42,
                 ],
             ],
             accelerations_by_speeds: [
-                [-w_44, w_51, w_55],
+                [-w_47, w_55, w_59],
                 [
-                    inverse_theta * w_42 + l_psi_theta * w_44,
-                    inverse_theta * w_48 - l_psi_theta * w_51,
-                    inverse_theta * w_54 - l_psi_theta * w_55,
+                    inverse_theta * w_45 + l_psi_theta * w_47,
+                    inverse_theta * w_52 - l_psi_theta * w_55,
+                    inverse_theta * w_58 - l_psi_theta * w_59,
                 ],
                 [
-                    self.inverse_phi * w_43 + l_psi_phi * w_44,
-                    self.inverse_phi * w_49 - l_psi_phi * w_51,
-                    -(l_psi_phi * w_55),
+                    self.inverse_phi * w_46 + l_psi_phi * w_47,
+                    self.inverse_phi * w_53 - l_psi_phi * w_55,
+                    -(l_psi_phi * w_59),
                 ],
             ],
             multipliers_by_positions: [],

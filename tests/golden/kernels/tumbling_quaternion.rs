@@ -410,7 +410,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 31 additions, 60 multiplications, 1 division.
+    /// Operations: 31 additions, 59 multiplications, 1 division.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
@@ -426,9 +426,8 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_4 = S::from_f64(4.0) * self.C;
         let w_5 = S::from_f64(1.3333333333333333) * (self.A + self.B + self.C);
         let w_6 = w_5 - w_squared * w_2;
-        let w_7 = w_3 - w_4;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_6
-            + body_q2 * body_q3 * w_squared * w_7;
+        let w_7 = w_squared * (w_3 - w_4);
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_6 + body_q2 * body_q3 * w_7;
         let w_8 = w_4 - w_2;
         let w_9 = body_q1 * body_q3;
         let w_10 = body_q0 * body_q2;
@@ -439,8 +438,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let mass_body_q3_body_q0 = w_squared * (w_11 * w_12 - w_4 * w_13) + w_5 * w_13;
         let mass_body_q2_body_q1 = w_squared * (w_11 * w_13 - w_4 * w_12) + w_5 * w_12;
         let mass_body_q3_body_q1 = w_squared * (w_8 * w_10 - w_3 * w_9) + w_5 * w_9;
-        let mass_body_q3_body_q2 = body_q2 * body_q3 * w_6
-            + body_q1 * body_q0 * w_squared * w_7;
+        let mass_body_q3_body_q2 = body_q2 * body_q3 * w_6 + body_q1 * body_q0 * w_7;
         [
             [
                 self.m,
@@ -517,42 +515,42 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 38 additions, 69 multiplications, 1 division.
+    /// Operations: 38 additions, 66 multiplications, 1 division.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         let [_, _, _, body_q0_dot, body_q1_dot, body_q2_dot, body_q3_dot] = *qd;
-        let w = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
-            + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
-        let w_2 = S::from_f64(1.3333333333333333) * (self.A + self.B + self.C);
-        let w_3 = S::from_f64(1.0)
+        let w = (body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
+            + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot)
+            * S::from_f64(1.3333333333333333) * (self.A + self.B + self.C);
+        let w_2 = S::from_f64(1.0)
             / (body_q0 * body_q0 + body_q1 * body_q1 + body_q2 * body_q2
                 + body_q3 * body_q3);
-        let w_3_squared = w_3 * w_3;
-        let w_4 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
+        let w_2_squared = w_2 * w_2;
+        let w_3 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
             + body_q1 * body_q3_dot;
-        let w_5 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
+        let w_4 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
             + body_q2 * body_q1_dot;
-        let w_6 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
+        let w_5 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
             + body_q3 * body_q2_dot;
-        let w_7 = body_q0 * body_q0_dot + body_q1 * body_q1_dot + body_q2 * body_q2_dot
+        let w_6 = body_q0 * body_q0_dot + body_q1 * body_q1_dot + body_q2 * body_q2_dot
             + body_q3 * body_q3_dot;
-        let w_8 = w_3_squared * (w_4 * w_5 * (self.C - self.B) - self.A * w_6 * w_7);
-        let w_9 = w_3_squared * (w_5 * w_6 * (self.A - self.C) - w_4 * self.B * w_7);
-        let w_10 = w_3_squared * (w_4 * w_6 * (self.B - self.A) - self.C * w_5 * w_7);
+        let w_7 = w_2_squared * (w_3 * w_4 * (self.C - self.B) - self.A * w_5 * w_6);
+        let w_8 = w_2_squared * (w_4 * w_5 * (self.A - self.C) - w_3 * self.B * w_6);
+        let w_9 = w_2_squared * (w_3 * w_5 * (self.B - self.A) - self.C * w_4 * w_6);
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            body_q0 * w * w_2
-                - S::from_f64(8.0) * w_3
-                    * (body_q1 * w_8 + body_q2 * w_9 + body_q3 * w_10),
-            S::from_f64(8.0) * w_3 * (body_q0 * w_8 - body_q3 * w_9 + body_q2 * w_10)
-                + body_q1 * w * w_2,
-            S::from_f64(8.0) * w_3 * (body_q3 * w_8 + body_q0 * w_9 - body_q1 * w_10)
-                + body_q2 * w * w_2,
-            S::from_f64(8.0) * w_3 * (body_q1 * w_9 - body_q2 * w_8 + body_q0 * w_10)
-                + body_q3 * w * w_2,
+            body_q0 * w
+                - S::from_f64(8.0) * w_2
+                    * (body_q1 * w_7 + body_q2 * w_8 + body_q3 * w_9),
+            S::from_f64(8.0) * w_2 * (body_q0 * w_7 - body_q3 * w_8 + body_q2 * w_9)
+                + body_q1 * w,
+            S::from_f64(8.0) * w_2 * (body_q3 * w_7 + body_q0 * w_8 - body_q1 * w_9)
+                + body_q2 * w,
+            S::from_f64(8.0) * w_2 * (body_q1 * w_8 - body_q2 * w_7 + body_q0 * w_9)
+                + body_q3 * w,
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
@@ -704,7 +702,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Outputs, 8, in SI units.
     ///
-    /// Operations: 32 additions, 72 multiplications, 1 division.
+    /// Operations: 32 additions, 64 multiplications, 1 division.
     #[inline]
     pub fn outputs(
         &self,
@@ -717,57 +715,55 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         let [_, _, _, body_q0_dot, body_q1_dot, body_q2_dot, body_q3_dot] = *qd;
         let [lambda_body_norm] = *lambda;
+        let w = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
+            + body_q3 * body_q2_dot;
         let body_q1_squared = body_q1 * body_q1;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
-        let w = S::from_f64(1.0)
+        let w_2 = S::from_f64(1.0)
             / (body_q0 * body_q0 + body_q1_squared + body_q2_squared + body_q3_squared);
-        let w_2 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
-            + body_q3 * body_q2_dot;
-        let w_3 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
+        let w_3 = S::from_f64(2.0) * w_2;
+        let w_4 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
             + body_q1 * body_q3_dot;
-        let w_4 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
+        let w_5 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
             + body_q2 * body_q1_dot;
-        let w_squared = w * w;
-        let w_5 = body_q1 * body_q2;
-        let w_6 = body_q0 * body_q3;
-        let w_7 = S::from_f64(4.0) * self.B;
-        let w_8 = body_q1 * body_q3;
-        let w_9 = body_q0 * body_q2;
-        let w_10 = S::from_f64(4.0) * self.C;
-        let w_11 = w_squared * (w_3 * (w_5 - w_6) * w_7 + w_4 * (w_8 + w_9) * w_10);
+        let w_2_squared = w_2 * w_2;
+        let w_6 = body_q1 * body_q2;
+        let w_7 = body_q0 * body_q3;
+        let w_8 = w_4 * S::from_f64(4.0) * self.B;
+        let w_9 = body_q1 * body_q3;
+        let w_10 = body_q0 * body_q2;
+        let w_11 = w_5 * S::from_f64(4.0) * self.C;
         let w_12 = S::from_f64(2.0) * self.A;
-        let w_13 = self.A * S::from_f64(4.0);
+        let w_13 = w * self.A * S::from_f64(4.0);
         let w_14 = body_q2 * body_q3;
         let w_15 = body_q0 * body_q1;
-        let w_16 = w_squared * (w_2 * (w_5 + w_6) * w_13 + w_4 * w_10 * (w_14 - w_15));
-        let w_17 = S::from_f64(2.0) * self.B;
-        let w_18 = w_squared * (w_2 * w_13 * (w_8 - w_9) + w_3 * w_7 * (w_14 + w_15));
-        let w_19 = S::from_f64(2.0) * self.C;
+        let w_16 = S::from_f64(2.0) * self.B;
+        let w_17 = S::from_f64(2.0) * self.C;
         [
-            S::from_f64(2.0) * w * w_2,
-            S::from_f64(2.0) * w * w_3,
-            S::from_f64(2.0) * w * w_4,
-            w_11
-                - w * w_2
-                    * (S::from_f64(2.0) * w * (body_q2_squared + body_q3_squared)
-                        - S::from_f64(1.0)) * w_12,
-            w_16
-                - w * w_3
-                    * (S::from_f64(2.0) * w * (body_q1_squared + body_q3_squared)
-                        - S::from_f64(1.0)) * w_17,
-            w_18
-                - w * w_4
-                    * (S::from_f64(2.0) * w * (body_q1_squared + body_q2_squared)
-                        - S::from_f64(1.0)) * w_19,
-            w_squared * (w_12 * w_2 * w_2 + w_17 * w_3 * w_3 + w_19 * w_4 * w_4),
+            w * w_3,
+            w_3 * w_4,
+            w_3 * w_5,
+            w_2_squared * ((w_6 - w_7) * w_8 + (w_9 + w_10) * w_11)
+                - w_2 * w
+                    * (w_3 * (body_q2_squared + body_q3_squared) - S::from_f64(1.0))
+                    * w_12,
+            w_2_squared * ((w_6 + w_7) * w_13 + w_11 * (w_14 - w_15))
+                - w_2 * w_4
+                    * (w_3 * (body_q1_squared + body_q3_squared) - S::from_f64(1.0))
+                    * w_16,
+            w_2_squared * (w_13 * (w_9 - w_10) + w_8 * (w_14 + w_15))
+                - w_2 * w_5
+                    * (w_3 * (body_q1_squared + body_q2_squared) - S::from_f64(1.0))
+                    * w_17,
+            w_2_squared * (w_12 * w * w + w_16 * w_4 * w_4 + w_17 * w_5 * w_5),
             lambda_body_norm,
         ]
             .into()
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 92 additions, 155 multiplications, 1 division.
+    /// Operations: 92 additions, 142 multiplications, 1 division.
     #[inline]
     pub fn output_rates(
         &self,
@@ -779,100 +775,102 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         let [_, _, _, body_q0_dot, body_q1_dot, body_q2_dot, body_q3_dot] = *qd;
         let [_, _, _, body_q0_ddot, body_q1_ddot, body_q2_ddot, body_q3_ddot] = *qdd;
+        let w = body_q0 * body_q1_ddot - body_q1 * body_q0_ddot - body_q2 * body_q3_ddot
+            + body_q3 * body_q2_ddot;
         let body_q1_squared = body_q1 * body_q1;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
-        let w = S::from_f64(1.0)
+        let w_2 = S::from_f64(1.0)
             / (body_q0 * body_q0 + body_q1_squared + body_q2_squared + body_q3_squared);
-        let w_2 = body_q0 * body_q1_ddot - body_q1 * body_q0_ddot
-            - body_q2 * body_q3_ddot + body_q3 * body_q2_ddot;
-        let w_squared = w * w;
-        let w_3 = body_q0 * body_q1_dot;
-        let w_4 = body_q1 * body_q0_dot;
-        let w_5 = body_q2 * body_q3_dot;
-        let w_6 = body_q3 * body_q2_dot;
-        let w_7 = w_3 - w_4 - w_5 + w_6;
-        let w_8 = body_q1 * body_q1_dot;
-        let w_9 = body_q2 * body_q2_dot;
-        let w_10 = body_q3 * body_q3_dot;
-        let w_11 = body_q0 * body_q0_dot + w_8 + w_9 + w_10;
-        let w_12 = S::from_f64(4.0) * w_11;
-        let w_13 = body_q0 * body_q2_ddot - body_q2 * body_q0_ddot
+        let w_3 = S::from_f64(2.0) * w_2;
+        let w_4 = body_q0 * body_q1_dot;
+        let w_5 = body_q1 * body_q0_dot;
+        let w_6 = body_q2 * body_q3_dot;
+        let w_7 = body_q3 * body_q2_dot;
+        let w_8 = w_4 - w_5 - w_6 + w_7;
+        let w_2_squared = w_2 * w_2;
+        let w_9 = body_q1 * body_q1_dot;
+        let w_10 = body_q2 * body_q2_dot;
+        let w_11 = body_q3 * body_q3_dot;
+        let w_12 = body_q0 * body_q0_dot + w_9 + w_10 + w_11;
+        let w_13 = w_2_squared * w_12;
+        let w_14 = S::from_f64(4.0) * w_13;
+        let w_15 = body_q0 * body_q2_ddot - body_q2 * body_q0_ddot
             - body_q3 * body_q1_ddot + body_q1 * body_q3_ddot;
-        let w_14 = body_q0 * body_q2_dot;
-        let w_15 = body_q2 * body_q0_dot;
-        let w_16 = body_q3 * body_q1_dot;
-        let w_17 = body_q1 * body_q3_dot;
-        let w_18 = w_14 - w_15 - w_16 + w_17;
-        let w_19 = body_q0 * body_q3_ddot - body_q3 * body_q0_ddot
+        let w_16 = body_q0 * body_q2_dot;
+        let w_17 = body_q2 * body_q0_dot;
+        let w_18 = body_q3 * body_q1_dot;
+        let w_19 = body_q1 * body_q3_dot;
+        let w_20 = w_16 - w_17 - w_18 + w_19;
+        let w_21 = body_q0 * body_q3_ddot - body_q3 * body_q0_ddot
             - body_q1 * body_q2_ddot + body_q2 * body_q1_ddot;
-        let w_20 = body_q0 * body_q3_dot;
-        let w_21 = body_q3 * body_q0_dot;
-        let w_22 = body_q1 * body_q2_dot;
-        let w_23 = body_q2 * body_q1_dot;
-        let w_24 = w_20 - w_21 - w_22 + w_23;
-        let w_25 = S::from_f64(4.0) * self.B;
-        let w_26 = body_q1 * body_q2;
-        let w_27 = body_q0 * body_q3;
-        let w_28 = w_26 - w_27;
-        let w_29 = S::from_f64(4.0) * self.C;
-        let w_30 = body_q1 * body_q3;
-        let w_31 = body_q0 * body_q2;
-        let w_32 = w_30 + w_31;
-        let w_33 = w_29 * (w_24 * (w_14 + w_15 + w_16 + w_17) + w_19 * w_32);
-        let w_34 = body_q2_squared + body_q3_squared;
-        let w_35 = S::from_f64(2.0) * w * w_34 - S::from_f64(1.0);
-        let w_36 = S::from_f64(4.0) * self.A;
-        let w_37 = w_7 * w_36;
-        let w_38 = w_squared
-            * (w_25 * (w_13 * w_28 - w_18 * (w_20 + w_21 - w_22 - w_23)) + w_33
-                + w_11 * w_35 * w_37);
-        let w_39 = self.A * S::from_f64(8.0);
-        let w_40 = w
-            * (w_7 * (w_squared * w_11 * w_34 - w * (w_9 + w_10)) * w_39
-                - w_2 * w_35 * S::from_f64(2.0) * self.A);
-        let w_41 = w * w_squared;
-        let w_42 = self.B * S::from_f64(16.0);
-        let w_43 = S::from_f64(16.0) * self.C;
-        let w_44 = w_26 + w_27;
-        let w_45 = body_q2 * body_q3;
-        let w_46 = body_q0 * body_q1;
-        let w_47 = w_45 - w_46;
-        let w_48 = w_29 * (w_19 * w_47 - w_24 * (w_3 + w_4 - w_5 - w_6));
-        let w_49 = body_q1_squared + body_q3_squared;
-        let w_50 = S::from_f64(2.0) * w * w_49 - S::from_f64(1.0);
-        let w_51 = w_18 * w_25;
-        let w_52 = w_squared
-            * (w_36 * (w_7 * (w_20 + w_21 + w_22 + w_23) + w_2 * w_44) + w_48
-                + w_11 * w_50 * w_51);
-        let w_53 = self.A * S::from_f64(16.0);
-        let w_54 = S::from_f64(8.0) * self.B;
-        let w_55 = w
-            * (w_18 * (w_squared * w_11 * w_49 - w * (w_8 + w_10)) * w_54
-                - w_13 * w_50 * S::from_f64(2.0) * self.B);
-        let w_56 = w_30 - w_31;
-        let w_57 = w_45 + w_46;
-        let w_58 = w_25 * (w_18 * (w_3 + w_4 + w_5 + w_6) + w_13 * w_57);
-        let w_59 = body_q1_squared + body_q2_squared;
-        let w_60 = S::from_f64(2.0) * w * w_59 - S::from_f64(1.0);
-        let w_61 = w_24 * w_29;
-        let w_62 = w_squared
-            * (w_36 * (w_2 * w_56 - w_7 * (w_14 + w_15 - w_16 - w_17)) + w_58
-                + w_11 * w_60 * w_61);
-        let w_63 = S::from_f64(8.0) * self.C;
-        let w_64 = w
-            * (w_24 * (w_squared * w_11 * w_59 - w * (w_8 + w_9)) * w_63
-                - w_19 * w_60 * S::from_f64(2.0) * self.C);
-        let w_65 = w_11 * w_41
-            * (w_39 * w_7 * w_7 + w_54 * w_18 * w_18 + w_63 * w_24 * w_24);
+        let w_22 = body_q0 * body_q3_dot;
+        let w_23 = body_q3 * body_q0_dot;
+        let w_24 = body_q1 * body_q2_dot;
+        let w_25 = body_q2 * body_q1_dot;
+        let w_26 = w_22 - w_23 - w_24 + w_25;
+        let w_27 = S::from_f64(4.0) * self.B;
+        let w_28 = body_q1 * body_q2;
+        let w_29 = body_q0 * body_q3;
+        let w_30 = w_28 - w_29;
+        let w_31 = S::from_f64(4.0) * self.C;
+        let w_32 = body_q1 * body_q3;
+        let w_33 = body_q0 * body_q2;
+        let w_34 = w_32 + w_33;
+        let w_35 = w_31 * (w_26 * (w_16 + w_17 + w_18 + w_19) + w_21 * w_34);
+        let w_36 = body_q2_squared + body_q3_squared;
+        let w_37 = w_3 * w_36 - S::from_f64(1.0);
+        let w_38 = S::from_f64(4.0) * self.A;
+        let w_39 = w_8 * w_38;
+        let w_40 = w_2_squared
+            * (w_27 * (w_15 * w_30 - w_20 * (w_22 + w_23 - w_24 - w_25)) + w_35
+                + w_12 * w_37 * w_39);
+        let w_41 = self.A * S::from_f64(8.0);
+        let w_42 = w_2
+            * (w_8 * (w_13 * w_36 - w_2 * (w_10 + w_11)) * w_41
+                - w * w_37 * S::from_f64(2.0) * self.A);
+        let w_43 = w_2 * w_2_squared;
+        let w_44 = w_20 * self.B * S::from_f64(16.0);
+        let w_45 = w_26 * S::from_f64(16.0) * self.C;
+        let w_46 = w_28 + w_29;
+        let w_47 = body_q2 * body_q3;
+        let w_48 = body_q0 * body_q1;
+        let w_49 = w_47 - w_48;
+        let w_50 = w_31 * (w_21 * w_49 - w_26 * (w_4 + w_5 - w_6 - w_7));
+        let w_51 = body_q1_squared + body_q3_squared;
+        let w_52 = w_3 * w_51 - S::from_f64(1.0);
+        let w_53 = w_20 * w_27;
+        let w_54 = w_2_squared
+            * (w_38 * (w_8 * (w_22 + w_23 + w_24 + w_25) + w * w_46) + w_50
+                + w_12 * w_52 * w_53);
+        let w_55 = w_8 * self.A * S::from_f64(16.0);
+        let w_56 = S::from_f64(8.0) * self.B;
+        let w_57 = w_2
+            * (w_20 * (w_13 * w_51 - w_2 * (w_9 + w_11)) * w_56
+                - w_15 * w_52 * S::from_f64(2.0) * self.B);
+        let w_58 = w_32 - w_33;
+        let w_59 = w_47 + w_48;
+        let w_60 = w_27 * (w_20 * (w_4 + w_5 + w_6 + w_7) + w_15 * w_59);
+        let w_61 = body_q1_squared + body_q2_squared;
+        let w_62 = w_3 * w_61 - S::from_f64(1.0);
+        let w_63 = w_26 * w_31;
+        let w_64 = w_2_squared
+            * (w_38 * (w * w_58 - w_8 * (w_16 + w_17 - w_18 - w_19)) + w_60
+                + w_12 * w_62 * w_63);
+        let w_65 = S::from_f64(8.0) * self.C;
+        let w_66 = w_2
+            * (w_26 * (w_13 * w_61 - w_2 * (w_9 + w_10)) * w_65
+                - w_21 * w_62 * S::from_f64(2.0) * self.C);
+        let w_67 = w_12 * w_43
+            * (w_41 * w_8 * w_8 + w_56 * w_20 * w_20 + w_65 * w_26 * w_26);
         [
-            S::from_f64(2.0) * w * w_2 - w_squared * w_7 * w_12,
-            S::from_f64(2.0) * w * w_13 - w_squared * w_12 * w_18,
-            S::from_f64(2.0) * w * w_19 - w_squared * w_12 * w_24,
-            w_38 + w_40 - w_11 * w_41 * (w_18 * w_28 * w_42 + w_24 * w_32 * w_43),
-            w_52 - w_11 * w_41 * (w_7 * w_44 * w_53 + w_24 * w_43 * w_47) + w_55,
-            w_62 - w_11 * w_41 * (w_7 * w_53 * w_56 + w_18 * w_42 * w_57) + w_64,
-            w_squared * (w_2 * w_37 + w_13 * w_51 + w_19 * w_61) - w_65,
+            w * w_3 - w_8 * w_14,
+            w_3 * w_15 - w_14 * w_20,
+            w_3 * w_21 - w_14 * w_26,
+            w_40 + w_42 - w_12 * w_43 * (w_30 * w_44 + w_34 * w_45),
+            w_54 - w_12 * w_43 * (w_46 * w_55 + w_45 * w_49) + w_57,
+            w_64 - w_12 * w_43 * (w_55 * w_58 + w_44 * w_59) + w_66,
+            w_2_squared * (w * w_39 + w_15 * w_53 + w_21 * w_63) - w_67,
         ]
             .into()
     }
@@ -892,55 +890,58 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 36 additions, 31 multiplications, 1 division.
+    /// Operations: 36 additions, 25 multiplications, 1 division.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 7]) -> [S; 30] {
         let [body_x, body_y, body_z, body_q0, body_q1, body_q2, body_q3] = *q;
-        let body_q1_squared = body_q1 * body_q1;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
+        let body_q1_squared = body_q1 * body_q1;
         let w = S::from_f64(1.0)
             / (body_q0 * body_q0 + body_q1_squared + body_q2_squared + body_q3_squared);
-        let w_2 = S::from_f64(2.0) * w * (body_q2_squared + body_q3_squared);
-        let w_3 = body_x - w_2 + S::from_f64(1.0);
-        let w_4 = body_q1 * body_q2;
-        let w_5 = body_q0 * body_q3;
-        let w_6 = S::from_f64(2.0) * w * (w_4 + w_5);
-        let w_7 = body_y + w_6;
-        let w_8 = body_q1 * body_q3;
-        let w_9 = body_q0 * body_q2;
-        let w_10 = S::from_f64(2.0) * w * (w_8 - w_9);
-        let w_11 = body_z + w_10;
-        let w_12 = w * S::from_f64(1.4) * (w_4 - w_5);
-        let w_13 = w * S::from_f64(1.4) * (body_q1_squared + body_q3_squared);
-        let w_14 = body_q2 * body_q3;
-        let w_15 = body_q0 * body_q1;
-        let w_16 = w * S::from_f64(1.4) * (w_14 + w_15);
-        let w_17 = w_8 + w_9;
-        let w_18 = w_14 - w_15;
-        let w_19 = body_q1_squared + body_q2_squared;
+        let w_2 = S::from_f64(2.0) * w;
+        let w_3 = (body_q2_squared + body_q3_squared) * w_2;
+        let w_4 = body_x - w_3 + S::from_f64(1.0);
+        let w_5 = body_q1 * body_q2;
+        let w_6 = body_q0 * body_q3;
+        let w_7 = w_2 * (w_5 + w_6);
+        let w_8 = body_y + w_7;
+        let w_9 = body_q1 * body_q3;
+        let w_10 = body_q0 * body_q2;
+        let w_11 = w_2 * (w_9 - w_10);
+        let w_12 = body_z + w_11;
+        let w_13 = w * S::from_f64(1.4);
+        let w_14 = (w_5 - w_6) * w_13;
+        let w_15 = w_13 * (body_q1_squared + body_q3_squared);
+        let w_16 = body_q2 * body_q3;
+        let w_17 = body_q0 * body_q1;
+        let w_18 = w_13 * (w_16 + w_17);
+        let w_19 = w_9 + w_10;
+        let w_20 = w * S::from_f64(0.6);
+        let w_21 = w_16 - w_17;
+        let w_22 = body_q1_squared + body_q2_squared;
         [
-            w_3,
-            w_7,
-            w_11,
-            body_x + w_12,
-            body_y - w_13 + S::from_f64(0.7),
-            body_z + w_16,
-            body_x + w_2 - S::from_f64(1.0),
-            body_y - w_6,
-            body_z - w_10,
-            body_x - w_12,
-            body_y + w_13 - S::from_f64(0.7),
-            body_z - w_16,
-            w_3,
-            w_7,
-            w_11,
-            body_x - w * S::from_f64(0.6) * w_17,
-            body_y - w * S::from_f64(0.6) * w_18,
-            body_z + w * S::from_f64(0.6) * w_19 - S::from_f64(0.3),
-            body_x + w * w_17,
-            body_y + w * w_18,
-            body_z - w * w_19 + S::from_f64(0.5),
+            w_4,
+            w_8,
+            w_12,
+            body_x + w_14,
+            body_y - w_15 + S::from_f64(0.7),
+            body_z + w_18,
+            body_x + w_3 - S::from_f64(1.0),
+            body_y - w_7,
+            body_z - w_11,
+            body_x - w_14,
+            body_y + w_15 - S::from_f64(0.7),
+            body_z - w_18,
+            w_4,
+            w_8,
+            w_12,
+            body_x - w_19 * w_20,
+            body_y - w_20 * w_21,
+            body_z + w_20 * w_22 - S::from_f64(0.3),
+            body_x + w * w_19,
+            body_y + w * w_21,
+            body_z - w * w_22 + S::from_f64(0.5),
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1023,7 +1024,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 96 additions, 179 multiplications, 6 divisions.
+    /// Operations: 96 additions, 175 multiplications, 6 divisions.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1053,23 +1054,24 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let w_8 = w_squared * (w_2 * w_4 * self.k_11 - self.C * w_3 * w_5);
         let w_9 = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
             + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
+        let w_10 = self.k_5 * w_9;
         let rhs_body_q0 = S::from_f64(8.0) * w
-            * (body_q1 * w_6 + body_q2 * w_7 + body_q3 * w_8) - body_q0 * self.k_5 * w_9;
-        let w_10 = self.k_5 - w_squared * self.k_2;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_10
-            + body_q2 * body_q3 * w_squared * self.k_6;
+            * (body_q1 * w_6 + body_q2 * w_7 + body_q3 * w_8) - body_q0 * w_10;
+        let w_11 = self.k_5 - w_squared * self.k_2;
+        let w_12 = w_squared * self.k_6;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_11 + body_q2 * body_q3 * w_12;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
         let inverse_body_q0 = S::from_f64(1.0) / mass_body_q0_body_q0;
         let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
         let rhs_body_q1 = S::from_f64(8.0) * w
-            * (body_q3 * w_7 - body_q0 * w_6 - body_q2 * w_8) - body_q1 * self.k_5 * w_9
+            * (body_q3 * w_7 - body_q0 * w_6 - body_q2 * w_8) - body_q1 * w_10
             - rhs_body_q0 * l_body_q1_body_q0;
-        let w_11 = body_q1 * body_q3;
-        let w_12 = body_q0 * body_q2;
-        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_11 - self.k_3 * w_12)
-            + self.k_5 * w_12;
+        let w_13 = body_q1 * body_q3;
+        let w_14 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_13 - self.k_3 * w_14)
+            + self.k_5 * w_14;
         let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
@@ -1077,19 +1079,19 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let w_13 = body_q0 * body_q3;
-        let w_14 = body_q1 * body_q2;
-        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_13 - self.k_4 * w_14)
-            + self.k_5 * w_14 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_15 = body_q0 * body_q3;
+        let w_16 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_15 - self.k_4 * w_16)
+            + self.k_5 * w_16 - mass_body_q1_body_q0 * l_body_q2_body_q0;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
         let rhs_body_q2 = S::from_f64(8.0) * w
-            * (body_q1 * w_8 - body_q3 * w_6 - body_q0 * w_7) - body_q2 * self.k_5 * w_9
+            * (body_q1 * w_8 - body_q3 * w_6 - body_q0 * w_7) - body_q2 * w_10
             - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
-        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_14 - self.k_4 * w_13)
-            + self.k_5 * w_13;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_16 - self.k_4 * w_15)
+            + self.k_5 * w_15;
         let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_12 - self.k_3 * w_11)
-            + self.k_5 * w_11 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_14 - self.k_3 * w_13)
+            + self.k_5 * w_13 - mass_body_q1_body_q0 * l_body_q3_body_q0;
         let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
@@ -1098,13 +1100,12 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let k_body_q3_body_q2 = body_q2 * body_q3 * w_10
-            + body_q1 * body_q0 * w_squared * self.k_6
+        let k_body_q3_body_q2 = body_q2 * body_q3 * w_11 + body_q1 * body_q0 * w_12
             - mass_body_q2_body_q0 * l_body_q3_body_q0
             - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
         let rhs_body_q3 = S::from_f64(8.0) * w
-            * (body_q2 * w_6 - body_q1 * w_7 - body_q0 * w_8) - body_q3 * self.k_5 * w_9
+            * (body_q2 * w_6 - body_q1 * w_7 - body_q0 * w_8) - body_q3 * w_10
             - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
             - l_body_q3_body_q2 * rhs_body_q2;
         let mass_body_q3_body_q3 = w_squared
@@ -1178,7 +1179,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     }
     /// The derivatives of accelerations (7 rows) and multipliers (1 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 666 additions, 1116 multiplications, 6 divisions.
+    /// Operations: 666 additions, 1039 multiplications, 6 divisions.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1199,46 +1200,47 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             + body_q1 * body_q3_dot;
         let w_3 = body_q0 * body_q3_dot - body_q3 * body_q0_dot - body_q1 * body_q2_dot
             + body_q2 * body_q1_dot;
-        let w_4 = w_2 * w_3;
+        let w_4 = w_3 * self.k_9;
         let w_5 = body_q0 * body_q1_dot - body_q1 * body_q0_dot - body_q2 * body_q3_dot
             + body_q3 * body_q2_dot;
         let w_6 = body_q0 * body_q0_dot + body_q1 * body_q1_dot + body_q2 * body_q2_dot
             + body_q3 * body_q3_dot;
         let w_7 = w_5 * w_6;
-        let w_8 = w_squared * (self.k_9 * w_4 - self.A * w_7);
+        let w_8 = w_squared * (w_2 * w_4 - self.A * w_7);
         let w_9 = body_q1 * w_8;
-        let w_10 = w_3 * w_5;
+        let w_10 = w_5 * self.k_10;
         let w_11 = w_2 * w_6;
-        let w_12 = w_squared * (self.k_10 * w_10 - self.B * w_11);
+        let w_12 = w_squared * (w_3 * w_10 - self.B * w_11);
         let w_13 = body_q2 * w_12;
-        let w_14 = w_2 * w_5;
+        let w_14 = w_2 * self.k_11;
         let w_15 = w_3 * w_6;
-        let w_16 = w_squared * (self.k_11 * w_14 - self.C * w_15);
+        let w_16 = w_squared * (w_5 * w_14 - self.C * w_15);
         let w_17 = body_q3 * w_16;
         let w_18 = w_9 + w_13 + w_17;
         let w_19 = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
             + body_q2_dot * body_q2_dot + body_q3_dot * body_q3_dot;
-        let rhs_body_q0 = S::from_f64(8.0) * w * w_18 - body_q0 * self.k_5 * w_19;
-        let w_20 = body_q3 * w_12;
-        let w_21 = body_q0 * w_8;
-        let w_22 = body_q2 * w_16;
-        let w_23 = self.k_5 - w_squared * self.k_2;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_23
-            + body_q2 * body_q3 * w_squared * self.k_6;
+        let w_20 = self.k_5 * w_19;
+        let rhs_body_q0 = S::from_f64(8.0) * w * w_18 - body_q0 * w_20;
+        let w_21 = body_q3 * w_12;
+        let w_22 = body_q0 * w_8;
+        let w_23 = body_q2 * w_16;
+        let w_24 = self.k_5 - w_squared * self.k_2;
+        let w_25 = body_q3 * w_squared;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_24 + body_q2 * self.k_6 * w_25;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
         let inverse_body_q0 = S::from_f64(1.0) / mass_body_q0_body_q0;
         let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
-        let rhs_body_q1 = S::from_f64(8.0) * w * (w_20 - w_21 - w_22)
-            - body_q1 * self.k_5 * w_19 - rhs_body_q0 * l_body_q1_body_q0;
-        let w_24 = body_q1 * w_16;
-        let w_25 = body_q3 * w_8;
-        let w_26 = body_q0 * w_12;
-        let w_27 = body_q1 * body_q3;
-        let w_28 = body_q0 * body_q2;
-        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_27 - self.k_3 * w_28)
-            + self.k_5 * w_28;
+        let rhs_body_q1 = S::from_f64(8.0) * w * (w_21 - w_22 - w_23) - body_q1 * w_20
+            - rhs_body_q0 * l_body_q1_body_q0;
+        let w_26 = body_q1 * w_16;
+        let w_27 = body_q3 * w_8;
+        let w_28 = body_q0 * w_12;
+        let w_29 = body_q1 * body_q3;
+        let w_30 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_29 - self.k_3 * w_30)
+            + self.k_5 * w_30;
         let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
@@ -1246,22 +1248,21 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let w_29 = body_q0 * body_q3;
-        let w_30 = body_q1 * body_q2;
-        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_29 - self.k_4 * w_30)
-            + self.k_5 * w_30 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_31 = body_q0 * body_q3;
+        let w_32 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_31 - self.k_4 * w_32)
+            + self.k_5 * w_32 - mass_body_q1_body_q0 * l_body_q2_body_q0;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
-        let rhs_body_q2 = S::from_f64(8.0) * w * (w_24 - w_25 - w_26)
-            - body_q2 * self.k_5 * w_19 - rhs_body_q0 * l_body_q2_body_q0
-            - l_body_q2_body_q1 * rhs_body_q1;
-        let w_31 = body_q2 * w_8;
-        let w_32 = body_q1 * w_12;
-        let w_33 = body_q0 * w_16;
-        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_30 - self.k_4 * w_29)
-            + self.k_5 * w_29;
+        let rhs_body_q2 = S::from_f64(8.0) * w * (w_26 - w_27 - w_28) - body_q2 * w_20
+            - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
+        let w_33 = body_q2 * w_8;
+        let w_34 = body_q1 * w_12;
+        let w_35 = body_q0 * w_16;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_32 - self.k_4 * w_31)
+            + self.k_5 * w_31;
         let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_28 - self.k_3 * w_27)
-            + self.k_5 * w_27 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_30 - self.k_3 * w_29)
+            + self.k_5 * w_29 - mass_body_q1_body_q0 * l_body_q3_body_q0;
         let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
@@ -1270,40 +1271,43 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let k_body_q3_body_q2 = body_q2 * body_q3 * w_23
+        let k_body_q3_body_q2 = body_q2 * body_q3 * w_24
             + body_q1 * body_q0 * w_squared * self.k_6
             - mass_body_q2_body_q0 * l_body_q3_body_q0
             - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
-        let rhs_body_q3 = S::from_f64(8.0) * w * (w_31 - w_32 - w_33)
-            - body_q3 * self.k_5 * w_19 - rhs_body_q0 * l_body_q3_body_q0
-            - l_body_q3_body_q1 * rhs_body_q1 - l_body_q3_body_q2 * rhs_body_q2;
-        let w_34 = body_q2_dot * w_3;
-        let w_35 = body_q3_dot * w_2;
-        let w_36 = body_q1_dot * w_6;
-        let w_37 = body_q0_dot * w_5;
-        let w_38 = w * w_squared;
-        let w_39 = self.k_2 * w_7;
-        let w_40 = w_38 * (self.k_6 * w_4 + w_39);
-        let w_41 = w_squared * (self.k_9 * (w_34 + w_35) - self.A * (w_36 + w_37))
-            + body_q0 * w_40;
-        let w_42 = body_q1_dot * w_3;
-        let w_43 = body_q3_dot * w_5;
-        let w_44 = body_q2_dot * w_6;
-        let w_45 = body_q0_dot * w_2;
-        let w_46 = self.k_3 * w_11;
-        let w_47 = w_38 * (self.k_7 * w_10 + w_46);
-        let w_48 = w_squared * (self.k_10 * (w_42 + w_43) - self.B * (w_44 + w_45))
-            + body_q0 * w_47;
-        let w_49 = body_q1_dot * w_2;
-        let w_50 = body_q2_dot * w_5;
-        let w_51 = body_q3_dot * w_6;
-        let w_52 = body_q0_dot * w_3;
-        let w_53 = self.k_4 * w_15;
-        let w_54 = w_squared * (self.k_11 * (w_49 + w_50) - self.C * (w_51 + w_52))
-            + body_q0 * w_38 * (self.k_8 * w_14 + w_53);
-        let w_55 = S::from_f64(8.0) * w
-            * (body_q1 * w_41 + body_q2 * w_48 + body_q3 * w_54);
+        let rhs_body_q3 = S::from_f64(8.0) * w * (w_33 - w_34 - w_35) - body_q3 * w_20
+            - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
+            - l_body_q3_body_q2 * rhs_body_q2;
+        let w_36 = body_q2_dot * w_3;
+        let w_37 = body_q3_dot * w_2;
+        let w_38 = body_q1_dot * w_6;
+        let w_39 = body_q0_dot * w_5;
+        let w_40 = w * w_squared;
+        let w_41 = w_2 * w_3;
+        let w_42 = self.k_2 * w_7;
+        let w_43 = w_40 * (self.k_6 * w_41 + w_42);
+        let w_44 = w_squared * (self.k_9 * (w_36 + w_37) - self.A * (w_38 + w_39))
+            + body_q0 * w_43;
+        let w_45 = body_q1_dot * w_3;
+        let w_46 = body_q3_dot * w_5;
+        let w_47 = body_q2_dot * w_6;
+        let w_48 = body_q0_dot * w_2;
+        let w_49 = w_3 * w_5;
+        let w_50 = self.k_3 * w_11;
+        let w_51 = w_40 * (self.k_7 * w_49 + w_50);
+        let w_52 = w_squared * (self.k_10 * (w_45 + w_46) - self.B * (w_47 + w_48))
+            + body_q0 * w_51;
+        let w_53 = body_q1_dot * w_2;
+        let w_54 = body_q2_dot * w_5;
+        let w_55 = body_q3_dot * w_6;
+        let w_56 = body_q0_dot * w_3;
+        let w_57 = w_2 * w_5;
+        let w_58 = self.k_4 * w_15;
+        let w_59 = w_squared * (self.k_11 * (w_53 + w_54) - self.C * (w_55 + w_56))
+            + body_q0 * w_40 * (self.k_8 * w_57 + w_58);
+        let w_60 = S::from_f64(8.0) * w
+            * (body_q1 * w_44 + body_q2 * w_52 + body_q3 * w_59);
         let mass_body_q3_body_q3 = w_squared
             * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
                 + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
@@ -1346,446 +1350,385 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let body_q1_ddot = inverse_body_q1 * rhs_body_q1
             - l_body_q2_body_q1 * body_q2_ddot - l_body_q3_body_q1 * body_q3_ddot
             - l_lambda_body_norm_body_q1 * lambda_body_norm;
-        let w_56 = w_squared * self.k_15;
-        let w_57 = body_q2 * w_29;
-        let w_58 = body_q1 * (w_56 - body_q0_squared * w_38 * self.k_16 - self.k)
-            + w_38 * self.k_19 * w_57;
-        let w_59 = w_squared * self.k_20;
-        let w_60 = body_q1 * w_29;
-        let w_61 = body_q2 * (body_q0_squared * w_38 * self.k_17 - w_59 + self.k)
-            + w_38 * self.k_21 * w_60;
-        let w_62 = w_squared * self.k_22;
-        let w_63 = body_q0 * w_30;
-        let w_64 = body_q3 * (w_62 - body_q0_squared * w_38 * self.k_18 - self.k)
-            + w_38 * self.k_23 * w_63;
-        let w_65 = S::from_f64(2.0) * lambda_body_norm;
-        let w_66 = self.k_5 * w_19;
+        let w_61 = w_squared * self.k_15;
+        let w_62 = body_q0_squared * w_40;
+        let w_63 = body_q3 * w_40;
+        let w_64 = body_q0 * w_63;
+        let w_65 = body_q2 * w_64;
+        let w_66 = body_q1 * (w_61 - self.k_16 * w_62 - self.k) + self.k_19 * w_65;
+        let w_67 = w_squared * self.k_20;
+        let w_68 = body_q1 * w_64;
+        let w_69 = body_q2 * (self.k_17 * w_62 - w_67 + self.k) + self.k_21 * w_68;
+        let w_70 = w_squared * self.k_22;
+        let w_71 = body_q0 * w_32;
+        let w_72 = w_40 * w_71;
+        let w_73 = body_q3 * (w_70 - self.k_18 * w_62 - self.k) + self.k_23 * w_72;
+        let w_74 = S::from_f64(2.0) * lambda_body_norm;
         let body_q0_ddot = rhs_body_q0 * inverse_body_q0
             - l_body_q1_body_q0 * body_q1_ddot - l_body_q2_body_q0 * body_q2_ddot
             - l_body_q3_body_q0 * body_q3_ddot
             - l_lambda_body_norm_body_q0 * lambda_body_norm;
-        let w_67 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
-            * (w_38
+        let w_75 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
+            * (w_40
                 * (body_q1_squared * self.k_12 + body_q2_squared * self.k_13
                     + body_q3_squared * self.k_14) - self.k);
-        let w_68 = w_55 - S::from_f64(16.0) * body_q0 * w_squared * w_18
+        let w_76 = w_60 - S::from_f64(16.0) * body_q0 * w_squared * w_18
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_58 - body_q2_ddot * w_61 + body_q3_ddot * w_64)
-            - w_65 - w_66 + w_67;
-        let w_69 = self.A * w_squared;
-        let w_70 = body_q3_squared * self.k_25;
-        let w_71 = body_q2_squared * self.k_26;
-        let w_72 = body_q0 * body_q0_squared;
-        let w_73 = body_q1_ddot
-            * (body_q0 * (w_69 - w_38 * (w_70 + w_71)) - w_38 * w_72 * self.k_24);
-        let w_74 = S::from_f64(8.0)
-            * (w * (body_q3 * w_48 - w_8 - body_q0 * w_41 - body_q2 * w_54) - w_73);
-        let w_75 = w_squared * self.k_10;
-        let w_76 = body_q2 * (w_75 + body_q0_squared * self.k_7 * w_38)
-            - self.k_3 * w_38 * w_60;
-        let w_77 = w_squared * self.k_27;
-        let w_78 = body_q3 * (w_77 + body_q0_squared * w_38 * self.k_28)
-            + self.k_4 * w_38 * w_63;
-        let w_79 = w_74
+                * (body_q1_ddot * w_66 - body_q2_ddot * w_69 + body_q3_ddot * w_73)
+            - w_74 - w_20 + w_75;
+        let w_77 = self.A * w_squared;
+        let w_78 = body_q3_squared * self.k_25;
+        let w_79 = body_q2_squared * self.k_26;
+        let w_80 = body_q0 * body_q0_squared;
+        let w_81 = w_40 * self.k_24;
+        let w_82 = w * (body_q3 * w_52 - w_8 - body_q0 * w_44 - body_q2 * w_59)
+            - body_q1_ddot * (body_q0 * (w_77 - w_40 * (w_78 + w_79)) - w_80 * w_81);
+        let w_83 = w_squared * self.k_10;
+        let w_84 = body_q2 * (w_83 + self.k_7 * w_62) - self.k_3 * w_68;
+        let w_85 = w_squared * self.k_27;
+        let w_86 = body_q3 * (w_85 + w_62 * self.k_28) + self.k_4 * w_72;
+        let w_87 = S::from_f64(1.3333333333333333) * body_q0_ddot;
+        let w_88 = S::from_f64(8.0) * w_82
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_22 - w_20) + body_q0_squared * w_8)
-            + S::from_f64(4.0) * (body_q3_ddot * w_76 - body_q2_ddot * w_78)
-            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_58;
-        let w_80 = w_79 - l_body_q1_body_q0 * w_68;
-        let w_81 = body_q3_squared * self.k_24;
-        let w_82 = body_q1_squared * self.k_26;
-        let w_83 = w_squared * self.B;
-        let w_84 = body_q2_ddot
-            * (body_q0 * (w_38 * (w_81 + w_82) - w_83) + w_38 * w_72 * self.k_25);
-        let w_85 = S::from_f64(8.0)
-            * (w * (body_q1 * w_54 - body_q3 * w_41 - w_12 - body_q0 * w_48) + w_84);
-        let w_86 = body_q1 * self.k_29;
-        let w_87 = w_38
-            * (body_q2 * self.k_2 * w_29 + body_q1 * body_q0_squared * self.k_30)
-            + w_squared * w_86;
-        let w_88 = w_85
+                * (body_q0 * (w_23 - w_21) + body_q0_squared * w_8)
+            + S::from_f64(4.0) * (body_q3_ddot * w_84 - body_q2_ddot * w_86)
+            + w_66 * w_87;
+        let w_89 = w_88 - l_body_q1_body_q0 * w_76;
+        let w_90 = body_q3_squared * self.k_24;
+        let w_91 = body_q1_squared * self.k_26;
+        let w_92 = w_squared * self.B;
+        let w_93 = w_40 * self.k_25;
+        let w_94 = w * (body_q1 * w_59 - body_q3 * w_44 - w_12 - body_q0 * w_52)
+            + body_q2_ddot * (body_q0 * (w_40 * (w_90 + w_91) - w_92) + w_80 * w_93);
+        let w_95 = self.k_2 * w_31;
+        let w_96 = w_squared * self.k_29;
+        let w_97 = w_40 * (body_q2 * w_95 + body_q1 * body_q0_squared * self.k_30)
+            + body_q1 * w_96;
+        let w_98 = S::from_f64(8.0) * w_94
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_25 - w_24) + body_q0_squared * w_12)
-            - S::from_f64(4.0) * (body_q1_ddot * w_78 + body_q3_ddot * w_87)
-            - S::from_f64(1.3333333333333333) * body_q0_ddot * w_61;
-        let w_89 = w_88 - l_body_q2_body_q0 * w_68 - l_body_q2_body_q1 * w_80;
-        let w_90 = body_q2_squared * self.k_24;
-        let w_91 = body_q1_squared * self.k_25;
-        let w_92 = w_squared * self.C;
-        let w_93 = body_q3_ddot
-            * (body_q0 * (w_38 * (w_90 + w_91) - w_92) + w_38 * w_72 * self.k_26);
-        let w_94 = S::from_f64(8.0)
-            * (w * (body_q2 * w_41 - body_q1 * w_48 - w_16 - body_q0 * w_54) + w_93);
-        let w_95 = w_94
+                * (body_q0 * (w_27 - w_26) + body_q0_squared * w_12)
+            - S::from_f64(4.0) * (body_q1_ddot * w_86 + body_q3_ddot * w_97)
+            - w_69 * w_87;
+        let w_99 = w_98 - l_body_q2_body_q0 * w_76 - l_body_q2_body_q1 * w_89;
+        let w_100 = body_q2_squared * self.k_24;
+        let w_101 = body_q1_squared * self.k_25;
+        let w_102 = w_squared * self.C;
+        let w_103 = w_40 * self.k_26;
+        let w_104 = w * (body_q2 * w_44 - body_q1 * w_52 - w_16 - body_q0 * w_59)
+            + body_q3_ddot * (body_q0 * (w_40 * (w_100 + w_101) - w_102) + w_80 * w_103);
+        let w_105 = S::from_f64(8.0) * w_104
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_32 - w_31) + body_q0_squared * w_16)
-            + S::from_f64(4.0) * (body_q1_ddot * w_76 - body_q2_ddot * w_87)
-            + S::from_f64(1.3333333333333333) * body_q0_ddot * w_64;
-        let w_96 = w_95 - l_body_q3_body_q0 * w_68 - l_body_q3_body_q1 * w_80
-            - l_body_q3_body_q2 * w_89;
-        let w_97 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_68
-                + l_lambda_body_norm_body_q1 * w_80 + l_lambda_body_norm_body_q2 * w_89
-                + l_lambda_body_norm_body_q3 * w_96);
-        let w_98 = inverse_body_q3 * w_96 - l_lambda_body_norm_body_q3 * w_97;
-        let w_99 = inverse_body_q2 * w_89 - l_body_q3_body_q2 * w_98
-            - l_lambda_body_norm_body_q2 * w_97;
-        let w_100 = inverse_body_q1 * w_80 - l_body_q2_body_q1 * w_99
-            - l_body_q3_body_q1 * w_98 - l_lambda_body_norm_body_q1 * w_97;
-        let w_101 = body_q0_dot * w_6;
-        let w_102 = w_squared
-            * (self.A * (w_101 - body_q1_dot * w_5) + body_q3_dot * w_3 * self.k_9
-                + body_q2_dot * w_2 * self.k_29) + body_q1 * w_40;
-        let w_103 = w_38 * (w_10 * self.k_31 - w_46);
-        let w_104 = w_squared * (self.B * (w_49 + w_51) + self.k_10 * (w_50 + w_52))
-            + body_q1 * w_103;
-        let w_105 = w_38 * (w_14 * self.k_28 - w_53);
-        let w_106 = w_squared
-            * (self.C * (w_42 - w_44) + body_q3_dot * w_5 * self.k_27
-                + body_q0_dot * w_2 * self.k_11) + body_q1 * w_105;
-        let w_107 = body_q2_squared * self.k_25;
-        let w_108 = body_q3_squared * self.k_26;
-        let w_109 = body_q1 * body_q1_squared;
-        let w_110 = body_q0_ddot
-            * (body_q1 * (w_69 - w_38 * (w_107 + w_108)) - w_38 * self.k_24 * w_109);
-        let w_111 = S::from_f64(8.0)
-            * (w * (w_8 + body_q1 * w_102 - body_q2 * w_104 - body_q3 * w_106) - w_110);
-        let w_112 = body_q2 * (w_squared * self.k_11 + body_q1_squared * self.k_8 * w_38)
-            - self.k_4 * w_38 * w_60;
-        let w_113 = body_q3 * self.k_33;
-        let w_114 = w_38
-            * (body_q0 * self.k_3 * w_30 + body_q1_squared * body_q3 * self.k_31)
-            + w_squared * w_113;
-        let w_115 = body_q3 * w_30;
-        let w_116 = body_q0 * (body_q1_squared * w_38 * self.k_16 + self.k - w_56)
-            + w_38 * self.k_32 * w_115;
-        let w_117 = w_111
+                * (body_q0 * (w_34 - w_33) + body_q0_squared * w_16)
+            + S::from_f64(4.0) * (body_q1_ddot * w_84 - body_q2_ddot * w_97)
+            + w_73 * w_87;
+        let w_106 = w_105 - l_body_q3_body_q0 * w_76 - l_body_q3_body_q1 * w_89
+            - l_body_q3_body_q2 * w_99;
+        let w_107 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_76
+                + l_lambda_body_norm_body_q1 * w_89 + l_lambda_body_norm_body_q2 * w_99
+                + l_lambda_body_norm_body_q3 * w_106);
+        let w_108 = inverse_body_q3 * w_106 - l_lambda_body_norm_body_q3 * w_107;
+        let w_109 = inverse_body_q2 * w_99 - l_body_q3_body_q2 * w_108
+            - l_lambda_body_norm_body_q2 * w_107;
+        let w_110 = inverse_body_q1 * w_89 - l_body_q2_body_q1 * w_109
+            - l_body_q3_body_q1 * w_108 - l_lambda_body_norm_body_q1 * w_107;
+        let w_111 = body_q0_dot * w_6;
+        let w_112 = body_q1_dot * w_5;
+        let w_113 = body_q2_dot * w_2;
+        let w_114 = w_squared
+            * (self.A * (w_111 - w_112) + body_q3_dot * w_4 + self.k_29 * w_113)
+            + body_q1 * w_43;
+        let w_115 = w_40 * (w_49 * self.k_31 - w_50);
+        let w_116 = w_squared * (self.B * (w_53 + w_55) + self.k_10 * (w_54 + w_56))
+            + body_q1 * w_115;
+        let w_117 = w_5 * self.k_27;
+        let w_118 = w_40 * (w_57 * self.k_28 - w_58);
+        let w_119 = w_squared
+            * (self.C * (w_45 - w_47) + body_q3_dot * w_117 + body_q0_dot * w_14)
+            + body_q1 * w_118;
+        let w_120 = body_q2_squared * self.k_25;
+        let w_121 = body_q3_squared * self.k_26;
+        let w_122 = body_q1 * body_q1_squared;
+        let w_123 = w * (w_8 + body_q1 * w_114 - body_q2 * w_116 - body_q3 * w_119)
+            - body_q0_ddot * (body_q1 * (w_77 - w_40 * (w_120 + w_121)) - w_81 * w_122);
+        let w_124 = body_q1_squared * w_40;
+        let w_125 = body_q2 * (w_squared * self.k_11 + self.k_8 * w_124)
+            - self.k_4 * w_68;
+        let w_126 = w_40 * (self.k_3 * w_71 + body_q1_squared * body_q3 * self.k_31)
+            + w_25 * self.k_33;
+        let w_127 = w_32 * w_63;
+        let w_128 = body_q0 * (self.k_16 * w_124 + self.k - w_61) + self.k_32 * w_127;
+        let w_129 = S::from_f64(1.3333333333333333) * body_q1_ddot;
+        let w_130 = S::from_f64(8.0) * w_123
             - S::from_f64(16.0) * w_squared
                 * (body_q1 * (w_13 + w_17) + body_q1_squared * w_8)
-            + S::from_f64(4.0) * (body_q3_ddot * w_112 - body_q2_ddot * w_114)
-            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_116;
-        let w_118 = S::from_f64(8.0) * w
-            * (body_q2 * w_106 - body_q0 * w_102 - body_q3 * w_104);
-        let w_119 = body_q2 * (w_62 - self.k - body_q1_squared * w_38 * self.k_18)
-            + w_38 * w_60 * self.k_23;
-        let w_120 = body_q3 * (self.k - w_59 + body_q1_squared * w_38 * self.k_17)
-            + w_38 * self.k_21 * w_63;
-        let w_121 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
-            * (w_38
+            + S::from_f64(4.0) * (body_q3_ddot * w_125 - body_q2_ddot * w_126)
+            - w_128 * w_129;
+        let w_131 = S::from_f64(8.0) * w
+            * (body_q2 * w_119 - body_q0 * w_114 - body_q3 * w_116);
+        let w_132 = body_q2 * (w_70 - self.k - self.k_18 * w_124) + w_68 * self.k_23;
+        let w_133 = body_q3 * (self.k - w_67 + self.k_17 * w_124) + self.k_21 * w_72;
+        let w_134 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
+            * (w_40
                 * (body_q0_squared * self.k_12 + body_q3_squared * self.k_13
                     + body_q2_squared * self.k_14) - self.k);
-        let w_122 = S::from_f64(16.0) * body_q1 * w_squared * (w_21 - w_20 + w_22)
-            + w_118
+        let w_135 = S::from_f64(16.0) * body_q1 * w_squared * (w_22 - w_21 + w_23)
+            + w_131
             + S::from_f64(1.3333333333333333)
-                * (body_q2_ddot * w_119 - body_q0_ddot * w_116 - body_q3_ddot * w_120)
-            - w_65 - w_66 + w_121;
-        let w_123 = w_122 - l_body_q1_body_q0 * w_117;
-        let w_124 = body_q0_squared * self.k_25;
-        let w_125 = body_q2_ddot
-            * (body_q1 * (w_38 * (w_124 + w_81) - w_92) + w_38 * self.k_26 * w_109);
-        let w_126 = S::from_f64(8.0)
-            * (w * (w_16 - body_q3 * w_102 + body_q0 * w_104 - body_q1 * w_106) + w_125);
-        let w_127 = body_q0
-            * (w_squared * self.k_29 + body_q1_squared * w_38 * self.k_30)
-            + self.k_2 * w_38 * w_115;
-        let w_128 = w_126
+                * (body_q2_ddot * w_132 - body_q0_ddot * w_128 - body_q3_ddot * w_133)
+            - w_74 - w_20 + w_134;
+        let w_136 = w_135 - l_body_q1_body_q0 * w_130;
+        let w_137 = body_q0_squared * self.k_25;
+        let w_138 = w * (w_16 - body_q3 * w_114 + body_q0 * w_116 - body_q1 * w_119)
+            + body_q2_ddot * (body_q1 * (w_40 * (w_137 + w_90) - w_102) + w_103 * w_122);
+        let w_139 = body_q0 * (w_96 + self.k_30 * w_124) + self.k_2 * w_127;
+        let w_140 = S::from_f64(8.0) * w_138
             + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_26 + w_25) - body_q1_squared * w_16)
-            - S::from_f64(4.0) * (body_q0_ddot * w_114 + body_q3_ddot * w_127)
-            + S::from_f64(1.3333333333333333) * body_q1_ddot * w_119;
-        let w_129 = w_128 - l_body_q2_body_q0 * w_117 - l_body_q2_body_q1 * w_123;
-        let w_130 = body_q0_squared * self.k_26;
-        let w_131 = body_q3_ddot
-            * (body_q1 * (w_83 - w_38 * (w_130 + w_90)) - w_38 * self.k_25 * w_109);
-        let w_132 = S::from_f64(8.0)
-            * (w * (body_q2 * w_102 - w_12 + body_q1 * w_104 + body_q0 * w_106) - w_131);
-        let w_133 = w_132
+                * (body_q1 * (w_28 + w_27) - body_q1_squared * w_16)
+            - S::from_f64(4.0) * (body_q0_ddot * w_126 + body_q3_ddot * w_139)
+            + w_129 * w_132;
+        let w_141 = w_140 - l_body_q2_body_q0 * w_130 - l_body_q2_body_q1 * w_136;
+        let w_142 = body_q0_squared * self.k_26;
+        let w_143 = w * (body_q2 * w_114 - w_12 + body_q1 * w_116 + body_q0 * w_119)
+            - body_q3_ddot * (body_q1 * (w_92 - w_40 * (w_142 + w_100)) - w_93 * w_122);
+        let w_144 = S::from_f64(8.0) * w_143
             + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_33 - w_31) + body_q1_squared * w_12)
-            + S::from_f64(4.0) * (body_q0_ddot * w_112 - body_q2_ddot * w_127)
-            - S::from_f64(1.3333333333333333) * body_q1_ddot * w_120;
-        let w_134 = w_133 - l_body_q3_body_q0 * w_117 - l_body_q3_body_q1 * w_123
-            - l_body_q3_body_q2 * w_129;
-        let w_135 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_117
-                + l_lambda_body_norm_body_q1 * w_123 + l_lambda_body_norm_body_q2 * w_129
-                + l_lambda_body_norm_body_q3 * w_134);
-        let w_136 = inverse_body_q3 * w_134 - l_lambda_body_norm_body_q3 * w_135;
-        let w_137 = inverse_body_q2 * w_129 - l_body_q3_body_q2 * w_136
-            - l_lambda_body_norm_body_q2 * w_135;
-        let w_138 = inverse_body_q1 * w_123 - l_body_q2_body_q1 * w_137
-            - l_body_q3_body_q1 * w_136 - l_lambda_body_norm_body_q1 * w_135;
-        let w_139 = w_38 * (w_4 * self.k_30 - w_39);
-        let w_140 = w_squared
-            * (self.A * (w_50 - w_51) + body_q1_dot * w_2 * self.k_29
-                + body_q0_dot * w_3 * self.k_9) + body_q2 * w_139;
-        let w_141 = w_squared
-            * (self.B * (w_101 - body_q2_dot * w_2) + body_q3_dot * w_3 * self.k_33
-                + body_q1_dot * w_5 * self.k_10) + body_q2 * w_47;
-        let w_142 = w_squared * (self.C * (w_34 + w_36) + self.k_11 * (w_35 + w_37))
-            + body_q2 * w_105;
-        let w_143 = body_q1_squared * self.k_24;
-        let w_144 = body_q2 * body_q2_squared;
-        let w_145 = body_q0_ddot
-            * (body_q2 * (w_83 - w_38 * (w_143 + w_108)) - w_38 * self.k_25 * w_144);
-        let w_146 = S::from_f64(8.0)
-            * (w * (w_12 - body_q1 * w_140 + body_q2 * w_141 - body_q3 * w_142) - w_145);
-        let w_147 = body_q3 * self.k_29;
-        let w_148 = w_38
-            * (body_q0 * self.k_2 * w_30 + body_q2_squared * body_q3 * self.k_30)
-            + w_squared * w_147;
-        let w_149 = body_q1 * (w_77 + body_q2_squared * w_38 * self.k_28)
-            + self.k_4 * w_38 * w_57;
-        let w_150 = body_q0 * (body_q2_squared * w_38 * self.k_17 + self.k - w_59)
-            + w_38 * self.k_21 * w_115;
-        let w_151 = w_146
+                * (body_q1 * (w_35 - w_33) + body_q1_squared * w_12)
+            + S::from_f64(4.0) * (body_q0_ddot * w_125 - body_q2_ddot * w_139)
+            - w_129 * w_133;
+        let w_145 = w_144 - l_body_q3_body_q0 * w_130 - l_body_q3_body_q1 * w_136
+            - l_body_q3_body_q2 * w_141;
+        let w_146 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_130
+                + l_lambda_body_norm_body_q1 * w_136 + l_lambda_body_norm_body_q2 * w_141
+                + l_lambda_body_norm_body_q3 * w_145);
+        let w_147 = inverse_body_q3 * w_145 - l_lambda_body_norm_body_q3 * w_146;
+        let w_148 = inverse_body_q2 * w_141 - l_body_q3_body_q2 * w_147
+            - l_lambda_body_norm_body_q2 * w_146;
+        let w_149 = inverse_body_q1 * w_136 - l_body_q2_body_q1 * w_148
+            - l_body_q3_body_q1 * w_147 - l_lambda_body_norm_body_q1 * w_146;
+        let w_150 = w_40 * (w_41 * self.k_30 - w_42);
+        let w_151 = w_squared
+            * (self.A * (w_54 - w_55) + w_53 * self.k_29 + body_q0_dot * w_4)
+            + body_q2 * w_150;
+        let w_152 = w_3 * self.k_33;
+        let w_153 = w_squared
+            * (self.B * (w_111 - w_113) + body_q3_dot * w_152 + body_q1_dot * w_10)
+            + body_q2 * w_51;
+        let w_154 = w_squared * (self.C * (w_36 + w_38) + self.k_11 * (w_37 + w_39))
+            + body_q2 * w_118;
+        let w_155 = body_q1_squared * self.k_24;
+        let w_156 = body_q2 * body_q2_squared;
+        let w_157 = w * (w_12 - body_q1 * w_151 + body_q2 * w_153 - body_q3 * w_154)
+            - body_q0_ddot * (body_q2 * (w_92 - w_40 * (w_155 + w_121)) - w_93 * w_156);
+        let w_158 = w_40 * (self.k_2 * w_71 + body_q2_squared * body_q3 * self.k_30)
+            + body_q3 * w_96;
+        let w_159 = body_q2_squared * w_40;
+        let w_160 = body_q1 * (w_85 + self.k_28 * w_159) + self.k_4 * w_65;
+        let w_161 = body_q0 * (self.k_17 * w_159 + self.k - w_67) + self.k_21 * w_127;
+        let w_162 = S::from_f64(1.3333333333333333) * body_q2_ddot;
+        let w_163 = S::from_f64(8.0) * w_157
             - S::from_f64(16.0) * w_squared
                 * (body_q2 * (w_9 + w_17) + body_q2_squared * w_12)
-            - S::from_f64(4.0) * (body_q1_ddot * w_148 + body_q3_ddot * w_149)
-            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_150;
-        let w_152 = body_q0_squared * self.k_24;
-        let w_153 = body_q1_ddot
-            * (body_q2 * (w_38 * (w_152 + w_70) - w_92) + w_38 * self.k_26 * w_144);
-        let w_154 = S::from_f64(8.0)
-            * (w * (body_q0 * w_140 - w_16 + body_q3 * w_141 + body_q2 * w_142) + w_153);
-        let w_155 = body_q0 * (w_75 + body_q2_squared * self.k_7 * w_38)
-            - self.k_3 * w_38 * w_115;
-        let w_156 = body_q1 * (self.k - w_62 + body_q2_squared * w_38 * self.k_18)
-            + w_38 * w_57 * self.k_34;
-        let w_157 = w_154
+            - S::from_f64(4.0) * (body_q1_ddot * w_158 + body_q3_ddot * w_160)
+            - w_161 * w_162;
+        let w_164 = body_q0_squared * self.k_24;
+        let w_165 = w * (body_q0 * w_151 - w_16 + body_q3 * w_153 + body_q2 * w_154)
+            + body_q1_ddot * (body_q2 * (w_40 * (w_164 + w_78) - w_102) + w_103 * w_156);
+        let w_166 = body_q0 * (w_83 + self.k_7 * w_159) - self.k_3 * w_127;
+        let w_167 = body_q1 * (self.k - w_70 + self.k_18 * w_159) + w_65 * self.k_34;
+        let w_168 = S::from_f64(8.0) * w_165
             + S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_21 - w_20) + body_q2_squared * w_16)
-            + S::from_f64(4.0) * (body_q3_ddot * w_155 - body_q0_ddot * w_148)
-            - S::from_f64(1.3333333333333333) * body_q2_ddot * w_156;
-        let w_158 = w_157 - l_body_q1_body_q0 * w_151;
-        let w_159 = S::from_f64(8.0) * w
-            * (body_q3 * w_140 - body_q0 * w_141 - body_q1 * w_142);
-        let w_160 = body_q3 * (w_56 - self.k - body_q2_squared * w_38 * self.k_16)
-            + w_38 * self.k_19 * w_63;
-        let w_161 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
-            * (w_38
+                * (body_q2 * (w_22 - w_21) + body_q2_squared * w_16)
+            + S::from_f64(4.0) * (body_q3_ddot * w_166 - body_q0_ddot * w_158)
+            - w_162 * w_167;
+        let w_169 = w_168 - l_body_q1_body_q0 * w_163;
+        let w_170 = S::from_f64(8.0) * w
+            * (body_q3 * w_151 - body_q0 * w_153 - body_q1 * w_154);
+        let w_171 = body_q3 * (w_61 - self.k - self.k_16 * w_159) + self.k_19 * w_72;
+        let w_172 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
+            * (w_40
                 * (body_q0_squared * self.k_13 + body_q1_squared * self.k_14
                     + body_q3_squared * self.k_12) - self.k);
-        let w_162 = S::from_f64(16.0) * body_q2 * w_squared * (w_26 - w_24 + w_25)
-            + w_159
+        let w_173 = S::from_f64(16.0) * body_q2 * w_squared * (w_28 - w_26 + w_27)
+            + w_170
             + S::from_f64(1.3333333333333333)
-                * (body_q3_ddot * w_160 - body_q0_ddot * w_150 - body_q1_ddot * w_156)
-            - w_65 - w_66 + w_161;
-        let w_163 = w_162 - l_body_q2_body_q0 * w_151 - l_body_q2_body_q1 * w_158;
-        let w_164 = body_q3_ddot
-            * (body_q2 * (w_69 - w_38 * (w_130 + w_91)) - w_38 * self.k_24 * w_144);
-        let w_165 = S::from_f64(8.0)
-            * (w * (w_8 - body_q2 * w_140 - body_q1 * w_141 + body_q0 * w_142) - w_164);
-        let w_166 = w_165
+                * (body_q3_ddot * w_171 - body_q0_ddot * w_161 - body_q1_ddot * w_167)
+            - w_74 - w_20 + w_172;
+        let w_174 = w_173 - l_body_q2_body_q0 * w_163 - l_body_q2_body_q1 * w_169;
+        let w_175 = w * (w_8 - body_q2 * w_151 - body_q1 * w_153 + body_q0 * w_154)
+            - body_q3_ddot * (body_q2 * (w_77 - w_40 * (w_142 + w_101)) - w_81 * w_156);
+        let w_176 = S::from_f64(8.0) * w_175
             + S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_33 + w_32) - body_q2_squared * w_8)
-            + S::from_f64(4.0) * (body_q1_ddot * w_155 - body_q0_ddot * w_149)
-            + S::from_f64(1.3333333333333333) * body_q2_ddot * w_160;
-        let w_167 = w_166 - l_body_q3_body_q0 * w_151 - l_body_q3_body_q1 * w_158
-            - l_body_q3_body_q2 * w_163;
-        let w_168 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_151
-                + l_lambda_body_norm_body_q1 * w_158 + l_lambda_body_norm_body_q2 * w_163
-                + l_lambda_body_norm_body_q3 * w_167);
-        let w_169 = inverse_body_q3 * w_167 - l_lambda_body_norm_body_q3 * w_168;
-        let w_170 = inverse_body_q2 * w_163 - l_body_q3_body_q2 * w_169
-            - l_lambda_body_norm_body_q2 * w_168;
-        let w_171 = inverse_body_q1 * w_158 - l_body_q2_body_q1 * w_170
-            - l_body_q3_body_q1 * w_169 - l_lambda_body_norm_body_q1 * w_168;
-        let w_172 = w_squared * (self.A * (w_43 + w_44) + self.k_9 * (w_42 + w_45))
-            + body_q3 * w_139;
-        let w_173 = w_squared
-            * (self.B * (w_35 - w_36) + body_q2_dot * w_3 * self.k_33
-                + body_q0_dot * w_5 * self.k_10) + body_q3 * w_103;
-        let w_174 = w_squared
-            * (self.C * (body_q3_dot * w_3 - w_101) + body_q2_dot * w_2 * self.k_27
-                + body_q1_dot * w_5 * self.k_11) + body_q3 * w_105;
-        let w_175 = body_q3 * body_q3_squared;
-        let w_176 = body_q0_ddot
-            * (body_q3 * (w_92 - w_38 * (w_143 + w_107)) - w_38 * self.k_26 * w_175);
-        let w_177 = S::from_f64(8.0)
-            * (w * (w_16 - body_q1 * w_172 - body_q2 * w_173 - body_q3 * w_174) - w_176);
-        let w_178 = body_q1 * (w_75 + body_q3_squared * self.k_7 * w_38)
-            - self.k_3 * w_38 * w_57;
-        let w_179 = w_38
-            * (body_q1 * self.k_2 * w_29 + body_q2 * body_q3_squared * self.k_30)
-            + body_q2 * w_squared * self.k_29;
-        let w_180 = body_q0 * (body_q3_squared * w_38 * self.k_18 + self.k - w_62)
-            + w_38 * w_115 * self.k_34;
-        let w_181 = w_177
+                * (body_q2 * (w_35 + w_34) - body_q2_squared * w_8)
+            + S::from_f64(4.0) * (body_q1_ddot * w_166 - body_q0_ddot * w_160)
+            + w_162 * w_171;
+        let w_177 = w_176 - l_body_q3_body_q0 * w_163 - l_body_q3_body_q1 * w_169
+            - l_body_q3_body_q2 * w_174;
+        let w_178 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_163
+                + l_lambda_body_norm_body_q1 * w_169 + l_lambda_body_norm_body_q2 * w_174
+                + l_lambda_body_norm_body_q3 * w_177);
+        let w_179 = inverse_body_q3 * w_177 - l_lambda_body_norm_body_q3 * w_178;
+        let w_180 = inverse_body_q2 * w_174 - l_body_q3_body_q2 * w_179
+            - l_lambda_body_norm_body_q2 * w_178;
+        let w_181 = inverse_body_q1 * w_169 - l_body_q2_body_q1 * w_180
+            - l_body_q3_body_q1 * w_179 - l_lambda_body_norm_body_q1 * w_178;
+        let w_182 = w_squared * (self.A * (w_46 + w_47) + self.k_9 * (w_45 + w_48))
+            + body_q3 * w_150;
+        let w_183 = w_squared
+            * (self.B * (w_37 - w_38) + body_q2_dot * w_152 + body_q0_dot * w_10)
+            + body_q3 * w_115;
+        let w_184 = w_squared
+            * (self.C * (body_q3_dot * w_3 - w_111) + self.k_27 * w_113
+                + self.k_11 * w_112) + body_q3 * w_118;
+        let w_185 = body_q3 * body_q3_squared;
+        let w_186 = w * (w_16 - body_q1 * w_182 - body_q2 * w_183 - body_q3 * w_184)
+            - body_q0_ddot
+                * (body_q3 * (w_102 - w_40 * (w_155 + w_120)) - w_103 * w_185);
+        let w_187 = body_q3_squared * w_40;
+        let w_188 = body_q1 * (w_83 + self.k_7 * w_187) - self.k_3 * w_65;
+        let w_189 = w_40 * (body_q1 * w_95 + body_q2 * body_q3_squared * self.k_30)
+            + body_q2 * w_96;
+        let w_190 = body_q0 * (self.k_18 * w_187 + self.k - w_70) + w_127 * self.k_34;
+        let w_191 = S::from_f64(1.3333333333333333) * body_q3_ddot;
+        let w_192 = S::from_f64(8.0) * w_186
             - S::from_f64(16.0) * w_squared
                 * (body_q3 * (w_9 + w_13) + body_q3_squared * w_16)
-            + S::from_f64(4.0) * (body_q2_ddot * w_178 - body_q1_ddot * w_179)
-            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_180;
-        let w_182 = body_q1_ddot
-            * (body_q3 * (w_38 * (w_152 + w_71) - w_83) + w_38 * self.k_25 * w_175);
-        let w_183 = S::from_f64(8.0)
-            * (w * (w_12 + body_q0 * w_172 - body_q3 * w_173 + body_q2 * w_174) + w_182);
-        let w_184 = body_q0 * (w_77 + body_q3_squared * w_38 * self.k_28)
-            + self.k_4 * w_38 * w_115;
-        let w_185 = body_q1 * (w_59 - self.k - body_q3_squared * w_38 * self.k_17)
-            + w_38 * w_57 * self.k_35;
-        let w_186 = w_183
+            + S::from_f64(4.0) * (body_q2_ddot * w_188 - body_q1_ddot * w_189)
+            - w_190 * w_191;
+        let w_193 = w * (w_12 + body_q0 * w_182 - body_q3 * w_183 + body_q2 * w_184)
+            + body_q1_ddot * (body_q3 * (w_40 * (w_164 + w_79) - w_92) + w_93 * w_185);
+        let w_194 = body_q0 * (w_85 + self.k_28 * w_187) + self.k_4 * w_127;
+        let w_195 = body_q1 * (w_67 - self.k - self.k_17 * w_187) + w_65 * self.k_35;
+        let w_196 = S::from_f64(8.0) * w_193
             + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_21 + w_22) - body_q3_squared * w_12)
-            - S::from_f64(4.0) * (body_q0_ddot * w_179 + body_q2_ddot * w_184)
-            + S::from_f64(1.3333333333333333) * body_q3_ddot * w_185;
-        let w_187 = w_186 - l_body_q1_body_q0 * w_181;
-        let w_188 = body_q2_ddot
-            * (body_q3 * (w_69 - w_38 * (w_124 + w_82)) - w_38 * self.k_24 * w_175);
-        let w_189 = S::from_f64(8.0)
-            * (w * (body_q3 * w_172 - w_8 + body_q0 * w_173 - body_q1 * w_174) - w_188);
-        let w_190 = body_q2 * (self.k - w_56 + body_q3_squared * w_38 * self.k_16)
-            + w_38 * w_60 * self.k_32;
-        let w_191 = w_189
+                * (body_q3 * (w_22 + w_23) - body_q3_squared * w_12)
+            - S::from_f64(4.0) * (body_q0_ddot * w_189 + body_q2_ddot * w_194)
+            + w_191 * w_195;
+        let w_197 = w_196 - l_body_q1_body_q0 * w_192;
+        let w_198 = w * (body_q3 * w_182 - w_8 + body_q0 * w_183 - body_q1 * w_184)
+            - body_q2_ddot * (body_q3 * (w_77 - w_40 * (w_137 + w_91)) - w_81 * w_185);
+        let w_199 = body_q2 * (self.k - w_61 + self.k_16 * w_187) + w_68 * self.k_32;
+        let w_200 = S::from_f64(8.0) * w_198
             + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_26 - w_24) + body_q3_squared * w_8)
-            + S::from_f64(4.0) * (body_q0_ddot * w_178 - body_q1_ddot * w_184)
-            - S::from_f64(1.3333333333333333) * body_q3_ddot * w_190;
-        let w_192 = w_191 - l_body_q2_body_q0 * w_181 - l_body_q2_body_q1 * w_187;
-        let w_193 = S::from_f64(8.0) * w
-            * (body_q1 * w_173 - body_q2 * w_172 + body_q0 * w_174);
-        let w_194 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
-            * (w_38
+                * (body_q3 * (w_28 - w_26) + body_q3_squared * w_8)
+            + S::from_f64(4.0) * (body_q0_ddot * w_188 - body_q1_ddot * w_194)
+            - w_191 * w_199;
+        let w_201 = w_200 - l_body_q2_body_q0 * w_192 - l_body_q2_body_q1 * w_197;
+        let w_202 = S::from_f64(8.0) * w
+            * (body_q1 * w_183 - body_q2 * w_182 + body_q0 * w_184);
+        let w_203 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
+            * (w_40
                 * (body_q0_squared * self.k_14 + body_q1_squared * self.k_13
                     + body_q2_squared * self.k_12) - self.k);
-        let w_195 = S::from_f64(16.0) * body_q3 * w_squared * (w_33 + w_32 - w_31)
-            + w_193
+        let w_204 = S::from_f64(16.0) * body_q3 * w_squared * (w_35 + w_34 - w_33)
+            + w_202
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_185 - body_q0_ddot * w_180 - body_q2_ddot * w_190)
-            - w_65 - w_66 + w_194;
-        let w_196 = w_195 - l_body_q3_body_q0 * w_181 - l_body_q3_body_q1 * w_187
-            - l_body_q3_body_q2 * w_192;
-        let w_197 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_181
-                + l_lambda_body_norm_body_q1 * w_187 + l_lambda_body_norm_body_q2 * w_192
-                + l_lambda_body_norm_body_q3 * w_196);
-        let w_198 = inverse_body_q3 * w_196 - l_lambda_body_norm_body_q3 * w_197;
-        let w_199 = inverse_body_q2 * w_192 - l_body_q3_body_q2 * w_198
-            - l_lambda_body_norm_body_q2 * w_197;
-        let w_200 = inverse_body_q1 * w_187 - l_body_q2_body_q1 * w_199
-            - l_body_q3_body_q1 * w_198 - l_lambda_body_norm_body_q1 * w_197;
-        let w_201 = body_q2 * w_3;
-        let w_202 = body_q3 * w_2;
-        let w_203 = body_q0 * w_5;
-        let w_204 = body_q1 * w_6;
-        let w_205 = w_squared * (self.k_9 * (w_201 + w_202) + self.A * (w_203 - w_204));
-        let w_206 = body_q1 * w_3;
-        let w_207 = body_q3 * w_5;
-        let w_208 = body_q0 * w_2;
-        let w_209 = body_q2 * w_6;
-        let w_210 = w_squared * (self.k_10 * (w_206 + w_207) + self.B * (w_208 - w_209));
-        let w_211 = body_q1 * w_2;
-        let w_212 = body_q2 * w_5;
-        let w_213 = body_q0 * w_3;
-        let w_214 = body_q3 * w_6;
-        let w_215 = w_squared * (self.k_11 * (w_211 + w_212) + self.C * (w_213 - w_214));
-        let w_216 = body_q0 * self.k_36;
-        let w_217 = S::from_f64(8.0) * w
-            * (body_q1 * w_205 + body_q2 * w_210 + body_q3 * w_215)
-            + body_q0_dot * w_216;
-        let w_218 = body_q1 * self.k_36;
-        let w_219 = S::from_f64(8.0) * w
-            * (body_q0 * w_205 - body_q3 * w_210 + body_q2 * w_215) - body_q0_dot * w_218
-            + l_body_q1_body_q0 * w_217;
-        let w_220 = body_q2 * self.k_36;
-        let w_221 = S::from_f64(8.0) * w
-            * (body_q3 * w_205 + body_q0 * w_210 - body_q1 * w_215) - body_q0_dot * w_220
-            + l_body_q2_body_q0 * w_217 - l_body_q2_body_q1 * w_219;
-        let w_222 = body_q3 * self.k_36;
-        let w_223 = S::from_f64(8.0) * w
-            * (body_q1 * w_210 - body_q2 * w_205 + body_q0 * w_215) - body_q0_dot * w_222
-            + l_body_q3_body_q0 * w_217 - l_body_q3_body_q1 * w_219
-            - l_body_q3_body_q2 * w_221;
-        let w_224 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q0 * w_217 - S::from_f64(4.0) * body_q0_dot
-                - l_lambda_body_norm_body_q1 * w_219 - l_lambda_body_norm_body_q2 * w_221
-                - l_lambda_body_norm_body_q3 * w_223);
-        let w_225 = inverse_body_q3 * w_223 + l_lambda_body_norm_body_q3 * w_224;
-        let w_226 = inverse_body_q2 * w_221 - l_body_q3_body_q2 * w_225
-            + l_lambda_body_norm_body_q2 * w_224;
-        let w_227 = inverse_body_q1 * w_219 - l_body_q2_body_q1 * w_226
-            - l_body_q3_body_q1 * w_225 + l_lambda_body_norm_body_q1 * w_224;
-        let w_228 = body_q0 * w_6;
-        let w_229 = w_squared
-            * (body_q2 * w_2 * self.k_9 - self.A * (w_228 + body_q1 * w_5)
-                + w_3 * w_147);
-        let w_230 = w_squared * (self.B * (w_211 - w_214) + self.k_33 * (w_212 + w_213));
-        let w_231 = w_squared
-            * (body_q3 * w_5 * self.k_27 - self.C * (w_206 + w_209)
-                + body_q0 * w_2 * self.k_11);
+                * (body_q1_ddot * w_195 - body_q0_ddot * w_190 - body_q2_ddot * w_199)
+            - w_74 - w_20 + w_203;
+        let w_205 = w_204 - l_body_q3_body_q0 * w_192 - l_body_q3_body_q1 * w_197
+            - l_body_q3_body_q2 * w_201;
+        let w_206 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_192
+                + l_lambda_body_norm_body_q1 * w_197 + l_lambda_body_norm_body_q2 * w_201
+                + l_lambda_body_norm_body_q3 * w_205);
+        let w_207 = inverse_body_q3 * w_205 - l_lambda_body_norm_body_q3 * w_206;
+        let w_208 = inverse_body_q2 * w_201 - l_body_q3_body_q2 * w_207
+            - l_lambda_body_norm_body_q2 * w_206;
+        let w_209 = inverse_body_q1 * w_197 - l_body_q2_body_q1 * w_208
+            - l_body_q3_body_q1 * w_207 - l_lambda_body_norm_body_q1 * w_206;
+        let w_210 = body_q2 * w_3;
+        let w_211 = body_q3 * w_2;
+        let w_212 = body_q0 * w_5;
+        let w_213 = body_q1 * w_6;
+        let w_214 = w_squared * (self.k_9 * (w_210 + w_211) + self.A * (w_212 - w_213));
+        let w_215 = body_q1 * w_3;
+        let w_216 = body_q3 * w_5;
+        let w_217 = body_q0 * w_2;
+        let w_218 = body_q2 * w_6;
+        let w_219 = w_squared * (self.k_10 * (w_215 + w_216) + self.B * (w_217 - w_218));
+        let w_220 = body_q1 * w_2;
+        let w_221 = body_q2 * w_5;
+        let w_222 = body_q0 * w_3;
+        let w_223 = body_q3 * w_6;
+        let w_224 = w_squared * (self.k_11 * (w_220 + w_221) + self.C * (w_222 - w_223));
+        let w_225 = body_q0 * self.k_36;
+        let w_226 = S::from_f64(8.0) * w
+            * (body_q1 * w_214 + body_q2 * w_219 + body_q3 * w_224)
+            + body_q0_dot * w_225;
+        let w_227 = body_q1 * self.k_36;
+        let w_228 = S::from_f64(8.0) * w
+            * (body_q0 * w_214 - body_q3 * w_219 + body_q2 * w_224) - body_q0_dot * w_227
+            + l_body_q1_body_q0 * w_226;
+        let w_229 = body_q2 * self.k_36;
+        let w_230 = S::from_f64(8.0) * w
+            * (body_q3 * w_214 + body_q0 * w_219 - body_q1 * w_224) - body_q0_dot * w_229
+            + l_body_q2_body_q0 * w_226 - l_body_q2_body_q1 * w_228;
+        let w_231 = body_q3 * self.k_36;
         let w_232 = S::from_f64(8.0) * w
-            * (body_q1 * w_229 - body_q2 * w_230 + body_q3 * w_231)
-            - body_q1_dot * w_216;
-        let w_233 = S::from_f64(8.0) * w
-            * (body_q0 * w_229 + body_q3 * w_230 + body_q2 * w_231) + body_q1_dot * w_218
-            + l_body_q1_body_q0 * w_232;
-        let w_234 = S::from_f64(8.0) * w
-            * (body_q0 * w_230 - body_q3 * w_229 + body_q1 * w_231) - body_q1_dot * w_220
-            - l_body_q2_body_q0 * w_232 + l_body_q2_body_q1 * w_233;
-        let w_235 = S::from_f64(8.0) * w
-            * (body_q2 * w_229 + body_q1 * w_230 - body_q0 * w_231) - body_q1_dot * w_222
-            - l_body_q3_body_q0 * w_232 + l_body_q3_body_q1 * w_233
-            - l_body_q3_body_q2 * w_234;
-        let w_236 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q1 * w_233 - S::from_f64(4.0) * body_q1_dot
-                - l_lambda_body_norm_body_q0 * w_232 - l_lambda_body_norm_body_q2 * w_234
-                - l_lambda_body_norm_body_q3 * w_235);
-        let w_237 = inverse_body_q3 * w_235 + l_lambda_body_norm_body_q3 * w_236;
-        let w_238 = inverse_body_q2 * w_234 - l_body_q3_body_q2 * w_237
-            + l_lambda_body_norm_body_q2 * w_236;
-        let w_239 = l_lambda_body_norm_body_q1 * w_236 - inverse_body_q1 * w_233
-            - l_body_q2_body_q1 * w_238 - l_body_q3_body_q1 * w_237;
+            * (body_q1 * w_219 - body_q2 * w_214 + body_q0 * w_224) - body_q0_dot * w_231
+            + l_body_q3_body_q0 * w_226 - l_body_q3_body_q1 * w_228
+            - l_body_q3_body_q2 * w_230;
+        let w_233 = minus_inverse_lambda_body_norm
+            * (l_lambda_body_norm_body_q0 * w_226 - S::from_f64(4.0) * body_q0_dot
+                - l_lambda_body_norm_body_q1 * w_228 - l_lambda_body_norm_body_q2 * w_230
+                - l_lambda_body_norm_body_q3 * w_232);
+        let w_234 = inverse_body_q3 * w_232 + l_lambda_body_norm_body_q3 * w_233;
+        let w_235 = inverse_body_q2 * w_230 - l_body_q3_body_q2 * w_234
+            + l_lambda_body_norm_body_q2 * w_233;
+        let w_236 = inverse_body_q1 * w_228 - l_body_q2_body_q1 * w_235
+            - l_body_q3_body_q1 * w_234 + l_lambda_body_norm_body_q1 * w_233;
+        let w_237 = body_q2 * w_2;
+        let w_238 = body_q0 * w_6;
+        let w_239 = body_q3 * w_3;
         let w_240 = w_squared
-            * (w_2 * w_86 - self.A * (w_212 + w_214) + body_q0 * w_3 * self.k_9);
-        let w_241 = w_squared
-            * (self.B * (body_q2 * w_2 + w_228) + w_3 * w_113
-                + body_q1 * w_5 * self.k_10);
-        let w_242 = w_squared * (self.C * (w_201 - w_204) + self.k_27 * (w_202 + w_203));
+            * (self.k_9 * w_237 - self.A * (w_238 + body_q1 * w_5) + self.k_29 * w_239);
+        let w_241 = w_squared * (self.B * (w_220 - w_223) + self.k_33 * (w_221 + w_222));
+        let w_242 = w_squared
+            * (body_q3 * w_117 - self.C * (w_215 + w_218) + body_q0 * w_14);
         let w_243 = S::from_f64(8.0) * w
-            * (body_q1 * w_240 - body_q2 * w_241 - body_q3 * w_242)
-            - body_q2_dot * w_216;
+            * (body_q1 * w_240 - body_q2 * w_241 + body_q3 * w_242)
+            - body_q1_dot * w_225;
         let w_244 = S::from_f64(8.0) * w
-            * (body_q2 * w_242 - body_q0 * w_240 - body_q3 * w_241) - body_q2_dot * w_218
-            - l_body_q1_body_q0 * w_243;
+            * (body_q0 * w_240 + body_q3 * w_241 + body_q2 * w_242) + body_q1_dot * w_227
+            + l_body_q1_body_q0 * w_243;
         let w_245 = S::from_f64(8.0) * w
-            * (body_q0 * w_241 - body_q3 * w_240 - body_q1 * w_242) - body_q2_dot * w_220
-            - l_body_q2_body_q0 * w_243 - l_body_q2_body_q1 * w_244;
+            * (body_q0 * w_241 - body_q3 * w_240 + body_q1 * w_242) - body_q1_dot * w_229
+            - l_body_q2_body_q0 * w_243 + l_body_q2_body_q1 * w_244;
         let w_246 = S::from_f64(8.0) * w
-            * (body_q2 * w_240 + body_q1 * w_241 + body_q0 * w_242) - body_q2_dot * w_222
-            - l_body_q3_body_q0 * w_243 - l_body_q3_body_q1 * w_244
+            * (body_q2 * w_240 + body_q1 * w_241 - body_q0 * w_242) - body_q1_dot * w_231
+            - l_body_q3_body_q0 * w_243 + l_body_q3_body_q1 * w_244
             - l_body_q3_body_q2 * w_245;
         let w_247 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_243
-                + l_lambda_body_norm_body_q1 * w_244 + l_lambda_body_norm_body_q2 * w_245
-                + l_lambda_body_norm_body_q3 * w_246);
-        let w_248 = inverse_body_q3 * w_246 - l_lambda_body_norm_body_q3 * w_247;
+            * (l_lambda_body_norm_body_q1 * w_244 - S::from_f64(4.0) * body_q1_dot
+                - l_lambda_body_norm_body_q0 * w_243 - l_lambda_body_norm_body_q2 * w_245
+                - l_lambda_body_norm_body_q3 * w_246);
+        let w_248 = inverse_body_q3 * w_246 + l_lambda_body_norm_body_q3 * w_247;
         let w_249 = inverse_body_q2 * w_245 - l_body_q3_body_q2 * w_248
-            - l_lambda_body_norm_body_q2 * w_247;
-        let w_250 = inverse_body_q1 * w_244 - l_body_q2_body_q1 * w_249
-            - l_body_q3_body_q1 * w_248 - l_lambda_body_norm_body_q1 * w_247;
+            + l_lambda_body_norm_body_q2 * w_247;
+        let w_250 = l_lambda_body_norm_body_q1 * w_247 - inverse_body_q1 * w_244
+            - l_body_q2_body_q1 * w_249 - l_body_q3_body_q1 * w_248;
         let w_251 = w_squared
-            * (body_q2 * w_3 * self.k_33 - self.B * (w_202 + w_204)
-                + body_q0 * w_5 * self.k_10);
-        let w_252 = w_squared * (self.A * (w_207 - w_209) + self.k_29 * (w_206 + w_208));
-        let w_253 = w_squared
-            * (self.C * (body_q3 * w_3 + w_228) + body_q2 * w_2 * self.k_11
-                + body_q1 * w_5 * self.k_27);
+            * (self.k_29 * w_220 - self.A * (w_221 + w_223) + body_q0 * w_4);
+        let w_252 = w_squared
+            * (self.B * (w_237 + w_238) + body_q3 * w_152 + body_q1 * w_10);
+        let w_253 = w_squared * (self.C * (w_210 - w_213) + self.k_27 * (w_211 + w_212));
         let w_254 = S::from_f64(8.0) * w
-            * (body_q2 * w_251 - body_q1 * w_252 - body_q3 * w_253)
-            - body_q3_dot * w_216;
+            * (body_q1 * w_251 - body_q2 * w_252 - body_q3 * w_253)
+            - body_q2_dot * w_225;
         let w_255 = S::from_f64(8.0) * w
-            * (body_q0 * w_252 + body_q3 * w_251 + body_q2 * w_253) - body_q3_dot * w_218
+            * (body_q2 * w_253 - body_q0 * w_251 - body_q3 * w_252) - body_q2_dot * w_227
             - l_body_q1_body_q0 * w_254;
         let w_256 = S::from_f64(8.0) * w
-            * (body_q3 * w_252 - body_q0 * w_251 - body_q1 * w_253) - body_q3_dot * w_220
+            * (body_q0 * w_252 - body_q3 * w_251 - body_q1 * w_253) - body_q2_dot * w_229
             - l_body_q2_body_q0 * w_254 - l_body_q2_body_q1 * w_255;
         let w_257 = S::from_f64(8.0) * w
-            * (body_q0 * w_253 - body_q2 * w_252 - body_q1 * w_251) - body_q3_dot * w_222
+            * (body_q2 * w_251 + body_q1 * w_252 + body_q0 * w_253) - body_q2_dot * w_231
             - l_body_q3_body_q0 * w_254 - l_body_q3_body_q1 * w_255
             - l_body_q3_body_q2 * w_256;
         let w_258 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_254
+            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_254
                 + l_lambda_body_norm_body_q1 * w_255 + l_lambda_body_norm_body_q2 * w_256
                 + l_lambda_body_norm_body_q3 * w_257);
         let w_259 = inverse_body_q3 * w_257 - l_lambda_body_norm_body_q3 * w_258;
@@ -1793,6 +1736,33 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - l_lambda_body_norm_body_q2 * w_258;
         let w_261 = inverse_body_q1 * w_255 - l_body_q2_body_q1 * w_260
             - l_body_q3_body_q1 * w_259 - l_lambda_body_norm_body_q1 * w_258;
+        let w_262 = w_squared
+            * (body_q2 * w_152 - self.B * (w_211 + w_213) + body_q0 * w_10);
+        let w_263 = w_squared * (self.A * (w_216 - w_218) + self.k_29 * (w_215 + w_217));
+        let w_264 = w_squared
+            * (self.C * (w_239 + w_238) + body_q2 * w_14 + body_q1 * w_117);
+        let w_265 = S::from_f64(8.0) * w
+            * (body_q2 * w_262 - body_q1 * w_263 - body_q3 * w_264)
+            - body_q3_dot * w_225;
+        let w_266 = S::from_f64(8.0) * w
+            * (body_q0 * w_263 + body_q3 * w_262 + body_q2 * w_264) - body_q3_dot * w_227
+            - l_body_q1_body_q0 * w_265;
+        let w_267 = S::from_f64(8.0) * w
+            * (body_q3 * w_263 - body_q0 * w_262 - body_q1 * w_264) - body_q3_dot * w_229
+            - l_body_q2_body_q0 * w_265 - l_body_q2_body_q1 * w_266;
+        let w_268 = S::from_f64(8.0) * w
+            * (body_q0 * w_264 - body_q2 * w_263 - body_q1 * w_262) - body_q3_dot * w_231
+            - l_body_q3_body_q0 * w_265 - l_body_q3_body_q1 * w_266
+            - l_body_q3_body_q2 * w_267;
+        let w_269 = minus_inverse_lambda_body_norm
+            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_265
+                + l_lambda_body_norm_body_q1 * w_266 + l_lambda_body_norm_body_q2 * w_267
+                + l_lambda_body_norm_body_q3 * w_268);
+        let w_270 = inverse_body_q3 * w_268 - l_lambda_body_norm_body_q3 * w_269;
+        let w_271 = inverse_body_q2 * w_267 - l_body_q3_body_q2 * w_270
+            - l_lambda_body_norm_body_q2 * w_269;
+        let w_272 = inverse_body_q1 * w_266 - l_body_q2_body_q1 * w_271
+            - l_body_q3_body_q1 * w_270 - l_lambda_body_norm_body_q1 * w_269;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
@@ -1826,45 +1796,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_body_q0 * w_68 - l_body_q1_body_q0 * w_100
-                        - l_body_q2_body_q0 * w_99 - l_body_q3_body_q0 * w_98
-                        - l_lambda_body_norm_body_q0 * w_97,
-                    inverse_body_q0 * w_117 - l_body_q1_body_q0 * w_138
-                        - l_body_q2_body_q0 * w_137 - l_body_q3_body_q0 * w_136
-                        - l_lambda_body_norm_body_q0 * w_135,
-                    inverse_body_q0 * w_151 - l_body_q1_body_q0 * w_171
-                        - l_body_q2_body_q0 * w_170 - l_body_q3_body_q0 * w_169
-                        - l_lambda_body_norm_body_q0 * w_168,
-                    inverse_body_q0 * w_181 - l_body_q1_body_q0 * w_200
-                        - l_body_q2_body_q0 * w_199 - l_body_q3_body_q0 * w_198
-                        - l_lambda_body_norm_body_q0 * w_197,
+                    inverse_body_q0 * w_76 - l_body_q1_body_q0 * w_110
+                        - l_body_q2_body_q0 * w_109 - l_body_q3_body_q0 * w_108
+                        - l_lambda_body_norm_body_q0 * w_107,
+                    inverse_body_q0 * w_130 - l_body_q1_body_q0 * w_149
+                        - l_body_q2_body_q0 * w_148 - l_body_q3_body_q0 * w_147
+                        - l_lambda_body_norm_body_q0 * w_146,
+                    inverse_body_q0 * w_163 - l_body_q1_body_q0 * w_181
+                        - l_body_q2_body_q0 * w_180 - l_body_q3_body_q0 * w_179
+                        - l_lambda_body_norm_body_q0 * w_178,
+                    inverse_body_q0 * w_192 - l_body_q1_body_q0 * w_209
+                        - l_body_q2_body_q0 * w_208 - l_body_q3_body_q0 * w_207
+                        - l_lambda_body_norm_body_q0 * w_206,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_100,
-                    w_138,
-                    w_171,
-                    w_200,
+                    w_110,
+                    w_149,
+                    w_181,
+                    w_209,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_99,
-                    w_137,
-                    w_170,
-                    w_199,
+                    w_109,
+                    w_148,
+                    w_180,
+                    w_208,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_98,
-                    w_136,
-                    w_169,
-                    w_198,
+                    w_108,
+                    w_147,
+                    w_179,
+                    w_207,
                 ],
             ],
             accelerations_by_speeds: [
@@ -1899,45 +1869,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    l_lambda_body_norm_body_q0 * w_224 - inverse_body_q0 * w_217
-                        - l_body_q1_body_q0 * w_227 - l_body_q2_body_q0 * w_226
-                        - l_body_q3_body_q0 * w_225,
-                    inverse_body_q0 * w_232 - l_body_q1_body_q0 * w_239
-                        - l_body_q2_body_q0 * w_238 - l_body_q3_body_q0 * w_237
-                        + l_lambda_body_norm_body_q0 * w_236,
+                    l_lambda_body_norm_body_q0 * w_233 - inverse_body_q0 * w_226
+                        - l_body_q1_body_q0 * w_236 - l_body_q2_body_q0 * w_235
+                        - l_body_q3_body_q0 * w_234,
                     inverse_body_q0 * w_243 - l_body_q1_body_q0 * w_250
                         - l_body_q2_body_q0 * w_249 - l_body_q3_body_q0 * w_248
-                        - l_lambda_body_norm_body_q0 * w_247,
+                        + l_lambda_body_norm_body_q0 * w_247,
                     inverse_body_q0 * w_254 - l_body_q1_body_q0 * w_261
                         - l_body_q2_body_q0 * w_260 - l_body_q3_body_q0 * w_259
                         - l_lambda_body_norm_body_q0 * w_258,
+                    inverse_body_q0 * w_265 - l_body_q1_body_q0 * w_272
+                        - l_body_q2_body_q0 * w_271 - l_body_q3_body_q0 * w_270
+                        - l_lambda_body_norm_body_q0 * w_269,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_227,
-                    w_239,
+                    w_236,
                     w_250,
                     w_261,
+                    w_272,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_226,
-                    w_238,
+                    w_235,
                     w_249,
                     w_260,
+                    w_271,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_225,
-                    w_237,
+                    w_234,
                     w_248,
                     w_259,
+                    w_270,
                 ],
             ],
             multipliers_by_positions: [
@@ -1945,10 +1915,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_97,
-                    w_135,
-                    w_168,
-                    w_197,
+                    w_107,
+                    w_146,
+                    w_178,
+                    w_206,
                 ],
             ],
             multipliers_by_speeds: [
@@ -1956,10 +1926,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -w_224,
-                    -w_236,
-                    w_247,
+                    -w_233,
+                    -w_247,
                     w_258,
+                    w_269,
                 ],
             ],
             refused: sim_kernel::pivot_is_refused(

@@ -606,7 +606,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 73 additions, 134 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 73 additions, 128 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -621,47 +621,49 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             psi,
             phi,
         ]);
-        let w = self.mass_phi_phi * psi_dot;
+        let w = cos_lean * psi_dot;
+        let w_2 = w * phi_dot;
         let rhs_lean = sin_lean
             * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot)
-                + self.k_4) + cos_lean * phi_dot * w;
-        let w_2 = sin_lean * psi_dot;
-        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_2 + phi_dot);
+                + self.k_4) + self.mass_phi_phi * w_2;
+        let w_3 = sin_lean * psi_dot;
+        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
         let mass_phi_psi = sin_lean * self.mass_phi_phi;
         let sin_lean_squared = sin_lean * sin_lean;
         let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
-        let rhs_phi = minus_rhs_psi * l_phi_psi - cos_lean * lean_dot * w;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - self.mass_phi_phi * lean_dot * w;
         let minus_slip_y_by_phi = self.r * sin_psi;
         let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
         let mass_lean_lean = self.k + sin_lean_squared * self.k_2;
         let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
         let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
-        let w_y = phi_dot + w_2;
-        let w_3 = sin_lean * w_y;
-        let w_4 = cos_lean * psi_dot;
-        let w_5 = sin_phi * lean_dot + cos_phi * w_4;
-        let w_6 = lean_dot * cos_phi - sin_phi * w_4;
+        let w_y = phi_dot + w_3;
+        let w_4 = sin_lean * w_y;
+        let w_5 = sin_phi * lean_dot + cos_phi * w;
+        let w_6 = lean_dot * cos_phi - sin_phi * w;
         let w_z = cos_phi * w_5 - sin_phi * w_6;
         let w_7 = cos_lean * w_z;
-        let w_8 = w_3 + w_7;
-        let w_9 = w_5 * phi_dot;
-        let w_10 = w_2 - phi_dot;
-        let w_11 = sin_phi * lean_dot * w_10 - cos_phi * w_4 * phi_dot;
-        let w_12 = lean_dot * cos_phi * w_10 + sin_phi * w_4 * phi_dot;
-        let w_13 = phi_dot * w_6;
-        let w_14 = sin_phi * (w_9 + w_11) + cos_phi * (w_12 + w_13);
-        let w_15 = cos_lean * (lean_dot * (w_y + w_2) - w_14)
-            - sin_lean * lean_dot * w_z;
+        let w_8 = w_4 + w_7;
+        let w_9 = sin_psi * w_8;
+        let w_10 = w_5 * phi_dot;
+        let w_11 = w_3 - phi_dot;
+        let w_12 = sin_phi * lean_dot * w_11 - cos_phi * w_2;
+        let w_13 = lean_dot * cos_phi * w_11 + sin_phi * w_2;
+        let w_14 = phi_dot * w_6;
+        let w_15 = sin_phi * (w_10 + w_12) + cos_phi * (w_13 + w_14);
+        let w_16 = sin_lean * lean_dot;
+        let w_17 = cos_lean * (lean_dot * (w_y + w_3) - w_15) - w_z * w_16;
         let w_x = cos_phi * w_6 + sin_phi * w_5;
-        let w_16 = cos_lean * w_y - sin_lean * w_z;
-        let w_17 = sin_lean
-            * (sin_psi * psi_dot * w_8 - cos_psi * w_15
-                + lean_dot * (sin_psi * w_x + cos_psi * w_16));
-        let w_18 = psi_dot * w_x
-            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_3 - w_7) + sin_lean * w_14);
-        let w_19 = cos_phi * (w_11 + w_9) - sin_phi * (w_13 + w_12) - psi_dot * w_16;
+        let w_18 = cos_lean * w_y - sin_lean * w_z;
+        let w_19 = sin_lean
+            * (psi_dot * w_9 - cos_psi * w_17
+                + lean_dot * (sin_psi * w_x + cos_psi * w_18));
+        let w_20 = cos_psi * w_8;
+        let w_21 = psi_dot * w_x
+            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_4 - w_7) + sin_lean * w_15);
+        let w_22 = cos_phi * (w_12 + w_10) - sin_phi * (w_14 + w_13) - psi_dot * w_18;
         let minus_slip_x_by_phi = self.r * cos_psi;
         let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
         let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
@@ -672,9 +674,8 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
         let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
             - self.r
-                * (w_17
-                    - cos_lean
-                        * (cos_psi * lean_dot * w_8 + (cos_psi * w_18 + sin_psi * w_19)))
+                * (w_19
+                    - cos_lean * (lean_dot * w_20 + (cos_psi * w_21 + sin_psi * w_22)))
             - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
         let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
             + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
@@ -692,20 +693,19 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
         let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
             * k_lambda_slip_y_lambda_slip_x;
-        let w_20 = sin_lean
-            * (cos_psi * psi_dot * w_8 + sin_psi * w_15
-                + lean_dot * (cos_psi * w_x - sin_psi * w_16));
+        let w_23 = sin_lean
+            * (psi_dot * w_20 + sin_psi * w_17
+                + lean_dot * (cos_psi * w_x - sin_psi * w_18));
         let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
             - self.r
-                * (cos_lean
-                    * (cos_psi * w_19 - sin_psi * w_18 - sin_psi * lean_dot * w_8)
-                    - w_20) - minus_rhs_psi * minus_l_lambda_slip_y_psi
-            - rhs_lean * l_lambda_slip_y_lean - l_lambda_slip_y_phi * rhs_phi;
-        let w_21 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
+                * (cos_lean * (cos_psi * w_22 - sin_psi * w_21 - lean_dot * w_9) - w_23)
+            - minus_rhs_psi * minus_l_lambda_slip_y_psi - rhs_lean * l_lambda_slip_y_lean
+            - l_lambda_slip_y_phi * rhs_phi;
+        let w_24 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
             + slip_y_by_lean * l_lambda_slip_y_lean
             + k_lambda_slip_y_phi * l_lambda_slip_y_phi + self.inverse_x;
         let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
-            * minus_l_lambda_slip_y_lambda_slip_x - w_21;
+            * minus_l_lambda_slip_y_lambda_slip_x - w_24;
         let lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y * rhs_lambda_slip_y;
         let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
             - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
@@ -722,7 +722,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
                 phi_ddot,
             ],
             multipliers: [lambda_slip_x, lambda_slip_y],
-            power: sin_lean * lean_dot * self.k_4,
+            power: self.k_4 * w_16,
             refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
@@ -731,12 +731,12 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_slip_x,
                     minus_pivot_lambda_slip_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_21),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_24),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (2 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 295 additions, 453 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 295 additions, 438 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -752,11 +752,11 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             phi,
         ]);
         let lean_dot_squared = lean_dot * lean_dot;
-        let w = self.k_2 * lean_dot_squared;
-        let w_2 = self.mass_phi_phi * psi_dot;
+        let w = cos_lean * psi_dot;
+        let w_2 = self.mass_phi_phi * w;
         let rhs_lean = sin_lean
-            * (cos_lean * (self.k * psi_dot * psi_dot - w) + self.k_4)
-            + cos_lean * phi_dot * w_2;
+            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot_squared)
+                + self.k_4) + phi_dot * w_2;
         let w_3 = sin_lean * psi_dot;
         let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
         let mass_phi_psi = sin_lean * self.mass_phi_phi;
@@ -764,7 +764,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
-        let rhs_phi = minus_rhs_psi * l_phi_psi - cos_lean * lean_dot * w_2;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - lean_dot * w_2;
         let minus_slip_y_by_phi = self.r * sin_psi;
         let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
         let w_4 = sin_lean_squared * self.k_2;
@@ -773,36 +773,38 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
         let w_y = phi_dot + w_3;
         let w_5 = sin_lean * w_y;
-        let w_6 = cos_lean * psi_dot;
-        let w_7 = sin_phi * lean_dot + cos_phi * w_6;
-        let w_8 = lean_dot * cos_phi - sin_phi * w_6;
-        let w_z = cos_phi * w_7 - sin_phi * w_8;
-        let w_9 = cos_lean * w_z;
-        let w_10 = w_5 + w_9;
-        let w_11 = sin_psi * psi_dot;
-        let w_12 = w_10 * w_11;
-        let w_13 = w_7 * phi_dot;
-        let w_14 = w_3 - phi_dot;
-        let w_15 = sin_phi * lean_dot * w_14 - cos_phi * w_6 * phi_dot;
-        let w_16 = lean_dot * cos_phi * w_14 + sin_phi * w_6 * phi_dot;
-        let w_17 = phi_dot * w_8;
-        let w_18 = sin_phi * (w_13 + w_15) + cos_phi * (w_16 + w_17);
-        let w_19 = sin_lean * lean_dot;
-        let w_20 = cos_lean * (lean_dot * (w_y + w_3) - w_18) - w_19 * w_z;
-        let w_21 = cos_phi * w_8;
-        let w_22 = sin_phi * w_7;
-        let w_x = w_21 + w_22;
-        let w_23 = sin_lean * w_z;
-        let w_24 = cos_lean * w_y - w_23;
-        let w_25 = sin_psi * w_x + cos_psi * w_24;
-        let w_26 = lean_dot * w_25;
-        let w_27 = cos_psi * lean_dot;
-        let w_28 = psi_dot * cos_lean * cos_lean;
-        let w_29 = sin_lean * w_18;
-        let w_30 = psi_dot * w_x + (lean_dot * (w_28 - w_5 - w_9) + w_29);
-        let w_31 = psi_dot * w_24;
-        let w_32 = cos_phi * (w_15 + w_13) - sin_phi * (w_17 + w_16) - w_31;
-        let w_33 = cos_psi * w_30 + sin_psi * w_32;
+        let w_6 = cos_phi * w;
+        let w_7 = sin_phi * lean_dot + w_6;
+        let w_8 = sin_phi * w;
+        let w_9 = lean_dot * cos_phi - w_8;
+        let w_z = cos_phi * w_7 - sin_phi * w_9;
+        let w_10 = cos_lean * w_z;
+        let w_11 = w_5 + w_10;
+        let w_12 = sin_psi * w_11;
+        let w_13 = psi_dot * w_12;
+        let w_14 = w_7 * phi_dot;
+        let w_15 = w_3 - phi_dot;
+        let w_16 = sin_phi * lean_dot * w_15 - w_6 * phi_dot;
+        let w_17 = lean_dot * cos_phi * w_15 + phi_dot * w_8;
+        let w_18 = phi_dot * w_9;
+        let w_19 = sin_phi * (w_14 + w_16) + cos_phi * (w_17 + w_18);
+        let w_20 = sin_lean * lean_dot;
+        let w_21 = cos_lean * (lean_dot * (w_y + w_3) - w_19) - w_20 * w_z;
+        let w_22 = cos_phi * w_9;
+        let w_23 = sin_phi * w_7;
+        let w_x = w_22 + w_23;
+        let w_24 = cos_lean * w_y;
+        let w_25 = sin_lean * w_z;
+        let w_26 = w_24 - w_25;
+        let w_27 = sin_psi * w_x + cos_psi * w_26;
+        let w_28 = lean_dot * w_27;
+        let w_29 = cos_psi * w_11;
+        let w_30 = psi_dot * cos_lean * cos_lean;
+        let w_31 = sin_lean * w_19;
+        let w_32 = psi_dot * w_x + (lean_dot * (w_30 - w_5 - w_10) + w_31);
+        let w_33 = psi_dot * w_26;
+        let w_34 = cos_phi * (w_16 + w_14) - sin_phi * (w_18 + w_17) - w_33;
+        let w_35 = cos_psi * w_32 + sin_psi * w_34;
         let minus_slip_x_by_phi = self.r * cos_psi;
         let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
         let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
@@ -813,8 +815,8 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
         let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
             - self.r
-                * (sin_lean * (w_12 - cos_psi * w_20 + w_26)
-                    - cos_lean * (w_10 * w_27 + w_33))
+                * (sin_lean * (w_13 - cos_psi * w_21 + w_28)
+                    - cos_lean * (lean_dot * w_29 + w_35))
             - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
         let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
             + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
@@ -832,16 +834,14 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
             - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
         let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
             * k_lambda_slip_y_lambda_slip_x;
-        let w_34 = cos_psi * w_32 - sin_psi * w_30;
-        let w_35 = sin_psi * lean_dot;
-        let w_36 = w_10 * w_35;
-        let w_37 = cos_psi * psi_dot;
-        let w_38 = w_10 * w_37;
-        let w_39 = cos_psi * w_x - sin_psi * w_24;
+        let w_36 = cos_psi * w_34 - sin_psi * w_32;
+        let w_37 = lean_dot * w_12;
+        let w_38 = psi_dot * w_29;
+        let w_39 = cos_psi * w_x - sin_psi * w_26;
         let w_40 = lean_dot * w_39;
         let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
             - self.r
-                * (cos_lean * (w_34 - w_36) - sin_lean * (w_38 + sin_psi * w_20 + w_40))
+                * (cos_lean * (w_36 - w_37) - sin_lean * (w_38 + sin_psi * w_21 + w_40))
             - minus_rhs_psi * minus_l_lambda_slip_y_psi - rhs_lean * l_lambda_slip_y_lean
             - l_lambda_slip_y_phi * rhs_phi;
         let w_41 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
@@ -858,135 +858,131 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let psi_ddot = minus_l_lambda_slip_x_psi * lambda_slip_x
             - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
             + minus_l_lambda_slip_y_psi * lambda_slip_y;
-        let w_42 = w_20 + psi_ddot;
+        let w_42 = w_21 + psi_ddot;
+        let w_43 = cos_lean * lean_dot;
         let lean_ddot = rhs_lean * inverse_lean
             + minus_l_lambda_slip_x_lean * lambda_slip_x
             - l_lambda_slip_y_lean * lambda_slip_y;
-        let w_43 = self.r
-            * (cos_psi * (sin_lean * w_42 + cos_lean * lean_dot * w_10 + phi_ddot)
-                - sin_lean * (w_12 + w_26) + cos_lean * (w_33 + sin_psi * lean_ddot));
-        let w_44 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
-        let w_45 = self.r * sin_lean * w_44;
-        let w_46 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
-        let w_47 = self.r * cos_lean * w_46;
-        let w_48 = self.r * w_44;
-        let w_49 = w_48 - l_phi_psi * w_45;
-        let w_50 = self.r
-            * (cos_lean * (w_34 - w_36 + cos_psi * lean_ddot)
+        let w_44 = self.r
+            * (cos_psi * (sin_lean * w_42 + w_11 * w_43 + phi_ddot)
+                - sin_lean * (w_13 + w_28) + cos_lean * (w_35 + sin_psi * lean_ddot));
+        let w_45 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
+        let w_46 = self.r * sin_lean * w_45;
+        let w_47 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
+        let w_48 = self.r * cos_lean * w_47;
+        let w_49 = self.r * w_45;
+        let w_50 = w_49 - l_phi_psi * w_46;
+        let w_51 = self.r
+            * (cos_lean * (w_36 - w_37 + cos_psi * lean_ddot)
                 - sin_lean * (sin_psi * w_42 + w_38 + w_40) - sin_psi * phi_ddot);
-        let w_51 = w_50 + minus_l_lambda_slip_x_psi * w_45
-            + minus_l_lambda_slip_x_lean * w_47 - l_lambda_slip_x_phi * w_49;
-        let w_52 = inverse_lambda_slip_y
-            * (w_43 + minus_l_lambda_slip_y_psi * w_45 - l_lambda_slip_y_lean * w_47
-                - l_lambda_slip_y_phi * w_49
-                + minus_l_lambda_slip_y_lambda_slip_x * w_51);
-        let w_53 = minus_l_lambda_slip_y_lambda_slip_x * w_52
-            - minus_inverse_lambda_slip_x * w_51;
-        let w_54 = lean_dot * w_24 + w_20 + psi_ddot;
-        let w_55 = sin_lean * cos_phi;
-        let w_56 = cos_lean * sin_phi;
-        let w_57 = psi_dot * (phi_dot * w_55 + lean_dot * w_56);
-        let w_58 = sin_lean * sin_phi;
-        let w_59 = cos_lean * cos_phi;
-        let w_60 = psi_dot * (phi_dot * w_58 - lean_dot * w_59);
-        let w_61 = psi_dot - w_5 - w_9;
-        let w_62 = cos_phi * w_57 + sin_phi * w_60 - sin_lean * psi_dot * phi_dot
-            - psi_dot * w_61;
-        let w_63 = cos_phi * w_60 - sin_phi * w_57;
-        let w_64 = cos_lean
-            * (lean_dot * (w_y + sin_lean * psi_dot * S::from_f64(2.0)) - w_18)
-            + sin_lean * (w_63 - lean_dot * w_z);
-        let w_65 = lean_dot * (w_10 + w_61)
+        let w_52 = w_51 + minus_l_lambda_slip_x_psi * w_46
+            + minus_l_lambda_slip_x_lean * w_48 - l_lambda_slip_x_phi * w_50;
+        let w_53 = inverse_lambda_slip_y
+            * (w_44 + minus_l_lambda_slip_y_psi * w_46 - l_lambda_slip_y_lean * w_48
+                - l_lambda_slip_y_phi * w_50
+                + minus_l_lambda_slip_y_lambda_slip_x * w_52);
+        let w_54 = minus_l_lambda_slip_y_lambda_slip_x * w_53
+            - minus_inverse_lambda_slip_x * w_52;
+        let w_55 = lean_dot * w_26 + w_21 + psi_ddot;
+        let w_56 = sin_lean * phi_dot;
+        let w_57 = psi_dot * (cos_phi * w_56 + sin_phi * w_43);
+        let w_58 = psi_dot * (sin_phi * w_56 - cos_phi * w_43);
+        let w_59 = psi_dot - w_5 - w_10;
+        let w_60 = cos_phi * w_57 + sin_phi * w_58 - phi_dot * w_3 - psi_dot * w_59;
+        let w_61 = cos_phi * w_58 - sin_phi * w_57;
+        let w_62 = cos_lean * (lean_dot * (w_y + w_3 * S::from_f64(2.0)) - w_19)
+            + sin_lean * (w_61 - lean_dot * w_z);
+        let w_63 = lean_dot * (w_11 + w_59)
             + (lean_dot
                 * (S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0))
-                    + w_5 + w_9) - w_29 - cos_lean * w_63);
-        let w_66 = cos_lean
-            * (sin_psi * w_54 + w_38 - (cos_psi * w_62 + sin_psi * w_64) + w_40)
-            + sin_lean * (cos_psi * (w_31 + lean_ddot) - sin_psi * w_65 + w_34);
-        let w_67 = self.k_2 * (psi_dot * (cos_lean * w_7 - w_y * w_55) - w_57);
-        let w_68 = self.k_2 * (psi_dot * (w_y * w_58 + cos_lean * w_8) + w_60);
+                    + w_5 + w_10) - w_31 - cos_lean * w_61);
+        let w_64 = cos_lean
+            * (sin_psi * w_55 + w_38 - (cos_psi * w_60 + sin_psi * w_62) + w_40)
+            + sin_lean * (cos_psi * (w_33 + lean_ddot) - sin_psi * w_63 + w_36);
+        let w_65 = self.k_2 * (psi_dot * (cos_lean * w_7 - cos_phi * w_5) - w_57);
+        let w_66 = self.k_2 * (psi_dot * (sin_phi * w_5 + cos_lean * w_9) + w_58);
+        let w_67 = psi_dot * w_20;
+        let w_68 = S::from_f64(0.25) * sin_lean
+            * (sin_phi * self.k_2 * (w_7 * w_y + (w_14 - sin_phi * w_67))
+                + cos_phi * self.k_2 * (w_y * w_9 + (w_18 - cos_phi * w_67)));
         let w_69 = cos_lean
-            * (self.r * w_46 - S::from_f64(0.25) * (sin_phi * w_67 + cos_phi * w_68)
-                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot));
-        let w_70 = sin_phi * self.k_2 * (w_7 * w_y + (w_13 - sin_phi * psi_dot * w_19))
-            + cos_phi * self.k_2 * (w_y * w_8 + (w_17 - psi_dot * cos_phi * w_19));
-        let w_71 = w_69 + S::from_f64(0.25) * sin_lean * w_70
+            * (self.r * w_47 - S::from_f64(0.25) * (sin_phi * w_65 + cos_phi * w_66)
+                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot)) + w_68
             + lean_dot * psi_dot * (w_4 - self.mass_phi_phi);
-        let w_72 = cos_lean * self.k_5;
-        let w_73 = sin_lean * (w_48 - lean_ddot * w_72)
-            + S::from_f64(0.25) * (cos_phi * w_67 - sin_phi * w_68)
-            + sin_lean_squared * w
+        let w_70 = cos_lean * self.k_5;
+        let w_71 = sin_lean * (w_49 - lean_ddot * w_70)
+            + S::from_f64(0.25) * (cos_phi * w_65 - sin_phi * w_66)
+            + w_4 * lean_dot_squared
             + cos_lean * (self.g - self.r * cos_lean * lean_dot_squared) * self.k_3;
-        let w_74 = self.mass_phi_phi
-            * (sin_lean * lean_dot * psi_dot - cos_lean * psi_ddot) - l_phi_psi * w_71;
-        let w_75 = sin_psi
-            * (psi_dot * (cos_lean * w_10 + sin_lean * w_24) + sin_lean * lean_ddot);
-        let w_76 = self.r
-            * (cos_psi * (cos_lean * w_54 - sin_lean * w_65) - w_75
-                + cos_lean * (sin_psi * w_62 - cos_psi * w_64 - w_26) - sin_lean * w_33);
-        let w_77 = w_76 + minus_l_lambda_slip_x_psi * w_71
-            + minus_l_lambda_slip_x_lean * w_73 - l_lambda_slip_x_phi * w_74;
-        let w_78 = inverse_lambda_slip_y
-            * (self.r * w_66 + minus_l_lambda_slip_y_psi * w_71
-                - l_lambda_slip_y_lean * w_73 - l_lambda_slip_y_phi * w_74
-                + minus_l_lambda_slip_y_lambda_slip_x * w_77);
-        let w_79 = minus_l_lambda_slip_y_lambda_slip_x * w_78
-            - minus_inverse_lambda_slip_x * w_77;
-        let w_80 = inverse_phi * w_49 - l_lambda_slip_x_phi * w_53
-            - l_lambda_slip_y_phi * w_52;
-        let w_81 = inverse_phi * w_74 - l_lambda_slip_x_phi * w_79
-            - l_lambda_slip_y_phi * w_78;
-        let w_82 = w_10 + psi_dot;
-        let w_83 = phi_dot * w_56 + cos_phi * w_19;
-        let w_84 = phi_dot * w_59 - sin_phi * w_19;
-        let w_85 = cos_phi * w_83 - sin_phi * w_84;
-        let w_86 = cos_lean * (w_19 - w_85);
-        let w_87 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_85);
-        let w_88 = w_24 + (cos_phi * w_84 + sin_phi * w_83 - cos_lean * phi_dot);
+        let w_72 = self.mass_phi_phi * (w_67 - cos_lean * psi_ddot) - l_phi_psi * w_69;
+        let w_73 = sin_psi
+            * (psi_dot * (cos_lean * w_11 + sin_lean * w_26) + sin_lean * lean_ddot);
+        let w_74 = self.r
+            * (cos_psi * (cos_lean * w_55 - sin_lean * w_63) - w_73
+                + cos_lean * (sin_psi * w_60 - cos_psi * w_62 - w_28) - sin_lean * w_35);
+        let w_75 = w_74 + minus_l_lambda_slip_x_psi * w_69
+            + minus_l_lambda_slip_x_lean * w_71 - l_lambda_slip_x_phi * w_72;
+        let w_76 = inverse_lambda_slip_y
+            * (self.r * w_64 + minus_l_lambda_slip_y_psi * w_69
+                - l_lambda_slip_y_lean * w_71 - l_lambda_slip_y_phi * w_72
+                + minus_l_lambda_slip_y_lambda_slip_x * w_75);
+        let w_77 = minus_l_lambda_slip_y_lambda_slip_x * w_76
+            - minus_inverse_lambda_slip_x * w_75;
+        let w_78 = inverse_phi * w_50 - l_lambda_slip_x_phi * w_54
+            - l_lambda_slip_y_phi * w_53;
+        let w_79 = inverse_phi * w_72 - l_lambda_slip_x_phi * w_77
+            - l_lambda_slip_y_phi * w_76;
+        let w_80 = w_11 + psi_dot;
+        let w_81 = cos_lean * phi_dot;
+        let w_82 = sin_phi * w_81 + cos_phi * w_20;
+        let w_83 = cos_phi * w_81 - sin_phi * w_20;
+        let w_84 = cos_phi * w_82 - sin_phi * w_83;
+        let w_85 = cos_lean * (w_20 - w_84);
+        let w_86 = sin_psi * lean_dot;
+        let w_87 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_84);
+        let w_88 = w_26 + (cos_phi * w_83 + sin_phi * w_82 - w_81);
         let w_89 = self.r
-            * (sin_lean * (cos_psi * w_82 + sin_psi * w_86)
-                + cos_lean * (w_35 + (sin_psi * w_87 + cos_psi * w_88)));
-        let w_90 = self.k_2 * (w_y * w_59 + sin_lean * w_7 + w_84);
-        let w_91 = self.k_2 * (sin_lean * w_8 - w_y * w_56 - w_83);
-        let w_92 = self.mass_phi_phi * lean_dot;
-        let w_93 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_90 + cos_phi * w_91) + sin_lean * w_92);
-        let w_94 = S::from_f64(0.25) * (cos_phi * w_90 - sin_phi * w_91);
-        let w_95 = l_phi_psi * w_93 - cos_lean * w_92;
+            * (sin_lean * (cos_psi * w_80 + sin_psi * w_85)
+                + cos_lean * (w_86 + (sin_psi * w_87 + cos_psi * w_88)));
+        let w_90 = self.k_2 * (cos_phi * w_24 + sin_lean * w_7 + w_83);
+        let w_91 = self.k_2 * (sin_lean * w_9 - sin_phi * w_24 - w_82);
+        let w_92 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_90 + cos_phi * w_91)
+                + self.mass_phi_phi * w_20);
+        let w_93 = S::from_f64(0.25) * (cos_phi * w_90 - sin_phi * w_91);
+        let w_94 = l_phi_psi * w_92 - self.mass_phi_phi * w_43;
+        let w_95 = cos_psi * lean_dot;
         let w_96 = self.r
-            * (sin_lean * (cos_psi * w_86 - sin_psi * w_82)
-                + cos_lean * (w_27 + (cos_psi * w_87 - sin_psi * w_88)))
-            - minus_l_lambda_slip_x_psi * w_93 + minus_l_lambda_slip_x_lean * w_94
-            - l_lambda_slip_x_phi * w_95;
+            * (sin_lean * (cos_psi * w_85 - sin_psi * w_80)
+                + cos_lean * (w_95 + (cos_psi * w_87 - sin_psi * w_88)))
+            - minus_l_lambda_slip_x_psi * w_92 + minus_l_lambda_slip_x_lean * w_93
+            - l_lambda_slip_x_phi * w_94;
         let w_97 = inverse_lambda_slip_y
-            * (w_89 - minus_l_lambda_slip_y_psi * w_93 - l_lambda_slip_y_lean * w_94
-                - l_lambda_slip_y_phi * w_95
+            * (w_89 - minus_l_lambda_slip_y_psi * w_92 - l_lambda_slip_y_lean * w_93
+                - l_lambda_slip_y_phi * w_94
                 + minus_l_lambda_slip_y_lambda_slip_x * w_96);
         let w_98 = minus_l_lambda_slip_y_lambda_slip_x * w_97
             - minus_inverse_lambda_slip_x * w_96;
         let w_99 = cos_phi * (phi_dot - w_3);
-        let w_100 = sin_phi * w_14;
+        let w_100 = sin_phi * w_15;
         let w_101 = phi_dot - cos_phi * w_99 + sin_phi * w_100;
-        let w_102 = cos_lean * (w_y + w_3 - w_101) - w_23;
-        let w_103 = sin_lean * (w_y - w_101) + w_9 - w_28;
+        let w_102 = cos_lean * (w_y + w_3 - w_101) - w_25;
+        let w_103 = sin_lean * (w_y - w_101) + w_10 - w_30;
         let w_104 = cos_phi * w_100 + sin_phi * w_99;
         let w_105 = self.r
-            * (sin_lean * (sin_psi * w_102 + w_39 + w_27)
-                + cos_lean
-                    * (sin_psi * w_10
-                        - (sin_psi * (w_103 - psi_dot) + cos_psi * w_104)));
+            * (sin_lean * (sin_psi * w_102 + w_39 + w_95)
+                + cos_lean * (w_12 - (sin_psi * (w_103 - psi_dot) + cos_psi * w_104)));
         let w_106 = self.k_2 * (sin_phi * w_y - w_100);
         let w_107 = self.k_2 * (cos_phi * w_y + w_99);
         let w_108 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_106 + cos_phi * w_107) + sin_lean * w_2);
+            * (S::from_f64(0.25) * (sin_phi * w_106 + cos_phi * w_107)
+                + self.mass_phi_phi * w_3);
         let w_109 = S::from_f64(0.25) * (cos_phi * w_106 - sin_phi * w_107)
-            - w_19 * w_72;
-        let w_110 = l_phi_psi * w_108 - cos_lean * w_2;
+            - w_20 * w_70;
+        let w_110 = l_phi_psi * w_108 - w_2;
         let w_111 = self.r
-            * (sin_lean * (cos_psi * w_102 - w_25 - w_35)
-                + cos_lean
-                    * (cos_psi * w_10
-                        + (cos_psi * (psi_dot - w_103) + sin_psi * w_104)));
+            * (sin_lean * (cos_psi * w_102 - w_27 - w_86)
+                + cos_lean * (w_29 + (cos_psi * (psi_dot - w_103) + sin_psi * w_104)));
         let w_112 = w_111 - minus_l_lambda_slip_x_psi * w_108
             + minus_l_lambda_slip_x_lean * w_109 - l_lambda_slip_x_phi * w_110;
         let w_113 = inverse_lambda_slip_y
@@ -995,65 +991,66 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
                 + minus_l_lambda_slip_y_lambda_slip_x * w_112);
         let w_114 = minus_l_lambda_slip_y_lambda_slip_x * w_113
             - minus_inverse_lambda_slip_x * w_112;
-        let w_115 = sin_psi * w_19;
-        let w_116 = self.mass_phi_phi * cos_lean * (w_22 + w_21);
-        let w_117 = self.mass_phi_phi * w_z;
-        let w_118 = l_phi_psi * w_116;
-        let w_119 = cos_psi * w_19;
-        let w_120 = self.r
-            * (cos_lean * (w_119 - (w_119 + sin_psi * w_6)) - sin_lean_squared * w_11)
-            - minus_l_lambda_slip_x_psi * w_116 + minus_l_lambda_slip_x_lean * w_117
-            - l_lambda_slip_x_phi * w_118;
+        let w_115 = sin_psi * w_20;
+        let w_116 = sin_lean_squared * psi_dot;
+        let w_117 = self.mass_phi_phi * cos_lean * (w_23 + w_22);
+        let w_118 = self.mass_phi_phi * w_z;
+        let w_119 = l_phi_psi * w_117;
+        let w_120 = cos_psi * w_20;
         let w_121 = self.r
-            * (cos_lean * (w_115 + (cos_psi * w_6 - w_115)) + sin_lean_squared * w_37)
-            - minus_l_lambda_slip_y_psi * w_116 - l_lambda_slip_y_lean * w_117
-            - l_lambda_slip_y_phi * w_118 + minus_l_lambda_slip_y_lambda_slip_x * w_120;
-        let w_122 = inverse_lambda_slip_y * w_121;
-        let w_123 = minus_l_lambda_slip_y_lambda_slip_x * w_122
-            - minus_inverse_lambda_slip_x * w_120;
-        let w_124 = inverse_phi * w_95 - l_lambda_slip_x_phi * w_98
+            * (cos_lean * (w_120 - (w_120 + sin_psi * w)) - sin_psi * w_116)
+            - minus_l_lambda_slip_x_psi * w_117 + minus_l_lambda_slip_x_lean * w_118
+            - l_lambda_slip_x_phi * w_119;
+        let w_122 = self.r
+            * (cos_lean * (w_115 + (cos_psi * w - w_115)) + cos_psi * w_116)
+            - minus_l_lambda_slip_y_psi * w_117 - l_lambda_slip_y_lean * w_118
+            - l_lambda_slip_y_phi * w_119 + minus_l_lambda_slip_y_lambda_slip_x * w_121;
+        let w_123 = inverse_lambda_slip_y * w_122;
+        let w_124 = minus_l_lambda_slip_y_lambda_slip_x * w_123
+            - minus_inverse_lambda_slip_x * w_121;
+        let w_125 = inverse_phi * w_94 - l_lambda_slip_x_phi * w_98
             - l_lambda_slip_y_phi * w_97;
-        let w_125 = inverse_phi * w_110 - l_lambda_slip_x_phi * w_114
+        let w_126 = inverse_phi * w_110 - l_lambda_slip_x_phi * w_114
             - l_lambda_slip_y_phi * w_113;
-        let w_126 = inverse_phi * w_118 - l_lambda_slip_x_phi * w_123
-            - l_lambda_slip_y_phi * w_122;
+        let w_127 = inverse_phi * w_119 - l_lambda_slip_x_phi * w_124
+            - l_lambda_slip_y_phi * w_123;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
+                    -(self.inverse_x * w_54),
+                    -(self.inverse_x * w_77),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
                     -(self.inverse_x * w_53),
-                    -(self.inverse_x * w_79),
+                    -(self.inverse_x * w_76),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_52),
-                    -(self.inverse_x * w_78),
+                    inverse_psi * w_46 - l_phi_psi * w_78
+                        + minus_l_lambda_slip_x_psi * w_54
+                        + minus_l_lambda_slip_y_psi * w_53,
+                    inverse_psi * w_69 - l_phi_psi * w_79
+                        + minus_l_lambda_slip_x_psi * w_77
+                        + minus_l_lambda_slip_y_psi * w_76,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_psi * w_45 - l_phi_psi * w_80
-                        + minus_l_lambda_slip_x_psi * w_53
-                        + minus_l_lambda_slip_y_psi * w_52,
-                    inverse_psi * w_71 - l_phi_psi * w_81
-                        + minus_l_lambda_slip_x_psi * w_79
-                        + minus_l_lambda_slip_y_psi * w_78,
+                    inverse_lean * w_48 + minus_l_lambda_slip_x_lean * w_54
+                        - l_lambda_slip_y_lean * w_53,
+                    inverse_lean * w_71 + minus_l_lambda_slip_x_lean * w_77
+                        - l_lambda_slip_y_lean * w_76,
                     S::from_f64(0.0),
                 ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    inverse_lean * w_47 + minus_l_lambda_slip_x_lean * w_53
-                        - l_lambda_slip_y_lean * w_52,
-                    inverse_lean * w_73 + minus_l_lambda_slip_x_lean * w_79
-                        - l_lambda_slip_y_lean * w_78,
-                    S::from_f64(0.0),
-                ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_80, w_81, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_78, w_79, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
@@ -1061,44 +1058,44 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
                     S::from_f64(0.0),
                     -(self.inverse_x * w_98),
                     -(self.inverse_x * w_114),
-                    -(self.inverse_x * w_123),
+                    -(self.inverse_x * w_124),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     -(self.inverse_x * w_97),
                     -(self.inverse_x * w_113),
-                    -(self.inverse_x * w_122),
+                    -(self.inverse_x * w_123),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    minus_l_lambda_slip_x_psi * w_98 - inverse_psi * w_93
-                        - l_phi_psi * w_124 + minus_l_lambda_slip_y_psi * w_97,
+                    minus_l_lambda_slip_x_psi * w_98 - inverse_psi * w_92
+                        - l_phi_psi * w_125 + minus_l_lambda_slip_y_psi * w_97,
                     minus_l_lambda_slip_x_psi * w_114 - inverse_psi * w_108
-                        - l_phi_psi * w_125 + minus_l_lambda_slip_y_psi * w_113,
-                    minus_l_lambda_slip_x_psi * w_123 - inverse_psi * w_116
-                        - l_phi_psi * w_126 + minus_l_lambda_slip_y_psi * w_122,
+                        - l_phi_psi * w_126 + minus_l_lambda_slip_y_psi * w_113,
+                    minus_l_lambda_slip_x_psi * w_124 - inverse_psi * w_117
+                        - l_phi_psi * w_127 + minus_l_lambda_slip_y_psi * w_123,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_lean * w_94 + minus_l_lambda_slip_x_lean * w_98
+                    inverse_lean * w_93 + minus_l_lambda_slip_x_lean * w_98
                         - l_lambda_slip_y_lean * w_97,
                     inverse_lean * w_109 + minus_l_lambda_slip_x_lean * w_114
                         - l_lambda_slip_y_lean * w_113,
-                    inverse_lean * w_117 + minus_l_lambda_slip_x_lean * w_123
-                        - l_lambda_slip_y_lean * w_122,
+                    inverse_lean * w_118 + minus_l_lambda_slip_x_lean * w_124
+                        - l_lambda_slip_y_lean * w_123,
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_124, w_125, w_126],
+                [S::from_f64(0.0), S::from_f64(0.0), w_125, w_126, w_127],
             ],
             multipliers_by_positions: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_53, w_79, S::from_f64(0.0)],
-                [S::from_f64(0.0), S::from_f64(0.0), w_52, w_78, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_54, w_77, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), w_53, w_76, S::from_f64(0.0)],
             ],
             multipliers_by_speeds: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_98, w_114, w_123],
-                [S::from_f64(0.0), S::from_f64(0.0), w_97, w_113, w_122],
+                [S::from_f64(0.0), S::from_f64(0.0), w_98, w_114, w_124],
+                [S::from_f64(0.0), S::from_f64(0.0), w_97, w_113, w_123],
             ],
             refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)

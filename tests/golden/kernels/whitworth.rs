@@ -259,7 +259,7 @@ pub struct WhitworthPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> Whitworth<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 10 additions, 23 multiplications, 3 divisions.
+    /// Operations: 10 additions, 22 multiplications, 3 divisions.
     #[inline]
     pub fn prepare(&self) -> WhitworthPrepared<S> {
         let c_squared = self.c * self.c;
@@ -270,12 +270,11 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
         let w_5 = self.m5 * S::from_f64(0.5);
         let w_6 = w_3 * w_5;
         let l_squared = self.l * self.l;
-        let w_7 = self.m6 * l_squared;
-        let mass_gamma_gamma = self.m5 * S::from_f64(0.3333333333333333) * l_squared
-            + w_7;
-        let w_8 = self.m5 * S::from_f64(0.25);
+        let w_7 = self.m5 * l_squared;
+        let w_8 = self.m6 * l_squared;
+        let mass_gamma_gamma = S::from_f64(0.3333333333333333) * w_7 + w_8;
         let inverse_J2 = S::from_f64(1.0) / self.J2;
-        let w_9 = self.m6 * w_3 * S::from_f64(2.0);
+        let w_9 = w_4 * S::from_f64(2.0);
         let w_10 = self.m5 * w_3;
         WhitworthPrepared {
             J2: self.J2,
@@ -291,7 +290,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
             k_4: self.c * self.m6,
             k_5: self.c * w_5,
             k_6: self.m6 * self.l,
-            k_7: self.l * w_8,
+            k_7: self.m5 * self.l * S::from_f64(0.25),
             k_8: self.r * S::from_f64(2.0),
             inverse_alpha: inverse_J2,
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
@@ -301,7 +300,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
             k_9: w_9 + w_10,
             k_10: w_10 + w_9,
             k_11: w_2 + w,
-            k_12: l_squared * w_8 + w_7,
+            k_12: w_7 * S::from_f64(0.25) + w_8,
             k_13: self.l * S::from_f64(2.0),
         }
     }
@@ -767,7 +766,7 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (3 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 138 additions, 237 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 138 additions, 235 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -796,21 +795,21 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
             + minus_rhs_gamma * l_beta_gamma;
         let guide_by_gamma = self.l * rod_x;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
-        let w_6 = self.c * beta_dot_squared;
-        let w_7 = self.l * gamma_dot_squared;
-        let w_8 = rod_y * w_7;
-        let w_9 = link_y * w_6 - w_8;
+        let w_6 = link_y * beta_dot_squared;
+        let w_7 = self.l * rod_y * gamma_dot_squared;
+        let w_8 = self.c * w_6 - w_7;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.c * sin_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let w_10 = sin_beta * sin_alpha;
+        let w_9 = sin_beta * sin_alpha;
         let A_y = self.d + self.r * cos_alpha;
-        let slot_by_beta = self.r * w_10 + link_y * A_y;
+        let w_10 = link_y * A_y;
+        let slot_by_beta = self.r * w_9 + w_10;
         let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
         let w_11 = link_y * cos_alpha;
-        let minus_slot_by_alpha = self.r * (w_11 + w_10);
+        let minus_slot_by_alpha = self.r * (w_11 + w_9);
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
         let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
             * self.minus_inverse_lambda_drive;
@@ -833,7 +832,7 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
             + minus_k_lambda_guide_lambda_slot * minus_l_lambda_guide_lambda_slot;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_lambda_guide = minus_inverse_lambda_guide
-            * (minus_rhs_gamma * l_lambda_guide_gamma - w_9
+            * (minus_rhs_gamma * l_lambda_guide_gamma - w_8
                 - l_lambda_guide_beta * rhs_beta
                 - minus_l_lambda_guide_lambda_slot * minus_rhs_lambda_slot);
         let minus_lambda_slot = inverse_lambda_slot * minus_rhs_lambda_slot
@@ -863,33 +862,32 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
         let w_32 = w_21 + minus_l_lambda_slot_lambda_drive * w_31;
         let w_33 = sin_beta * A_y;
         let w_34 = self.r * w_16 - w_33;
-        let w_35 = beta_dot_squared * self.k_3;
-        let w_36 = link_y * w_35 - w_8;
-        let w_37 = rod_x * w_7;
-        let w_38 = sin_beta * w_35 + w_37;
-        let w_39 = sin_beta * w_6 + w_37;
+        let w_35 = w_6 * self.k_3 - w_7;
+        let w_36 = sin_beta * beta_dot_squared;
+        let w_37 = guide_by_gamma * gamma_dot_squared;
+        let w_38 = self.k_3 * w_36 + w_37;
+        let w_39 = self.c * w_36 + w_37;
         let gamma_ddot = l_lambda_guide_gamma * minus_lambda_guide
             - minus_rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot;
         let w_40 = S::from_f64(0.5) * (w_2 * self.k_9 + w * self.k_10);
         let w_41 = gamma_ddot * w_40;
         let w_42 = link_y
-            * (self.c * minus_lambda_guide - w_9 * self.k_4 - w_36 * self.k_5)
+            * (self.c * minus_lambda_guide - w_8 * self.k_4 - w_35 * self.k_5)
             - sin_beta * (w_38 * self.k_5 + w_39 * self.k_4) - w_41
             + minus_lambda_slot * w_34 + beta_dot_squared * self.k_11;
         let w_43 = beta_ddot * w_40;
         let w_44 = self.k * beta_dot_squared * (w_4 - w_5) - w_43;
         let w_45 = w_42 - l_beta_gamma * w_44;
         let w_46 = alpha_dot * w_26 + alpha_ddot * w_18
-            - beta_dot * (self.r * (w_24 + w_11 * alpha_dot) - link_y * A_y * beta_dot)
+            - beta_dot * (self.r * (w_24 + w_11 * alpha_dot) - w_10 * beta_dot)
             - beta_ddot * w_34 - w_27 - l_lambda_slot_beta * w_45 + w_28;
         let w_47 = minus_inverse_lambda_guide
-            * (self.c * (sin_beta * beta_dot_squared - link_y * beta_ddot)
-                - l_lambda_guide_gamma * w_44 - l_lambda_guide_beta * w_45
-                + minus_l_lambda_guide_lambda_slot * w_46);
+            * (self.c * (w_36 - link_y * beta_ddot) - l_lambda_guide_gamma * w_44
+                - l_lambda_guide_beta * w_45 + minus_l_lambda_guide_lambda_slot * w_46);
         let w_48 = inverse_lambda_slot * w_46 - minus_l_lambda_guide_lambda_slot * w_47;
         let w_49 = minus_l_lambda_slot_lambda_drive * w_48 - w_21;
         let w_50 = rod_y
-            * (w_9 * self.k_6 + w_36 * self.k_7 - self.l * minus_lambda_guide)
+            * (w_8 * self.k_6 + w_35 * self.k_7 - self.l * minus_lambda_guide)
             - rod_x * (w_39 * self.k_6 + w_38 * self.k_7) + gamma_dot_squared * self.k_12
             + w_43;
         let w_51 = mass_gamma_beta * gamma_dot_squared + w_41 - l_beta_gamma * w_50;
