@@ -337,6 +337,30 @@ mechanism! {
     kernels { dynamics_jacobian; dynamics_sensitivity; }
 }
 
+mechanism! {
+    /// A four-bar with its coupler tilted by a parameter: its rows are turned by that angle.
+    pub(crate) Tilted;
+    coordinates { coupler [rad]; crank [rad]; rocker [rad]; }
+    parameters {
+        m [kg] = 1.3; r [m] = 0.4; l [m] = 1.1; k [m] = 0.9; d [m] = 1; tilt [rad] = 0.3;
+        g [m/s^2] = 9.81;
+    }
+    let phi = coupler + tilt;
+    let A = r*[cos(crank), sin(crank)];
+    let along = [cos(phi), sin(phi)];
+    let B = A + l*along;
+    bodies {
+        crank_rod: mass m at A/2, inertia m*r^2/12, angle crank;
+        coupler_rod: mass m at A + l/2*along, inertia m*l^2/12, angle phi;
+        rocker_rod: mass 2*m at [d, 0], inertia m*k^2/3, angle rocker;
+    }
+    loads { gravity [0, -g]; torque -0.2 [N*m*s]*dot(crank) on crank_rod; }
+    constraints { closed: B = [d, 0] + k*[cos(rocker), sin(rocker)]; }
+    initial { guess coupler = 0.2; guess crank = 1; guess rocker = 1.4; }
+    outputs { pin [N] = norm(reaction(closed)); }
+    kernels { dynamics_jacobian; dynamics_sensitivity; }
+}
+
 /// Calls a macro with the types of this file's mechanisms.
 macro_rules! own_mechanisms {
     ($callback:ident) => {
@@ -354,6 +378,7 @@ macro_rules! own_mechanisms {
             crate::mechanisms::Switched,
             crate::mechanisms::Actuated,
             crate::mechanisms::Chosen,
+            crate::mechanisms::Tilted,
             crate::tabled::Tabled
         )
     };

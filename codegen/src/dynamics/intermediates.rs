@@ -5,7 +5,7 @@
 //! in between as variables y = phi(y, q, t), each row depends on a few variables, and elimination from the tip costs
 //! as much as there are bodies. Which sums are worth it is counted, not declared.
 
-use super::order::{Kind, Pattern, cost, order};
+use super::order::{Entry, Kind, Multipliers, Pattern, cost, order};
 use super::parts::Candidates;
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Differentiated, Variables, inner};
@@ -147,6 +147,8 @@ impl Formulation {
         }
         let formed: usize = rows.iter().map(|row| row.len() * (row.len() + 3) / 2).sum();
         // Without an order every state would be solved by pivoting.
-        order(Pattern::new(kinds.clone(), entries)).map_or(usize::MAX, |actions| formed + cost(&kinds, &actions))
+        let entries = entries.into_iter().map(|place| Entry { place, is_moving: true });
+        order(Pattern::new(kinds.clone(), entries), Multipliers::Last)
+            .map_or(usize::MAX, |actions| formed + cost(&kinds, &actions))
     }
 }

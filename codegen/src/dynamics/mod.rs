@@ -30,6 +30,7 @@ mod rows;
 mod sensitivity;
 mod speeds;
 mod tmt;
+mod turns;
 mod variables;
 
 pub use block::{Block, Solution};
@@ -40,9 +41,10 @@ pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
-pub use sensitivity::Columns;
+pub use sensitivity::Column;
 pub use speeds::SpeedEquations;
 pub use tmt::{Row, Tmt};
+pub use turns::{Form, Turn};
 pub use variables::{Differentiated, Variables};
 
 use crate::model::Model;
@@ -64,15 +66,15 @@ pub struct EquationsOfMotion {
     pub tmt: Tmt,
     /// Constraints with their derivatives.
     pub constraints: Constraints,
+    /// The constraint rows as they are declared, to be solved.
+    pub declared: Form,
+    /// The same with pairs turned, if any can be.
+    pub turned: Option<Form>,
     /// Kinetic energy and power.
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
-    /// How the residual changes with coordinates and with speeds, if that is wanted and there are no intermediates.
-    pub by_state: Option<[Columns; 2]>,
-    /// How it changes with the parameters, likewise.
-    pub by_parameters: Option<Columns>,
-    /// The forces that a motion takes, if they are wanted, likewise.
+    /// The forces that a motion takes, if they are wanted and there are no intermediates.
     pub inverse: Option<Inverse>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
     pub speeds: Option<SpeedEquations>,
@@ -107,22 +109,27 @@ fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEqu
     drifts.extend(intermediates.iter().map(|y| y.drift(&mut model.graph)));
     let energy = Energy::derive(&mut model, &variables, &drifts, &tmt, &constraints);
     let outputs = Outputs::derive(&mut model);
+    let mut declared = Form::declared(&model, &constraints);
+    let mut turned = None;
+    if intermediates.is_empty() {
+        turned = Form::turned(&mut model, &constraints);
+        for form in [&mut declared].into_iter().chain(&mut turned) {
+            sensitivity::derive(&mut model, &tmt, form, &mut derivatives);
+        }
+    }
     let mut equations = EquationsOfMotion {
         model,
         variables,
         intermediates,
         tmt,
         constraints,
+        declared,
+        turned,
         energy,
         outputs,
-        by_state: None,
-        by_parameters: None,
         inverse,
         speeds,
     };
-    if equations.intermediates.is_empty() {
-        sensitivity::derive(&mut equations, &mut derivatives);
-    }
     // Last, so that nothing above notices.
     auxiliary::enter(&mut equations.model, &mut equations.outputs.values);
     equations

@@ -7,6 +7,8 @@ pub struct Pattern {
     kinds: Vec<Kind>,
     /// For each unknown those that it has an entry with, itself included.
     linked: Vec<BTreeSet<usize>>,
+    /// Those entries that depend on more than parameters, the smaller index first.
+    moving: BTreeSet<(usize, usize)>,
     /// In how many definitions of what is left each unknown occurs.
     occurrences: Vec<usize>,
     /// How many steps, each needing the one before, must be done before each unknown can be.
@@ -42,13 +44,39 @@ pub struct Action {
     pub neighbours: Vec<usize>,
 }
 
+/// An entry of a system.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Entry {
+    /// Its row and column.
+    pub place: (usize, usize),
+    /// Whether it depends on more than parameters.
+    pub is_moving: bool,
+}
+
+/// When multipliers are eliminated.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Multipliers {
+    /// After all coordinates, each when what it constrains is gone.
+    Last,
+    /// When what they constrain is gone, or as soon as they have a pivot that depends on parameters alone; before
+    /// coordinates with as many neighbours.
+    ///
+    /// A multiplier's pivot is the sum of what its coordinates have left there, all of one sign: one that is there and
+    /// depends on parameters alone is zero at no position.
+    Soon,
+}
+
 impl Pattern {
     /// The pattern of a system with these unknowns and entries.
-    pub fn new(kinds: Vec<Kind>, entries: impl IntoIterator<Item = (usize, usize)>) -> Pattern {
+    pub fn new(kinds: Vec<Kind>, entries: impl IntoIterator<Item = Entry>) -> Pattern {
         let mut linked = vec![BTreeSet::new(); kinds.len()];
-        for (i, j) in entries {
+        let mut moving = BTreeSet::new();
+        for Entry { place: (i, j), is_moving } in entries {
             linked[i].insert(j);
             linked[j].insert(i);
+            if is_moving {
+                moving.insert(in_order(i, j));
+            }
         }
         let mut occurrences = vec![0; kinds.len()];
         for kind in &kinds {
@@ -57,14 +85,13 @@ impl Pattern {
             }
         }
         let levels = vec![0; kinds.len()];
-        Pattern { kinds, linked, occurrences, levels }
+        Pattern { kinds, linked, moving, occurrences, levels }
     }
 }
 
-/// Coordinates with the fewest neighbours first, as soon as no definition is left that they occur in; multipliers when
-/// what they constrain is gone; intermediate quantities, the last defined first, when nothing else can be done. `None`
-/// if an unknown is left without a pivot.
-pub fn order(mut pattern: Pattern) -> Option<Vec<Action>> {
+/// Coordinates with the fewest neighbours first, as soon as no definition is left that they occur in; intermediate
+/// quantities, the last defined first, when nothing else can be done. `None` if an unknown is left without a pivot.
+pub fn order(mut pattern: Pattern, multipliers: Multipliers) -> Option<Vec<Action>> {
     let mut left: BTreeSet<usize> = (0..pattern.kinds.len()).collect();
     // What each multiplier constrains; what elimination links it with does not count.
     let mut constrained = pattern.linked.clone();
@@ -73,7 +100,7 @@ pub fn order(mut pattern: Pattern) -> Option<Vec<Action>> {
     });
     let mut actions = Vec::with_capacity(left.len());
     while !left.is_empty() {
-        let unknown = pattern.next(&left, &constrained)?;
+        let unknown = pattern.next(&left, &constrained, multipliers)?;
         left.remove(&unknown);
         if let Kind::Intermediate(definition) = &pattern.kinds[unknown] {
             for links in &mut constrained {
@@ -119,18 +146,31 @@ pub fn cost(pattern_kinds: &[Kind], actions: &[Action]) -> usize {
 }
 
 impl Pattern {
-    fn next(&self, left: &BTreeSet<usize>, constrained: &[BTreeSet<usize>]) -> Option<usize> {
+    fn next(&self, left: &BTreeSet<usize>, constrained: &[BTreeSet<usize>], multipliers: Multipliers) -> Option<usize> {
         let has_pivot = |k: usize| match &self.kinds[k] {
             Kind::Coordinate => self.linked[k].contains(&k) && self.occurrences[k] == 0,
-            Kind::Multiplier => self.linked[k].contains(&k) && constrained[k].is_disjoint(left),
+            Kind::Multiplier => {
+                let has_fixed_pivot = multipliers == Multipliers::Soon && !self.is_moving(k, k);
+                self.linked[k].contains(&k) && (has_fixed_pivot || constrained[k].is_disjoint(left))
+            }
             Kind::Intermediate(_) => false,
         };
         let is_free = |k: usize| matches!(self.kinds[k], Kind::Intermediate(_)) && self.occurrences[k] == 0;
         let is_multiplier = |k: usize| matches!(self.kinds[k], Kind::Multiplier);
-        let rank = |k: &usize| (is_multiplier(*k), self.linked[*k].len(), self.levels[*k], *k);
+        let rank = |k: &usize| {
+            let (neighbours, level) = (self.linked[*k].len(), self.levels[*k]);
+            match multipliers {
+                Multipliers::Last => (is_multiplier(*k), neighbours, false, level, *k),
+                Multipliers::Soon => (false, neighbours, !is_multiplier(*k), level, *k),
+            }
+        };
         let ready = left.iter().copied().filter(|k| has_pivot(*k)).min_by_key(rank);
         // The last defined lies farthest out: from there elimination works its way in.
         ready.or_else(|| left.iter().rev().copied().find(|k| is_free(*k)))
+    }
+
+    fn is_moving(&self, i: usize, j: usize) -> bool {
+        self.moving.contains(&in_order(i, j))
     }
 
     /// Removes an unknown and links those that its removal brings together; gives those it was linked with.
@@ -147,20 +187,31 @@ impl Pattern {
         if let Kind::Intermediate(definition) = self.kinds[k].clone() {
             definition.iter().for_each(|j| self.occurrences[*j] -= 1);
             for i in neighbours.iter().copied().chain(definition.iter().copied().filter(|_| had_diagonal)) {
-                definition.iter().for_each(|j| self.link(i, *j));
+                definition.iter().for_each(|j| self.link(i, *j, true));
             }
         } else {
-            for i in &neighbours {
-                neighbours.iter().for_each(|j| self.link(*i, *j));
+            let pivot_moves = self.is_moving(k, k);
+            let moves: Vec<bool> = neighbours.iter().map(|i| pivot_moves || self.is_moving(*i, k)).collect();
+            for (i, i_moves) in neighbours.iter().zip(&moves) {
+                for (j, j_moves) in neighbours.iter().zip(&moves) {
+                    self.link(*i, *j, *i_moves || *j_moves);
+                }
             }
         }
         neighbours.into_iter().collect()
     }
 
-    fn link(&mut self, i: usize, j: usize) {
+    fn link(&mut self, i: usize, j: usize, is_moving: bool) {
         self.linked[i].insert(j);
         self.linked[j].insert(i);
+        if is_moving {
+            self.moving.insert(in_order(i, j));
+        }
     }
+}
+
+fn in_order(i: usize, j: usize) -> (usize, usize) {
+    (i.min(j), i.max(j))
 }
 
 #[cfg(test)]
@@ -171,7 +222,7 @@ mod tests {
     fn row(length: usize) -> Pattern {
         let diagonal = (0..length).map(|k| (k, k));
         let beside = (1..length).map(|k| (k, k - 1));
-        Pattern::new(vec![Kind::Coordinate; length], diagonal.chain(beside))
+        Pattern::new(vec![Kind::Coordinate; length], diagonal.chain(beside).map(moving))
     }
 
     /// Coordinates in a row, each pair of neighbours held by a multiplier.
@@ -180,7 +231,15 @@ mod tests {
         kinds.extend(vec![Kind::Multiplier; length - 1]);
         let diagonal = (0..length).map(|k| (k, k));
         let held = (1..length).flat_map(|k| [(length + k - 1, k - 1), (length + k - 1, k)]);
-        Pattern::new(kinds, diagonal.chain(held))
+        Pattern::new(kinds, diagonal.chain(held).map(moving))
+    }
+
+    fn moving(place: (usize, usize)) -> Entry {
+        Entry { place, is_moving: true }
+    }
+
+    fn fixed(place: (usize, usize)) -> Entry {
+        Entry { place, is_moving: false }
     }
 
     /// How many steps, each needing the one before, there are.
@@ -197,10 +256,10 @@ mod tests {
     #[test]
     fn a_row_is_eliminated_from_both_ends() {
         for length in [2, 5, 20, 41] {
-            let actions = order(row(length)).unwrap();
+            let actions = order(row(length), Multipliers::Last).unwrap();
             assert!(actions.iter().all(|action| action.neighbours.len() <= 1), "fill-in of {length}");
             assert_eq!(longest_wait(&actions, length), length / 2 + 1, "{length}");
-            let actions = order(held_row(length)).unwrap();
+            let actions = order(held_row(length), Multipliers::Last).unwrap();
             // The coordinates side by side, then the multipliers as a row of their own.
             assert_eq!(longest_wait(&actions, 2 * length - 1), (length - 1) / 2 + 2, "{length}");
         }
@@ -208,12 +267,35 @@ mod tests {
 
     #[test]
     fn every_step_comes_before_what_needs_it_and_not_long_before() {
-        let actions = order(held_row(30)).unwrap();
+        let actions = order(held_row(30), Multipliers::Last).unwrap();
         let place = |unknown: usize| actions.iter().position(|action| action.unknown == unknown).unwrap();
         for action in &actions {
             let first = action.neighbours.iter().map(|needing| place(*needing)).min();
             let own = place(action.unknown);
             assert!(first.is_none_or(|first| own < first && first - own <= 8), "{}: {own} {first:?}", action.unknown);
         }
+    }
+
+    /// Three coordinates held by one multiplier, the first with a coefficient that is as given, the others with an entry.
+    fn held_by_one(first: fn((usize, usize)) -> Entry) -> Pattern {
+        let mut kinds = vec![Kind::Coordinate; 3];
+        kinds.push(Kind::Multiplier);
+        let others = [(1, 1), (2, 2), (2, 1), (3, 1), (3, 2)].map(moving);
+        let entries = [fixed((0, 0)), first((3, 0))].into_iter().chain(others);
+        Pattern::new(kinds, entries)
+    }
+
+    #[test]
+    fn a_multiplier_is_eliminated_early_only_with_a_pivot_of_parameters() {
+        let unknowns = |pattern: Pattern, multipliers: Multipliers| -> Vec<usize> {
+            order(pattern, multipliers).unwrap().iter().map(|action| action.unknown).collect()
+        };
+        let is_before = |unknowns: &[usize], a: usize, b: usize| {
+            unknowns.iter().position(|k| *k == a) < unknowns.iter().position(|k| *k == b)
+        };
+        let fixed_soon = unknowns(held_by_one(fixed), Multipliers::Soon);
+        assert!(is_before(&fixed_soon, 0, 3) && is_before(&fixed_soon, 3, 1) && is_before(&fixed_soon, 3, 2));
+        assert_eq!(unknowns(held_by_one(fixed), Multipliers::Last).last(), Some(&3));
+        assert_eq!(unknowns(held_by_one(moving), Multipliers::Soon).last(), Some(&3));
     }
 }

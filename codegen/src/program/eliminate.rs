@@ -10,9 +10,10 @@
 //!
 //! Each pivot comes with what cancellation in it is measured by, to be checked at run time.
 
+use super::collect::add_multiples;
 use super::notes::Notes;
 use super::values::{Value, Values};
-use crate::dynamics::order::{Action, Kind, Pattern, order, substitutions};
+use crate::dynamics::order::{self, Action, Kind, Multipliers, Pattern, order, substitutions};
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
@@ -22,6 +23,8 @@ pub(super) struct System {
     pub(super) unknowns: Vec<Unknown>,
     /// Entries (i, j), j <= i.
     pub(super) entries: Vec<(usize, usize, Value)>,
+    /// When its multipliers are eliminated.
+    pub(super) multipliers: Multipliers,
 }
 
 /// A kind of unknown.
@@ -35,13 +38,17 @@ pub(super) enum Unknown {
 }
 
 impl System {
-    fn pattern(&self) -> Pattern {
+    fn pattern(&self, values: &Values) -> Pattern {
         let kind = |unknown: &Unknown| match unknown {
             Unknown::Coordinate => Kind::Coordinate,
             Unknown::Intermediate(definition) => Kind::Intermediate(definition.iter().map(|(j, _)| *j).collect()),
             Unknown::Multiplier => Kind::Multiplier,
         };
-        Pattern::new(self.unknowns.iter().map(kind).collect(), self.entries.iter().map(|(i, j, _)| (*i, *j)))
+        let entry = |(i, j, value): &(usize, usize, Value)| order::Entry {
+            place: (*i, *j),
+            is_moving: !values.is_parametric(*value),
+        };
+        Pattern::new(self.unknowns.iter().map(kind).collect(), self.entries.iter().map(entry))
     }
 }
 
@@ -114,7 +121,8 @@ impl Matrix {
     /// The entry as it stands, as one value from now on; nothing if it is zero.
     fn value(&mut self, values: &mut Values, i: usize, j: usize) -> Option<Value> {
         let entry = self.entries.get_mut(&(i.min(j), i.max(j)))?;
-        let sum = values.sum(std::mem::take(entry));
+        let terms = add_multiples(values, std::mem::take(entry));
+        let sum = values.sum(terms);
         *entry = vec![(false, sum)];
         (!values.is_zero(sum)).then_some(sum)
     }
@@ -127,7 +135,7 @@ impl Matrix {
 
 /// Plans the factorisation. `None` if no order of this kind exists, as for a coordinate without mass.
 pub(super) fn factorise(values: &mut Values, system: &System, names: &[String], notes: &mut Notes) -> Option<Factors> {
-    let actions = order(system.pattern())?;
+    let actions = order(system.pattern(values), system.multipliers)?;
     let mut matrix = Matrix::of(values, system);
     let mut factors = Factors { steps: vec![], pivots: vec![] };
     for Action { unknown, neighbours } in actions {
@@ -147,7 +155,7 @@ pub(super) fn factorise(values: &mut Values, system: &System, names: &[String], 
 /// The matrix with its intermediate quantities substituted, and nothing else done.
 pub(super) fn reduce(values: &mut Values, system: &System) -> Matrix {
     let mut matrix = Matrix::of(values, system);
-    for Action { unknown, neighbours } in substitutions(system.pattern()) {
+    for Action { unknown, neighbours } in substitutions(system.pattern(values)) {
         if let Unknown::Intermediate(definition) = &system.unknowns[unknown] {
             substitute(values, &mut matrix, unknown, definition, &neighbours);
         }

@@ -19,6 +19,7 @@ const FUNCTION: Time = 60;
 /// When each of the values is known that are listed, operands first; all others are known from the start.
 pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
     let mut times = vec![0; values.len()];
+    let mut factors = Vec::new();
     for value in listed {
         let arrivals = values.operands(*value).map(|operand| times[operand.index()]);
         let latest = || arrivals.clone().max().unwrap_or(0);
@@ -26,7 +27,11 @@ pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
             Operation::Constant(_) | Operation::Input(_) => 0,
             Operation::Negate(_) | Operation::Held(..) => latest(),
             Operation::Sum(_) => arrivals.reduce(|sum, term| sum.max(term) + ADDITION).unwrap_or(0),
-            Operation::Product(_) => product(&mut arrivals.collect::<Vec<_>>()),
+            Operation::Product(_) => {
+                factors.clear();
+                factors.extend(arrivals);
+                product(&mut factors)
+            }
             Operation::Quotient(..) => latest() + DIVISION,
             Operation::Sqrt(_) => latest() + SQUARE_ROOT,
             Operation::Choice(..) | Operation::Call(Function::Abs, _) => latest() + ADDITION,

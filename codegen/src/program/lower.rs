@@ -3,7 +3,10 @@
 use super::collect::{Term, collect};
 use super::values::{Input, Operation, Value, Values};
 use crate::symbolic::{Expr, Graph, Node, Number, Symbol};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+
+/// For how many expressions there is room at the start.
+const ROOM: usize = 256;
 
 /// Lowers expressions of one graph into one program.
 pub(super) struct Lowering<'a> {
@@ -37,8 +40,8 @@ impl<'a> Lowering<'a> {
             alternatives,
             divisors,
             wanted: vec![],
-            values: Values::default(),
-            done: FxHashMap::default(),
+            values: Values::with_room(ROOM),
+            done: FxHashMap::with_capacity_and_hasher(ROOM, FxBuildHasher),
             computed: FxHashMap::default(),
         }
     }

@@ -5,13 +5,17 @@ use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
 use super::results::{Record, Results};
+use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
-use crate::dynamics::{Columns, EquationsOfMotion, Intermediate};
+use crate::dynamics::order::Multipliers;
+use crate::dynamics::{Column, EquationsOfMotion, Form, Intermediate};
 use crate::symbolic::{Expr, Graph};
 
 /// The equations of motion solved at one state.
 pub(super) struct Motion<'a> {
     equations: &'a EquationsOfMotion,
+    /// What was solved.
+    pub(super) form: &'a Form,
     /// Accelerations, then multipliers.
     unknowns: Vec<Value>,
     power: Value,
@@ -21,31 +25,36 @@ pub(super) struct Motion<'a> {
 }
 
 impl<'a> Motion<'a> {
-    pub(super) fn solve(equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> Motion<'a> {
-        let names = unknown_names(equations);
+    pub(super) fn solve(equations: &'a EquationsOfMotion, form: &'a Form, lowering: &mut Lowering) -> Motion<'a> {
+        let names = unknown_names(equations, form);
         let mut notes = Notes::default();
-        let system = system(equations, lowering);
-        let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &equations.constraints.convective);
+        let system = system(equations, form, lowering);
+        let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective);
         let constants = constants(equations, lowering);
         let factors = factorise(&mut lowering.values, &system, &names, &mut notes);
-        let solved = match &factors {
+        let mut solved = match &factors {
             Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |value, k| {
                 notes.right_hand_side(value, &names[k]);
             }),
             None => vec![lowering.values.constant(0.0); names.len()],
         };
         let variables = equations.variables.len();
+        let symbols = equations.variables.accelerations.iter().chain(&form.multipliers).copied();
+        lowering.replace(symbols.zip(solved.iter().copied()).collect());
+        turned_back(lowering, form, &mut solved[variables..]);
         for (i, value) in solved.iter().enumerate() {
-            let name = if i < variables { format!("{}_ddot", names[i]) } else { names[i].clone() };
+            let name = match i.checked_sub(variables) {
+                None => format!("{}_ddot", names[i]),
+                Some(row) => format!("lambda_{}", equations.model.constraints[row].name),
+            };
             notes.name(*value, name);
         }
         let multipliers = equations.model.constraints.iter().map(|c| c.multiplier);
-        let symbols = equations.variables.accelerations.iter().copied().chain(multipliers);
-        lowering.replace(symbols.zip(solved.iter().copied()).collect());
+        lowering.replace(multipliers.zip(solved[variables..].iter().copied()).collect());
         let power = lowering.lower(equations.energy.power);
         let intermediates = equations.model.coordinates.len()..variables;
         let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
-        Motion { equations, unknowns: unknowns.collect(), power, factors, notes }
+        Motion { equations, form, unknowns: unknowns.collect(), power, factors, notes }
     }
 
     /// q'', lambda and power.
@@ -63,7 +72,11 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(q, q').
-    pub(super) fn jacobian(&self, lowering: &mut Lowering, [by_positions, by_speeds]: &[Columns; 2]) -> Results<Value> {
+    pub(super) fn jacobian(
+        &self,
+        lowering: &mut Lowering,
+        [by_positions, by_speeds]: &[Vec<Column>; 2],
+    ) -> Results<Value> {
         let [accelerations_by_positions, multipliers_by_positions] = self.derivatives(lowering, by_positions);
         let [accelerations_by_speeds, multipliers_by_speeds] = self.derivatives(lowering, by_speeds);
         Results::record(
@@ -79,7 +92,7 @@ impl<'a> Motion<'a> {
     }
 
     /// d(q'', lambda)/d(parameters).
-    pub(super) fn sensitivity(&self, lowering: &mut Lowering, by_parameters: &Columns) -> Results<Value> {
+    pub(super) fn sensitivity(&self, lowering: &mut Lowering, by_parameters: &[Column]) -> Results<Value> {
         let [accelerations, multipliers] = self.derivatives(lowering, by_parameters);
         Results::record(
             Record::DynamicsSensitivity,
@@ -88,21 +101,21 @@ impl<'a> Motion<'a> {
     }
 
     /// Solves K dz = d(r - K z) for each column; gives the rows of q'' and those of lambda.
-    fn derivatives(&self, lowering: &mut Lowering, columns: &Columns) -> [Results<Value>; 2] {
+    fn derivatives(&self, lowering: &mut Lowering, columns: &[Column]) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
         let constants = vec![zero; unknown_count(self.equations)];
+        let n = self.equations.model.coordinates.len();
         let solved: Vec<Vec<Value>> = columns
             .iter()
             .map(|column| {
-                let rhs = lowering.lower_all(column);
-                match &self.factors {
-                    Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |_, _| ()),
-                    None => constants.clone(),
-                }
+                let rhs = lowering.lower_all(&column.residual);
+                let Some(factors) = &self.factors else { return constants.clone() };
+                let mut solved = factors.solve(&mut lowering.values, rhs, &constants, &mut |_, _| ());
+                derivatives_turned_back(lowering, self.form, &self.unknowns[n..], &column.angles, &mut solved[n..]);
+                solved
             })
             .collect();
         let row = |i: usize| solved.iter().map(|column| column[i]).collect();
-        let n = self.equations.model.coordinates.len();
         let matrix = |rows: std::ops::Range<usize>| Results::Matrix(columns.len(), rows.map(row).collect());
         [matrix(0..n), matrix(n..self.unknowns.len())]
     }
@@ -112,9 +125,12 @@ impl<'a> Motion<'a> {
     }
 }
 
-fn unknown_names(equations: &EquationsOfMotion) -> Vec<String> {
+fn unknown_names(equations: &EquationsOfMotion, form: &Form) -> Vec<String> {
     let mut names = variable_names(equations);
     names.extend(equations.model.constraints.iter().map(|c| format!("lambda_{}", c.name)));
+    for row in form.turns.iter().flat_map(|turn| turn.rows) {
+        names[equations.variables.len() + row].push_str("_turned");
+    }
     names
 }
 
@@ -124,16 +140,17 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; for the multiplier of a constraint
 /// that events switch activity - 1, so that it is 0 where the constraint is released.
-pub(super) fn system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
-    let EquationsOfMotion { model, intermediates, tmt, constraints, .. } = equations;
+pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
+    let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, &constraints.jacobian, activities);
+    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, &form.jacobian, activities);
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
     }
     unknowns.extend(model.constraints.iter().map(|_| Unknown::Multiplier));
-    System { unknowns, entries }
+    let multipliers = if form.turns.is_empty() { Multipliers::Last } else { Multipliers::Soon };
+    System { unknowns, entries, multipliers }
 }
 
 /// The entries of a mass matrix, and below it those of a constraint Jacobian with what switching adds to its diagonal.

@@ -26,7 +26,7 @@ pub(super) fn split(mut statements: Vec<Statement>, results: &Results<Tree>) -> 
     while statements.len() > length {
         let rest = statements.split_off(length);
         let needed = names_needed(&rest, results);
-        let defined = statements.iter().flat_map(defined_names);
+        let defined = statements.iter().flat_map(Statement::gives);
         let known: BTreeSet<&Name> = given.iter().chain(defined).collect();
         let handed_on: Vec<Name> = known.into_iter().filter(|name| needed.contains(*name)).cloned().collect();
         pieces.push(Piece { given, statements, handed_on: handed_on.clone() });
@@ -37,39 +37,12 @@ pub(super) fn split(mut statements: Vec<Statement>, results: &Results<Tree>) -> 
 
 fn names_needed(statements: &[Statement], results: &Results<Tree>) -> BTreeSet<Name> {
     let mut names = BTreeSet::new();
-    for statement in statements {
-        match statement {
-            Statement::Let { value, .. } => collect_names(value, &mut names),
-            Statement::SinCos(waves) => waves.iter().for_each(|wave| collect_names(&wave.argument, &mut names)),
-            Statement::Table(look_up) => collect_names(&look_up.argument, &mut names),
-        }
-    }
-    results.entries().into_iter().for_each(|tree| collect_names(tree, &mut names));
+    let mut need = |name: &Name| {
+        names.insert(name.clone());
+    };
+    statements.iter().for_each(|statement| statement.needs(&mut need));
+    results.entries().into_iter().for_each(|tree| tree.needs(&mut need));
     names
-}
-
-fn defined_names(statement: &Statement) -> Vec<&Name> {
-    match statement {
-        Statement::Let { name, .. } => vec![name],
-        Statement::SinCos(waves) => waves.iter().flat_map(|wave| wave.sin.iter().chain(&wave.cos)).collect(),
-        Statement::Table(look_up) => look_up.names.iter().flatten().collect(),
-    }
-}
-
-fn collect_names(tree: &Tree, names: &mut BTreeSet<Name>) {
-    match tree {
-        Tree::Constant(_) | Tree::Field(_) => {}
-        Tree::Name(name) => {
-            names.insert(name.clone());
-        }
-        Tree::Sum(terms) => terms.iter().for_each(|(_, term)| collect_names(term, names)),
-        Tree::Product(trees) | Tree::Method(_, trees) => trees.iter().for_each(|tree| collect_names(tree, names)),
-        Tree::Quotient(above, below) => {
-            collect_names(above, names);
-            collect_names(below, names);
-        }
-        Tree::Negate(operand) => collect_names(operand, names),
-    }
 }
 
 #[cfg(test)]
@@ -98,14 +71,14 @@ mod tests {
             for statement in &piece.statements {
                 let needed = names_needed(std::slice::from_ref(statement), &Results::Vector(vec![]));
                 assert!(needed.is_subset(&known));
-                known.extend(defined_names(statement).into_iter().cloned());
+                known.extend(statement.gives().into_iter().cloned());
                 count += 1;
             }
             assert!(piece.handed_on.iter().all(|name| known.contains(name)));
             given = piece.handed_on.iter().cloned().chain(["x0".into()]).collect();
         }
         let needed = names_needed(&rest, &results);
-        let defined: BTreeSet<Name> = rest.iter().flat_map(defined_names).cloned().collect();
+        let defined: BTreeSet<Name> = rest.iter().flat_map(Statement::gives).cloned().collect();
         assert!(needed.iter().all(|name| given.contains(name) || defined.contains(name)));
         assert!(given.iter().all(|name| &**name == "x0" || needed.contains(name)));
         assert_eq!(count + rest.len(), length);

@@ -1,5 +1,6 @@
 //! From what a kernel is to return to the kernel.
 
+use super::lifetimes::shorten_lifetimes;
 use super::lower::Lowering;
 use super::names::Names;
 use super::notes::Notes;
@@ -160,7 +161,7 @@ impl<'a> Planner<'a> {
         let statements = schedule.statements;
         let operations = Operations::of(&statements, &results);
         let Head { name, docs, receiver, arguments } = head;
-        let (pieces, statements) = split(statements, &results);
+        let (pieces, statements) = split(shorten_lifetimes(statements, &results), &results);
         Kernel { name, docs, receiver, arguments, entries, pieces, statements, results, operations }
     }
 

@@ -8,24 +8,23 @@ use super::planner::{Head, Planner};
 use super::results::{Record, Results};
 use super::schedule::{Leaves, derived_name};
 use super::speeds;
-use super::values::{Input, Operation, Value};
+use super::values::{Input, Operation, Value, Values};
 use super::{Arguments, Kernel, Name, Receiver, Tree};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
 /// `prepare`, and the kernels of what it returns.
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
-    let mut lowering = planner.lowering();
-    let mut motion = Motion::solve(planner.equations, &mut lowering);
-    let mut planned = vec![("dynamics", dynamics_docs(planner), motion.dynamics())];
+    let (mut lowering, mut motion) = cheapest(planner);
+    let mut planned = vec![("dynamics", dynamics_docs(planner, &motion), motion.dynamics())];
     if let Some(inverse) = &planner.equations.inverse {
         let forces = Results::Vector(lowering.lower_all(&inverse.forces));
         planned.push(("inverse_dynamics", inverse_docs(planner), forces));
     }
-    if let Some(columns) = &planner.equations.by_state {
+    if let Some(columns) = &motion.form.by_state {
         planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, columns)));
     }
-    if let Some(columns) = &planner.equations.by_parameters {
+    if let Some(columns) = &motion.form.by_parameters {
         planned.push(("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering, columns)));
     }
     let mut notes = std::mem::take(&mut motion.notes);
@@ -59,6 +58,29 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         planner.finish(head, &lowering, &results, &notes, leaves.clone())
     });
     [prepare].into_iter().chain(kernels).collect()
+}
+
+/// The equations of motion solved in the form that takes fewer operations.
+fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
+    let solve = |form| {
+        let mut lowering = planner.lowering();
+        let motion = Motion::solve(planner.equations, form, &mut lowering);
+        (lowering, motion)
+    };
+    let cost = |(lowering, motion): &(Lowering, Motion)| operations(&lowering.values, motion.dynamics().entries());
+    let declared = solve(&planner.equations.declared);
+    match planner.equations.turned.as_ref().map(solve) {
+        Some(turned) if cost(&turned) < cost(&declared) => turned,
+        _ => declared,
+    }
+}
+
+/// How many operations values take that are not on parameters alone.
+fn operations(values: &Values, roots: Vec<&Value>) -> usize {
+    let roots: Vec<Value> = roots.into_iter().copied().collect();
+    let needed = values.reachable(&roots, &Leaves::default());
+    let moving = needed.into_iter().filter(|value| !values.is_parametric(*value));
+    moving.map(|value| values.operands(value).count().saturating_sub(1)).sum()
 }
 
 /// What depends on parameters alone and others need, and the parameters that are needed as they are.
@@ -122,13 +144,18 @@ fn sizes(planner: &Planner) -> [usize; 3] {
 
 pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
 
-fn dynamics_docs(planner: &Planner) -> String {
+fn dynamics_docs(planner: &Planner, motion: &Motion) -> String {
     let [n, m, _] = sizes(planner);
+    let turned = match motion.form.turns.len() {
+        0 => "",
+        1 => ", with two constraint rows turned along and across a link",
+        _ => ", with pairs of constraint rows turned along and across links",
+    };
     format!(
         "Accelerations ({n}), multipliers ({m}) and power, from\n\n```text\n\
          [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]\n\
          [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]\n```\n\n\
-         by an elimination planned from the structure of the system. {REFUSED}: solve that state from the other kernels."
+         by an elimination planned from the structure of the system{turned}. {REFUSED}: solve that state from the other kernels."
     )
 }
 

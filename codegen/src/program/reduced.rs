@@ -53,7 +53,7 @@ pub(super) fn constraint_convective(equations: &EquationsOfMotion, lowering: &mu
 
 fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<usize>) -> Results<Value> {
     let n = equations.model.coordinates.len();
-    let system = system(equations, lowering);
+    let system = system(equations, &equations.declared, lowering);
     let mut reduced = reduce(&mut lowering.values, &system);
     let mut row = |i: usize| (0..n).map(|j| reduced.entry(&mut lowering.values, i, j)).collect();
     Results::Matrix(n, rows.map(&mut row).collect())

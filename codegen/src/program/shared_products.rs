@@ -29,6 +29,9 @@ pub(super) struct Shared {
 pub(super) fn share_products(values: &Values, roots: &[Value], leaves: &Leaves) -> Option<Shared> {
     let mut needed = values.reachable(roots, leaves);
     needed.retain(|value| !leaves.contains_key(value));
+    if !has_shared_pair(values, &needed) {
+        return None;
+    }
     let times = times(values, &needed);
     let latest = times.iter().max().copied().unwrap_or(0);
     let operations = needed.iter().map(|value| values.operands(*value).count().saturating_sub(1)).sum::<usize>();
@@ -38,9 +41,24 @@ pub(super) fn share_products(values: &Values, roots: &[Value], leaves: &Leaves) 
             products.add(value, factors.iter().map(|factor| (Factor::Value(*factor), times[factor.index()])));
         }
     }
+    products.find_pairs();
     products.take_out_pairs();
     let is_shared = !products.pairs.is_empty();
     is_shared.then(|| products.rebuild(values, &values.reachable(roots, &Leaves::default())))
+}
+
+/// Whether two factors stand together in several products.
+fn has_shared_pair(values: &Values, needed: &[Value]) -> bool {
+    let mut seen: FxHashMap<(Value, Value), Value> = FxHashMap::default();
+    let is_new = |product: Value, pair: (Value, Value), seen: &mut FxHashMap<_, _>| {
+        seen.insert(pair, product).is_none_or(|other| other == product)
+    };
+    !needed.iter().all(|value| match values.operation(*value) {
+        Operation::Product(factors) => {
+            factors.iter().enumerate().all(|(j, b)| factors[..j].iter().all(|a| is_new(*value, (*a, *b), &mut seen)))
+        }
+        _ => true,
+    })
 }
 
 /// A factor: a value, or a pair that was taken out, by number.
@@ -63,7 +81,7 @@ struct Products {
     is_hurried: bool,
     factors: Vec<Factors>,
     by_value: FxHashMap<Value, usize>,
-    /// The products that each pair is in.
+    /// The products that each pair is in, if there are several.
     containing: FxHashMap<Pair, Vec<usize>>,
     /// What was taken out.
     pairs: Vec<Pair>,
@@ -71,28 +89,33 @@ struct Products {
 
 impl Products {
     fn add(&mut self, value: Value, factors: impl Iterator<Item = (Factor, Time)>) {
-        let product = self.factors.len();
-        self.by_value.insert(value, product);
+        self.by_value.insert(value, self.factors.len());
         let mut factors: Factors = factors.collect();
         factors.sort();
         self.factors.push(factors);
-        for pair in self.pairs_in(product) {
-            self.containing.entry(pair).or_default().push(product);
+    }
+
+    fn find_pairs(&mut self) {
+        let pairs: Vec<(usize, Pair)> = (0..self.factors.len())
+            .flat_map(|product| self.pairs_in(product).into_iter().map(move |pair| (product, pair)))
+            .collect();
+        let mut counts: FxHashMap<Pair, usize> = FxHashMap::default();
+        pairs.iter().for_each(|(_, pair)| *counts.entry(*pair).or_default() += 1);
+        for (product, pair) in pairs {
+            if counts[&pair] > 1 {
+                self.containing.entry(pair).or_default().push(product);
+            }
         }
     }
 
     /// The pairs of factors of a product that may be taken out.
     fn pairs_in(&self, product: usize) -> Vec<Pair> {
         let factors = &self.factors[product];
-        let mut times: Vec<Time> = factors.iter().map(|(_, time)| *time).collect();
-        let known = latency::product(&mut times);
-        let mut pairs = Vec::new();
-        for (i, (a, a_time)) in factors.iter().enumerate() {
-            for (j, (b, b_time)) in factors.iter().enumerate().skip(i + 1) {
-                let others = factors.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, (_, time))| *time);
-                times.clear();
-                times.extend(others.chain([latency::product(&mut [*a_time, *b_time])]));
-                if (!self.is_hurried || latency::product(&mut times) <= known) && !pairs.contains(&(*a, *b)) {
+        let mut pairs = Vec::with_capacity(factors.len() * (factors.len() - 1) / 2);
+        for (j, (b, _)) in factors.iter().enumerate() {
+            for (i, (a, _)) in factors[..j].iter().enumerate() {
+                let is_open = !self.is_hurried || !makes_wait(factors, i, j);
+                if is_open && !pairs.contains(&(*a, *b)) {
                     pairs.push((*a, *b));
                 }
             }
@@ -200,6 +223,16 @@ impl Products {
             _ => shared.values.add(Operation::Product(values)),
         }
     }
+}
+
+/// Whether a product is known later if two of its factors are multiplied first.
+fn makes_wait(factors: &Factors, i: usize, j: usize) -> bool {
+    let mut times: Vec<Time> = factors.iter().map(|(_, time)| *time).collect();
+    let known = latency::product(&mut times);
+    times.clear();
+    times.extend(factors.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, (_, time))| *time));
+    times.push(latency::product(&mut [factors[i].1, factors[j].1]));
+    latency::product(&mut times) > known
 }
 
 #[cfg(test)]

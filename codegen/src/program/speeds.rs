@@ -7,6 +7,7 @@ use super::notes::Notes;
 use super::prepared::REFUSED;
 use super::results::{Record, Results};
 use super::values::Value;
+use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Block, Solution, SpeedEquations};
 use crate::model::Model;
 
@@ -57,7 +58,7 @@ fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, notes:
     let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
     let entries = entries(lowering, &model.graph, &block.matrix, &[], std::iter::empty());
     let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
-    factorise(&mut lowering.values, &System { unknowns, entries }, &names, notes)
+    factorise(&mut lowering.values, &System { unknowns, entries, multipliers: Multipliers::Last }, &names, notes)
 }
 
 fn distinct_pivots(factors: Vec<Factors>) -> Vec<(Value, Value)> {
@@ -84,7 +85,8 @@ fn dynamics(
     let coordinates = model.speeds.iter().map(|_| Unknown::Coordinate);
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
-    let factors = factorise(&mut lowering.values, &System { unknowns, entries }, &names, notes);
+    let factors =
+        factorise(&mut lowering.values, &System { unknowns, entries, multipliers: Multipliers::Last }, &names, notes);
     let solved = solve(factors.as_ref(), rhs, lowering, &mut |value, k| {
         notes.right_hand_side(value, &names[k]);
     });

@@ -75,6 +75,14 @@ pub(super) struct Values {
 }
 
 impl Values {
+    /// None, with room for some.
+    pub(super) fn with_room(room: usize) -> Values {
+        Values {
+            operations: IndexSet::with_capacity_and_hasher(room, FxBuildHasher),
+            parametric: Vec::with_capacity(room),
+        }
+    }
+
     pub(super) fn operation(&self, value: Value) -> &Operation {
         &self.operations[value.index()]
     }
@@ -191,6 +199,31 @@ impl Values {
             _ => self.add(Operation::Product(kept)),
         };
         if negative { self.negate(product) } else { product }
+    }
+
+    /// The product of factors without signs, if it is there.
+    pub(super) fn known_product(&self, mut factors: impl Iterator<Item = Value>) -> Option<Value> {
+        let (first, second) = (factors.next()?, factors.next());
+        let Some(second) = second else { return Some(first) };
+        let mut factors: Vec<Value> = [first, second].into_iter().chain(factors).collect();
+        factors.sort();
+        self.find(&Operation::Product(factors))
+    }
+
+    /// The value as a multiple of another by what depends on parameters alone.
+    pub(super) fn as_multiple(&mut self, value: Value) -> (Value, Value) {
+        let (mut coefficient, mut rest) = (self.constant(1.0), value);
+        while let Operation::Product(factors) = self.operation(rest) {
+            // What depends on parameters alone is one factor.
+            let (parametric, other) = match factors.as_slice() {
+                [a, b] if self.is_parametric(*a) => (*a, *b),
+                [a, b] if self.is_parametric(*b) => (*b, *a),
+                _ => break,
+            };
+            rest = other;
+            coefficient = self.product(vec![coefficient, parametric]);
+        }
+        (coefficient, rest)
     }
 
     /// A quotient; by what depends on parameters alone, a product with its reciprocal.

@@ -488,12 +488,13 @@ pub struct AndrewsPrepared<S = ::core::primitive::f64> {
     inverse_Phi: S,
     inverse_Omega: S,
     k_28: S,
+    k_29: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Andrews<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 35 additions, 59 multiplications, 2 divisions.
+    /// Operations: 36 additions, 59 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> AndrewsPrepared<S> {
         let w = self.m2 * self.da;
@@ -577,6 +578,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             inverse_Phi: S::from_f64(1.0) / mass_Phi_Phi,
             inverse_Omega: S::from_f64(1.0) / mass_Omega_Omega,
             k_28: S::from_f64(2.0) * self.ss,
+            k_29: S::from_f64(1.0) + S::from_f64(1.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
@@ -637,8 +639,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_25 = u7_y * self.ua - u7_x * self.ub;
         [
             [
-                self.m2 * (w_4 * w_4 + w_5 * w_5)
-                    + (self.i1 + self.i2 + self.m1 * self.ra * self.ra),
+                self.i1 + self.i2 + self.m1 * self.ra * self.ra
+                    + self.m2 * (w_4 * w_4 + w_5 * w_5),
                 mass_Theta_beta,
                 S::from_f64(0.0),
                 S::from_f64(0.0),
@@ -658,7 +660,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             [
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                self.m3 * (w_6 * w_6 + w_7 * w_7) + self.i3,
+                self.i3 + self.m3 * (w_6 * w_6 + w_7 * w_7),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
@@ -678,8 +680,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_delta_Phi,
-                self.m4 * (w_13 * w_13 + w_14 * w_14)
-                    + self.m5 * (w_15 * w_15 + w_16 * w_16) + (self.i4 + self.i5),
+                self.i4 + self.i5 + self.m4 * (w_13 * w_13 + w_14 * w_14)
+                    + self.m5 * (w_15 * w_15 + w_16 * w_16),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
             ],
@@ -699,14 +701,14 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_epsilon_Omega,
-                self.m6 * (w_22 * w_22 + w_23 * w_23)
-                    + self.m7 * (w_24 * w_24 + w_25 * w_25) + (self.i6 + self.i7),
+                self.i6 + self.i7 + self.m6 * (w_22 * w_22 + w_23 * w_23)
+                    + self.m7 * (w_24 * w_24 + w_25 * w_25),
             ],
         ]
     }
     /// Convective forces `T_q' M g`, 7, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 17 additions, 51 multiplications, 6 sine-cosine pairs.
+    /// Operations: 16 additions, 49 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [beta, Theta_, _, Phi_, delta, Omega_, epsilon] = *q;
@@ -731,33 +733,33 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w_2, w_3, delta, w_4, epsilon]);
-        let w_5 = u2_y * u1_x;
-        let w_6 = u1_y * u2_x;
-        let w_7 = w_5 - w_6;
-        let w_8 = self.da * w;
-        let w_9 = self.m4 * self.zt;
-        let w_10 = self.ea * w_9;
-        let w_11 = self.ee * w_9;
-        let w_12 = n4_x * u5_y + cos_w_3 * u5_x;
-        let w_13 = self.m6 * self.u;
-        let w_14 = self.zf * w_13;
-        let w_15 = self.fa * w_13;
-        let w_16 = u6_y * u7_y;
-        let w_17 = u6_x * u7_x;
-        let w_18 = w_17 + w_16;
+        let w_5 = u2_y * u1_x - u1_y * u2_x;
+        let w_6 = self.da * w;
+        let w_7 = self.m4 * self.zt;
+        let w_8 = self.ea * w_7;
+        let w_9 = self.ee * w_7;
+        let w_10 = n4_x * u5_y + cos_w_3 * u5_x;
+        let w_11 = self.m6 * self.u;
+        let w_12 = self.zf * w_11;
+        let w_13 = self.fa * w_11;
+        let w_14 = u6_y * u7_y + u6_x * u7_x;
         [
-            self.da * S::from_f64(2.0) * w * Theta_dot * beta_dot * w_7
-                + w_8 * Theta_dot * Theta_dot * w_7,
-            w_8 * beta_dot * beta_dot * (w_6 - w_5),
+            self.da * S::from_f64(2.0) * w * Theta_dot * beta_dot * w_5
+                + w_6 * Theta_dot * Theta_dot * w_5,
+            -(w_6 * w_5 * beta_dot * beta_dot),
             S::from_f64(0.0),
-            (w_10 - w_11) * delta_dot * delta_dot * w_12,
-            (w_11 - w_10) * w_12 * Phi_dot * Phi_dot
-                + (S::from_f64(2.0) * self.ee * w_9 - S::from_f64(2.0) * self.ea * w_9)
-                    * Phi_dot * delta_dot * w_12,
-            (w_14 - w_15) * epsilon_dot * epsilon_dot * (w_16 + w_17),
-            (S::from_f64(2.0) * self.fa * w_13 - S::from_f64(2.0) * self.zf * w_13)
-                * epsilon_dot * Omega_dot * w_18
-                + (w_15 - w_14) * Omega_dot * Omega_dot * w_18,
+            (w_8 - w_9) * delta_dot * delta_dot * w_10,
+            w_10
+                * (Phi_dot * Phi_dot * (w_9 - w_8)
+                    + Phi_dot * delta_dot
+                        * (S::from_f64(2.0) * self.ee * w_7
+                            - S::from_f64(2.0) * self.ea * w_7)),
+            (w_12 - w_13) * epsilon_dot * epsilon_dot * w_14,
+            w_14
+                * (epsilon_dot * Omega_dot
+                    * (S::from_f64(2.0) * self.fa * w_11
+                        - S::from_f64(2.0) * self.zf * w_11)
+                    + Omega_dot * Omega_dot * (w_13 - w_12)),
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
@@ -796,8 +798,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     pub fn constraints(&self, t: S, q: &[S; 7]) -> [S; 6] {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
         let w = beta + Theta_;
-        let w_2 = Phi_ + delta;
-        let w_3 = Omega_ + epsilon;
+        let w_2 = delta + Phi_;
+        let w_3 = epsilon + Omega_;
         let (
             [u1_y,
             u2_y,
@@ -823,10 +825,10 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         [
             w_4 - self.xb - w_5 - self.ss * u3_y,
             w_6 - self.yb - w_7 + self.ss * u3_x,
-            w_4 - self.xa - w_5 - self.zt * u5_x - self.ee * n4_x,
-            w_6 - self.ya - w_7 - self.zt * u5_y + self.ee * cos_w_2,
-            w_4 - self.xa - w_5 - self.u * u7_y - self.zf * u6_x,
-            w_6 - self.ya - w_7 + self.u * u7_x - self.zf * u6_y,
+            w_4 - w_5 - self.xa - self.zt * u5_x - self.ee * n4_x,
+            w_6 - w_7 - self.ya - self.zt * u5_y + self.ee * cos_w_2,
+            w_4 - w_5 - self.xa - self.u * u7_y - self.zf * u6_x,
+            w_6 - w_7 - self.ya + self.u * u7_x - self.zf * u6_y,
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 6, in SI units: what its rounding is relative to.
@@ -836,8 +838,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 7]) -> [S; 6] {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
         let w = beta + Theta_;
-        let w_2 = Phi_ + delta;
-        let w_3 = Omega_ + epsilon;
+        let w_2 = delta + Phi_;
+        let w_3 = epsilon + Omega_;
         let (
             [u1_y,
             u2_y,
@@ -989,7 +991,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let [beta_dot, Theta_dot, gamma_dot, Phi_dot, delta_dot, Omega_dot, epsilon_dot,
         ] = *qd;
         let w = beta + Theta_;
-        let w_2 = Phi_ + delta;
+        let w_2 = delta + Phi_;
         let w_3 = Omega_ + epsilon;
         let (
             [u2_y,
@@ -1009,16 +1011,16 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([w, beta, gamma, delta, w_2, w_3, epsilon]);
-        let w_4 = self.d * (beta_dot + Theta_dot);
+        let w_4 = self.d * (Theta_dot + beta_dot);
         let w_5 = Theta_dot * w_4;
         let w_6 = u2_x * w_5;
+        let w_10 = w_5 * u2_y;
         let w_7 = beta_dot * self.rr;
         let w_8 = beta_dot * (u1_x * w_7 - u2_x * w_4);
-        let w_9 = gamma_dot * gamma_dot * self.ss;
-        let w_10 = w_5 * u2_y;
         let w_11 = beta_dot * (w_7 * u1_y - w_4 * u2_y);
+        let w_9 = gamma_dot * gamma_dot * self.ss;
         let w_12 = delta_dot * self.zt;
-        let w_13 = self.ee * (Phi_dot + delta_dot);
+        let w_13 = self.ee * (delta_dot + Phi_dot);
         let w_14 = n4_x * w_13;
         let w_15 = w_13 * cos_w_2;
         let w_16 = self.zf * (Omega_dot + epsilon_dot);
@@ -1044,8 +1046,8 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
     ) -> sim_kernel::ConstraintLinearization<[S; 6], [[S; 7]; 6]> {
         let [beta, Theta_, gamma, Phi_, delta, Omega_, epsilon] = *q;
         let w = beta + Theta_;
-        let w_2 = Phi_ + delta;
-        let w_3 = Omega_ + epsilon;
+        let w_2 = delta + Phi_;
+        let w_3 = epsilon + Omega_;
         let (
             [u1_y,
             u2_y,
@@ -1085,10 +1087,10 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
             values: [
                 w_4 - self.xb - minus_loop3_y_by_Theta - minus_loop3_y_by_gamma,
                 w_5 - self.yb - loop3_x_by_Theta + minus_loop3_x_by_gamma,
-                w_4 - self.xa - minus_loop3_y_by_Theta - w_6 - minus_loop4_y_by_Phi,
-                w_5 - self.ya - loop3_x_by_Theta - w_7 + minus_loop4_x_by_Phi,
-                w_4 - self.xa - minus_loop3_y_by_Theta - w_8 - minus_loop6_y_by_Omega,
-                w_5 - self.ya - loop3_x_by_Theta + w_9 - loop6_x_by_Omega,
+                w_4 - minus_loop3_y_by_Theta - self.xa - w_6 - minus_loop4_y_by_Phi,
+                w_5 - loop3_x_by_Theta - self.ya - w_7 + minus_loop4_x_by_Phi,
+                w_4 - minus_loop3_y_by_Theta - self.xa - w_8 - minus_loop6_y_by_Omega,
+                w_5 - loop3_x_by_Theta - self.ya + w_9 - loop6_x_by_Omega,
             ],
             jacobian: [
                 [
@@ -1166,7 +1168,7 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         ] = *qd;
         let w = beta + Theta_;
         let w_2 = Phi_ + delta;
-        let w_3 = Omega_ + epsilon;
+        let w_3 = epsilon + Omega_;
         let (
             [u2_y,
             u1_y,
@@ -1188,18 +1190,18 @@ impl<S: sim_kernel::Scalar> Andrews<S> {
         let w_4 = self.sa * u3_x - self.sb * u3_y;
         let w_5 = self.sa * u3_y + u3_x * self.sb;
         let w_6 = gamma_dot * gamma_dot
-            * (S::from_f64(0.5) * self.m3 * (w_4 * w_4 + w_5 * w_5)
-                + S::from_f64(0.5) * self.i3);
+            * (S::from_f64(0.5) * self.i3
+                + S::from_f64(0.5) * self.m3 * (w_4 * w_4 + w_5 * w_5));
         let w_7 = u5_y * self.ta + u5_x * self.tb;
         let w_8 = u5_x * self.ta - u5_y * self.tb;
         let w_9 = delta_dot * delta_dot
-            * (S::from_f64(0.5) * self.m5 * (w_7 * w_7 + w_8 * w_8)
-                + S::from_f64(0.5) * self.i5);
+            * (S::from_f64(0.5) * self.i5
+                + S::from_f64(0.5) * self.m5 * (w_7 * w_7 + w_8 * w_8));
         let w_10 = u7_x * self.ua + u7_y * self.ub;
         let w_11 = u7_y * self.ua - u7_x * self.ub;
         let w_12 = epsilon_dot * epsilon_dot
-            * (S::from_f64(0.5) * self.m7 * (w_10 * w_10 + w_11 * w_11)
-                + S::from_f64(0.5) * self.i7);
+            * (S::from_f64(0.5) * self.i7
+                + S::from_f64(0.5) * self.m7 * (w_10 * w_10 + w_11 * w_11));
         let w_13 = Theta_dot * self.da;
         let w_14 = u2_y * w_13 - beta_dot * (self.rr * u1_y - self.da * u2_y);
         let w_15 = beta_dot * (self.rr * u1_x - self.da * u2_x) - w_13 * u2_x;
@@ -1444,7 +1446,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 243 additions, 298 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 233 additions, 292 multiplications, 13 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1476,284 +1478,283 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w, gamma, w_2, delta, w_3, epsilon]);
-        let w_4 = u1_y * u2_x;
-        let w_5 = u2_y * u1_x;
-        let w_6 = w_4 - w_5;
+        let w_4 = u1_y * u2_x - u2_y * u1_x;
         let Theta_dot_squared = Theta_dot * Theta_dot;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_6
-            + self.k_3 * Theta_dot_squared * w_6 + self.mom;
-        let w_7 = u3_y * self.sc;
-        let w_8 = u3_x * self.sd;
-        let w_9 = self.k_17 + w_7 + w_8;
-        let w_10 = u3_x * self.sc;
-        let w_11 = u3_y * self.sd;
-        let w_12 = self.k_18 - w_10 + w_11;
-        let w_13 = (w_9 * w_9 + w_12 * w_12).sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + w_13 * self.k_21)
-            + u3_y * (self.k_20 + w_13 * self.k_22)) / w_13;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w_14 = self.rr * u1_y;
-        let w_15 = w_14 - self.da * u2_y;
-        let w_16 = self.rr * u1_x;
-        let w_17 = w_16 - self.da * u2_x;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_15 + u2_x * w_17);
-        let mass_beta_beta = self.m2 * (w_15 * w_15 + w_17 * w_17) + self.k;
-        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
-        let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
-            - rhs_beta * l_Theta_beta;
+        let rhs_beta = self.mom + self.k_16 * Theta_dot * beta_dot * w_4
+            + self.k_3 * Theta_dot_squared * w_4;
+        let w_15 = Theta_dot * beta_dot * self.k_25 + self.d * Theta_dot_squared;
+        let w_5 = u3_y * self.sc;
+        let w_6 = u3_x * self.sd;
+        let w_7 = self.k_17 + w_5 + w_6;
+        let w_8 = u3_x * self.sc;
+        let w_9 = u3_y * self.sd;
+        let w_10 = self.k_18 - w_8 + w_9;
+        let w_11 = (w_7 * w_7 + w_10 * w_10).sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + w_11 * self.k_21)
+            + u3_y * (self.k_20 + w_11 * self.k_22)) / w_11;
         let delta_dot_squared = delta_dot * delta_dot;
-        let w_18 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_18;
+        let w_12 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_12;
         let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let w_19 = self.sa * u3_x - self.sb * u3_y;
-        let w_20 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_19 * w_19 + w_20 * w_20) + self.i3;
+        let w_13 = self.sa * u3_x - self.sb * u3_y;
+        let w_14 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.i3 + self.m3 * (w_13 * w_13 + w_14 * w_14);
         let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
         let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_21 = Theta_dot * beta_dot * self.k_25;
-        let w_22 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_21);
         let minus_loop3_y_by_gamma = u3_y * self.ss;
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_23 = w_16 * beta_dot_squared;
+        let w_16 = u2_x * w_15;
+        let w_26 = u2_y * w_15;
+        let w_17 = self.rr * u1_x;
+        let minus_loop3_y_by_Theta = u2_x * self.d;
+        let P_x = w_17 - minus_loop3_y_by_Theta;
+        let w_21 = w_17 - self.da * u2_x;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w_18 = P_x * beta_dot_squared;
         let loop3_x_by_Theta = u2_y * self.d;
-        let loop3_x_by_beta = loop3_x_by_Theta - w_14;
+        let w_19 = self.rr * u1_y;
+        let loop3_x_by_beta = loop3_x_by_Theta - w_19;
+        let w_20 = w_19 - self.da * u2_y;
+        let mass_beta_beta = self.k + self.m2 * (w_20 * w_20 + w_21 * w_21);
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_20 + u2_x * w_21);
+        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
         let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
-        let w_24 = rhs_beta * l_lambda_loop3_x_beta;
-        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
-        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
+        let w_22 = rhs_beta * l_lambda_loop3_x_beta;
+        let l_Theta_beta = mass_Theta_beta * inverse_beta;
+        let minus_rhs_Theta = self.k_3 * w_4 * beta_dot_squared
+            + rhs_beta * l_Theta_beta;
+        let w_25 = loop3_x_by_beta * beta_dot_squared;
+        let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
+        let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_25 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let w_23 = l_lambda_loop3_x_Theta * minus_rhs_Theta;
         let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_22 + minus_loop3_y_by_gamma * gamma_dot_squared - w_23) - w_24 - w_25;
+            - (minus_loop3_y_by_gamma * gamma_dot_squared + w_16 - w_18) - w_22 + w_23;
         let Phi_dot_squared = Phi_dot * Phi_dot;
+        let w_24 = Phi_dot * delta_dot;
         let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
             + cos_w_2 * u5_y * self.k_8;
         let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let rhs_delta = self.k_8 * w_18 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_18 - rhs_Phi * l_delta_Phi;
+        let rhs_delta = w_12 * (self.k_8 * Phi_dot_squared + self.k_23 * w_24)
+            - rhs_Phi * l_delta_Phi;
+        let w_34 = w_24 * self.k_26 + self.ee * Phi_dot_squared;
         let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_26 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_21);
-        let w_27 = w_14 * beta_dot_squared;
-        let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_16 - minus_loop3_y_by_Theta;
         let l_lambda_loop3_y_beta = P_x * inverse_beta;
-        let w_28 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
+        let w_27 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_29 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
-        let w_30 = loop3_x_by_beta * l_lambda_loop3_x_beta;
-        let w_31 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
-        let minus_pivot_lambda_loop3_x = w_30
-            + minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma + w_31;
+        let w_28 = minus_l_lambda_loop3_y_Theta * minus_rhs_Theta;
+        let w_29 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_32 = loop3_x_by_beta * l_lambda_loop3_y_beta;
+        let w_30 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let w_31 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
+        let minus_pivot_lambda_loop3_x = w_29
+            + minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma + w_30;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
-        let w_32 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_33 = loop3_x_by_beta * l_lambda_loop3_y_beta;
-        let k_lambda_loop3_y_lambda_loop3_x = w_32 - w_33
+        let k_lambda_loop3_y_lambda_loop3_x = w_31 - w_32
             - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_26 - minus_loop3_x_by_gamma * gamma_dot_squared - w_27) - w_28 + w_29
+            - (w_25 - minus_loop3_x_by_gamma * gamma_dot_squared + w_26) - w_27 - w_28
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
         let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_34 = u7_y * u6_y;
-        let w_35 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_34 + w_35);
+        let w_33 = u7_y * u6_y + u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * w_33;
+        let w_35 = self.zt * u5_x;
+        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let minus_loop4_y_by_delta = w_35 + minus_loop4_y_by_Phi;
+        let w_39 = w_35 + self.k_4 * n4_x;
         let minus_loop4_x_by_Phi = self.ee * cos_w_2;
         let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_36 = Phi_dot * delta_dot * self.k_26;
-        let w_37 = self.zt * u5_x;
-        let minus_k_lambda_loop4_x_lambda_loop3_x = w_30 + w_31;
+        let minus_k_lambda_loop4_x_lambda_loop3_x = w_29 + w_30;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let w_38 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_39 = self.zt * u5_y;
-        let w_40 = w_39 - self.k_4 * cos_w_2;
-        let w_41 = w_37 + self.k_4 * n4_x;
-        let w_42 = u5_y * self.ta + u5_x * self.tb;
-        let w_43 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_41 * w_41)
-            + self.m5 * (w_42 * w_42 + w_43 * w_43) + self.k_9;
+        let w_36 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_37 = self.zt * u5_y;
+        let w_38 = w_37 - self.k_4 * cos_w_2;
+        let loop4_x_by_delta = w_37 - minus_loop4_x_by_Phi;
+        let w_40 = u5_y * self.ta + u5_x * self.tb;
+        let w_41 = u5_x * self.ta - u5_y * self.tb;
+        let mass_delta_delta = self.k_9 + self.m4 * (w_38 * w_38 + w_39 * w_39)
+            + self.m5 * (w_40 * w_40 + w_41 * w_41);
         let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
         let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let k_lambda_loop4_x_delta = w_39 - minus_loop4_x_by_Phi
+        let k_lambda_loop4_x_delta = loop4_x_by_delta
             + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
         let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
-        let w_44 = P_x * l_lambda_loop3_y_beta;
-        let w_45 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_46 = w_44 + minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_45;
+        let w_42 = P_x * l_lambda_loop3_y_beta;
+        let w_46 = P_x * l_lambda_loop3_x_beta;
+        let w_43 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
+        let w_44 = w_42 + minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_43;
+        let w_45 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
         let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop3_y_lambda_loop3_x - w_46;
+            * minus_l_lambda_loop3_y_lambda_loop3_x - w_44;
         let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_47 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
-        let w_48 = P_x * l_lambda_loop3_x_beta;
-        let k_lambda_loop4_x_lambda_loop3_y = w_47 - w_48
+        let k_lambda_loop4_x_lambda_loop3_y = w_45 - w_46
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
-        let w_49 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_22 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_36)
-                - w_23 + w_37 * delta_dot_squared) - w_24 - w_25 - w_38
-            - l_lambda_loop4_x_delta * rhs_delta - w_49;
-        let w_50 = w_35 + w_34;
+        let w_47 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
+        let rhs_lambda_loop4_x = w_23
+            - (w_16 - w_18 + n4_x * w_34 + minus_loop4_y_by_delta * delta_dot_squared)
+            - w_22 + rhs_Phi * minus_l_lambda_loop4_x_Phi - w_36
+            - l_lambda_loop4_x_delta * rhs_delta - w_47;
+        let w_48 = epsilon_dot * Omega_dot;
         let Omega_dot_squared = Omega_dot * Omega_dot;
         let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
             + u6_y * u7_x * self.k_14;
         let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_50
-            + self.k_13 * Omega_dot_squared * w_50 - rhs_Omega * l_epsilon_Omega;
-        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let rhs_epsilon = w_33 * (self.k_24 * w_48 + self.k_13 * Omega_dot_squared)
+            - rhs_Omega * l_epsilon_Omega;
+        let w_56 = self.zf * Omega_dot_squared + w_48 * self.k_27;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
-        let k_lambda_loop4_y_lambda_loop3_x = w_32 - w_33;
+        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
+            - minus_loop4_y_by_delta;
+        let k_lambda_loop4_y_lambda_loop3_x = w_31 - w_32;
         let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop4_y_lambda_loop3_x;
-        let w_51 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - (w_37 + minus_loop4_y_by_Phi);
-        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x - w_44 - w_45;
+            * minus_l_lambda_loop4_y_lambda_loop3_x - w_42 - w_43;
+        let w_49 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
+        let w_64 = w_42 + w_43 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
-        let w_52 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
-        let w_53 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_50 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
+        let w_51 = minus_k_lambda_loop4_x_lambda_loop3_x
             * l_lambda_loop4_x_lambda_loop3_x;
-        let w_54 = w_30 + w_31 + minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
-            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
-        let w_55 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_53 - w_54 - w_55;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+        let w_54 = minus_k_lambda_loop4_x_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let k_lambda_loop4_y_lambda_loop4_x = w_32 - w_33
-            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi - w_56
-            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_57;
+        let w_52 = w_29 + w_30 + minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
+            + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
+        let w_53 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
+        let w_55 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let k_lambda_loop4_y_lambda_loop4_x = w_31 - w_32
+            - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi - w_54
+            - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_55;
+        let pivot_lambda_loop4_x = w_51 - w_52 - w_53;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let rhs_lambda_loop4_y = w_29
-            - (w_26 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_36)
-                - w_27 + w_39 * delta_dot_squared) - w_28
-            + rhs_Phi * minus_l_lambda_loop4_y_Phi + w_51
-            - l_lambda_loop4_y_delta * rhs_delta - w_52
+        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_25 + w_26 - cos_w_2 * w_34 + loop4_x_by_delta * delta_dot_squared)
+            - w_27 - w_28 + w_49 - l_lambda_loop4_y_delta * rhs_delta - w_50
             - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let w_58 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let w_59 = self.u * u7_x;
+        let w_57 = self.u * u7_y;
         let minus_loop6_y_by_Omega = self.zf * u6_x;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let k_lambda_loop6_y_lambda_loop4_x = w_32 - w_33 - w_56 - w_57;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let w_60 = w_59 - self.k_10 * u6_y;
-        let w_61 = self.u * u7_y;
-        let w_62 = w_61 + self.k_10 * u6_x;
-        let w_63 = u7_x * self.ua + u7_y * self.ub;
-        let w_64 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_60 * w_60 + w_62 * w_62)
-            + self.m7 * (w_63 * w_63 + w_64 * w_64) + self.k_15;
-        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - (w_61 + minus_loop6_y_by_Omega);
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let w_65 = k_lambda_loop4_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_66 = w_44 + w_45 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
-            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let w_67 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let pivot_lambda_loop4_y = w_65 - w_66 - w_67
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
-        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let k_lambda_loop6_y_lambda_loop4_y = w_65 - w_44 - w_45 - w_67
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
-            * k_lambda_loop6_y_lambda_loop4_y;
+        let minus_loop6_y_by_epsilon = w_57 + minus_loop6_y_by_Omega;
+        let w_60 = w_57 + self.k_10 * u6_x;
         let loop6_x_by_Omega = self.zf * u6_y;
         let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_59
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_68 = w_30 + w_31 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
-            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
-        let k_lambda_loop6_x_lambda_loop4_x = w_53 - w_30 - w_31 - w_55;
+        let k_lambda_loop6_x_lambda_loop4_x = w_51 - w_29 - w_30 - w_53;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
-        let k_lambda_loop6_x_lambda_loop4_y = w_47 - w_48
+        let k_lambda_loop6_x_lambda_loop4_y = w_45 - w_46
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
+        let w_63 = k_lambda_loop4_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_65 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let w_58 = self.u * u7_x;
+        let w_59 = w_58 - self.k_10 * u6_y;
+        let loop6_x_by_epsilon = loop6_x_by_Omega - w_58;
+        let w_61 = u7_x * self.ua + u7_y * self.ub;
+        let w_62 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.k_15 + self.m6 * (w_59 * w_59 + w_60 * w_60)
+            + self.m7 * (w_61 * w_61 + w_62 * w_62);
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_epsilon
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_66 = w_29 + w_30 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let pivot_lambda_loop4_y = w_63 - w_64 - w_65
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_53 - w_68 - w_55
+        let rhs_lambda_loop6_x = w_23
+            - (w_16 - w_18 + u6_x * w_56
+                + minus_loop6_y_by_epsilon * epsilon_dot_squared) - w_22 - w_36 - w_47
+            - rhs_Omega * l_lambda_loop6_x_Omega
+            - l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            - l_lambda_loop6_x_epsilon * rhs_epsilon
+            - l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let pivot_lambda_loop6_x = w_51 - w_66 - w_53
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
-        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
-        let k_lambda_loop6_y_lambda_loop6_x = w_32 - w_33 - w_56 - w_57
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - minus_loop6_y_by_epsilon;
+        let k_lambda_loop6_y_lambda_loop4_x = w_31 - w_32 - w_54 - w_55;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let k_lambda_loop6_y_lambda_loop4_y = w_63 - w_42 - w_43 - w_65
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let w_67 = w_42 + w_43 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
+            * k_lambda_loop6_y_lambda_loop4_y;
+        let k_lambda_loop6_y_lambda_loop6_x = w_31 - w_32 - w_54 - w_55
             + loop6_x_by_Omega * minus_l_lambda_loop6_y_Omega
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
+        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let minus_rhs_lambda_loop6_x = w_22 + u6_x * w_58 - w_23
-            + w_61 * epsilon_dot_squared + w_24 + w_25 + w_38 + w_49
-            + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_epsilon * rhs_epsilon
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
-        let rhs_lambda_loop6_y = w_29
-            - (w_26 + u6_y * w_58 - w_27 - w_59 * epsilon_dot_squared) - w_28 + w_51
-            - w_52 + rhs_Omega * minus_l_lambda_loop6_y_Omega
+        let rhs_lambda_loop6_y = w_49
+            - (w_25 + w_26 + u6_y * w_56 + loop6_x_by_epsilon * epsilon_dot_squared)
+            - w_27 - w_28 - w_50 + rhs_Omega * minus_l_lambda_loop6_y_Omega
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_epsilon * rhs_epsilon
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
-        let w_69 = w_44 + w_45 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
-            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
-        let pivot_lambda_loop6_y = w_65 - w_69 - w_67
+            - l_lambda_loop6_y_lambda_loop6_x * rhs_lambda_loop6_x;
+        let pivot_lambda_loop6_y = w_63 - w_67 - w_65
             - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
             - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
         let lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y
             * rhs_lambda_loop6_y;
-        let minus_lambda_loop6_x = inverse_lambda_loop6_x * minus_rhs_lambda_loop6_x
-            + l_lambda_loop6_y_lambda_loop6_x * lambda_loop6_y;
+        let lambda_loop6_x = inverse_lambda_loop6_x * rhs_lambda_loop6_x
+            - l_lambda_loop6_y_lambda_loop6_x * lambda_loop6_y;
         let lambda_loop4_y = inverse_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_x_lambda_loop4_y * minus_lambda_loop6_x
+            - l_lambda_loop6_x_lambda_loop4_y * lambda_loop6_x
             - l_lambda_loop6_y_lambda_loop4_y * lambda_loop6_y;
         let lambda_loop4_x = inverse_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop4_y_lambda_loop4_x * lambda_loop4_y
-            + l_lambda_loop6_x_lambda_loop4_x * minus_lambda_loop6_x
+            - l_lambda_loop6_x_lambda_loop4_x * lambda_loop6_x
             - l_lambda_loop6_y_lambda_loop4_x * lambda_loop6_y;
         let lambda_loop3_y = inverse_lambda_loop3_y * rhs_lambda_loop3_y
             - l_lambda_loop4_x_lambda_loop3_y * lambda_loop4_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop4_y
-            + l_lambda_loop4_x_lambda_loop3_y * minus_lambda_loop6_x
+            - l_lambda_loop4_x_lambda_loop3_y * lambda_loop6_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop6_y;
         let lambda_loop3_x = minus_l_lambda_loop3_y_lambda_loop3_x * lambda_loop3_y
             - minus_inverse_lambda_loop3_x * rhs_lambda_loop3_x
             - l_lambda_loop4_x_lambda_loop3_x * lambda_loop4_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop4_y
-            + l_lambda_loop4_x_lambda_loop3_x * minus_lambda_loop6_x
+            - l_lambda_loop4_x_lambda_loop3_x * lambda_loop6_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop6_y;
-        let Theta_ddot = inverse_Theta * rhs_Theta
-            - l_lambda_loop3_x_Theta * lambda_loop3_x
-            + minus_l_lambda_loop3_y_Theta * lambda_loop3_y
+        let Theta_ddot = minus_l_lambda_loop3_y_Theta * lambda_loop3_y
+            - inverse_Theta * minus_rhs_Theta - l_lambda_loop3_x_Theta * lambda_loop3_x
             - l_lambda_loop3_x_Theta * lambda_loop4_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop4_y
-            + l_lambda_loop3_x_Theta * minus_lambda_loop6_x
+            - l_lambda_loop3_x_Theta * lambda_loop6_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop6_y;
         let delta_ddot = inverse_delta * rhs_delta
             - l_lambda_loop4_x_delta * lambda_loop4_x
             - l_lambda_loop4_y_delta * lambda_loop4_y;
         let epsilon_ddot = inverse_epsilon * rhs_epsilon
-            + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
+            - l_lambda_loop6_x_epsilon * lambda_loop6_x
             - l_lambda_loop6_y_epsilon * lambda_loop6_y;
         sim_kernel::Dynamics {
             accelerations: [
@@ -1762,7 +1763,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                     - l_lambda_loop3_y_beta * lambda_loop3_y
                     - l_lambda_loop3_x_beta * lambda_loop4_x
                     - l_lambda_loop3_y_beta * lambda_loop4_y
-                    + l_lambda_loop3_x_beta * minus_lambda_loop6_x
+                    - l_lambda_loop3_x_beta * lambda_loop6_x
                     - l_lambda_loop3_y_beta * lambda_loop6_y,
                 Theta_ddot,
                 rhs_gamma * inverse_gamma + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
@@ -1772,7 +1773,7 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                     + minus_l_lambda_loop4_y_Phi * lambda_loop4_y,
                 delta_ddot,
                 rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
-                    + l_lambda_loop6_x_Omega * minus_lambda_loop6_x
+                    - l_lambda_loop6_x_Omega * lambda_loop6_x
                     + minus_l_lambda_loop6_y_Omega * lambda_loop6_y,
                 epsilon_ddot,
             ],
@@ -1781,12 +1782,12 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 lambda_loop3_y,
                 lambda_loop4_x,
                 lambda_loop4_y,
-                -minus_lambda_loop6_x,
+                lambda_loop6_x,
                 lambda_loop6_y,
             ],
-            power: self.c0 * gamma_dot * (self.l0 - w_13)
-                * ((w_9 * (w_10 - w_11) + w_12 * (w_7 + w_8)) / w_13)
-                + self.mom * beta_dot,
+            power: self.mom * beta_dot
+                + gamma_dot * self.c0 * (self.l0 - w_11)
+                    * (w_7 * (w_8 - w_9) + w_10 * (w_5 + w_6)) / w_11,
             refused: sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
                 | sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
                 | sim_kernel::pivot_is_refused(pivot_Theta, self.mass_Theta_Theta)
@@ -1795,20 +1796,20 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                     -minus_pivot_lambda_loop3_x,
                     minus_pivot_lambda_loop3_x,
                 ) | sim_kernel::pivot_is_refused(pivot_delta, mass_delta_delta)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_46)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop3_y, w_44)
                 | sim_kernel::pivot_is_refused(
                     self.mass_Omega_Omega,
                     self.mass_Omega_Omega,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_54)
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_52)
                 | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_66)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_68)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_64)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_66)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_67),
         }
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 1094 additions, 1376 multiplications, 17 divisions, 7 sine-cosine pairs, 1 square root.
+    /// Operations: 1068 additions, 1364 multiplications, 15 divisions, 7 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1840,215 +1841,184 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             u7_x,
             ],
         ) = S::sin_cos_each([beta, w, gamma, w_2, delta, w_3, epsilon]);
-        let w_4 = u1_y * u2_x;
-        let w_5 = u2_y * u1_x;
-        let w_6 = w_4 - w_5;
+        let w_4 = u1_y * u2_x - u2_y * u1_x;
         let Theta_dot_squared = Theta_dot * Theta_dot;
-        let rhs_beta = self.k_16 * Theta_dot * beta_dot * w_6
-            + self.k_3 * Theta_dot_squared * w_6 + self.mom;
-        let w_7 = u3_y * self.sc;
-        let w_8 = u3_x * self.sd;
-        let w_9 = self.k_17 + w_7 + w_8;
-        let w_10 = u3_x * self.sc;
-        let w_11 = u3_y * self.sd;
-        let w_12 = self.k_18 - w_10 + w_11;
-        let w_13 = w_9 * w_9 + w_12 * w_12;
-        let sqrt_w_13 = w_13.sqrt();
-        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_13 * self.k_21)
-            + u3_y * (self.k_20 + sqrt_w_13 * self.k_22)) / sqrt_w_13;
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w_14 = self.rr * u1_y;
-        let w_15 = w_14 - self.da * u2_y;
-        let w_16 = self.rr * u1_x;
-        let w_17 = w_16 - self.da * u2_x;
-        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_15 + u2_x * w_17);
-        let mass_beta_beta = self.m2 * (w_15 * w_15 + w_17 * w_17) + self.k;
-        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
-        let l_Theta_beta = mass_Theta_beta * inverse_beta;
-        let rhs_Theta = self.k_3 * beta_dot_squared * (w_5 - w_4)
-            - rhs_beta * l_Theta_beta;
+        let rhs_beta = self.mom + self.k_16 * Theta_dot * beta_dot * w_4
+            + self.k_3 * Theta_dot_squared * w_4;
+        let w_15 = Theta_dot * beta_dot * self.k_25 + self.d * Theta_dot_squared;
+        let w_5 = u3_y * self.sc;
+        let w_6 = u3_x * self.sd;
+        let w_7 = self.k_17 + w_5 + w_6;
+        let w_136 = w_5 + w_6;
+        let w_8 = u3_x * self.sc;
+        let w_9 = u3_y * self.sd;
+        let w_10 = self.k_18 - w_8 + w_9;
+        let w_135 = w_8 - w_9;
+        let w_11 = w_7 * w_7 + w_10 * w_10;
+        let sqrt_w_11 = w_11.sqrt();
+        let rhs_gamma = (u3_x * (self.k_19 + sqrt_w_11 * self.k_21)
+            + u3_y * (self.k_20 + sqrt_w_11 * self.k_22)) / sqrt_w_11;
         let delta_dot_squared = delta_dot * delta_dot;
-        let w_18 = n4_x * u5_y + u5_x * cos_w_2;
-        let rhs_Phi = self.k_7 * delta_dot_squared * w_18;
+        let w_12 = n4_x * u5_y + u5_x * cos_w_2;
+        let rhs_Phi = self.k_7 * delta_dot_squared * w_12;
         let minus_loop3_x_by_gamma = u3_x * self.ss;
-        let w_19 = self.sa * u3_x - self.sb * u3_y;
-        let w_20 = self.sa * u3_y + u3_x * self.sb;
-        let mass_gamma_gamma = self.m3 * (w_19 * w_19 + w_20 * w_20) + self.i3;
+        let w_13 = self.sa * u3_x - self.sb * u3_y;
+        let w_14 = self.sa * u3_y + u3_x * self.sb;
+        let mass_gamma_gamma = self.i3 + self.m3 * (w_13 * w_13 + w_14 * w_14);
+        let w_302 = self.m3 * (w_13 * w_14 * gamma_dot - w_14 * w_13 * gamma_dot);
         let inverse_gamma = S::from_f64(1.0) / mass_gamma_gamma;
         let minus_l_lambda_loop3_x_gamma = minus_loop3_x_by_gamma * inverse_gamma;
-        let w_21 = Theta_dot * beta_dot * self.k_25;
-        let w_22 = u2_x * (self.d * (Theta_dot_squared + beta_dot_squared) + w_21);
         let minus_loop3_y_by_gamma = u3_y * self.ss;
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_23 = w_16 * beta_dot_squared;
+        let w_16 = u2_x * w_15;
+        let w_27 = u2_y * w_15;
+        let w_17 = self.rr * u1_x;
+        let minus_loop3_y_by_Theta = u2_x * self.d;
+        let P_x = w_17 - minus_loop3_y_by_Theta;
+        let beta_dot_squared = beta_dot * beta_dot;
+        let w_18 = P_x * beta_dot_squared;
         let loop3_x_by_Theta = u2_y * self.d;
-        let loop3_x_by_beta = loop3_x_by_Theta - w_14;
+        let w_19 = self.rr * u1_y;
+        let loop3_x_by_beta = loop3_x_by_Theta - w_19;
+        let w_20 = self.da * u2_y;
+        let w_21 = w_19 - w_20;
+        let w_22 = w_17 - self.da * u2_x;
+        let mass_beta_beta = self.k + self.m2 * (w_21 * w_21 + w_22 * w_22);
+        let inverse_beta = S::from_f64(1.0) / mass_beta_beta;
         let l_lambda_loop3_x_beta = loop3_x_by_beta * inverse_beta;
-        let w_24 = rhs_beta * l_lambda_loop3_x_beta;
+        let w_23 = rhs_beta * l_lambda_loop3_x_beta;
+        let mass_Theta_beta = self.i2 - self.k_2 * (u2_y * w_21 + u2_x * w_22);
+        let l_Theta_beta = mass_Theta_beta * inverse_beta;
+        let minus_rhs_Theta = self.k_3 * w_4 * beta_dot_squared
+            + rhs_beta * l_Theta_beta;
+        let w_26 = loop3_x_by_beta * beta_dot_squared;
         let pivot_Theta = self.mass_Theta_Theta - mass_Theta_beta * l_Theta_beta;
         let inverse_Theta = S::from_f64(1.0) / pivot_Theta;
         let k_lambda_loop3_x_Theta = loop3_x_by_Theta
             - mass_Theta_beta * l_lambda_loop3_x_beta;
         let l_lambda_loop3_x_Theta = inverse_Theta * k_lambda_loop3_x_Theta;
-        let w_25 = l_lambda_loop3_x_Theta * rhs_Theta;
+        let w_24 = l_lambda_loop3_x_Theta * minus_rhs_Theta;
         let rhs_lambda_loop3_x = rhs_gamma * minus_l_lambda_loop3_x_gamma
-            - (w_22 + minus_loop3_y_by_gamma * gamma_dot_squared - w_23) - w_24 - w_25;
+            - (minus_loop3_y_by_gamma * gamma_dot_squared + w_16 - w_18) - w_23 + w_24;
         let Phi_dot_squared = Phi_dot * Phi_dot;
+        let w_25 = Phi_dot * delta_dot;
         let mass_delta_Phi = self.k_6 + n4_x * u5_x * self.k_7
             + cos_w_2 * u5_y * self.k_8;
         let l_delta_Phi = mass_delta_Phi * self.inverse_Phi;
-        let rhs_delta = self.k_8 * w_18 * Phi_dot_squared
-            + self.k_23 * Phi_dot * delta_dot * w_18 - rhs_Phi * l_delta_Phi;
+        let rhs_delta = w_12 * (self.k_8 * Phi_dot_squared + self.k_23 * w_25)
+            - rhs_Phi * l_delta_Phi;
+        let w_35 = w_25 * self.k_26 + self.ee * Phi_dot_squared;
         let minus_l_lambda_loop3_y_gamma = minus_loop3_y_by_gamma * inverse_gamma;
-        let w_26 = u2_y * (self.d * (beta_dot_squared + Theta_dot_squared) + w_21);
-        let w_27 = w_14 * beta_dot_squared;
-        let minus_loop3_y_by_Theta = u2_x * self.d;
-        let P_x = w_16 - minus_loop3_y_by_Theta;
         let l_lambda_loop3_y_beta = P_x * inverse_beta;
-        let w_28 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_k_lambda_loop3_y_Theta = minus_loop3_y_by_Theta
             + mass_Theta_beta * l_lambda_loop3_y_beta;
+        let w_28 = rhs_beta * l_lambda_loop3_y_beta;
         let minus_l_lambda_loop3_y_Theta = inverse_Theta * minus_k_lambda_loop3_y_Theta;
-        let w_29 = minus_l_lambda_loop3_y_Theta * rhs_Theta;
+        let w_29 = minus_l_lambda_loop3_y_Theta * minus_rhs_Theta;
         let w_30 = loop3_x_by_beta * l_lambda_loop3_x_beta;
+        let w_33 = loop3_x_by_beta * l_lambda_loop3_y_beta;
         let w_31 = k_lambda_loop3_x_Theta * l_lambda_loop3_x_Theta;
+        let w_32 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
         let minus_pivot_lambda_loop3_x = w_30
             + minus_loop3_x_by_gamma * minus_l_lambda_loop3_x_gamma + w_31;
         let minus_inverse_lambda_loop3_x = S::from_f64(1.0) / minus_pivot_lambda_loop3_x;
-        let w_32 = k_lambda_loop3_x_Theta * minus_l_lambda_loop3_y_Theta;
-        let w_33 = loop3_x_by_beta * l_lambda_loop3_y_beta;
         let k_lambda_loop3_y_lambda_loop3_x = w_32 - w_33
             - minus_loop3_x_by_gamma * minus_l_lambda_loop3_y_gamma;
         let minus_l_lambda_loop3_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop3_y_lambda_loop3_x;
         let rhs_lambda_loop3_y = rhs_gamma * minus_l_lambda_loop3_y_gamma
-            - (w_26 - minus_loop3_x_by_gamma * gamma_dot_squared - w_27) - w_28 + w_29
+            - (w_26 - minus_loop3_x_by_gamma * gamma_dot_squared + w_27) - w_28 - w_29
             + minus_l_lambda_loop3_y_lambda_loop3_x * rhs_lambda_loop3_x;
         let epsilon_dot_squared = epsilon_dot * epsilon_dot;
-        let w_34 = u7_y * u6_y;
-        let w_35 = u6_x * u7_x;
-        let rhs_Omega = self.k_14 * epsilon_dot_squared * (w_34 + w_35);
+        let w_34 = u7_y * u6_y + u6_x * u7_x;
+        let rhs_Omega = self.k_14 * epsilon_dot_squared * w_34;
+        let w_36 = self.zt * u5_x;
+        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let minus_loop4_y_by_delta = w_36 + minus_loop4_y_by_Phi;
         let minus_loop4_x_by_Phi = self.ee * cos_w_2;
         let minus_l_lambda_loop4_x_Phi = minus_loop4_x_by_Phi * self.inverse_Phi;
-        let w_36 = Phi_dot * delta_dot * self.k_26;
-        let w_37 = self.zt * u5_x;
         let minus_k_lambda_loop4_x_lambda_loop3_x = w_30 + w_31;
         let l_lambda_loop4_x_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * minus_k_lambda_loop4_x_lambda_loop3_x;
-        let w_38 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
-        let w_39 = self.zt * u5_y;
-        let w_40 = w_39 - self.k_4 * cos_w_2;
-        let w_41 = w_37 + self.k_4 * n4_x;
+        let w_37 = l_lambda_loop4_x_lambda_loop3_x * rhs_lambda_loop3_x;
+        let w_38 = self.zt * u5_y;
+        let w_39 = w_38 - self.k_4 * cos_w_2;
+        let w_40 = self.k_4 * n4_x;
+        let w_41 = w_36 + w_40;
         let w_42 = u5_y * self.ta + u5_x * self.tb;
         let w_43 = u5_x * self.ta - u5_y * self.tb;
-        let mass_delta_delta = self.m4 * (w_40 * w_40 + w_41 * w_41)
-            + self.m5 * (w_42 * w_42 + w_43 * w_43) + self.k_9;
+        let mass_delta_delta = self.k_9 + self.m4 * (w_39 * w_39 + w_41 * w_41)
+            + self.m5 * (w_42 * w_42 + w_43 * w_43);
         let pivot_delta = mass_delta_delta - mass_delta_Phi * l_delta_Phi;
         let inverse_delta = S::from_f64(1.0) / pivot_delta;
-        let loop4_x_by_delta = w_39 - minus_loop4_x_by_Phi;
+        let loop4_x_by_delta = w_38 - minus_loop4_x_by_Phi;
         let k_lambda_loop4_x_delta = loop4_x_by_delta
             + mass_delta_Phi * minus_l_lambda_loop4_x_Phi;
         let l_lambda_loop4_x_delta = inverse_delta * k_lambda_loop4_x_delta;
         let w_44 = P_x * l_lambda_loop3_y_beta;
         let w_45 = minus_k_lambda_loop3_y_Theta * minus_l_lambda_loop3_y_Theta;
         let w_46 = w_44 + minus_loop3_y_by_gamma * minus_l_lambda_loop3_y_gamma + w_45;
+        let w_47 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
         let pivot_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
             * minus_l_lambda_loop3_y_lambda_loop3_x - w_46;
         let inverse_lambda_loop3_y = S::from_f64(1.0) / pivot_lambda_loop3_y;
-        let w_47 = minus_k_lambda_loop3_y_Theta * l_lambda_loop3_x_Theta;
         let w_48 = P_x * l_lambda_loop3_x_beta;
         let k_lambda_loop4_x_lambda_loop3_y = w_47 - w_48
             - k_lambda_loop3_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x;
         let l_lambda_loop4_x_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_x_lambda_loop3_y;
         let w_49 = l_lambda_loop4_x_lambda_loop3_y * rhs_lambda_loop3_y;
-        let rhs_lambda_loop4_x = rhs_Phi * minus_l_lambda_loop4_x_Phi
-            - (w_22 + n4_x * (self.ee * (delta_dot_squared + Phi_dot_squared) + w_36)
-                - w_23 + w_37 * delta_dot_squared) - w_24 - w_25 - w_38
+        let rhs_lambda_loop4_x = w_24
+            - (w_16 - w_18 + n4_x * w_35 + minus_loop4_y_by_delta * delta_dot_squared)
+            - w_23 + rhs_Phi * minus_l_lambda_loop4_x_Phi - w_37
             - l_lambda_loop4_x_delta * rhs_delta - w_49;
-        let w_50 = w_35 + w_34;
+        let w_50 = epsilon_dot * Omega_dot;
         let Omega_dot_squared = Omega_dot * Omega_dot;
         let mass_epsilon_Omega = self.k_12 + u6_x * u7_y * self.k_13
             + u6_y * u7_x * self.k_14;
         let l_epsilon_Omega = mass_epsilon_Omega * self.inverse_Omega;
-        let rhs_epsilon = self.k_24 * epsilon_dot * Omega_dot * w_50
-            + self.k_13 * Omega_dot_squared * w_50 - rhs_Omega * l_epsilon_Omega;
-        let minus_loop4_y_by_Phi = self.ee * n4_x;
+        let rhs_epsilon = w_34 * (self.k_24 * w_50 + self.k_13 * Omega_dot_squared)
+            - rhs_Omega * l_epsilon_Omega;
+        let w_58 = self.zf * Omega_dot_squared + w_50 * self.k_27;
         let minus_l_lambda_loop4_y_Phi = minus_loop4_y_by_Phi * self.inverse_Phi;
+        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
+            - minus_loop4_y_by_delta;
         let k_lambda_loop4_y_lambda_loop3_x = w_32 - w_33;
         let minus_l_lambda_loop4_y_lambda_loop3_x = minus_inverse_lambda_loop3_x
             * k_lambda_loop4_y_lambda_loop3_x;
-        let w_51 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
-        let minus_loop4_y_by_delta = w_37 + minus_loop4_y_by_Phi;
-        let k_lambda_loop4_y_delta = mass_delta_Phi * minus_l_lambda_loop4_y_Phi
-            - minus_loop4_y_by_delta;
-        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
         let k_lambda_loop4_y_lambda_loop3_y = k_lambda_loop3_y_lambda_loop3_x
             * minus_l_lambda_loop4_y_lambda_loop3_x - w_44 - w_45;
+        let w_51 = minus_l_lambda_loop4_y_lambda_loop3_x * rhs_lambda_loop3_x;
+        let l_lambda_loop4_y_delta = inverse_delta * k_lambda_loop4_y_delta;
+        let w_67 = w_44 + w_45 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
+            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
         let l_lambda_loop4_y_lambda_loop3_y = inverse_lambda_loop3_y
             * k_lambda_loop4_y_lambda_loop3_y;
         let w_52 = l_lambda_loop4_y_lambda_loop3_y * rhs_lambda_loop3_y;
         let w_53 = minus_k_lambda_loop4_x_lambda_loop3_x
             * l_lambda_loop4_x_lambda_loop3_x;
+        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
         let w_54 = w_30 + w_31 + minus_loop4_x_by_Phi * minus_l_lambda_loop4_x_Phi
             + k_lambda_loop4_x_delta * l_lambda_loop4_x_delta;
         let w_55 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y;
-        let pivot_lambda_loop4_x = w_53 - w_54 - w_55;
-        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
-        let w_56 = minus_k_lambda_loop4_x_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
         let w_57 = k_lambda_loop4_x_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
         let k_lambda_loop4_y_lambda_loop4_x = w_32 - w_33
             - minus_loop4_x_by_Phi * minus_l_lambda_loop4_y_Phi - w_56
             - k_lambda_loop4_x_delta * l_lambda_loop4_y_delta - w_57;
+        let pivot_lambda_loop4_x = w_53 - w_54 - w_55;
+        let inverse_lambda_loop4_x = S::from_f64(1.0) / pivot_lambda_loop4_x;
         let l_lambda_loop4_y_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop4_y_lambda_loop4_x;
-        let rhs_lambda_loop4_y = w_29
-            - (w_26 - cos_w_2 * (self.ee * (Phi_dot_squared + delta_dot_squared) + w_36)
-                - w_27 + w_39 * delta_dot_squared) - w_28
-            + rhs_Phi * minus_l_lambda_loop4_y_Phi + w_51
-            - l_lambda_loop4_y_delta * rhs_delta - w_52
+        let rhs_lambda_loop4_y = rhs_Phi * minus_l_lambda_loop4_y_Phi
+            - (w_26 + w_27 - cos_w_2 * w_35 + loop4_x_by_delta * delta_dot_squared)
+            - w_28 - w_29 + w_51 - l_lambda_loop4_y_delta * rhs_delta - w_52
             - l_lambda_loop4_y_lambda_loop4_x * rhs_lambda_loop4_x;
-        let w_58 = self.zf * (Omega_dot_squared + epsilon_dot_squared)
-            + epsilon_dot * Omega_dot * self.k_27;
-        let w_59 = self.u * u7_x;
+        let w_59 = self.u * u7_y;
         let minus_loop6_y_by_Omega = self.zf * u6_x;
-        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
-        let k_lambda_loop6_y_lambda_loop4_x = w_32 - w_33 - w_56 - w_57;
-        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
-            * k_lambda_loop6_y_lambda_loop4_x;
-        let w_60 = w_59 - self.k_10 * u6_y;
-        let w_61 = self.u * u7_y;
-        let w_62 = w_61 + self.k_10 * u6_x;
-        let w_63 = u7_x * self.ua + u7_y * self.ub;
-        let w_64 = u7_y * self.ua - u7_x * self.ub;
-        let mass_epsilon_epsilon = self.m6 * (w_60 * w_60 + w_62 * w_62)
-            + self.m7 * (w_63 * w_63 + w_64 * w_64) + self.k_15;
-        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
-        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
-        let minus_loop6_y_by_epsilon = w_61 + minus_loop6_y_by_Omega;
-        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
-            - minus_loop6_y_by_epsilon;
-        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
-        let w_65 = k_lambda_loop4_y_lambda_loop3_x
-            * minus_l_lambda_loop4_y_lambda_loop3_x;
-        let w_66 = w_44 + w_45 + minus_loop4_y_by_Phi * minus_l_lambda_loop4_y_Phi
-            + k_lambda_loop4_y_delta * l_lambda_loop4_y_delta;
-        let w_67 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
-        let pivot_lambda_loop4_y = w_65 - w_66 - w_67
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
-        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
-        let k_lambda_loop6_y_lambda_loop4_y = w_65 - w_44 - w_45 - w_67
-            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
-        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
-            * k_lambda_loop6_y_lambda_loop4_y;
+        let minus_loop6_y_by_epsilon = w_59 + minus_loop6_y_by_Omega;
         let loop6_x_by_Omega = self.zf * u6_y;
         let l_lambda_loop6_x_Omega = loop6_x_by_Omega * self.inverse_Omega;
-        let k_lambda_loop6_x_epsilon = loop6_x_by_Omega - w_59
-            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
-        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
-        let w_68 = w_30 + w_31 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
-            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
         let k_lambda_loop6_x_lambda_loop4_x = w_53 - w_30 - w_31 - w_55;
         let l_lambda_loop6_x_lambda_loop4_x = inverse_lambda_loop4_x
             * k_lambda_loop6_x_lambda_loop4_x;
@@ -2056,168 +2026,224 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - k_lambda_loop4_y_lambda_loop3_x * l_lambda_loop4_x_lambda_loop3_x
             - k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_x_lambda_loop3_y
             - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x;
+        let w_66 = k_lambda_loop4_y_lambda_loop3_x
+            * minus_l_lambda_loop4_y_lambda_loop3_x;
+        let w_68 = k_lambda_loop4_y_lambda_loop3_y * l_lambda_loop4_y_lambda_loop3_y;
+        let w_60 = self.u * u7_x;
+        let w_61 = self.k_10 * u6_y;
+        let w_62 = w_60 - w_61;
+        let w_63 = w_59 + self.k_10 * u6_x;
+        let w_64 = u7_x * self.ua + u7_y * self.ub;
+        let w_65 = u7_y * self.ua - u7_x * self.ub;
+        let mass_epsilon_epsilon = self.k_15 + self.m6 * (w_62 * w_62 + w_63 * w_63)
+            + self.m7 * (w_64 * w_64 + w_65 * w_65);
+        let pivot_epsilon = mass_epsilon_epsilon - mass_epsilon_Omega * l_epsilon_Omega;
+        let inverse_epsilon = S::from_f64(1.0) / pivot_epsilon;
+        let loop6_x_by_epsilon = loop6_x_by_Omega - w_60;
+        let k_lambda_loop6_x_epsilon = loop6_x_by_epsilon
+            - mass_epsilon_Omega * l_lambda_loop6_x_Omega;
+        let l_lambda_loop6_x_epsilon = inverse_epsilon * k_lambda_loop6_x_epsilon;
+        let w_69 = w_30 + w_31 + loop6_x_by_Omega * l_lambda_loop6_x_Omega
+            + k_lambda_loop6_x_epsilon * l_lambda_loop6_x_epsilon;
+        let pivot_lambda_loop4_y = w_66 - w_67 - w_68
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop4_y_lambda_loop4_x;
+        let inverse_lambda_loop4_y = S::from_f64(1.0) / pivot_lambda_loop4_y;
         let l_lambda_loop6_x_lambda_loop4_y = inverse_lambda_loop4_y
             * k_lambda_loop6_x_lambda_loop4_y;
-        let pivot_lambda_loop6_x = w_53 - w_68 - w_55
+        let rhs_lambda_loop6_x = w_24
+            - (w_16 - w_18 + u6_x * w_58
+                + minus_loop6_y_by_epsilon * epsilon_dot_squared) - w_23 - w_37 - w_49
+            - rhs_Omega * l_lambda_loop6_x_Omega
+            - l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
+            - l_lambda_loop6_x_epsilon * rhs_epsilon
+            - l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
+        let pivot_lambda_loop6_x = w_53 - w_69 - w_55
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_x_lambda_loop4_x
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_x_lambda_loop4_y;
-        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
+        let minus_l_lambda_loop6_y_Omega = minus_loop6_y_by_Omega * self.inverse_Omega;
+        let k_lambda_loop6_y_epsilon = mass_epsilon_Omega * minus_l_lambda_loop6_y_Omega
+            - minus_loop6_y_by_epsilon;
+        let k_lambda_loop6_y_lambda_loop4_x = w_32 - w_33 - w_56 - w_57;
+        let l_lambda_loop6_y_lambda_loop4_x = inverse_lambda_loop4_x
+            * k_lambda_loop6_y_lambda_loop4_x;
+        let k_lambda_loop6_y_lambda_loop4_y = w_66 - w_44 - w_45 - w_68
+            - k_lambda_loop4_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x;
+        let l_lambda_loop6_y_epsilon = inverse_epsilon * k_lambda_loop6_y_epsilon;
+        let w_70 = w_44 + w_45 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
+            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
+        let l_lambda_loop6_y_lambda_loop4_y = inverse_lambda_loop4_y
+            * k_lambda_loop6_y_lambda_loop4_y;
         let k_lambda_loop6_y_lambda_loop6_x = w_32 - w_33 - w_56 - w_57
             + loop6_x_by_Omega * minus_l_lambda_loop6_y_Omega
             - k_lambda_loop6_x_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_x_epsilon * l_lambda_loop6_y_epsilon
             - k_lambda_loop6_x_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y;
+        let inverse_lambda_loop6_x = S::from_f64(1.0) / pivot_lambda_loop6_x;
         let l_lambda_loop6_y_lambda_loop6_x = inverse_lambda_loop6_x
             * k_lambda_loop6_y_lambda_loop6_x;
-        let minus_rhs_lambda_loop6_x = w_22 + u6_x * w_58 - w_23
-            + w_61 * epsilon_dot_squared + w_24 + w_25 + w_38 + w_49
-            + rhs_Omega * l_lambda_loop6_x_Omega
-            + l_lambda_loop6_x_lambda_loop4_x * rhs_lambda_loop4_x
-            + l_lambda_loop6_x_epsilon * rhs_epsilon
-            + l_lambda_loop6_x_lambda_loop4_y * rhs_lambda_loop4_y;
-        let rhs_lambda_loop6_y = w_29
-            - (w_26 + u6_y * w_58 - w_27 - w_59 * epsilon_dot_squared) - w_28 + w_51
-            - w_52 + rhs_Omega * minus_l_lambda_loop6_y_Omega
+        let rhs_lambda_loop6_y = w_51
+            - (w_26 + w_27 + u6_y * w_58 + loop6_x_by_epsilon * epsilon_dot_squared)
+            - w_28 - w_29 - w_52 + rhs_Omega * minus_l_lambda_loop6_y_Omega
             - l_lambda_loop6_y_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop6_y_epsilon * rhs_epsilon
             - l_lambda_loop6_y_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_y_lambda_loop6_x * minus_rhs_lambda_loop6_x;
-        let P_y = w_14 - loop3_x_by_Theta;
-        let w_69 = w_44 + w_45 + minus_loop6_y_by_Omega * minus_l_lambda_loop6_y_Omega
-            + k_lambda_loop6_y_epsilon * l_lambda_loop6_y_epsilon;
-        let pivot_lambda_loop6_y = w_65 - w_69 - w_67
+            - l_lambda_loop6_y_lambda_loop6_x * rhs_lambda_loop6_x;
+        let pivot_lambda_loop6_y = w_66 - w_70 - w_68
             - k_lambda_loop6_y_lambda_loop4_x * l_lambda_loop6_y_lambda_loop4_x
             - k_lambda_loop6_y_lambda_loop4_y * l_lambda_loop6_y_lambda_loop4_y
             - k_lambda_loop6_y_lambda_loop6_x * l_lambda_loop6_y_lambda_loop6_x;
+        let P_y = w_19 - loop3_x_by_Theta;
         let inverse_lambda_loop6_y = S::from_f64(1.0) / pivot_lambda_loop6_y;
         let lambda_loop6_y = inverse_lambda_loop6_y * rhs_lambda_loop6_y;
-        let minus_lambda_loop6_x = inverse_lambda_loop6_x * minus_rhs_lambda_loop6_x
-            + l_lambda_loop6_y_lambda_loop6_x * lambda_loop6_y;
+        let lambda_loop6_x = inverse_lambda_loop6_x * rhs_lambda_loop6_x
+            - l_lambda_loop6_y_lambda_loop6_x * lambda_loop6_y;
         let lambda_loop4_y = inverse_lambda_loop4_y * rhs_lambda_loop4_y
-            + l_lambda_loop6_x_lambda_loop4_y * minus_lambda_loop6_x
+            - l_lambda_loop6_x_lambda_loop4_y * lambda_loop6_x
             - l_lambda_loop6_y_lambda_loop4_y * lambda_loop6_y;
         let lambda_loop4_x = inverse_lambda_loop4_x * rhs_lambda_loop4_x
             - l_lambda_loop4_y_lambda_loop4_x * lambda_loop4_y
-            + l_lambda_loop6_x_lambda_loop4_x * minus_lambda_loop6_x
+            - l_lambda_loop6_x_lambda_loop4_x * lambda_loop6_x
             - l_lambda_loop6_y_lambda_loop4_x * lambda_loop6_y;
         let lambda_loop3_y = inverse_lambda_loop3_y * rhs_lambda_loop3_y
             - l_lambda_loop4_x_lambda_loop3_y * lambda_loop4_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop4_y
-            + l_lambda_loop4_x_lambda_loop3_y * minus_lambda_loop6_x
+            - l_lambda_loop4_x_lambda_loop3_y * lambda_loop6_x
             - l_lambda_loop4_y_lambda_loop3_y * lambda_loop6_y;
-        let w_70 = lambda_loop3_y + lambda_loop4_y + lambda_loop6_y;
         let lambda_loop3_x = minus_l_lambda_loop3_y_lambda_loop3_x * lambda_loop3_y
             - minus_inverse_lambda_loop3_x * rhs_lambda_loop3_x
             - l_lambda_loop4_x_lambda_loop3_x * lambda_loop4_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop4_y
-            + l_lambda_loop4_x_lambda_loop3_x * minus_lambda_loop6_x
+            - l_lambda_loop4_x_lambda_loop3_x * lambda_loop6_x
             + minus_l_lambda_loop4_y_lambda_loop3_x * lambda_loop6_y;
-        let w_71 = P_y * w_70
-            + P_x * (lambda_loop3_x + lambda_loop4_x - minus_lambda_loop6_x);
-        let w_72 = self.d
-            * (u2_x * (minus_lambda_loop6_x - lambda_loop3_x - lambda_loop4_x)
-                - u2_y * w_70);
-        let w_73 = w_72 - l_Theta_beta * w_71;
-        let w_74 = w_16 * beta_dot;
-        let w_75 = beta_dot + Theta_dot;
-        let w_76 = u2_x * Theta_dot;
-        let Theta_ddot = inverse_Theta * rhs_Theta
-            - l_lambda_loop3_x_Theta * lambda_loop3_x
-            + minus_l_lambda_loop3_y_Theta * lambda_loop3_y
+        let Theta_ddot = minus_l_lambda_loop3_y_Theta * lambda_loop3_y
+            - inverse_Theta * minus_rhs_Theta - l_lambda_loop3_x_Theta * lambda_loop3_x
             - l_lambda_loop3_x_Theta * lambda_loop4_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop4_y
-            + l_lambda_loop3_x_Theta * minus_lambda_loop6_x
+            - l_lambda_loop3_x_Theta * lambda_loop6_x
             + minus_l_lambda_loop3_y_Theta * lambda_loop6_y;
         let beta_ddot = rhs_beta * inverse_beta - l_Theta_beta * Theta_ddot
             - l_lambda_loop3_x_beta * lambda_loop3_x
             - l_lambda_loop3_y_beta * lambda_loop3_y
             - l_lambda_loop3_x_beta * lambda_loop4_x
             - l_lambda_loop3_y_beta * lambda_loop4_y
-            + l_lambda_loop3_x_beta * minus_lambda_loop6_x
+            - l_lambda_loop3_x_beta * lambda_loop6_x
             - l_lambda_loop3_y_beta * lambda_loop6_y;
-        let w_77 = beta_dot * (w_74 - minus_loop3_y_by_Theta * w_75)
-            - self.d * (w_75 * w_76 + u2_y * Theta_ddot) + beta_ddot * P_y;
-        let w_78 = l_lambda_loop3_y_beta * w_71;
-        let w_79 = minus_l_lambda_loop3_y_Theta * w_73;
-        let w_80 = u2_y * Theta_dot;
-        let w_81 = w_14 * beta_dot;
-        let w_82 = self.d * (w_75 * w_80 - u2_x * Theta_ddot)
-            - beta_dot * (w_81 - loop3_x_by_Theta * w_75) + P_x * beta_ddot;
-        let w_83 = l_lambda_loop3_x_beta * w_71;
-        let w_84 = l_lambda_loop3_x_Theta * w_73;
-        let w_85 = w_82 - w_83 - w_84;
-        let w_86 = w_77 - w_78 + w_79 + minus_l_lambda_loop3_y_lambda_loop3_x * w_85;
-        let w_87 = l_lambda_loop4_x_lambda_loop3_x * w_85;
-        let w_88 = l_lambda_loop4_x_lambda_loop3_y * w_86;
-        let w_89 = w_82 - w_83 - w_84 - w_87 - w_88;
-        let w_90 = minus_l_lambda_loop4_y_lambda_loop3_x * w_85;
-        let w_91 = l_lambda_loop4_y_lambda_loop3_y * w_86;
-        let w_92 = w_77 - w_78 + w_79 + w_90 - w_91
-            - l_lambda_loop4_y_lambda_loop4_x * w_89;
-        let w_93 = w_82 - w_83 - w_84 - w_87 - w_88
-            - l_lambda_loop6_x_lambda_loop4_x * w_89
-            - l_lambda_loop6_x_lambda_loop4_y * w_92;
-        let w_94 = inverse_lambda_loop6_y
-            * (w_77 - w_78 + w_79 + w_90 - w_91 - l_lambda_loop6_y_lambda_loop4_x * w_89
-                - l_lambda_loop6_y_lambda_loop4_y * w_92
-                - l_lambda_loop6_y_lambda_loop6_x * w_93);
-        let w_95 = inverse_lambda_loop6_x * w_93
-            - l_lambda_loop6_y_lambda_loop6_x * w_94;
-        let w_96 = inverse_lambda_loop4_y * w_92 - l_lambda_loop6_x_lambda_loop4_y * w_95
-            - l_lambda_loop6_y_lambda_loop4_y * w_94;
-        let w_97 = inverse_lambda_loop4_x * w_89 - l_lambda_loop4_y_lambda_loop4_x * w_96
-            - l_lambda_loop6_x_lambda_loop4_x * w_95
-            - l_lambda_loop6_y_lambda_loop4_x * w_94;
-        let w_98 = inverse_lambda_loop3_y * w_86 - l_lambda_loop4_x_lambda_loop3_y * w_97
-            - l_lambda_loop4_y_lambda_loop3_y * w_96
-            - l_lambda_loop4_x_lambda_loop3_y * w_95
-            - l_lambda_loop4_y_lambda_loop3_y * w_94;
-        let w_99 = minus_l_lambda_loop3_y_lambda_loop3_x * w_98
-            - minus_inverse_lambda_loop3_x * w_85
-            - l_lambda_loop4_x_lambda_loop3_x * w_97
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_96
-            - l_lambda_loop4_x_lambda_loop3_x * w_95
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_94;
-        let w_100 = inverse_Theta * w_73 - l_lambda_loop3_x_Theta * w_99
-            + minus_l_lambda_loop3_y_Theta * w_98 - l_lambda_loop3_x_Theta * w_97
-            + minus_l_lambda_loop3_y_Theta * w_96 - l_lambda_loop3_x_Theta * w_95
-            + minus_l_lambda_loop3_y_Theta * w_94;
-        let w_101 = self.da * w_75;
-        let w_102 = beta_dot * (w_81 - u2_y * w_101) - w_101 * w_80;
-        let w_103 = w_101 * w_76 - beta_dot * (w_74 - u2_x * w_101);
-        let w_104 = w_75 * (Theta_dot + beta_dot);
-        let w_105 = u2_y * w_104;
-        let w_106 = self.da * w_105;
-        let w_107 = u2_x * w_104;
-        let w_108 = self.da * w_107;
-        let w_109 = self.k_2 * (w_15 * u2_x - u2_y * w_17);
-        let w_110 = w_72 + self.k_2 * (u2_y * w_102 - u2_x * w_103)
-            - self.m2 * (w_15 * w_106 + w_17 * w_108)
-            + w_109 * (S::from_f64(2.0) * beta_ddot + Theta_ddot);
-        let w_111 = w_72 + self.k_2 * (u2_x * (w_108 - w_103) + u2_y * (w_102 + w_106))
-            + beta_ddot * w_109 - l_Theta_beta * w_110;
-        let w_112 = minus_l_lambda_loop3_y_Theta * w_111;
-        let w_113 = Theta_ddot + beta_ddot;
-        let w_114 = self.d * (w_107 + u2_y * w_113);
-        let w_115 = l_lambda_loop3_y_beta * w_110;
-        let w_116 = self.d * (w_105 - u2_x * w_113);
-        let w_117 = l_lambda_loop3_x_beta * w_110;
-        let w_118 = l_lambda_loop3_x_Theta * w_111;
+        let gamma_ddot = rhs_gamma * inverse_gamma
+            + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
+            + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
+        let delta_ddot = inverse_delta * rhs_delta
+            - l_lambda_loop4_x_delta * lambda_loop4_x
+            - l_lambda_loop4_y_delta * lambda_loop4_y;
+        let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
+            + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
+            + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
+        let epsilon_ddot = inverse_epsilon * rhs_epsilon
+            - l_lambda_loop6_x_epsilon * lambda_loop6_x
+            - l_lambda_loop6_y_epsilon * lambda_loop6_y;
+        let Omega_ddot = rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
+            - l_lambda_loop6_x_Omega * lambda_loop6_x
+            + minus_l_lambda_loop6_y_Omega * lambda_loop6_y;
+        let w_71 = lambda_loop6_y + lambda_loop4_y + lambda_loop3_y;
+        let w_72 = lambda_loop6_x + lambda_loop4_x + lambda_loop3_x;
+        let w_73 = P_y * w_71 + P_x * w_72;
+        let w_80 = self.d * (u2_x * w_72 + u2_y * w_71);
+        let w_74 = w_17 * beta_dot;
+        let w_75 = Theta_dot + beta_dot;
+        let w_76 = u2_x * w_75;
+        let w_77 = Theta_dot * w_76 + u2_y * Theta_ddot;
+        let w_78 = beta_dot * (w_74 - self.d * w_76) - self.d * w_77 + beta_ddot * P_y;
+        let w_114 = self.d * (w_77 + beta_dot * w_76 + u2_y * beta_ddot);
+        let w_106 = self.da * w_76;
+        let w_79 = l_lambda_loop3_y_beta * w_73;
+        let w_81 = w_80 + l_Theta_beta * w_73;
+        let w_82 = minus_l_lambda_loop3_y_Theta * w_81;
+        let w_83 = u2_y * w_75;
+        let w_84 = Theta_dot * w_83 - u2_x * Theta_ddot;
+        let w_116 = self.d * (w_84 + beta_dot * w_83 - u2_x * beta_ddot);
+        let w_85 = w_19 * beta_dot;
+        let w_86 = self.d * w_84 - beta_dot * (w_85 - loop3_x_by_Theta * w_75)
+            + P_x * beta_ddot;
+        let w_87 = l_lambda_loop3_x_beta * w_73;
+        let w_88 = l_lambda_loop3_x_Theta * w_81;
+        let w_89 = w_86 - w_87 + w_88;
+        let w_90 = w_78 - w_79 - w_82 + minus_l_lambda_loop3_y_lambda_loop3_x * w_89;
+        let w_91 = l_lambda_loop4_x_lambda_loop3_x * w_89;
+        let w_92 = l_lambda_loop4_x_lambda_loop3_y * w_90;
+        let w_93 = w_86 - w_87 + w_88 - w_91 - w_92;
+        let w_94 = minus_l_lambda_loop4_y_lambda_loop3_x * w_89;
+        let w_95 = l_lambda_loop4_y_lambda_loop3_y * w_90;
+        let w_96 = w_78 - w_79 - w_82 + w_94 - w_95
+            - l_lambda_loop4_y_lambda_loop4_x * w_93;
+        let w_97 = w_86 - w_87 + w_88 - w_91 - w_92
+            - l_lambda_loop6_x_lambda_loop4_x * w_93
+            - l_lambda_loop6_x_lambda_loop4_y * w_96;
+        let w_98 = inverse_lambda_loop6_y
+            * (w_78 - w_79 - w_82 + w_94 - w_95 - l_lambda_loop6_y_lambda_loop4_x * w_93
+                - l_lambda_loop6_y_lambda_loop4_y * w_96
+                - l_lambda_loop6_y_lambda_loop6_x * w_97);
+        let w_99 = inverse_lambda_loop6_x * w_97
+            - l_lambda_loop6_y_lambda_loop6_x * w_98;
+        let w_100 = inverse_lambda_loop4_y * w_96
+            - l_lambda_loop6_x_lambda_loop4_y * w_99
+            - l_lambda_loop6_y_lambda_loop4_y * w_98;
+        let w_101 = inverse_lambda_loop4_x * w_93
+            - l_lambda_loop4_y_lambda_loop4_x * w_100
+            - l_lambda_loop6_x_lambda_loop4_x * w_99
+            - l_lambda_loop6_y_lambda_loop4_x * w_98;
+        let w_102 = inverse_lambda_loop3_y * w_90
+            - l_lambda_loop4_x_lambda_loop3_y * w_101
+            - l_lambda_loop4_y_lambda_loop3_y * w_100
+            - l_lambda_loop4_x_lambda_loop3_y * w_99
+            - l_lambda_loop4_y_lambda_loop3_y * w_98;
+        let w_103 = minus_l_lambda_loop3_y_lambda_loop3_x * w_102
+            - minus_inverse_lambda_loop3_x * w_89
+            - l_lambda_loop4_x_lambda_loop3_x * w_101
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_100
+            - l_lambda_loop4_x_lambda_loop3_x * w_99
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_98;
+        let w_104 = minus_l_lambda_loop3_y_Theta * w_102 - inverse_Theta * w_81
+            - l_lambda_loop3_x_Theta * w_103 - l_lambda_loop3_x_Theta * w_101
+            + minus_l_lambda_loop3_y_Theta * w_100 - l_lambda_loop3_x_Theta * w_99
+            + minus_l_lambda_loop3_y_Theta * w_98;
+        let w_105 = w_20 * w_75;
+        let w_107 = u2_y * (beta_dot * (w_85 - w_105) - Theta_dot * w_105)
+            - u2_x * (Theta_dot * w_106 - beta_dot * (w_74 - w_106));
+        let w_108 = w_75 * w_105;
+        let w_109 = w_75 * w_106;
+        let w_247 = Theta_dot + w_75;
+        let w_252 = beta_dot * (w_19 + P_y) - loop3_x_by_Theta * w_247;
+        let w_249 = w_20 * w_247 - beta_dot * (w_19 + w_21);
+        let w_255 = beta_dot * (w_17 + P_x) - minus_loop3_y_by_Theta * w_247;
+        let w_248 = beta_dot * (w_17 + w_22) - self.da * u2_x * w_247;
+        let w_275 = beta_dot + w_247;
+        let w_277 = w_20 * w_275;
+        let w_280 = minus_loop3_y_by_Theta * w_275;
+        let w_285 = loop3_x_by_Theta * w_275;
+        let w_276 = self.da * u2_x * w_275;
+        let w_110 = self.k_2 * (w_21 * u2_x - u2_y * w_22);
+        let w_111 = self.k_2 * w_107 - w_80 - self.m2 * (w_21 * w_108 + w_22 * w_109)
+            + w_110 * (Theta_ddot + S::from_f64(2.0) * beta_ddot);
+        let w_112 = self.k_2 * (w_107 + u2_y * w_108 + u2_x * w_109) - w_80
+            + beta_ddot * w_110 - l_Theta_beta * w_111;
+        let w_113 = minus_l_lambda_loop3_y_Theta * w_112;
+        let w_115 = l_lambda_loop3_y_beta * w_111;
+        let w_117 = l_lambda_loop3_x_beta * w_111;
+        let w_118 = l_lambda_loop3_x_Theta * w_112;
         let w_119 = w_116 - w_117 - w_118;
-        let w_120 = w_112 - w_114 - w_115
+        let w_120 = w_113 - w_114 - w_115
             + minus_l_lambda_loop3_y_lambda_loop3_x * w_119;
         let w_121 = l_lambda_loop4_x_lambda_loop3_x * w_119;
         let w_122 = l_lambda_loop4_x_lambda_loop3_y * w_120;
         let w_123 = w_116 - w_117 - w_118 - w_121 - w_122;
         let w_124 = minus_l_lambda_loop4_y_lambda_loop3_x * w_119;
         let w_125 = l_lambda_loop4_y_lambda_loop3_y * w_120;
-        let w_126 = w_112 - w_114 - w_115 + w_124 - w_125
+        let w_126 = w_113 - w_114 - w_115 + w_124 - w_125
             - l_lambda_loop4_y_lambda_loop4_x * w_123;
         let w_127 = w_116 - w_117 - w_118 - w_121 - w_122
             - l_lambda_loop6_x_lambda_loop4_x * w_123
             - l_lambda_loop6_x_lambda_loop4_y * w_126;
         let w_128 = inverse_lambda_loop6_y
-            * (w_112 - w_114 - w_115 + w_124 - w_125
+            * (w_113 - w_114 - w_115 + w_124 - w_125
                 - l_lambda_loop6_y_lambda_loop4_x * w_123
                 - l_lambda_loop6_y_lambda_loop4_y * w_126
                 - l_lambda_loop6_y_lambda_loop6_x * w_127);
@@ -2241,271 +2267,249 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             + minus_l_lambda_loop4_y_lambda_loop3_x * w_130
             - l_lambda_loop4_x_lambda_loop3_x * w_129
             + minus_l_lambda_loop4_y_lambda_loop3_x * w_128;
-        let w_134 = inverse_Theta * w_111 - l_lambda_loop3_x_Theta * w_133
+        let w_134 = inverse_Theta * w_112 - l_lambda_loop3_x_Theta * w_133
             + minus_l_lambda_loop3_y_Theta * w_132 - l_lambda_loop3_x_Theta * w_131
             + minus_l_lambda_loop3_y_Theta * w_130 - l_lambda_loop3_x_Theta * w_129
             + minus_l_lambda_loop3_y_Theta * w_128;
-        let w_135 = w_10 - w_11;
-        let w_136 = w_7 + w_8;
-        let w_137 = w_9 * w_135 + w_12 * w_136;
-        let w_138 = (w_135 * w_135 - w_9 * w_136 + w_136 * w_136 + w_12 * w_135)
-            / sqrt_w_13 - sqrt_w_13 * w_137 * (w_137 / (sqrt_w_13 * sqrt_w_13) / w_13);
-        let w_139 = self.c0
-            * ((self.l0 - sqrt_w_13) * w_138
-                - sqrt_w_13 * w_137 * (w_137 / sqrt_w_13 / w_13))
+        let w_137 = w_7 * w_135 + w_10 * w_136;
+        let w_138 = sqrt_w_11 * w_137 * w_137;
+        let w_139 = (self.l0 - sqrt_w_11)
+            * ((w_135 * w_135 + w_136 * w_136 - w_7 * w_136 + w_10 * w_135) / sqrt_w_11
+                - w_138 / (w_11 * sqrt_w_11 * sqrt_w_11));
+        let w_140 = self.c0 * (w_139 - w_138 / (w_11 * sqrt_w_11))
             + self.ss * (u3_x * lambda_loop3_y - u3_y * lambda_loop3_x);
-        let gamma_ddot = rhs_gamma * inverse_gamma
-            + minus_l_lambda_loop3_x_gamma * lambda_loop3_x
-            + minus_l_lambda_loop3_y_gamma * lambda_loop3_y;
-        let w_140 = minus_l_lambda_loop3_x_gamma * w_139
+        let w_141 = minus_l_lambda_loop3_x_gamma * w_140
             - self.ss * (u3_x * gamma_dot_squared + u3_y * gamma_ddot);
-        let w_141 = l_lambda_loop4_x_lambda_loop3_x * w_140;
-        let w_142 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
-            + minus_l_lambda_loop3_y_gamma * w_139
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_140;
-        let w_143 = l_lambda_loop4_x_lambda_loop3_y * w_142;
-        let w_144 = w_141 + w_143;
-        let w_145 = minus_l_lambda_loop4_y_lambda_loop3_x * w_140;
-        let w_146 = l_lambda_loop4_y_lambda_loop3_y * w_142;
-        let w_147 = w_145 - w_146 + l_lambda_loop4_y_lambda_loop4_x * w_144;
-        let w_148 = l_lambda_loop6_x_lambda_loop4_x * w_144 - w_141 - w_143
-            - l_lambda_loop6_x_lambda_loop4_y * w_147;
-        let w_149 = inverse_lambda_loop6_y
-            * (w_145 - w_146 + l_lambda_loop6_y_lambda_loop4_x * w_144
-                - l_lambda_loop6_y_lambda_loop4_y * w_147
-                - l_lambda_loop6_y_lambda_loop6_x * w_148);
-        let w_150 = inverse_lambda_loop6_x * w_148
-            - l_lambda_loop6_y_lambda_loop6_x * w_149;
-        let w_151 = inverse_lambda_loop4_y * w_147
-            - l_lambda_loop6_x_lambda_loop4_y * w_150
-            - l_lambda_loop6_y_lambda_loop4_y * w_149;
-        let w_152 = inverse_lambda_loop4_x * w_144
-            + l_lambda_loop4_y_lambda_loop4_x * w_151
-            + l_lambda_loop6_x_lambda_loop4_x * w_150
-            + l_lambda_loop6_y_lambda_loop4_x * w_149;
-        let w_153 = inverse_lambda_loop3_y * w_142
-            + l_lambda_loop4_x_lambda_loop3_y * w_152
-            - l_lambda_loop4_y_lambda_loop3_y * w_151
-            - l_lambda_loop4_x_lambda_loop3_y * w_150
-            - l_lambda_loop4_y_lambda_loop3_y * w_149;
-        let w_154 = minus_l_lambda_loop3_y_lambda_loop3_x * w_153
-            - minus_inverse_lambda_loop3_x * w_140
-            + l_lambda_loop4_x_lambda_loop3_x * w_152
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_151
-            - l_lambda_loop4_x_lambda_loop3_x * w_150
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_149;
-        let w_155 = minus_l_lambda_loop3_y_Theta * w_153 - l_lambda_loop3_x_Theta * w_154
-            + l_lambda_loop3_x_Theta * w_152 + minus_l_lambda_loop3_y_Theta * w_151
-            - l_lambda_loop3_x_Theta * w_150 + minus_l_lambda_loop3_y_Theta * w_149;
-        let w_156 = Phi_dot + delta_dot;
-        let w_156_squared = w_156 * w_156;
-        let w_157 = cos_w_2 * w_156_squared;
-        let w_158 = self.k_4 * w_157;
-        let w_159 = self.k_4 * w_156;
-        let w_160 = cos_w_2 * Phi_dot;
-        let w_161 = w_39 * delta_dot;
-        let w_162 = w_159 * w_160 - delta_dot * (w_161 - cos_w_2 * w_159);
-        let w_163 = n4_x * w_156_squared;
-        let w_164 = self.k_4 * w_163;
-        let w_165 = n4_x * Phi_dot;
-        let w_166 = w_37 * delta_dot;
-        let w_167 = w_159 * w_165 + delta_dot * (w_166 + n4_x * w_159);
-        let w_168 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
-        let delta_ddot = inverse_delta * rhs_delta
-            - l_lambda_loop4_x_delta * lambda_loop4_x
-            - l_lambda_loop4_y_delta * lambda_loop4_y;
-        let w_169 = self.k_5 * (w_41 * cos_w_2 + n4_x * w_40);
-        let w_170 = self.k_5 * (cos_w_2 * (w_158 - w_162) + n4_x * (w_164 - w_167))
-            + w_168 - delta_ddot * w_169;
-        let Phi_ddot = rhs_Phi * self.inverse_Phi - l_delta_Phi * delta_ddot
-            + minus_l_lambda_loop4_x_Phi * lambda_loop4_x
-            + minus_l_lambda_loop4_y_Phi * lambda_loop4_y;
-        let w_171 = Phi_ddot + delta_ddot;
-        let w_172 = w_168 - self.k_5 * (cos_w_2 * w_162 + n4_x * w_167)
-            - w_169 * (S::from_f64(2.0) * delta_ddot + Phi_ddot)
-            + self.m4 * (w_41 * w_164 - w_40 * w_158);
-        let w_173 = w_172 - l_delta_Phi * w_170;
-        let w_174 = minus_l_lambda_loop4_x_Phi * w_170 - self.ee * (w_157 + n4_x * w_171)
-            - l_lambda_loop4_x_delta * w_173;
-        let w_175 = self.ee * (cos_w_2 * w_171 - w_163)
-            + minus_l_lambda_loop4_y_Phi * w_170 - l_lambda_loop4_y_delta * w_173
-            - l_lambda_loop4_y_lambda_loop4_x * w_174;
-        let w_176 = l_lambda_loop6_x_lambda_loop4_x * w_174
-            + l_lambda_loop6_x_lambda_loop4_y * w_175;
-        let w_177 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_176
-                - l_lambda_loop6_y_lambda_loop4_x * w_174
-                - l_lambda_loop6_y_lambda_loop4_y * w_175);
-        let w_178 = inverse_lambda_loop6_x * w_176
-            + l_lambda_loop6_y_lambda_loop6_x * w_177;
-        let w_179 = inverse_lambda_loop4_y * w_175
-            + l_lambda_loop6_x_lambda_loop4_y * w_178
-            - l_lambda_loop6_y_lambda_loop4_y * w_177;
-        let w_180 = inverse_lambda_loop4_x * w_174
-            - l_lambda_loop4_y_lambda_loop4_x * w_179
-            + l_lambda_loop6_x_lambda_loop4_x * w_178
-            - l_lambda_loop6_y_lambda_loop4_x * w_177;
-        let w_181 = l_lambda_loop4_x_lambda_loop3_y * w_178
-            - l_lambda_loop4_x_lambda_loop3_y * w_180
-            - l_lambda_loop4_y_lambda_loop3_y * w_179
-            - l_lambda_loop4_y_lambda_loop3_y * w_177;
-        let w_182 = minus_l_lambda_loop3_y_lambda_loop3_x * w_181
-            - l_lambda_loop4_x_lambda_loop3_x * w_180
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_179
-            + l_lambda_loop4_x_lambda_loop3_x * w_178
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_177;
-        let w_183 = minus_l_lambda_loop3_y_Theta * w_181 - l_lambda_loop3_x_Theta * w_182
-            - l_lambda_loop3_x_Theta * w_180 + minus_l_lambda_loop3_y_Theta * w_179
-            + l_lambda_loop3_x_Theta * w_178 + minus_l_lambda_loop3_y_Theta * w_177;
-        let w_184 = minus_loop4_y_by_delta * lambda_loop4_x
-            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_168;
-        let w_185 = delta_dot * (w_161 - minus_loop4_x_by_Phi * w_156)
-            - self.ee * (w_156 * w_160 + n4_x * Phi_ddot)
-            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_168
-            + l_lambda_loop4_x_delta * w_184;
-        let w_186 = self.ee * (cos_w_2 * Phi_ddot - w_156 * w_165)
-            - delta_dot * (w_166 + minus_loop4_y_by_Phi * w_156)
-            - loop4_x_by_delta * delta_ddot + minus_l_lambda_loop4_y_Phi * w_168
-            + l_lambda_loop4_y_delta * w_184 - l_lambda_loop4_y_lambda_loop4_x * w_185;
-        let w_187 = l_lambda_loop6_x_lambda_loop4_x * w_185
-            + l_lambda_loop6_x_lambda_loop4_y * w_186;
-        let w_188 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_187
-                - l_lambda_loop6_y_lambda_loop4_x * w_185
-                - l_lambda_loop6_y_lambda_loop4_y * w_186);
-        let w_189 = inverse_lambda_loop6_x * w_187
-            + l_lambda_loop6_y_lambda_loop6_x * w_188;
-        let w_190 = inverse_lambda_loop4_y * w_186
-            + l_lambda_loop6_x_lambda_loop4_y * w_189
-            - l_lambda_loop6_y_lambda_loop4_y * w_188;
-        let w_191 = inverse_lambda_loop4_x * w_185
-            - l_lambda_loop4_y_lambda_loop4_x * w_190
-            + l_lambda_loop6_x_lambda_loop4_x * w_189
-            - l_lambda_loop6_y_lambda_loop4_x * w_188;
-        let w_192 = l_lambda_loop4_x_lambda_loop3_y * w_189
-            - l_lambda_loop4_x_lambda_loop3_y * w_191
-            - l_lambda_loop4_y_lambda_loop3_y * w_190
-            - l_lambda_loop4_y_lambda_loop3_y * w_188;
-        let w_193 = minus_l_lambda_loop3_y_lambda_loop3_x * w_192
-            - l_lambda_loop4_x_lambda_loop3_x * w_191
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_190
-            + l_lambda_loop4_x_lambda_loop3_x * w_189
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_188;
-        let w_194 = minus_l_lambda_loop3_y_Theta * w_192 - l_lambda_loop3_x_Theta * w_193
-            - l_lambda_loop3_x_Theta * w_191 + minus_l_lambda_loop3_y_Theta * w_190
-            + l_lambda_loop3_x_Theta * w_189 + minus_l_lambda_loop3_y_Theta * w_188;
-        let w_195 = Omega_dot + epsilon_dot;
-        let w_195_squared = w_195 * w_195;
-        let w_196 = u6_y * w_195_squared;
-        let epsilon_ddot = inverse_epsilon * rhs_epsilon
-            + l_lambda_loop6_x_epsilon * minus_lambda_loop6_x
-            - l_lambda_loop6_y_epsilon * lambda_loop6_y;
-        let Omega_ddot = rhs_Omega * self.inverse_Omega - l_epsilon_Omega * epsilon_ddot
-            + l_lambda_loop6_x_Omega * minus_lambda_loop6_x
-            + minus_l_lambda_loop6_y_Omega * lambda_loop6_y;
-        let w_197 = Omega_ddot + epsilon_ddot;
-        let w_198 = u6_x * w_195_squared;
-        let w_199 = self.k_10 * w_198;
-        let w_200 = w_61 * epsilon_dot;
-        let w_201 = self.k_10 * w_195;
-        let w_202 = u6_x * Omega_dot;
-        let w_203 = epsilon_dot * (w_200 + u6_x * w_201) + w_201 * w_202;
-        let w_204 = self.k_10 * w_196;
-        let w_205 = u6_y * Omega_dot;
-        let w_206 = w_59 * epsilon_dot;
-        let w_207 = w_201 * w_205 - epsilon_dot * (w_206 - u6_y * w_201);
-        let w_208 = self.zf * (u6_x * minus_lambda_loop6_x - u6_y * lambda_loop6_y);
-        let w_209 = self.k_11 * (w_62 * u6_y + u6_x * w_60);
-        let w_210 = self.k_11 * (u6_x * (w_199 - w_203) + u6_y * (w_204 - w_207)) + w_208
-            + epsilon_ddot * w_209;
-        let w_211 = w_209 * (S::from_f64(2.0) * epsilon_ddot + Omega_ddot)
-            - self.k_11 * (u6_x * w_203 + u6_y * w_207) + w_208
-            + self.m6 * (w_62 * w_199 - w_60 * w_204);
-        let w_212 = w_211 - l_epsilon_Omega * w_210;
-        let w_213 = self.zf * (w_196 - u6_x * w_197) - l_lambda_loop6_x_Omega * w_210
-            - l_lambda_loop6_x_epsilon * w_212;
-        let w_214 = inverse_lambda_loop6_y
-            * (minus_l_lambda_loop6_y_Omega * w_210 - self.zf * (w_198 + u6_y * w_197)
-                - l_lambda_loop6_y_epsilon * w_212
-                - l_lambda_loop6_y_lambda_loop6_x * w_213);
-        let w_215 = inverse_lambda_loop6_x * w_213
-            - l_lambda_loop6_y_lambda_loop6_x * w_214;
-        let w_216 = l_lambda_loop6_x_lambda_loop4_y * w_215
-            + l_lambda_loop6_y_lambda_loop4_y * w_214;
-        let w_217 = l_lambda_loop4_y_lambda_loop4_x * w_216
-            - l_lambda_loop6_x_lambda_loop4_x * w_215
-            - l_lambda_loop6_y_lambda_loop4_x * w_214;
-        let w_218 = l_lambda_loop4_y_lambda_loop3_y * w_216
-            - l_lambda_loop4_x_lambda_loop3_y * w_217
-            - l_lambda_loop4_x_lambda_loop3_y * w_215
-            - l_lambda_loop4_y_lambda_loop3_y * w_214;
-        let w_219 = minus_l_lambda_loop3_y_lambda_loop3_x * w_218
-            - l_lambda_loop4_x_lambda_loop3_x * w_217
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_216
-            - l_lambda_loop4_x_lambda_loop3_x * w_215
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_214;
-        let w_220 = minus_l_lambda_loop3_y_Theta * w_218 - l_lambda_loop3_x_Theta * w_219
-            - l_lambda_loop3_x_Theta * w_217 - minus_l_lambda_loop3_y_Theta * w_216
-            - l_lambda_loop3_x_Theta * w_215 + minus_l_lambda_loop3_y_Theta * w_214;
-        let w_221 = w_59 - loop6_x_by_Omega;
-        let w_222 = minus_loop6_y_by_epsilon * minus_lambda_loop6_x
-            + lambda_loop6_y * w_221 - l_epsilon_Omega * w_208;
-        let w_223 = self.zf * (w_195 * w_205 - u6_x * Omega_ddot)
-            - epsilon_dot * (w_206 - loop6_x_by_Omega * w_195)
-            - minus_loop6_y_by_epsilon * epsilon_ddot - l_lambda_loop6_x_Omega * w_208
-            - l_lambda_loop6_x_epsilon * w_222;
-        let w_224 = epsilon_ddot * w_221 - self.zf * (w_195 * w_202 + u6_y * Omega_ddot)
-            - epsilon_dot * (w_200 + minus_loop6_y_by_Omega * w_195)
-            + minus_l_lambda_loop6_y_Omega * w_208 - l_lambda_loop6_y_epsilon * w_222
-            - l_lambda_loop6_y_lambda_loop6_x * w_223;
-        let w_225 = inverse_lambda_loop6_y * w_224;
-        let w_226 = inverse_lambda_loop6_x * w_223
-            - l_lambda_loop6_y_lambda_loop6_x * w_225;
-        let w_227 = l_lambda_loop6_x_lambda_loop4_y * w_226
-            + l_lambda_loop6_y_lambda_loop4_y * w_225;
-        let w_228 = l_lambda_loop4_y_lambda_loop4_x * w_227
-            - l_lambda_loop6_x_lambda_loop4_x * w_226
-            - l_lambda_loop6_y_lambda_loop4_x * w_225;
-        let w_229 = l_lambda_loop4_y_lambda_loop3_y * w_227
-            - l_lambda_loop4_x_lambda_loop3_y * w_228
-            - l_lambda_loop4_x_lambda_loop3_y * w_226
-            - l_lambda_loop4_y_lambda_loop3_y * w_225;
-        let w_230 = minus_l_lambda_loop3_y_lambda_loop3_x * w_229
-            - l_lambda_loop4_x_lambda_loop3_x * w_228
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_227
-            - l_lambda_loop4_x_lambda_loop3_x * w_226
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_225;
-        let w_231 = minus_l_lambda_loop3_y_Theta * w_229 - l_lambda_loop3_x_Theta * w_230
-            - l_lambda_loop3_x_Theta * w_228 - minus_l_lambda_loop3_y_Theta * w_227
-            - l_lambda_loop3_x_Theta * w_226 + minus_l_lambda_loop3_y_Theta * w_225;
-        let w_232 = l_lambda_loop4_x_delta * w_97 + l_lambda_loop4_y_delta * w_96;
-        let w_233 = l_lambda_loop4_x_delta * w_131 + l_lambda_loop4_y_delta * w_130;
-        let w_234 = l_lambda_loop4_x_delta * w_152 - l_lambda_loop4_y_delta * w_151;
-        let w_235 = inverse_delta * w_173 - l_lambda_loop4_x_delta * w_180
-            - l_lambda_loop4_y_delta * w_179;
-        let w_236 = inverse_delta * w_184 + l_lambda_loop4_x_delta * w_191
-            + l_lambda_loop4_y_delta * w_190;
-        let w_237 = l_lambda_loop4_y_delta * w_216 - l_lambda_loop4_x_delta * w_217;
-        let w_238 = l_lambda_loop4_y_delta * w_227 - l_lambda_loop4_x_delta * w_228;
-        let w_239 = l_lambda_loop6_x_epsilon * w_95 + l_lambda_loop6_y_epsilon * w_94;
-        let w_240 = l_lambda_loop6_x_epsilon * w_129 + l_lambda_loop6_y_epsilon * w_128;
-        let w_241 = l_lambda_loop6_x_epsilon * w_150 + l_lambda_loop6_y_epsilon * w_149;
-        let w_242 = l_lambda_loop6_x_epsilon * w_178 - l_lambda_loop6_y_epsilon * w_177;
-        let w_243 = l_lambda_loop6_x_epsilon * w_189 - l_lambda_loop6_y_epsilon * w_188;
-        let w_244 = inverse_epsilon * w_212 - l_lambda_loop6_x_epsilon * w_215
-            - l_lambda_loop6_y_epsilon * w_214;
-        let w_245 = inverse_epsilon * w_222 - l_lambda_loop6_x_epsilon * w_226
-            - l_lambda_loop6_y_epsilon * w_225;
-        let w_246 = u2_x * (w_75 + Theta_dot);
-        let w_247 = beta_dot * (w_16 + w_17) - self.da * w_246;
-        let w_248 = u2_y * (Theta_dot + w_75);
-        let w_249 = self.da * w_248 - beta_dot * (w_15 + w_14);
-        let w_250 = self.m2 * (w_15 * w_247 + w_17 * w_249);
-        let w_251 = self.k_2 * (u2_y * w_247 + u2_x * w_249) + l_Theta_beta * w_250;
-        let w_252 = beta_dot * (w_14 + P_y) - self.d * w_248;
+        let w_143 = self.ss * (u3_x * gamma_ddot - u3_y * gamma_dot_squared)
+            + minus_l_lambda_loop3_y_gamma * w_140
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_141;
+        let w_142 = l_lambda_loop4_x_lambda_loop3_x * w_141;
+        let w_144 = l_lambda_loop4_x_lambda_loop3_y * w_143;
+        let w_145 = w_142 + w_144;
+        let w_146 = minus_l_lambda_loop4_y_lambda_loop3_x * w_141;
+        let w_147 = l_lambda_loop4_y_lambda_loop3_y * w_143;
+        let w_148 = w_146 - w_147 + l_lambda_loop4_y_lambda_loop4_x * w_145;
+        let w_149 = l_lambda_loop6_x_lambda_loop4_x * w_145 - w_142 - w_144
+            - l_lambda_loop6_x_lambda_loop4_y * w_148;
+        let w_150 = inverse_lambda_loop6_y
+            * (w_146 - w_147 + l_lambda_loop6_y_lambda_loop4_x * w_145
+                - l_lambda_loop6_y_lambda_loop4_y * w_148
+                - l_lambda_loop6_y_lambda_loop6_x * w_149);
+        let w_151 = inverse_lambda_loop6_x * w_149
+            - l_lambda_loop6_y_lambda_loop6_x * w_150;
+        let w_152 = inverse_lambda_loop4_y * w_148
+            - l_lambda_loop6_x_lambda_loop4_y * w_151
+            - l_lambda_loop6_y_lambda_loop4_y * w_150;
+        let w_153 = inverse_lambda_loop4_x * w_145
+            + l_lambda_loop4_y_lambda_loop4_x * w_152
+            + l_lambda_loop6_x_lambda_loop4_x * w_151
+            + l_lambda_loop6_y_lambda_loop4_x * w_150;
+        let w_154 = inverse_lambda_loop3_y * w_143
+            + l_lambda_loop4_x_lambda_loop3_y * w_153
+            - l_lambda_loop4_y_lambda_loop3_y * w_152
+            - l_lambda_loop4_x_lambda_loop3_y * w_151
+            - l_lambda_loop4_y_lambda_loop3_y * w_150;
+        let w_155 = minus_l_lambda_loop3_y_lambda_loop3_x * w_154
+            - minus_inverse_lambda_loop3_x * w_141
+            + l_lambda_loop4_x_lambda_loop3_x * w_153
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_152
+            - l_lambda_loop4_x_lambda_loop3_x * w_151
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_150;
+        let w_156 = minus_l_lambda_loop3_y_Theta * w_154 - l_lambda_loop3_x_Theta * w_155
+            + l_lambda_loop3_x_Theta * w_153 + minus_l_lambda_loop3_y_Theta * w_152
+            - l_lambda_loop3_x_Theta * w_151 + minus_l_lambda_loop3_y_Theta * w_150;
+        let w_157 = Phi_dot + delta_dot;
+        let w_158 = cos_w_2 * w_157;
+        let w_159 = self.k_4 * w_158;
+        let w_160 = w_157 * w_159;
+        let w_161 = self.k_4 * Phi_dot;
+        let w_162 = w_38 * delta_dot;
+        let w_163 = w_158 * w_161 - delta_dot * (w_162 - w_159);
+        let w_164 = n4_x * w_157;
+        let w_165 = self.k_4 * w_164;
+        let w_166 = w_157 * w_165;
+        let w_167 = w_36 * delta_dot;
+        let w_168 = w_161 * w_164 + delta_dot * (w_167 + w_165);
+        let w_169 = self.ee * (cos_w_2 * lambda_loop4_y - n4_x * lambda_loop4_x);
+        let w_185 = minus_loop4_y_by_delta * lambda_loop4_x
+            + loop4_x_by_delta * lambda_loop4_y + l_delta_Phi * w_169;
+        let w_186 = delta_dot * (w_162 - self.ee * w_158)
+            - self.ee * (Phi_dot * w_158 + n4_x * Phi_ddot)
+            - minus_loop4_y_by_delta * delta_ddot + minus_l_lambda_loop4_x_Phi * w_169
+            + l_lambda_loop4_x_delta * w_185;
+        let w_187 = self.ee * (cos_w_2 * Phi_ddot - Phi_dot * w_164)
+            - delta_dot * (w_167 + self.ee * w_164) - loop4_x_by_delta * delta_ddot
+            + minus_l_lambda_loop4_y_Phi * w_169 + l_lambda_loop4_y_delta * w_185
+            - l_lambda_loop4_y_lambda_loop4_x * w_186;
+        let w_170 = self.k_5 * (w_41 * cos_w_2 + n4_x * w_39);
+        let w_171 = self.k_5 * (cos_w_2 * (w_160 - w_163) + n4_x * (w_166 - w_168))
+            + w_169 - delta_ddot * w_170;
+        let w_173 = w_169 - self.k_5 * (cos_w_2 * w_163 + n4_x * w_168)
+            - w_170 * (Phi_ddot + S::from_f64(2.0) * delta_ddot)
+            + self.m4 * (w_41 * w_166 - w_39 * w_160);
+        let w_172 = delta_ddot + Phi_ddot;
+        let w_174 = w_173 - l_delta_Phi * w_171;
+        let w_175 = minus_l_lambda_loop4_x_Phi * w_171
+            - self.ee * (w_157 * w_158 + n4_x * w_172) - l_lambda_loop4_x_delta * w_174;
+        let w_176 = self.ee * (cos_w_2 * w_172 - w_157 * w_164)
+            + minus_l_lambda_loop4_y_Phi * w_171 - l_lambda_loop4_y_delta * w_174
+            - l_lambda_loop4_y_lambda_loop4_x * w_175;
+        let w_177 = l_lambda_loop6_x_lambda_loop4_x * w_175
+            + l_lambda_loop6_x_lambda_loop4_y * w_176;
+        let w_178 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_177
+                - l_lambda_loop6_y_lambda_loop4_x * w_175
+                - l_lambda_loop6_y_lambda_loop4_y * w_176);
+        let w_179 = inverse_lambda_loop6_x * w_177
+            + l_lambda_loop6_y_lambda_loop6_x * w_178;
+        let w_180 = inverse_lambda_loop4_y * w_176
+            + l_lambda_loop6_x_lambda_loop4_y * w_179
+            - l_lambda_loop6_y_lambda_loop4_y * w_178;
+        let w_181 = inverse_lambda_loop4_x * w_175
+            - l_lambda_loop4_y_lambda_loop4_x * w_180
+            + l_lambda_loop6_x_lambda_loop4_x * w_179
+            - l_lambda_loop6_y_lambda_loop4_x * w_178;
+        let w_236 = inverse_delta * w_174 - l_lambda_loop4_x_delta * w_181
+            - l_lambda_loop4_y_delta * w_180;
+        let w_182 = l_lambda_loop4_x_lambda_loop3_y * w_179
+            - l_lambda_loop4_x_lambda_loop3_y * w_181
+            - l_lambda_loop4_y_lambda_loop3_y * w_180
+            - l_lambda_loop4_y_lambda_loop3_y * w_178;
+        let w_183 = minus_l_lambda_loop3_y_lambda_loop3_x * w_182
+            - l_lambda_loop4_x_lambda_loop3_x * w_181
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_180
+            + l_lambda_loop4_x_lambda_loop3_x * w_179
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_178;
+        let w_184 = minus_l_lambda_loop3_y_Theta * w_182 - l_lambda_loop3_x_Theta * w_183
+            - l_lambda_loop3_x_Theta * w_181 + minus_l_lambda_loop3_y_Theta * w_180
+            + l_lambda_loop3_x_Theta * w_179 + minus_l_lambda_loop3_y_Theta * w_178;
+        let w_188 = l_lambda_loop6_x_lambda_loop4_x * w_186
+            + l_lambda_loop6_x_lambda_loop4_y * w_187;
+        let w_189 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_188
+                - l_lambda_loop6_y_lambda_loop4_x * w_186
+                - l_lambda_loop6_y_lambda_loop4_y * w_187);
+        let w_190 = inverse_lambda_loop6_x * w_188
+            + l_lambda_loop6_y_lambda_loop6_x * w_189;
+        let w_191 = inverse_lambda_loop4_y * w_187
+            + l_lambda_loop6_x_lambda_loop4_y * w_190
+            - l_lambda_loop6_y_lambda_loop4_y * w_189;
+        let w_192 = inverse_lambda_loop4_x * w_186
+            - l_lambda_loop4_y_lambda_loop4_x * w_191
+            + l_lambda_loop6_x_lambda_loop4_x * w_190
+            - l_lambda_loop6_y_lambda_loop4_x * w_189;
+        let w_237 = inverse_delta * w_185 + l_lambda_loop4_x_delta * w_192
+            + l_lambda_loop4_y_delta * w_191;
+        let w_193 = l_lambda_loop4_x_lambda_loop3_y * w_190
+            - l_lambda_loop4_x_lambda_loop3_y * w_192
+            - l_lambda_loop4_y_lambda_loop3_y * w_191
+            - l_lambda_loop4_y_lambda_loop3_y * w_189;
+        let w_194 = minus_l_lambda_loop3_y_lambda_loop3_x * w_193
+            - l_lambda_loop4_x_lambda_loop3_x * w_192
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_191
+            + l_lambda_loop4_x_lambda_loop3_x * w_190
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_189;
+        let w_195 = minus_l_lambda_loop3_y_Theta * w_193 - l_lambda_loop3_x_Theta * w_194
+            - l_lambda_loop3_x_Theta * w_192 + minus_l_lambda_loop3_y_Theta * w_191
+            + l_lambda_loop3_x_Theta * w_190 + minus_l_lambda_loop3_y_Theta * w_189;
+        let w_196 = epsilon_dot + Omega_dot;
+        let w_197 = u6_y * w_196;
+        let w_198 = epsilon_ddot + Omega_ddot;
+        let w_199 = u6_x * w_196;
+        let w_200 = self.k_10 * w_199;
+        let w_201 = w_196 * w_200;
+        let w_202 = w_59 * epsilon_dot;
+        let w_203 = self.k_10 * Omega_dot;
+        let w_204 = epsilon_dot * (w_202 + w_200) + w_199 * w_203;
+        let w_205 = self.k_10 * w_197;
+        let w_206 = w_196 * w_205;
+        let w_207 = w_60 * epsilon_dot;
+        let w_208 = w_203 * w_197 - epsilon_dot * (w_207 - w_205);
+        let w_209 = self.zf * (u6_x * lambda_loop6_x + u6_y * lambda_loop6_y);
+        let w_210 = self.k_11 * (w_63 * u6_y + u6_x * w_62);
+        let w_211 = self.k_11 * (u6_x * (w_201 - w_204) + u6_y * (w_206 - w_208)) - w_209
+            + epsilon_ddot * w_210;
+        let w_212 = w_210 * (Omega_ddot + S::from_f64(2.0) * epsilon_ddot) - w_209
+            - self.k_11 * (u6_x * w_204 + u6_y * w_208)
+            + self.m6 * (w_63 * w_201 - w_62 * w_206);
+        let w_213 = w_212 - l_epsilon_Omega * w_211;
+        let w_214 = self.zf * (w_196 * w_197 - u6_x * w_198)
+            - l_lambda_loop6_x_Omega * w_211 - l_lambda_loop6_x_epsilon * w_213;
+        let w_215 = inverse_lambda_loop6_y
+            * (minus_l_lambda_loop6_y_Omega * w_211
+                - self.zf * (w_196 * w_199 + u6_y * w_198)
+                - l_lambda_loop6_y_epsilon * w_213
+                - l_lambda_loop6_y_lambda_loop6_x * w_214);
+        let w_216 = inverse_lambda_loop6_x * w_214
+            - l_lambda_loop6_y_lambda_loop6_x * w_215;
+        let w_245 = inverse_epsilon * w_213 - l_lambda_loop6_x_epsilon * w_216
+            - l_lambda_loop6_y_epsilon * w_215;
+        let w_217 = l_lambda_loop6_x_lambda_loop4_y * w_216
+            + l_lambda_loop6_y_lambda_loop4_y * w_215;
+        let w_218 = l_lambda_loop4_y_lambda_loop4_x * w_217
+            - l_lambda_loop6_x_lambda_loop4_x * w_216
+            - l_lambda_loop6_y_lambda_loop4_x * w_215;
+        let w_219 = l_lambda_loop4_y_lambda_loop3_y * w_217
+            - l_lambda_loop4_x_lambda_loop3_y * w_218
+            - l_lambda_loop4_x_lambda_loop3_y * w_216
+            - l_lambda_loop4_y_lambda_loop3_y * w_215;
+        let w_220 = minus_l_lambda_loop3_y_lambda_loop3_x * w_219
+            - l_lambda_loop4_x_lambda_loop3_x * w_218
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_217
+            - l_lambda_loop4_x_lambda_loop3_x * w_216
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_215;
+        let w_221 = minus_l_lambda_loop3_y_Theta * w_219 - l_lambda_loop3_x_Theta * w_220
+            - l_lambda_loop3_x_Theta * w_218 - minus_l_lambda_loop3_y_Theta * w_217
+            - l_lambda_loop3_x_Theta * w_216 + minus_l_lambda_loop3_y_Theta * w_215;
+        let w_222 = w_60 - loop6_x_by_Omega;
+        let w_223 = lambda_loop6_y * w_222 - minus_loop6_y_by_epsilon * lambda_loop6_x
+            + l_epsilon_Omega * w_209;
+        let w_224 = self.zf * (Omega_dot * w_197 - u6_x * Omega_ddot)
+            - epsilon_dot * (w_207 - self.zf * w_197)
+            - minus_loop6_y_by_epsilon * epsilon_ddot + l_lambda_loop6_x_Omega * w_209
+            - l_lambda_loop6_x_epsilon * w_223;
+        let w_225 = epsilon_ddot * w_222 - epsilon_dot * (w_202 + self.zf * w_199)
+            - self.zf * (Omega_dot * w_199 + u6_y * Omega_ddot)
+            - minus_l_lambda_loop6_y_Omega * w_209 - l_lambda_loop6_y_epsilon * w_223
+            - l_lambda_loop6_y_lambda_loop6_x * w_224;
+        let w_226 = inverse_lambda_loop6_y * w_225;
+        let w_227 = inverse_lambda_loop6_x * w_224
+            - l_lambda_loop6_y_lambda_loop6_x * w_226;
+        let w_246 = inverse_epsilon * w_223 - l_lambda_loop6_x_epsilon * w_227
+            - l_lambda_loop6_y_epsilon * w_226;
+        let w_228 = l_lambda_loop6_x_lambda_loop4_y * w_227
+            + l_lambda_loop6_y_lambda_loop4_y * w_226;
+        let w_229 = l_lambda_loop4_y_lambda_loop4_x * w_228
+            - l_lambda_loop6_x_lambda_loop4_x * w_227
+            - l_lambda_loop6_y_lambda_loop4_x * w_226;
+        let w_230 = l_lambda_loop4_y_lambda_loop3_y * w_228
+            - l_lambda_loop4_x_lambda_loop3_y * w_229
+            - l_lambda_loop4_x_lambda_loop3_y * w_227
+            - l_lambda_loop4_y_lambda_loop3_y * w_226;
+        let w_231 = minus_l_lambda_loop3_y_lambda_loop3_x * w_230
+            - l_lambda_loop4_x_lambda_loop3_x * w_229
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_228
+            - l_lambda_loop4_x_lambda_loop3_x * w_227
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_226;
+        let w_232 = minus_l_lambda_loop3_y_Theta * w_230 - l_lambda_loop3_x_Theta * w_231
+            - l_lambda_loop3_x_Theta * w_229 - minus_l_lambda_loop3_y_Theta * w_228
+            - l_lambda_loop3_x_Theta * w_227 + minus_l_lambda_loop3_y_Theta * w_226;
+        let w_233 = l_lambda_loop4_x_delta * w_101 + l_lambda_loop4_y_delta * w_100;
+        let w_234 = l_lambda_loop4_x_delta * w_131 + l_lambda_loop4_y_delta * w_130;
+        let w_235 = l_lambda_loop4_x_delta * w_153 - l_lambda_loop4_y_delta * w_152;
+        let w_238 = l_lambda_loop4_y_delta * w_217 - l_lambda_loop4_x_delta * w_218;
+        let w_239 = l_lambda_loop4_y_delta * w_228 - l_lambda_loop4_x_delta * w_229;
+        let w_240 = l_lambda_loop6_x_epsilon * w_99 + l_lambda_loop6_y_epsilon * w_98;
+        let w_241 = l_lambda_loop6_x_epsilon * w_129 + l_lambda_loop6_y_epsilon * w_128;
+        let w_242 = l_lambda_loop6_x_epsilon * w_151 + l_lambda_loop6_y_epsilon * w_150;
+        let w_243 = l_lambda_loop6_x_epsilon * w_179 - l_lambda_loop6_y_epsilon * w_178;
+        let w_244 = l_lambda_loop6_x_epsilon * w_190 - l_lambda_loop6_y_epsilon * w_189;
+        let w_250 = self.m2 * (w_21 * w_248 + w_22 * w_249);
+        let w_251 = self.k_2 * (u2_y * w_248 + u2_x * w_249) + l_Theta_beta * w_250;
+        let w_278 = self.m2 * (w_21 * w_276 - w_22 * w_277);
+        let w_279 = self.k_2 * (u2_x * w_277 - u2_y * w_276) - l_Theta_beta * w_278;
         let w_253 = l_lambda_loop3_y_beta * w_250;
         let w_254 = minus_l_lambda_loop3_y_Theta * w_251;
-        let w_255 = beta_dot * (w_16 + P_x) - self.d * w_246;
         let w_256 = l_lambda_loop3_x_beta * w_250;
         let w_257 = l_lambda_loop3_x_Theta * w_251;
         let w_258 = w_255 + w_256 - w_257;
@@ -2554,106 +2558,100 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             + l_lambda_loop3_x_beta * w_272 + l_lambda_loop3_y_beta * w_271
             + l_lambda_loop3_x_beta * w_270 + l_lambda_loop3_y_beta * w_269
             + l_lambda_loop3_x_beta * w_268 + l_lambda_loop3_y_beta * w_267;
-        let w_275 = u2_x * (w_75 + Theta_dot + beta_dot);
-        let w_276 = self.da * w_275;
-        let w_277 = u2_y * (Theta_dot + w_75 + beta_dot);
-        let w_278 = self.da * w_277;
-        let w_279 = self.m2 * (w_15 * w_276 - w_17 * w_278);
-        let w_280 = self.k_2 * (u2_x * w_278 - u2_y * w_276) - l_Theta_beta * w_279;
-        let w_281 = self.d * w_275;
-        let w_282 = l_lambda_loop3_x_beta * w_279;
-        let w_283 = l_lambda_loop3_x_Theta * w_280;
-        let w_284 = w_281 + w_282 + w_283;
-        let w_285 = minus_l_lambda_loop3_y_Theta * w_280;
-        let w_286 = self.d * w_277;
-        let w_287 = l_lambda_loop3_y_beta * w_279;
-        let w_288 = w_285 - w_286 - w_287
-            - minus_l_lambda_loop3_y_lambda_loop3_x * w_284;
-        let w_289 = l_lambda_loop4_x_lambda_loop3_x * w_284;
-        let w_290 = l_lambda_loop4_x_lambda_loop3_y * w_288;
-        let w_291 = w_289 - w_281 - w_282 - w_283 - w_290;
-        let w_292 = minus_l_lambda_loop4_y_lambda_loop3_x * w_284;
-        let w_293 = l_lambda_loop4_y_lambda_loop3_y * w_288;
-        let w_294 = w_285 - w_286 - w_287 - w_292 - w_293
-            - l_lambda_loop4_y_lambda_loop4_x * w_291;
-        let w_295 = w_289 - w_281 - w_282 - w_283 - w_290
-            - l_lambda_loop6_x_lambda_loop4_x * w_291
-            - l_lambda_loop6_x_lambda_loop4_y * w_294;
-        let w_296 = inverse_lambda_loop6_y
-            * (w_285 - w_286 - w_287 - w_292 - w_293
-                - l_lambda_loop6_y_lambda_loop4_x * w_291
-                - l_lambda_loop6_y_lambda_loop4_y * w_294
-                - l_lambda_loop6_y_lambda_loop6_x * w_295);
-        let w_297 = inverse_lambda_loop6_x * w_295
-            - l_lambda_loop6_y_lambda_loop6_x * w_296;
-        let w_298 = inverse_lambda_loop4_y * w_294
-            - l_lambda_loop6_x_lambda_loop4_y * w_297
-            - l_lambda_loop6_y_lambda_loop4_y * w_296;
-        let w_299 = inverse_lambda_loop4_x * w_291
-            - l_lambda_loop4_y_lambda_loop4_x * w_298
-            - l_lambda_loop6_x_lambda_loop4_x * w_297
-            - l_lambda_loop6_y_lambda_loop4_x * w_296;
-        let w_300 = inverse_lambda_loop3_y * w_288
-            - l_lambda_loop4_x_lambda_loop3_y * w_299
-            - l_lambda_loop4_y_lambda_loop3_y * w_298
-            - l_lambda_loop4_x_lambda_loop3_y * w_297
-            - l_lambda_loop4_y_lambda_loop3_y * w_296;
-        let w_301 = minus_inverse_lambda_loop3_x * w_284
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_300
-            - l_lambda_loop4_x_lambda_loop3_x * w_299
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_298
-            - l_lambda_loop4_x_lambda_loop3_x * w_297
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_296;
-        let w_302 = inverse_Theta * w_280 - l_lambda_loop3_x_Theta * w_301
-            + minus_l_lambda_loop3_y_Theta * w_300 - l_lambda_loop3_x_Theta * w_299
-            + minus_l_lambda_loop3_y_Theta * w_298 - l_lambda_loop3_x_Theta * w_297
-            + minus_l_lambda_loop3_y_Theta * w_296;
-        let w_303 = self.m3 * (w_19 * w_20 * gamma_dot - w_20 * w_19 * gamma_dot);
-        let w_304 = gamma_dot * self.k_28;
-        let w_305 = minus_l_lambda_loop3_x_gamma * w_303 - u3_y * w_304;
-        let w_306 = l_lambda_loop4_x_lambda_loop3_x * w_305;
-        let w_307 = u3_x * w_304 + minus_l_lambda_loop3_y_gamma * w_303
-            + minus_l_lambda_loop3_y_lambda_loop3_x * w_305;
-        let w_308 = l_lambda_loop4_x_lambda_loop3_y * w_307;
-        let w_309 = w_306 + w_308;
-        let w_310 = minus_l_lambda_loop4_y_lambda_loop3_x * w_305;
-        let w_311 = l_lambda_loop4_y_lambda_loop3_y * w_307;
-        let w_312 = w_310 - w_311 + l_lambda_loop4_y_lambda_loop4_x * w_309;
-        let w_313 = l_lambda_loop6_x_lambda_loop4_x * w_309 - w_306 - w_308
-            - l_lambda_loop6_x_lambda_loop4_y * w_312;
-        let w_314 = inverse_lambda_loop6_y
-            * (w_310 - w_311 + l_lambda_loop6_y_lambda_loop4_x * w_309
-                - l_lambda_loop6_y_lambda_loop4_y * w_312
-                - l_lambda_loop6_y_lambda_loop6_x * w_313);
-        let w_315 = inverse_lambda_loop6_x * w_313
-            - l_lambda_loop6_y_lambda_loop6_x * w_314;
-        let w_316 = inverse_lambda_loop4_y * w_312
-            - l_lambda_loop6_x_lambda_loop4_y * w_315
-            - l_lambda_loop6_y_lambda_loop4_y * w_314;
-        let w_317 = inverse_lambda_loop4_x * w_309
-            + l_lambda_loop4_y_lambda_loop4_x * w_316
-            + l_lambda_loop6_x_lambda_loop4_x * w_315
-            + l_lambda_loop6_y_lambda_loop4_x * w_314;
-        let w_318 = inverse_lambda_loop3_y * w_307
-            + l_lambda_loop4_x_lambda_loop3_y * w_317
-            - l_lambda_loop4_y_lambda_loop3_y * w_316
-            - l_lambda_loop4_x_lambda_loop3_y * w_315
-            - l_lambda_loop4_y_lambda_loop3_y * w_314;
-        let w_319 = minus_l_lambda_loop3_y_lambda_loop3_x * w_318
-            - minus_inverse_lambda_loop3_x * w_305
-            + l_lambda_loop4_x_lambda_loop3_x * w_317
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_316
-            - l_lambda_loop4_x_lambda_loop3_x * w_315
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_314;
-        let w_320 = minus_l_lambda_loop3_y_Theta * w_318 - l_lambda_loop3_x_Theta * w_319
-            + l_lambda_loop3_x_Theta * w_317 + minus_l_lambda_loop3_y_Theta * w_316
-            - l_lambda_loop3_x_Theta * w_315 + minus_l_lambda_loop3_y_Theta * w_314;
-        let w_321 = n4_x * (w_156 + Phi_dot + delta_dot);
+        let w_281 = l_lambda_loop3_x_beta * w_278;
+        let w_282 = l_lambda_loop3_x_Theta * w_279;
+        let w_283 = w_280 + w_281 + w_282;
+        let w_284 = minus_l_lambda_loop3_y_Theta * w_279;
+        let w_286 = l_lambda_loop3_y_beta * w_278;
+        let w_287 = w_284 - w_285 - w_286
+            - minus_l_lambda_loop3_y_lambda_loop3_x * w_283;
+        let w_288 = l_lambda_loop4_x_lambda_loop3_x * w_283;
+        let w_289 = l_lambda_loop4_x_lambda_loop3_y * w_287;
+        let w_290 = w_288 - w_280 - w_281 - w_282 - w_289;
+        let w_291 = minus_l_lambda_loop4_y_lambda_loop3_x * w_283;
+        let w_292 = l_lambda_loop4_y_lambda_loop3_y * w_287;
+        let w_293 = w_284 - w_285 - w_286 - w_291 - w_292
+            - l_lambda_loop4_y_lambda_loop4_x * w_290;
+        let w_294 = w_288 - w_280 - w_281 - w_282 - w_289
+            - l_lambda_loop6_x_lambda_loop4_x * w_290
+            - l_lambda_loop6_x_lambda_loop4_y * w_293;
+        let w_295 = inverse_lambda_loop6_y
+            * (w_284 - w_285 - w_286 - w_291 - w_292
+                - l_lambda_loop6_y_lambda_loop4_x * w_290
+                - l_lambda_loop6_y_lambda_loop4_y * w_293
+                - l_lambda_loop6_y_lambda_loop6_x * w_294);
+        let w_296 = inverse_lambda_loop6_x * w_294
+            - l_lambda_loop6_y_lambda_loop6_x * w_295;
+        let w_297 = inverse_lambda_loop4_y * w_293
+            - l_lambda_loop6_x_lambda_loop4_y * w_296
+            - l_lambda_loop6_y_lambda_loop4_y * w_295;
+        let w_298 = inverse_lambda_loop4_x * w_290
+            - l_lambda_loop4_y_lambda_loop4_x * w_297
+            - l_lambda_loop6_x_lambda_loop4_x * w_296
+            - l_lambda_loop6_y_lambda_loop4_x * w_295;
+        let w_299 = inverse_lambda_loop3_y * w_287
+            - l_lambda_loop4_x_lambda_loop3_y * w_298
+            - l_lambda_loop4_y_lambda_loop3_y * w_297
+            - l_lambda_loop4_x_lambda_loop3_y * w_296
+            - l_lambda_loop4_y_lambda_loop3_y * w_295;
+        let w_300 = minus_inverse_lambda_loop3_x * w_283
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_299
+            - l_lambda_loop4_x_lambda_loop3_x * w_298
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_297
+            - l_lambda_loop4_x_lambda_loop3_x * w_296
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_295;
+        let w_301 = inverse_Theta * w_279 - l_lambda_loop3_x_Theta * w_300
+            + minus_l_lambda_loop3_y_Theta * w_299 - l_lambda_loop3_x_Theta * w_298
+            + minus_l_lambda_loop3_y_Theta * w_297 - l_lambda_loop3_x_Theta * w_296
+            + minus_l_lambda_loop3_y_Theta * w_295;
+        let w_303 = gamma_dot * self.k_28;
+        let w_304 = minus_l_lambda_loop3_x_gamma * w_302 - u3_y * w_303;
+        let w_306 = u3_x * w_303 + minus_l_lambda_loop3_y_gamma * w_302
+            + minus_l_lambda_loop3_y_lambda_loop3_x * w_304;
+        let w_305 = l_lambda_loop4_x_lambda_loop3_x * w_304;
+        let w_307 = l_lambda_loop4_x_lambda_loop3_y * w_306;
+        let w_308 = w_305 + w_307;
+        let w_309 = minus_l_lambda_loop4_y_lambda_loop3_x * w_304;
+        let w_310 = l_lambda_loop4_y_lambda_loop3_y * w_306;
+        let w_311 = w_309 - w_310 + l_lambda_loop4_y_lambda_loop4_x * w_308;
+        let w_312 = l_lambda_loop6_x_lambda_loop4_x * w_308 - w_305 - w_307
+            - l_lambda_loop6_x_lambda_loop4_y * w_311;
+        let w_313 = inverse_lambda_loop6_y
+            * (w_309 - w_310 + l_lambda_loop6_y_lambda_loop4_x * w_308
+                - l_lambda_loop6_y_lambda_loop4_y * w_311
+                - l_lambda_loop6_y_lambda_loop6_x * w_312);
+        let w_314 = inverse_lambda_loop6_x * w_312
+            - l_lambda_loop6_y_lambda_loop6_x * w_313;
+        let w_315 = inverse_lambda_loop4_y * w_311
+            - l_lambda_loop6_x_lambda_loop4_y * w_314
+            - l_lambda_loop6_y_lambda_loop4_y * w_313;
+        let w_316 = inverse_lambda_loop4_x * w_308
+            + l_lambda_loop4_y_lambda_loop4_x * w_315
+            + l_lambda_loop6_x_lambda_loop4_x * w_314
+            + l_lambda_loop6_y_lambda_loop4_x * w_313;
+        let w_317 = inverse_lambda_loop3_y * w_306
+            + l_lambda_loop4_x_lambda_loop3_y * w_316
+            - l_lambda_loop4_y_lambda_loop3_y * w_315
+            - l_lambda_loop4_x_lambda_loop3_y * w_314
+            - l_lambda_loop4_y_lambda_loop3_y * w_313;
+        let w_318 = minus_l_lambda_loop3_y_lambda_loop3_x * w_317
+            - minus_inverse_lambda_loop3_x * w_304
+            + l_lambda_loop4_x_lambda_loop3_x * w_316
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_315
+            - l_lambda_loop4_x_lambda_loop3_x * w_314
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_313;
+        let w_319 = minus_l_lambda_loop3_y_Theta * w_317 - l_lambda_loop3_x_Theta * w_318
+            + l_lambda_loop3_x_Theta * w_316 + minus_l_lambda_loop3_y_Theta * w_315
+            - l_lambda_loop3_x_Theta * w_314 + minus_l_lambda_loop3_y_Theta * w_313;
+        let w_320 = w_157 * self.k_29;
+        let w_337 = Phi_dot + w_157;
+        let w_338 = delta_dot * (w_36 + w_41) + w_40 * w_337;
+        let w_321 = n4_x * w_320;
+        let w_323 = cos_w_2 * w_320;
         let w_322 = self.k_4 * w_321;
-        let w_323 = cos_w_2 * (Phi_dot + w_156 + delta_dot);
         let w_324 = self.k_4 * w_323;
         let w_325 = self.k_5 * (cos_w_2 * w_322 - n4_x * w_324);
-        let w_326 = self.m4 * (w_40 * w_322 + w_41 * w_324) + l_delta_Phi * w_325;
+        let w_326 = self.m4 * (w_39 * w_322 + w_41 * w_324) + l_delta_Phi * w_325;
         let w_327 = minus_l_lambda_loop4_x_Phi * w_325 - self.ee * w_321
             + l_lambda_loop4_x_delta * w_326;
         let w_328 = self.ee * w_323 + minus_l_lambda_loop4_y_Phi * w_325
@@ -2673,6 +2671,8 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
             - l_lambda_loop4_y_lambda_loop4_x * w_332
             + l_lambda_loop6_x_lambda_loop4_x * w_331
             - l_lambda_loop6_y_lambda_loop4_x * w_330;
+        let w_383 = inverse_delta * w_326 + l_lambda_loop4_x_delta * w_333
+            + l_lambda_loop4_y_delta * w_332;
         let w_334 = l_lambda_loop4_x_lambda_loop3_y * w_331
             - l_lambda_loop4_x_lambda_loop3_y * w_333
             - l_lambda_loop4_y_lambda_loop3_y * w_332
@@ -2685,52 +2685,54 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let w_336 = minus_l_lambda_loop3_y_Theta * w_334 - l_lambda_loop3_x_Theta * w_335
             - l_lambda_loop3_x_Theta * w_333 + minus_l_lambda_loop3_y_Theta * w_332
             + l_lambda_loop3_x_Theta * w_331 + minus_l_lambda_loop3_y_Theta * w_330;
-        let w_337 = n4_x * (w_156 + Phi_dot);
-        let w_338 = delta_dot * (w_37 + w_41) + self.k_4 * w_337;
-        let w_339 = cos_w_2 * (Phi_dot + w_156);
-        let w_340 = self.k_4 * w_339 - delta_dot * (w_40 + w_39);
-        let w_341 = self.k_5 * (cos_w_2 * w_338 - n4_x * w_340);
-        let w_342 = self.m5 * (w_43 * w_42 * delta_dot - w_42 * w_43 * delta_dot)
-            - self.m4 * (w_40 * w_338 + w_41 * w_340) - l_delta_Phi * w_341;
-        let w_343 = minus_l_lambda_loop4_x_Phi * w_341
-            - (delta_dot * (w_37 + minus_loop4_y_by_delta) + self.ee * w_337)
-            - l_lambda_loop4_x_delta * w_342;
-        let w_344 = self.ee * w_339 - delta_dot * (w_39 + loop4_x_by_delta)
-            + minus_l_lambda_loop4_y_Phi * w_341 - l_lambda_loop4_y_delta * w_342
-            - l_lambda_loop4_y_lambda_loop4_x * w_343;
-        let w_345 = l_lambda_loop6_x_lambda_loop4_x * w_343
-            + l_lambda_loop6_x_lambda_loop4_y * w_344;
-        let w_346 = inverse_lambda_loop6_y
-            * (l_lambda_loop6_y_lambda_loop6_x * w_345
-                - l_lambda_loop6_y_lambda_loop4_x * w_343
-                - l_lambda_loop6_y_lambda_loop4_y * w_344);
-        let w_347 = inverse_lambda_loop6_x * w_345
-            + l_lambda_loop6_y_lambda_loop6_x * w_346;
-        let w_348 = inverse_lambda_loop4_y * w_344
-            + l_lambda_loop6_x_lambda_loop4_y * w_347
-            - l_lambda_loop6_y_lambda_loop4_y * w_346;
-        let w_349 = inverse_lambda_loop4_x * w_343
-            - l_lambda_loop4_y_lambda_loop4_x * w_348
-            + l_lambda_loop6_x_lambda_loop4_x * w_347
-            - l_lambda_loop6_y_lambda_loop4_x * w_346;
-        let w_350 = l_lambda_loop4_x_lambda_loop3_y * w_347
-            - l_lambda_loop4_x_lambda_loop3_y * w_349
-            - l_lambda_loop4_y_lambda_loop3_y * w_348
-            - l_lambda_loop4_y_lambda_loop3_y * w_346;
-        let w_351 = minus_l_lambda_loop3_y_lambda_loop3_x * w_350
-            - l_lambda_loop4_x_lambda_loop3_x * w_349
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_348
-            + l_lambda_loop4_x_lambda_loop3_x * w_347
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_346;
-        let w_352 = minus_l_lambda_loop3_y_Theta * w_350 - l_lambda_loop3_x_Theta * w_351
-            - l_lambda_loop3_x_Theta * w_349 + minus_l_lambda_loop3_y_Theta * w_348
-            + l_lambda_loop3_x_Theta * w_347 + minus_l_lambda_loop3_y_Theta * w_346;
-        let w_353 = u6_x * (w_195 + Omega_dot + epsilon_dot);
-        let w_354 = u6_y * (Omega_dot + w_195 + epsilon_dot);
+        let w_339 = self.k_4 * cos_w_2 * w_337 - delta_dot * (w_38 + w_39);
+        let w_340 = self.k_5 * (cos_w_2 * w_338 - n4_x * w_339);
+        let w_341 = self.m5 * (w_43 * w_42 * delta_dot - w_42 * w_43 * delta_dot)
+            - self.m4 * (w_39 * w_338 + w_41 * w_339) - l_delta_Phi * w_340;
+        let w_342 = minus_l_lambda_loop4_x_Phi * w_340
+            - (delta_dot * (w_36 + minus_loop4_y_by_delta)
+                + minus_loop4_y_by_Phi * w_337) - l_lambda_loop4_x_delta * w_341;
+        let w_343 = minus_loop4_x_by_Phi * w_337 - delta_dot * (w_38 + loop4_x_by_delta)
+            + minus_l_lambda_loop4_y_Phi * w_340 - l_lambda_loop4_y_delta * w_341
+            - l_lambda_loop4_y_lambda_loop4_x * w_342;
+        let w_344 = l_lambda_loop6_x_lambda_loop4_x * w_342
+            + l_lambda_loop6_x_lambda_loop4_y * w_343;
+        let w_345 = inverse_lambda_loop6_y
+            * (l_lambda_loop6_y_lambda_loop6_x * w_344
+                - l_lambda_loop6_y_lambda_loop4_x * w_342
+                - l_lambda_loop6_y_lambda_loop4_y * w_343);
+        let w_346 = inverse_lambda_loop6_x * w_344
+            + l_lambda_loop6_y_lambda_loop6_x * w_345;
+        let w_347 = inverse_lambda_loop4_y * w_343
+            + l_lambda_loop6_x_lambda_loop4_y * w_346
+            - l_lambda_loop6_y_lambda_loop4_y * w_345;
+        let w_348 = inverse_lambda_loop4_x * w_342
+            - l_lambda_loop4_y_lambda_loop4_x * w_347
+            + l_lambda_loop6_x_lambda_loop4_x * w_346
+            - l_lambda_loop6_y_lambda_loop4_x * w_345;
+        let w_384 = inverse_delta * w_341 - l_lambda_loop4_x_delta * w_348
+            - l_lambda_loop4_y_delta * w_347;
+        let w_349 = l_lambda_loop4_x_lambda_loop3_y * w_346
+            - l_lambda_loop4_x_lambda_loop3_y * w_348
+            - l_lambda_loop4_y_lambda_loop3_y * w_347
+            - l_lambda_loop4_y_lambda_loop3_y * w_345;
+        let w_350 = minus_l_lambda_loop3_y_lambda_loop3_x * w_349
+            - l_lambda_loop4_x_lambda_loop3_x * w_348
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_347
+            + l_lambda_loop4_x_lambda_loop3_x * w_346
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_345;
+        let w_351 = minus_l_lambda_loop3_y_Theta * w_349 - l_lambda_loop3_x_Theta * w_350
+            - l_lambda_loop3_x_Theta * w_348 + minus_l_lambda_loop3_y_Theta * w_347
+            + l_lambda_loop3_x_Theta * w_346 + minus_l_lambda_loop3_y_Theta * w_345;
+        let w_352 = w_196 * self.k_29;
+        let w_367 = Omega_dot + w_196;
+        let w_369 = epsilon_dot * (w_60 + w_62) - w_61 * w_367;
+        let w_353 = u6_x * w_352;
+        let w_354 = u6_y * w_352;
         let w_355 = self.k_10 * w_354;
         let w_356 = self.k_10 * w_353;
         let w_357 = self.k_11 * (u6_x * w_355 - u6_y * w_356);
-        let w_358 = self.m6 * (w_60 * w_356 + w_62 * w_355) - l_epsilon_Omega * w_357;
+        let w_358 = self.m6 * (w_62 * w_356 + w_63 * w_355) - l_epsilon_Omega * w_357;
         let w_359 = self.zf * w_353 + l_lambda_loop6_x_Omega * w_357
             + l_lambda_loop6_x_epsilon * w_358;
         let w_360 = inverse_lambda_loop6_y
@@ -2739,6 +2741,8 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                 + l_lambda_loop6_y_lambda_loop6_x * w_359);
         let w_361 = inverse_lambda_loop6_x * w_359
             + l_lambda_loop6_y_lambda_loop6_x * w_360;
+        let w_392 = inverse_epsilon * w_358 + l_lambda_loop6_x_epsilon * w_361
+            - l_lambda_loop6_y_epsilon * w_360;
         let w_362 = l_lambda_loop6_x_lambda_loop4_y * w_361
             - l_lambda_loop6_y_lambda_loop4_y * w_360;
         let w_363 = l_lambda_loop6_x_lambda_loop4_x * w_361
@@ -2756,243 +2760,234 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
         let w_366 = minus_l_lambda_loop3_y_Theta * w_364 - l_lambda_loop3_x_Theta * w_365
             - l_lambda_loop3_x_Theta * w_363 + minus_l_lambda_loop3_y_Theta * w_362
             + l_lambda_loop3_x_Theta * w_361 + minus_l_lambda_loop3_y_Theta * w_360;
-        let w_367 = u6_x * (w_195 + Omega_dot);
-        let w_368 = epsilon_dot * (w_61 + w_62) + self.k_10 * w_367;
-        let w_369 = u6_y * (Omega_dot + w_195);
-        let w_370 = epsilon_dot * (w_60 + w_59) - self.k_10 * w_369;
-        let w_371 = self.k_11 * (u6_y * w_368 + u6_x * w_370);
-        let w_372 = self.m7 * (w_63 * w_64 * epsilon_dot - w_64 * w_63 * epsilon_dot)
-            + self.m6 * (w_60 * w_368 - w_62 * w_370) + l_epsilon_Omega * w_371;
-        let w_373 = l_lambda_loop6_x_Omega * w_371
-            - (epsilon_dot * (w_61 + minus_loop6_y_by_epsilon) + self.zf * w_367)
-            - l_lambda_loop6_x_epsilon * w_372;
-        let w_374 = inverse_lambda_loop6_y
-            * (epsilon_dot * (w_59 + w_221) - self.zf * w_369
-                - minus_l_lambda_loop6_y_Omega * w_371 - l_lambda_loop6_y_epsilon * w_372
-                - l_lambda_loop6_y_lambda_loop6_x * w_373);
-        let w_375 = inverse_lambda_loop6_x * w_373
-            - l_lambda_loop6_y_lambda_loop6_x * w_374;
-        let w_376 = l_lambda_loop6_x_lambda_loop4_y * w_375
-            + l_lambda_loop6_y_lambda_loop4_y * w_374;
-        let w_377 = l_lambda_loop4_y_lambda_loop4_x * w_376
-            - l_lambda_loop6_x_lambda_loop4_x * w_375
-            - l_lambda_loop6_y_lambda_loop4_x * w_374;
-        let w_378 = l_lambda_loop4_y_lambda_loop3_y * w_376
-            - l_lambda_loop4_x_lambda_loop3_y * w_377
-            - l_lambda_loop4_x_lambda_loop3_y * w_375
-            - l_lambda_loop4_y_lambda_loop3_y * w_374;
-        let w_379 = minus_l_lambda_loop3_y_lambda_loop3_x * w_378
-            - l_lambda_loop4_x_lambda_loop3_x * w_377
-            - minus_l_lambda_loop4_y_lambda_loop3_x * w_376
-            - l_lambda_loop4_x_lambda_loop3_x * w_375
-            + minus_l_lambda_loop4_y_lambda_loop3_x * w_374;
-        let w_380 = minus_l_lambda_loop3_y_Theta * w_378 - l_lambda_loop3_x_Theta * w_379
-            - l_lambda_loop3_x_Theta * w_377 - minus_l_lambda_loop3_y_Theta * w_376
-            - l_lambda_loop3_x_Theta * w_375 + minus_l_lambda_loop3_y_Theta * w_374;
-        let w_381 = l_lambda_loop4_x_delta * w_270 + l_lambda_loop4_y_delta * w_269;
-        let w_382 = l_lambda_loop4_x_delta * w_299 + l_lambda_loop4_y_delta * w_298;
-        let w_383 = l_lambda_loop4_x_delta * w_317 - l_lambda_loop4_y_delta * w_316;
-        let w_384 = inverse_delta * w_326 + l_lambda_loop4_x_delta * w_333
-            + l_lambda_loop4_y_delta * w_332;
-        let w_385 = inverse_delta * w_342 - l_lambda_loop4_x_delta * w_349
-            - l_lambda_loop4_y_delta * w_348;
-        let w_386 = l_lambda_loop4_x_delta * w_363 + l_lambda_loop4_y_delta * w_362;
-        let w_387 = l_lambda_loop4_y_delta * w_376 - l_lambda_loop4_x_delta * w_377;
-        let w_388 = l_lambda_loop6_x_epsilon * w_268 + l_lambda_loop6_y_epsilon * w_267;
-        let w_389 = l_lambda_loop6_x_epsilon * w_297 + l_lambda_loop6_y_epsilon * w_296;
-        let w_390 = l_lambda_loop6_x_epsilon * w_315 + l_lambda_loop6_y_epsilon * w_314;
-        let w_391 = l_lambda_loop6_x_epsilon * w_331 - l_lambda_loop6_y_epsilon * w_330;
-        let w_392 = l_lambda_loop6_x_epsilon * w_347 - l_lambda_loop6_y_epsilon * w_346;
-        let w_393 = inverse_epsilon * w_358 + l_lambda_loop6_x_epsilon * w_361
-            - l_lambda_loop6_y_epsilon * w_360;
-        let w_394 = inverse_epsilon * w_372 - l_lambda_loop6_x_epsilon * w_375
-            - l_lambda_loop6_y_epsilon * w_374;
+        let w_368 = epsilon_dot * (w_59 + w_63) + self.k_10 * u6_x * w_367;
+        let w_370 = self.k_11 * (u6_y * w_368 + u6_x * w_369);
+        let w_371 = self.m6 * (w_62 * w_368 - w_63 * w_369)
+            + self.m7 * (w_64 * w_65 * epsilon_dot - w_65 * w_64 * epsilon_dot)
+            + l_epsilon_Omega * w_370;
+        let w_372 = l_lambda_loop6_x_Omega * w_370
+            - (epsilon_dot * (w_59 + minus_loop6_y_by_epsilon)
+                + minus_loop6_y_by_Omega * w_367) - l_lambda_loop6_x_epsilon * w_371;
+        let w_373 = inverse_lambda_loop6_y
+            * (epsilon_dot * (w_60 + w_222) - loop6_x_by_Omega * w_367
+                - minus_l_lambda_loop6_y_Omega * w_370 - l_lambda_loop6_y_epsilon * w_371
+                - l_lambda_loop6_y_lambda_loop6_x * w_372);
+        let w_374 = inverse_lambda_loop6_x * w_372
+            - l_lambda_loop6_y_lambda_loop6_x * w_373;
+        let w_375 = l_lambda_loop6_x_lambda_loop4_y * w_374
+            + l_lambda_loop6_y_lambda_loop4_y * w_373;
+        let w_376 = l_lambda_loop4_y_lambda_loop4_x * w_375
+            - l_lambda_loop6_x_lambda_loop4_x * w_374
+            - l_lambda_loop6_y_lambda_loop4_x * w_373;
+        let w_377 = l_lambda_loop4_y_lambda_loop3_y * w_375
+            - l_lambda_loop4_x_lambda_loop3_y * w_376
+            - l_lambda_loop4_x_lambda_loop3_y * w_374
+            - l_lambda_loop4_y_lambda_loop3_y * w_373;
+        let w_378 = minus_l_lambda_loop3_y_lambda_loop3_x * w_377
+            - l_lambda_loop4_x_lambda_loop3_x * w_376
+            - minus_l_lambda_loop4_y_lambda_loop3_x * w_375
+            - l_lambda_loop4_x_lambda_loop3_x * w_374
+            + minus_l_lambda_loop4_y_lambda_loop3_x * w_373;
+        let w_379 = minus_l_lambda_loop3_y_Theta * w_377 - l_lambda_loop3_x_Theta * w_378
+            - l_lambda_loop3_x_Theta * w_376 - minus_l_lambda_loop3_y_Theta * w_375
+            - l_lambda_loop3_x_Theta * w_374 + minus_l_lambda_loop3_y_Theta * w_373;
+        let w_393 = inverse_epsilon * w_371 - l_lambda_loop6_x_epsilon * w_374
+            - l_lambda_loop6_y_epsilon * w_373;
+        let w_380 = l_lambda_loop4_x_delta * w_270 + l_lambda_loop4_y_delta * w_269;
+        let w_381 = l_lambda_loop4_x_delta * w_298 + l_lambda_loop4_y_delta * w_297;
+        let w_382 = l_lambda_loop4_x_delta * w_316 - l_lambda_loop4_y_delta * w_315;
+        let w_385 = l_lambda_loop4_x_delta * w_363 + l_lambda_loop4_y_delta * w_362;
+        let w_386 = l_lambda_loop4_y_delta * w_375 - l_lambda_loop4_x_delta * w_376;
+        let w_387 = l_lambda_loop6_x_epsilon * w_268 + l_lambda_loop6_y_epsilon * w_267;
+        let w_388 = l_lambda_loop6_x_epsilon * w_296 + l_lambda_loop6_y_epsilon * w_295;
+        let w_389 = l_lambda_loop6_x_epsilon * w_314 + l_lambda_loop6_y_epsilon * w_313;
+        let w_390 = l_lambda_loop6_x_epsilon * w_331 - l_lambda_loop6_y_epsilon * w_330;
+        let w_391 = l_lambda_loop6_x_epsilon * w_346 - l_lambda_loop6_y_epsilon * w_345;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    inverse_beta * w_71 - l_Theta_beta * w_100
-                        - l_lambda_loop3_x_beta * w_99 - l_lambda_loop3_y_beta * w_98
-                        - l_lambda_loop3_x_beta * w_97 - l_lambda_loop3_y_beta * w_96
-                        - l_lambda_loop3_x_beta * w_95 - l_lambda_loop3_y_beta * w_94,
-                    inverse_beta * w_110 - l_Theta_beta * w_134
+                    inverse_beta * w_73 - l_Theta_beta * w_104
+                        - l_lambda_loop3_x_beta * w_103 - l_lambda_loop3_y_beta * w_102
+                        - l_lambda_loop3_x_beta * w_101 - l_lambda_loop3_y_beta * w_100
+                        - l_lambda_loop3_x_beta * w_99 - l_lambda_loop3_y_beta * w_98,
+                    inverse_beta * w_111 - l_Theta_beta * w_134
                         - l_lambda_loop3_x_beta * w_133 - l_lambda_loop3_y_beta * w_132
                         - l_lambda_loop3_x_beta * w_131 - l_lambda_loop3_y_beta * w_130
                         - l_lambda_loop3_x_beta * w_129 - l_lambda_loop3_y_beta * w_128,
-                    l_lambda_loop3_x_beta * w_152 - l_Theta_beta * w_155
-                        - l_lambda_loop3_x_beta * w_154 - l_lambda_loop3_y_beta * w_153
-                        - l_lambda_loop3_y_beta * w_151 - l_lambda_loop3_x_beta * w_150
-                        - l_lambda_loop3_y_beta * w_149,
-                    l_lambda_loop3_x_beta * w_178 - l_Theta_beta * w_183
-                        - l_lambda_loop3_x_beta * w_182 - l_lambda_loop3_y_beta * w_181
-                        - l_lambda_loop3_x_beta * w_180 - l_lambda_loop3_y_beta * w_179
-                        - l_lambda_loop3_y_beta * w_177,
-                    l_lambda_loop3_x_beta * w_189 - l_Theta_beta * w_194
-                        - l_lambda_loop3_x_beta * w_193 - l_lambda_loop3_y_beta * w_192
-                        - l_lambda_loop3_x_beta * w_191 - l_lambda_loop3_y_beta * w_190
-                        - l_lambda_loop3_y_beta * w_188,
-                    l_lambda_loop3_y_beta * w_216 - l_Theta_beta * w_220
-                        - l_lambda_loop3_x_beta * w_219 - l_lambda_loop3_y_beta * w_218
-                        - l_lambda_loop3_x_beta * w_217 - l_lambda_loop3_x_beta * w_215
-                        - l_lambda_loop3_y_beta * w_214,
-                    l_lambda_loop3_y_beta * w_227 - l_Theta_beta * w_231
-                        - l_lambda_loop3_x_beta * w_230 - l_lambda_loop3_y_beta * w_229
-                        - l_lambda_loop3_x_beta * w_228 - l_lambda_loop3_x_beta * w_226
-                        - l_lambda_loop3_y_beta * w_225,
+                    l_lambda_loop3_x_beta * w_153 - l_Theta_beta * w_156
+                        - l_lambda_loop3_x_beta * w_155 - l_lambda_loop3_y_beta * w_154
+                        - l_lambda_loop3_y_beta * w_152 - l_lambda_loop3_x_beta * w_151
+                        - l_lambda_loop3_y_beta * w_150,
+                    l_lambda_loop3_x_beta * w_179 - l_Theta_beta * w_184
+                        - l_lambda_loop3_x_beta * w_183 - l_lambda_loop3_y_beta * w_182
+                        - l_lambda_loop3_x_beta * w_181 - l_lambda_loop3_y_beta * w_180
+                        - l_lambda_loop3_y_beta * w_178,
+                    l_lambda_loop3_x_beta * w_190 - l_Theta_beta * w_195
+                        - l_lambda_loop3_x_beta * w_194 - l_lambda_loop3_y_beta * w_193
+                        - l_lambda_loop3_x_beta * w_192 - l_lambda_loop3_y_beta * w_191
+                        - l_lambda_loop3_y_beta * w_189,
+                    l_lambda_loop3_y_beta * w_217 - l_Theta_beta * w_221
+                        - l_lambda_loop3_x_beta * w_220 - l_lambda_loop3_y_beta * w_219
+                        - l_lambda_loop3_x_beta * w_218 - l_lambda_loop3_x_beta * w_216
+                        - l_lambda_loop3_y_beta * w_215,
+                    l_lambda_loop3_y_beta * w_228 - l_Theta_beta * w_232
+                        - l_lambda_loop3_x_beta * w_231 - l_lambda_loop3_y_beta * w_230
+                        - l_lambda_loop3_x_beta * w_229 - l_lambda_loop3_x_beta * w_227
+                        - l_lambda_loop3_y_beta * w_226,
                 ],
-                [w_100, w_134, w_155, w_183, w_194, w_220, w_231],
+                [w_104, w_134, w_156, w_184, w_195, w_221, w_232],
                 [
-                    minus_l_lambda_loop3_x_gamma * w_99
-                        + minus_l_lambda_loop3_y_gamma * w_98,
+                    minus_l_lambda_loop3_x_gamma * w_103
+                        + minus_l_lambda_loop3_y_gamma * w_102,
                     minus_l_lambda_loop3_x_gamma * w_133
                         + minus_l_lambda_loop3_y_gamma * w_132,
-                    inverse_gamma * w_139 + minus_l_lambda_loop3_x_gamma * w_154
-                        + minus_l_lambda_loop3_y_gamma * w_153,
-                    minus_l_lambda_loop3_x_gamma * w_182
-                        + minus_l_lambda_loop3_y_gamma * w_181,
-                    minus_l_lambda_loop3_x_gamma * w_193
-                        + minus_l_lambda_loop3_y_gamma * w_192,
-                    minus_l_lambda_loop3_x_gamma * w_219
-                        + minus_l_lambda_loop3_y_gamma * w_218,
-                    minus_l_lambda_loop3_x_gamma * w_230
-                        + minus_l_lambda_loop3_y_gamma * w_229,
+                    inverse_gamma * w_140 + minus_l_lambda_loop3_x_gamma * w_155
+                        + minus_l_lambda_loop3_y_gamma * w_154,
+                    minus_l_lambda_loop3_x_gamma * w_183
+                        + minus_l_lambda_loop3_y_gamma * w_182,
+                    minus_l_lambda_loop3_x_gamma * w_194
+                        + minus_l_lambda_loop3_y_gamma * w_193,
+                    minus_l_lambda_loop3_x_gamma * w_220
+                        + minus_l_lambda_loop3_y_gamma * w_219,
+                    minus_l_lambda_loop3_x_gamma * w_231
+                        + minus_l_lambda_loop3_y_gamma * w_230,
                 ],
                 [
-                    l_delta_Phi * w_232 + minus_l_lambda_loop4_x_Phi * w_97
-                        + minus_l_lambda_loop4_y_Phi * w_96,
-                    l_delta_Phi * w_233 + minus_l_lambda_loop4_x_Phi * w_131
+                    l_delta_Phi * w_233 + minus_l_lambda_loop4_x_Phi * w_101
+                        + minus_l_lambda_loop4_y_Phi * w_100,
+                    l_delta_Phi * w_234 + minus_l_lambda_loop4_x_Phi * w_131
                         + minus_l_lambda_loop4_y_Phi * w_130,
-                    minus_l_lambda_loop4_y_Phi * w_151 - l_delta_Phi * w_234
-                        - minus_l_lambda_loop4_x_Phi * w_152,
-                    self.inverse_Phi * w_170 - l_delta_Phi * w_235
-                        + minus_l_lambda_loop4_x_Phi * w_180
-                        + minus_l_lambda_loop4_y_Phi * w_179,
-                    self.inverse_Phi * w_168 + l_delta_Phi * w_236
-                        + minus_l_lambda_loop4_x_Phi * w_191
-                        + minus_l_lambda_loop4_y_Phi * w_190,
-                    minus_l_lambda_loop4_x_Phi * w_217 - l_delta_Phi * w_237
-                        - minus_l_lambda_loop4_y_Phi * w_216,
-                    minus_l_lambda_loop4_x_Phi * w_228 - l_delta_Phi * w_238
-                        - minus_l_lambda_loop4_y_Phi * w_227,
+                    minus_l_lambda_loop4_y_Phi * w_152 - l_delta_Phi * w_235
+                        - minus_l_lambda_loop4_x_Phi * w_153,
+                    self.inverse_Phi * w_171 - l_delta_Phi * w_236
+                        + minus_l_lambda_loop4_x_Phi * w_181
+                        + minus_l_lambda_loop4_y_Phi * w_180,
+                    self.inverse_Phi * w_169 + l_delta_Phi * w_237
+                        + minus_l_lambda_loop4_x_Phi * w_192
+                        + minus_l_lambda_loop4_y_Phi * w_191,
+                    minus_l_lambda_loop4_x_Phi * w_218 - l_delta_Phi * w_238
+                        - minus_l_lambda_loop4_y_Phi * w_217,
+                    minus_l_lambda_loop4_x_Phi * w_229 - l_delta_Phi * w_239
+                        - minus_l_lambda_loop4_y_Phi * w_228,
                 ],
-                [-w_232, -w_233, w_234, w_235, -w_236, w_237, w_238],
+                [-w_233, -w_234, w_235, w_236, -w_237, w_238, w_239],
                 [
-                    l_epsilon_Omega * w_239 - l_lambda_loop6_x_Omega * w_95
-                        + minus_l_lambda_loop6_y_Omega * w_94,
-                    l_epsilon_Omega * w_240 - l_lambda_loop6_x_Omega * w_129
+                    l_epsilon_Omega * w_240 - l_lambda_loop6_x_Omega * w_99
+                        + minus_l_lambda_loop6_y_Omega * w_98,
+                    l_epsilon_Omega * w_241 - l_lambda_loop6_x_Omega * w_129
                         + minus_l_lambda_loop6_y_Omega * w_128,
-                    l_epsilon_Omega * w_241 - l_lambda_loop6_x_Omega * w_150
-                        + minus_l_lambda_loop6_y_Omega * w_149,
-                    l_lambda_loop6_x_Omega * w_178 - l_epsilon_Omega * w_242
-                        + minus_l_lambda_loop6_y_Omega * w_177,
-                    l_lambda_loop6_x_Omega * w_189 - l_epsilon_Omega * w_243
-                        + minus_l_lambda_loop6_y_Omega * w_188,
-                    self.inverse_Omega * w_210 - l_epsilon_Omega * w_244
-                        - l_lambda_loop6_x_Omega * w_215
-                        + minus_l_lambda_loop6_y_Omega * w_214,
-                    self.inverse_Omega * w_208 - l_epsilon_Omega * w_245
-                        - l_lambda_loop6_x_Omega * w_226
-                        + minus_l_lambda_loop6_y_Omega * w_225,
+                    l_epsilon_Omega * w_242 - l_lambda_loop6_x_Omega * w_151
+                        + minus_l_lambda_loop6_y_Omega * w_150,
+                    l_lambda_loop6_x_Omega * w_179 - l_epsilon_Omega * w_243
+                        + minus_l_lambda_loop6_y_Omega * w_178,
+                    l_lambda_loop6_x_Omega * w_190 - l_epsilon_Omega * w_244
+                        + minus_l_lambda_loop6_y_Omega * w_189,
+                    self.inverse_Omega * w_211 - l_epsilon_Omega * w_245
+                        - l_lambda_loop6_x_Omega * w_216
+                        + minus_l_lambda_loop6_y_Omega * w_215,
+                    minus_l_lambda_loop6_y_Omega * w_226 - self.inverse_Omega * w_209
+                        - l_epsilon_Omega * w_246 - l_lambda_loop6_x_Omega * w_227,
                 ],
-                [-w_239, -w_240, -w_241, w_242, w_243, w_244, w_245],
+                [-w_240, -w_241, -w_242, w_243, w_244, w_245, w_246],
             ],
             accelerations_by_speeds: [
                 [
                     -w_274,
-                    inverse_beta * w_279 - l_Theta_beta * w_302
-                        - l_lambda_loop3_x_beta * w_301 - l_lambda_loop3_y_beta * w_300
-                        - l_lambda_loop3_x_beta * w_299 - l_lambda_loop3_y_beta * w_298
-                        - l_lambda_loop3_x_beta * w_297 - l_lambda_loop3_y_beta * w_296,
-                    l_lambda_loop3_x_beta * w_317 - l_Theta_beta * w_320
-                        - l_lambda_loop3_x_beta * w_319 - l_lambda_loop3_y_beta * w_318
-                        - l_lambda_loop3_y_beta * w_316 - l_lambda_loop3_x_beta * w_315
-                        - l_lambda_loop3_y_beta * w_314,
+                    inverse_beta * w_278 - l_Theta_beta * w_301
+                        - l_lambda_loop3_x_beta * w_300 - l_lambda_loop3_y_beta * w_299
+                        - l_lambda_loop3_x_beta * w_298 - l_lambda_loop3_y_beta * w_297
+                        - l_lambda_loop3_x_beta * w_296 - l_lambda_loop3_y_beta * w_295,
+                    l_lambda_loop3_x_beta * w_316 - l_Theta_beta * w_319
+                        - l_lambda_loop3_x_beta * w_318 - l_lambda_loop3_y_beta * w_317
+                        - l_lambda_loop3_y_beta * w_315 - l_lambda_loop3_x_beta * w_314
+                        - l_lambda_loop3_y_beta * w_313,
                     l_lambda_loop3_x_beta * w_331 - l_Theta_beta * w_336
                         - l_lambda_loop3_x_beta * w_335 - l_lambda_loop3_y_beta * w_334
                         - l_lambda_loop3_x_beta * w_333 - l_lambda_loop3_y_beta * w_332
                         - l_lambda_loop3_y_beta * w_330,
-                    l_lambda_loop3_x_beta * w_347 - l_Theta_beta * w_352
-                        - l_lambda_loop3_x_beta * w_351 - l_lambda_loop3_y_beta * w_350
-                        - l_lambda_loop3_x_beta * w_349 - l_lambda_loop3_y_beta * w_348
-                        - l_lambda_loop3_y_beta * w_346,
+                    l_lambda_loop3_x_beta * w_346 - l_Theta_beta * w_351
+                        - l_lambda_loop3_x_beta * w_350 - l_lambda_loop3_y_beta * w_349
+                        - l_lambda_loop3_x_beta * w_348 - l_lambda_loop3_y_beta * w_347
+                        - l_lambda_loop3_y_beta * w_345,
                     l_lambda_loop3_x_beta * w_361 - l_Theta_beta * w_366
                         - l_lambda_loop3_x_beta * w_365 - l_lambda_loop3_y_beta * w_364
                         - l_lambda_loop3_x_beta * w_363 - l_lambda_loop3_y_beta * w_362
                         - l_lambda_loop3_y_beta * w_360,
-                    l_lambda_loop3_y_beta * w_376 - l_Theta_beta * w_380
-                        - l_lambda_loop3_x_beta * w_379 - l_lambda_loop3_y_beta * w_378
-                        - l_lambda_loop3_x_beta * w_377 - l_lambda_loop3_x_beta * w_375
-                        - l_lambda_loop3_y_beta * w_374,
+                    l_lambda_loop3_y_beta * w_375 - l_Theta_beta * w_379
+                        - l_lambda_loop3_x_beta * w_378 - l_lambda_loop3_y_beta * w_377
+                        - l_lambda_loop3_x_beta * w_376 - l_lambda_loop3_x_beta * w_374
+                        - l_lambda_loop3_y_beta * w_373,
                 ],
-                [w_273, w_302, w_320, w_336, w_352, w_366, w_380],
+                [w_273, w_301, w_319, w_336, w_351, w_366, w_379],
                 [
                     minus_l_lambda_loop3_x_gamma * w_272
                         + minus_l_lambda_loop3_y_gamma * w_271,
-                    minus_l_lambda_loop3_x_gamma * w_301
-                        + minus_l_lambda_loop3_y_gamma * w_300,
-                    inverse_gamma * w_303 + minus_l_lambda_loop3_x_gamma * w_319
-                        + minus_l_lambda_loop3_y_gamma * w_318,
+                    minus_l_lambda_loop3_x_gamma * w_300
+                        + minus_l_lambda_loop3_y_gamma * w_299,
+                    inverse_gamma * w_302 + minus_l_lambda_loop3_x_gamma * w_318
+                        + minus_l_lambda_loop3_y_gamma * w_317,
                     minus_l_lambda_loop3_x_gamma * w_335
                         + minus_l_lambda_loop3_y_gamma * w_334,
-                    minus_l_lambda_loop3_x_gamma * w_351
-                        + minus_l_lambda_loop3_y_gamma * w_350,
+                    minus_l_lambda_loop3_x_gamma * w_350
+                        + minus_l_lambda_loop3_y_gamma * w_349,
                     minus_l_lambda_loop3_x_gamma * w_365
                         + minus_l_lambda_loop3_y_gamma * w_364,
-                    minus_l_lambda_loop3_x_gamma * w_379
-                        + minus_l_lambda_loop3_y_gamma * w_378,
+                    minus_l_lambda_loop3_x_gamma * w_378
+                        + minus_l_lambda_loop3_y_gamma * w_377,
                 ],
                 [
-                    l_delta_Phi * w_381 + minus_l_lambda_loop4_x_Phi * w_270
+                    l_delta_Phi * w_380 + minus_l_lambda_loop4_x_Phi * w_270
                         + minus_l_lambda_loop4_y_Phi * w_269,
-                    l_delta_Phi * w_382 + minus_l_lambda_loop4_x_Phi * w_299
-                        + minus_l_lambda_loop4_y_Phi * w_298,
-                    minus_l_lambda_loop4_y_Phi * w_316 - l_delta_Phi * w_383
-                        - minus_l_lambda_loop4_x_Phi * w_317,
-                    self.inverse_Phi * w_325 + l_delta_Phi * w_384
+                    l_delta_Phi * w_381 + minus_l_lambda_loop4_x_Phi * w_298
+                        + minus_l_lambda_loop4_y_Phi * w_297,
+                    minus_l_lambda_loop4_y_Phi * w_315 - l_delta_Phi * w_382
+                        - minus_l_lambda_loop4_x_Phi * w_316,
+                    self.inverse_Phi * w_325 + l_delta_Phi * w_383
                         + minus_l_lambda_loop4_x_Phi * w_333
                         + minus_l_lambda_loop4_y_Phi * w_332,
-                    self.inverse_Phi * w_341 - l_delta_Phi * w_385
-                        + minus_l_lambda_loop4_x_Phi * w_349
-                        + minus_l_lambda_loop4_y_Phi * w_348,
-                    l_delta_Phi * w_386 + minus_l_lambda_loop4_x_Phi * w_363
+                    self.inverse_Phi * w_340 - l_delta_Phi * w_384
+                        + minus_l_lambda_loop4_x_Phi * w_348
+                        + minus_l_lambda_loop4_y_Phi * w_347,
+                    l_delta_Phi * w_385 + minus_l_lambda_loop4_x_Phi * w_363
                         + minus_l_lambda_loop4_y_Phi * w_362,
-                    minus_l_lambda_loop4_x_Phi * w_377 - l_delta_Phi * w_387
-                        - minus_l_lambda_loop4_y_Phi * w_376,
+                    minus_l_lambda_loop4_x_Phi * w_376 - l_delta_Phi * w_386
+                        - minus_l_lambda_loop4_y_Phi * w_375,
                 ],
-                [-w_381, -w_382, w_383, -w_384, w_385, -w_386, w_387],
+                [-w_380, -w_381, w_382, -w_383, w_384, -w_385, w_386],
                 [
-                    l_epsilon_Omega * w_388 - l_lambda_loop6_x_Omega * w_268
+                    l_epsilon_Omega * w_387 - l_lambda_loop6_x_Omega * w_268
                         + minus_l_lambda_loop6_y_Omega * w_267,
-                    l_epsilon_Omega * w_389 - l_lambda_loop6_x_Omega * w_297
-                        + minus_l_lambda_loop6_y_Omega * w_296,
-                    l_epsilon_Omega * w_390 - l_lambda_loop6_x_Omega * w_315
-                        + minus_l_lambda_loop6_y_Omega * w_314,
-                    l_lambda_loop6_x_Omega * w_331 - l_epsilon_Omega * w_391
+                    l_epsilon_Omega * w_388 - l_lambda_loop6_x_Omega * w_296
+                        + minus_l_lambda_loop6_y_Omega * w_295,
+                    l_epsilon_Omega * w_389 - l_lambda_loop6_x_Omega * w_314
+                        + minus_l_lambda_loop6_y_Omega * w_313,
+                    l_lambda_loop6_x_Omega * w_331 - l_epsilon_Omega * w_390
                         + minus_l_lambda_loop6_y_Omega * w_330,
-                    l_lambda_loop6_x_Omega * w_347 - l_epsilon_Omega * w_392
-                        + minus_l_lambda_loop6_y_Omega * w_346,
-                    self.inverse_Omega * w_357 - l_epsilon_Omega * w_393
+                    l_lambda_loop6_x_Omega * w_346 - l_epsilon_Omega * w_391
+                        + minus_l_lambda_loop6_y_Omega * w_345,
+                    self.inverse_Omega * w_357 - l_epsilon_Omega * w_392
                         + l_lambda_loop6_x_Omega * w_361
                         + minus_l_lambda_loop6_y_Omega * w_360,
-                    minus_l_lambda_loop6_y_Omega * w_374 - self.inverse_Omega * w_371
-                        - l_epsilon_Omega * w_394 - l_lambda_loop6_x_Omega * w_375,
+                    minus_l_lambda_loop6_y_Omega * w_373 - self.inverse_Omega * w_370
+                        - l_epsilon_Omega * w_393 - l_lambda_loop6_x_Omega * w_374,
                 ],
-                [-w_388, -w_389, -w_390, w_391, w_392, w_393, w_394],
+                [-w_387, -w_388, -w_389, w_390, w_391, w_392, w_393],
             ],
             multipliers_by_positions: [
-                [w_99, w_133, w_154, w_182, w_193, w_219, w_230],
-                [w_98, w_132, w_153, w_181, w_192, w_218, w_229],
-                [w_97, w_131, -w_152, w_180, w_191, w_217, w_228],
-                [w_96, w_130, w_151, w_179, w_190, -w_216, -w_227],
-                [w_95, w_129, w_150, -w_178, -w_189, w_215, w_226],
-                [w_94, w_128, w_149, w_177, w_188, w_214, w_225],
+                [w_103, w_133, w_155, w_183, w_194, w_220, w_231],
+                [w_102, w_132, w_154, w_182, w_193, w_219, w_230],
+                [w_101, w_131, -w_153, w_181, w_192, w_218, w_229],
+                [w_100, w_130, w_152, w_180, w_191, -w_217, -w_228],
+                [w_99, w_129, w_151, -w_179, -w_190, w_216, w_227],
+                [w_98, w_128, w_150, w_178, w_189, w_215, w_226],
             ],
             multipliers_by_speeds: [
-                [w_272, w_301, w_319, w_335, w_351, w_365, w_379],
-                [w_271, w_300, w_318, w_334, w_350, w_364, w_378],
-                [w_270, w_299, -w_317, w_333, w_349, w_363, w_377],
-                [w_269, w_298, w_316, w_332, w_348, w_362, -w_376],
-                [w_268, w_297, w_315, -w_331, -w_347, -w_361, w_375],
-                [w_267, w_296, w_314, w_330, w_346, w_360, w_374],
+                [w_272, w_300, w_318, w_335, w_350, w_365, w_378],
+                [w_271, w_299, w_317, w_334, w_349, w_364, w_377],
+                [w_270, w_298, -w_316, w_333, w_348, w_363, w_376],
+                [w_269, w_297, w_315, w_332, w_347, w_362, -w_375],
+                [w_268, w_296, w_314, -w_331, -w_346, -w_361, w_374],
+                [w_267, w_295, w_313, w_330, w_345, w_360, w_373],
             ],
             refused: sim_kernel::pivot_is_refused(mass_beta_beta, mass_beta_beta)
                 | sim_kernel::pivot_is_refused(mass_gamma_gamma, mass_gamma_gamma)
@@ -3008,9 +3003,9 @@ impl<S: sim_kernel::Scalar> AndrewsPrepared<S> {
                     self.mass_Omega_Omega,
                 ) | sim_kernel::pivot_is_refused(pivot_lambda_loop4_x, w_54)
                 | sim_kernel::pivot_is_refused(pivot_epsilon, mass_epsilon_epsilon)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_66)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_68)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_69),
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop4_y, w_67)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_x, w_69)
+                | sim_kernel::pivot_is_refused(pivot_lambda_loop6_y, w_70),
         }
     }
 }

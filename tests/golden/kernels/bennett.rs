@@ -476,79 +476,36 @@ pub struct BennettPrepared<S = ::core::primitive::f64> {
     k_55: S,
     k_56: S,
     k_57: S,
-    k_58: S,
-    k_59: S,
-    k_60: S,
-    k_61: S,
-    k_62: S,
-    k_63: S,
-    k_64: S,
-    k_65: S,
-    k_66: S,
-    k_67: S,
-    k_68: S,
-    k_69: S,
-    k_70: S,
-    k_71: S,
-    k_72: S,
-    k_73: S,
-    k_74: S,
-    k_75: S,
-    k_76: S,
-    k_77: S,
-    k_78: S,
-    k_79: S,
-    k_80: S,
-    k_81: S,
-    k_82: S,
-    k_83: S,
-    k_84: S,
-    k_85: S,
-    k_86: S,
-    k_87: S,
-    k_88: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Bennett<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 5 additions, 113 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
+    /// Operations: 5 additions, 79 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn prepare(&self) -> BennettPrepared<S> {
         let ([sin_alpha], [cos_alpha]) = S::sin_cos_each([self.alpha]);
         let w = sin_alpha * self.b;
         let beta = (w / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_2 = self.a * cos_alpha;
-        let w_3 = self.a * sin_alpha;
         let sin_alpha_squared = sin_alpha * sin_alpha;
-        let w_4 = S::from_f64(2.0) * self.a;
-        let w_5 = cos_alpha * w_4;
-        let w_6 = self.J * S::from_f64(0.98);
-        let w_7 = sin_alpha_squared * w_6;
-        let w_8 = self.m * S::from_f64(0.25);
-        let w_9 = self.J * S::from_f64(0.02);
-        let w_10 = S::from_f64(2.0) * self.J;
+        let w_2 = S::from_f64(2.0) * self.a;
+        let w_3 = self.J * S::from_f64(0.98);
+        let w_4 = sin_alpha_squared * w_3;
+        let w_5 = self.m * S::from_f64(0.25);
+        let w_6 = self.J * S::from_f64(0.02);
+        let w_7 = S::from_f64(2.0) * self.J;
         let a_squared = self.a * self.a;
-        let w_11 = a_squared * w_8;
+        let w_8 = a_squared * w_5;
         let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_12 = S::from_f64(2.0) * self.b;
+        let w_9 = S::from_f64(2.0) * self.b;
         let b_squared = self.b * self.b;
-        let cos_beta_squared = cos_beta * cos_beta;
-        let sin_beta_squared = sin_beta * sin_beta;
-        let w_13 = cos_alpha * sin_alpha;
-        let w_14 = self.J * S::from_f64(49.0);
-        let w_15 = self.J * S::from_f64(50.0);
-        let w_16 = sin_alpha * w_15;
-        let w_17 = S::from_f64(2.0) * self.g;
-        let w_18 = sin_alpha * self.g;
-        let w_19 = self.m * S::from_f64(0.5);
-        let w_20 = S::from_f64(2.0) * sin_alpha;
-        let w_21 = self.a * w_20;
-        let w_22 = S::from_f64(2.0) * cos_alpha;
-        let w_23 = cos_beta * sin_beta;
-        let w_24 = S::from_f64(2.0) * cos_alpha_squared;
-        let w_25 = cos_alpha * w_20;
+        let w_10 = self.J * S::from_f64(49.0);
+        let w_11 = self.J * S::from_f64(50.0);
+        let w_12 = sin_alpha * w_11;
+        let w_13 = S::from_f64(2.0) * self.g;
+        let w_14 = sin_alpha * self.g;
+        let w_15 = self.m * S::from_f64(0.5);
         BennettPrepared {
             J: self.J,
             a: self.a,
@@ -564,91 +521,60 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             k_4: cos_alpha * cos_beta,
             k_5: sin_alpha * sin_beta,
             k_6: cos_alpha * self.b,
-            k_7: w_2,
-            k_8: w_3,
+            k_7: self.a * cos_alpha,
+            k_8: self.a * sin_alpha,
             sin_alpha_squared: sin_alpha_squared,
-            k_9: w_5,
-            k_10: sin_alpha * w_4,
+            k_9: cos_alpha * w_2,
+            k_10: sin_alpha * w_2,
             k_11: S::from_f64(2.0) * sin_beta,
             k_12: S::from_f64(2.0) * cos_beta,
-            k_13: w_7,
-            k_14: w_8,
-            k_15: w_9,
-            k_16: w_10 + w_11,
-            k_17: a_squared * self.m * cos_alpha_squared - w_7,
+            k_13: w_4,
+            k_14: w_5,
+            k_15: w_6,
+            k_16: w_7 + w_8,
+            k_17: a_squared * self.m * cos_alpha_squared - w_4,
             k_18: self.a * cos_beta,
-            k_19: cos_beta * w_12,
+            k_19: cos_beta * w_9,
             k_20: self.a * sin_beta,
-            k_21: sin_beta * w_12,
+            k_21: sin_beta * w_9,
             k_22: self.J * cos_alpha,
             k_23: self.J * sin_beta,
             k_24: self.J * cos_beta,
             k_25: self.m * self.b * cos_beta,
-            k_26: self.b * w_8,
-            k_27: sin_beta * w_9,
-            k_28: w_10 + w_8 * b_squared,
-            k_29: self.m * b_squared * cos_beta_squared - w_6 * sin_beta_squared,
-            k_30: self.a * w_8,
-            mass_theta3_theta3: self.J + w_11,
-            k_31: sin_beta * w_13,
+            k_26: self.b * w_5,
+            k_27: sin_beta * w_6,
+            k_28: w_7 + w_5 * b_squared,
+            k_29: self.m * b_squared * cos_beta * cos_beta - w_3 * sin_beta * sin_beta,
+            k_30: self.a * w_5,
+            mass_theta3_theta3: self.J + w_8,
+            k_31: cos_alpha * sin_alpha * sin_beta,
             k_32: cos_alpha_squared * sin_beta,
-            k_33: sin_alpha * w_14,
-            k_34: w_16,
-            k_35: w_14,
-            k_36: w_15,
-            k_37: sin_beta * w_16,
+            k_33: sin_alpha * w_10,
+            k_34: w_12,
+            k_35: w_10,
+            k_36: w_11,
+            k_37: sin_beta * w_12,
             g: self.g,
-            k_38: cos_alpha * w_17,
+            k_38: cos_alpha * w_13,
             k_39: self.b * sin_alpha_squared,
-            k_40: sin_alpha * w_17,
+            k_40: sin_alpha * w_13,
             k_41: cos_alpha * self.g,
-            k_42: w_18,
-            k_43: sin_alpha_squared * w_9,
+            k_42: w_14,
+            k_43: sin_alpha_squared * w_6,
             k_44: sin_alpha * S::from_f64(0.02),
-            k_45: cos_alpha * sin_alpha_squared * w_6,
-            k_46: self.a * self.g * w_19,
-            k_47: self.a * cos_alpha * w_19,
-            k_48: w_19,
+            k_45: cos_alpha * sin_alpha_squared * w_3,
+            k_46: self.a * self.g * w_15,
+            k_47: self.a * cos_alpha * w_15,
+            k_48: w_15,
             k_49: sin_beta * S::from_f64(0.02),
             k_50: cos_beta * S::from_f64(0.02),
-            k_51: self.b * cos_beta * w_19,
-            k_52: w_6,
+            k_51: self.b * cos_beta * w_15,
+            k_52: w_3,
             k_53: self.J * sin_alpha * sin_beta,
-            k_54: sin_beta * w_21,
-            k_55: cos_beta * w_4,
-            k_56: cos_beta * w_5,
-            k_57: sin_beta * w_3,
-            k_58: cos_beta * w_2,
-            k_59: w_4,
-            k_60: w_12,
-            k_61: cos_alpha * w_12,
-            k_62: cos_beta * w_3,
-            k_63: cos_beta * w_21,
-            k_64: sin_beta * w_2,
-            k_65: sin_beta * w_22,
-            k_66: w_22 * w_23,
-            k_67: sin_beta_squared * w_20,
-            k_68: cos_alpha * w_23,
-            k_69: sin_alpha * sin_beta_squared,
-            k_70: cos_alpha_squared * w_23,
-            k_71: sin_beta_squared * w_13,
-            k_72: sin_alpha_squared * w_23,
-            k_73: w_23 * w_24,
-            k_74: sin_beta_squared * w_25,
-            k_75: sin_beta * w_24,
-            k_76: cos_beta * w_25,
-            k_77: cos_beta * w_13,
-            k_78: cos_beta_squared * w_13,
-            k_79: cos_beta_squared * w_25,
-            k_80: S::from_f64(2.0) * w_23,
-            k_81: w_23,
-            k_82: cos_beta * w_20,
-            k_83: sin_alpha * cos_beta_squared,
-            k_84: cos_beta_squared * w_20,
-            k_85: sin_beta * w_18,
-            k_86: cos_beta * w_18,
-            k_87: self.a * self.m * cos_alpha,
-            k_88: sin_alpha * self.g * w_19,
+            k_54: sin_beta * w_14,
+            k_55: cos_beta * w_14,
+            k_56: self.a * self.m * cos_alpha,
+            k_57: sin_alpha * self.g * w_15,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -657,78 +583,78 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
         let [_, theta2, theta3] = *q;
-        let w = self.m * S::from_f64(0.25);
+        let w = S::from_f64(2.0) * self.J;
+        let a_squared = self.a * self.a;
+        let w_2 = self.m * S::from_f64(0.25);
+        let w_3 = a_squared * w_2;
         let ([sin_alpha, sin_theta2, sin_theta3], [cos_alpha, cos_theta2, cos_theta3]) = S::sin_cos_each([
             self.alpha,
             theta2,
             theta3,
         ]);
-        let w_2 = cos_alpha * self.b;
-        let w_3 = S::from_f64(2.0) * self.a;
-        let w_4 = cos_alpha * w_3;
-        let w_5 = w_2 + cos_theta2 * w_4;
-        let w_6 = sin_alpha * self.b;
-        let w_7 = cos_theta2 * w_6;
-        let w_8 = w_7 + sin_alpha * w_3;
-        let beta = (w_6 / self.a).asin();
+        let w_4 = cos_alpha * self.b;
+        let w_5 = S::from_f64(2.0) * self.a;
+        let w_6 = cos_alpha * w_5;
+        let w_7 = w_4 + cos_theta2 * w_6;
+        let w_8 = sin_alpha * self.b;
+        let w_9 = cos_theta2 * w_8;
+        let w_10 = w_9 + sin_alpha * w_5;
+        let w_14 = self.a * sin_alpha + w_9;
+        let beta = (w_8 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_9 = cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta;
-        let w_10 = self.a * cos_alpha;
-        let w_11 = w_2 + cos_theta2 * w_10;
-        let w_12 = w_7 + self.a * sin_alpha;
-        let w_13 = cos_beta * w_11 - sin_beta * w_12;
-        let w_14 = self.a * w_9 + S::from_f64(2.0) * cos_theta3 * w_13
-            - sin_theta2 * sin_theta3 * w_4;
-        let w_15 = cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta;
-        let w_16 = sin_theta2 * sin_alpha;
-        let w_17 = w_15 * cos_theta3 - sin_theta3 * w_16;
-        let w_18 = self.a * w_17 + w_11 * S::from_f64(2.0) * sin_beta
-            + w_12 * S::from_f64(2.0) * cos_beta;
-        let w_19 = w * (w_5 * w_5 + w_8 * w_8 + w_14 * w_14 + w_18 * w_18);
-        let w_20 = S::from_f64(2.0) * self.J;
-        let a_squared = self.a * self.a;
-        let w_21 = a_squared * w;
+        let w_11 = cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta;
+        let w_12 = self.a * cos_alpha;
+        let w_13 = w_4 + cos_theta2 * w_12;
+        let w_15 = cos_beta * w_13 - sin_beta * w_14;
+        let w_16 = self.a * w_11 + S::from_f64(2.0) * cos_theta3 * w_15
+            - sin_theta2 * sin_theta3 * w_6;
+        let w_24 = sin_theta2 * cos_theta3 * w_12 + sin_theta3 * w_15;
+        let w_17 = cos_alpha * sin_beta + cos_theta2 * sin_alpha * cos_beta;
+        let w_18 = sin_theta2 * sin_alpha;
+        let w_19 = w_17 * cos_theta3 - sin_theta3 * w_18;
+        let w_20 = self.a * w_19 + w_13 * S::from_f64(2.0) * sin_beta
+            + w_14 * S::from_f64(2.0) * cos_beta;
+        let w_21 = w_2 * (w_7 * w_7 + w_10 * w_10 + w_16 * w_16 + w_20 * w_20);
+        let w_25 = cos_theta3 * w_18 + w_17 * sin_theta3;
         let w_22 = self.J * S::from_f64(0.98);
         let w_23 = sin_theta2 * sin_theta2
             * (a_squared * self.m * cos_alpha * cos_alpha
                 - sin_alpha * sin_alpha * w_22);
-        let w_24 = sin_theta2 * cos_theta3 * w_10 + sin_theta3 * w_13;
-        let w_25 = cos_theta3 * w_16 + w_15 * sin_theta3;
         let w_26 = self.J * S::from_f64(0.02);
         let w_27 = sin_theta3
             * (w_24 * self.m * self.b * cos_beta + w_25 * sin_beta * w_26);
         let w_28 = S::from_f64(2.0) * self.b;
         let w_29 = self.a * cos_beta + cos_theta3 * cos_beta * w_28;
-        let w_30 = cos_theta3 * self.a * sin_beta + sin_beta * w_28;
+        let w_30 = sin_beta * w_28 + cos_theta3 * self.a * sin_beta;
         let w_31 = self.J * cos_beta;
-        let mass_theta2_theta1 = w_27 + w * (w_14 * w_29 + w_18 * w_30)
-            + self.J * cos_alpha + cos_theta3 * w_17 * self.J * sin_beta + w_9 * w_31
-            + w_5 * self.b * w;
-        let w_32 = self.a * w;
-        let mass_theta3_theta1 = self.J * w_9 + w_14 * w_32;
-        let b_squared = self.b * self.b;
+        let mass_theta2_theta1 = self.J * cos_alpha + w_27
+            + w_2 * (w_16 * w_29 + w_20 * w_30) + cos_theta3 * w_19 * self.J * sin_beta
+            + w_11 * w_31 + w_7 * self.b * w_2;
+        let w_32 = self.a * w_2;
+        let mass_theta3_theta1 = self.J * w_11 + w_16 * w_32;
         let mass_theta3_theta2 = w_31 + w_29 * w_32;
+        let b_squared = self.b * self.b;
         [
             [
-                w_19 + self.J * (w_17 * w_17 + w_9 * w_9) + (w_20 + w_21) + w_23
+                w + w_3 + w_21 + self.J * (w_19 * w_19 + w_11 * w_11) + w_23
                     + self.m * w_24 * w_24 + w_25 * w_25 * w_26,
                 mass_theta2_theta1,
                 mass_theta3_theta1,
             ],
             [
                 mass_theta2_theta1,
-                w * (w_29 * w_29 + w_30 * w_30) + (w_20 + w * b_squared)
+                w + w_2 * b_squared + w_2 * (w_29 * w_29 + w_30 * w_30)
                     + sin_theta3 * sin_theta3
                         * (self.m * b_squared * cos_beta * cos_beta
                             - w_22 * sin_beta * sin_beta),
                 mass_theta3_theta2,
             ],
-            [mass_theta3_theta1, mass_theta3_theta2, self.J + w_21],
+            [mass_theta3_theta1, mass_theta3_theta2, self.J + w_3],
         ]
     }
     /// Convective forces `T_q' M g`, 3, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 66 additions, 172 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
+    /// Operations: 66 additions, 173 multiplications, 1 division, 4 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [_, theta2, theta3] = *q;
@@ -738,100 +664,102 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             theta2,
             theta3,
         ]);
+        let w = theta1_dot * theta2_dot;
         let sin_alpha_squared = sin_alpha * sin_alpha;
-        let w = S::from_f64(0.02) * self.J;
+        let w_2 = S::from_f64(0.02) * self.J;
         let theta1_dot_squared = theta1_dot * theta1_dot;
-        let w_2 = self.J * S::from_f64(0.98);
-        let w_3 = sin_alpha_squared * w_2;
-        let w_4 = theta2_dot + theta1_dot * cos_alpha;
-        let w_5 = self.b
-            * (sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
-                + w_4 * w_4);
-        let w_6 = self.a * S::from_f64(2.0);
-        let w_7 = cos_theta2 * theta1_dot_squared;
-        let w_8 = cos_alpha * self.a;
-        let w_9 = S::from_f64(0.5) * self.m;
-        let w_10 = sin_theta2
+        let w_3 = self.J * S::from_f64(0.98);
+        let w_4 = sin_alpha_squared * w_3;
+        let w_5 = theta2_dot + theta1_dot * cos_alpha;
+        let w_6 = self.b
+            * (w_5 * w_5
+                + sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2);
+        let w_7 = self.a * S::from_f64(2.0);
+        let w_8 = cos_theta2 * theta1_dot_squared;
+        let w_9 = cos_alpha * self.a;
+        let w_10 = S::from_f64(0.5) * self.m;
+        let w_11 = sin_theta2
             * (cos_theta2
-                * (theta1_dot * theta2_dot * sin_alpha_squared * w
-                    + theta1_dot_squared * cos_alpha * w_3)
-                - (w_5 + w_6 * w_7) * w_8 * w_9);
-        let w_11 = self.m * S::from_f64(0.25);
-        let w_12 = cos_theta2 * sin_alpha_squared * self.b;
-        let w_13 = sin_theta2 * theta1_dot_squared * (w_6 + w_12);
-        let w_14 = cos_alpha * self.b;
-        let w_15 = S::from_f64(2.0) * w_8;
-        let w_16 = w_5 + self.a * w_7;
-        let w_17 = sin_alpha * self.b;
-        let beta = (w_17 / self.a).asin();
+                * (w * sin_alpha_squared * w_2 + theta1_dot_squared * cos_alpha * w_4)
+                - (w_6 + w_7 * w_8) * w_9 * w_10);
+        let w_13 = cos_theta2 * sin_alpha_squared * self.b;
+        let w_14 = sin_theta2 * theta1_dot_squared * (w_7 + w_13);
+        let w_19 = sin_theta2 * theta1_dot_squared * (self.a + w_13);
+        let w_17 = w_6 + self.a * w_8;
+        let w_12 = self.m * S::from_f64(0.25);
+        let w_15 = cos_alpha * self.b;
+        let w_16 = S::from_f64(2.0) * w_9;
+        let w_18 = sin_alpha * self.b;
+        let beta = (w_18 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
-        let w_18 = sin_theta2 * theta1_dot_squared * (self.a + w_12);
-        let w_19 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_4);
-        let w_20 = cos_beta * w_18 + w_19 * self.b * sin_beta;
-        let w_21 = sin_alpha * cos_beta;
-        let w_22 = theta1_dot * cos_theta2;
-        let w_23 = w_21 * w_22 + w_4 * sin_beta;
-        let w_24 = theta1_dot * sin_theta2;
-        let w_25 = sin_alpha * sin_theta3;
-        let w_26 = cos_theta3 * w_23 - w_24 * w_25;
-        let w_27 = sin_alpha * cos_theta3;
-        let w_28 = w_27 * w_24 + sin_theta3 * w_23;
-        let w_29 = w_26 * w_28;
+        let w_35 = cos_theta2 * w_18;
+        let w_20 = sin_alpha * theta1_dot * sin_theta2 * (theta2_dot + w_5);
+        let w_21 = cos_beta * w_19 + w_20 * self.b * sin_beta;
+        let w_22 = sin_alpha * cos_beta;
+        let w_23 = theta1_dot * cos_theta2;
+        let w_24 = w_22 * w_23 + w_5 * sin_beta;
+        let w_25 = sin_alpha * sin_theta2;
+        let w_26 = theta1_dot * w_25;
+        let w_27 = cos_theta3 * w_24 - sin_theta3 * w_26;
+        let w_28 = cos_theta3 * w_26 + sin_theta3 * w_24;
+        let w_29 = w_27 * w_28;
         let w_30 = sin_alpha * sin_beta;
-        let w_31 = theta2_dot * w_24;
-        let w_32 = S::from_f64(2.0) * (sin_theta3 * w_16 + cos_theta3 * w_20)
+        let w_40 = theta3_dot + w_5 * cos_beta - w_23 * w_30;
+        let w_31 = sin_theta2 * w;
+        let w_32 = S::from_f64(2.0) * (sin_theta3 * w_17 + cos_theta3 * w_21)
             + self.a * (w_29 + w_30 * w_31);
         let w_33 = cos_alpha * cos_beta - cos_theta2 * w_30;
-        let w_34 = w_14 + cos_theta2 * w_8;
-        let w_35 = cos_theta2 * w_17;
+        let w_60 = S::from_f64(2.0) * (cos_theta3 * w_17 - sin_theta3 * w_21)
+            + self.a * (w_27 * w_27 + w_40 * w_40);
+        let w_34 = w_15 + cos_theta2 * w_9;
         let w_36 = sin_alpha * self.a;
         let w_37 = w_35 + w_36;
         let w_38 = cos_beta * w_34 - sin_beta * w_37;
         let w_39 = sin_theta2 * sin_theta3;
-        let w_40 = theta3_dot + w_4 * cos_beta - w_22 * w_30;
         let w_41 = sin_theta2 * cos_theta3;
-        let w_42 = theta1_dot * theta2_dot * (w_21 * w_41 + cos_theta2 * w_25);
-        let w_43 = self.b * S::from_f64(2.0);
-        let w_44 = cos_beta * w_43;
-        let w_45 = S::from_f64(2.0) * sin_beta;
-        let w_46 = self.a * (w_28 * (theta3_dot + w_40) + w_42) + w_19 * w_44
-            - w_18 * w_45;
-        let w_47 = cos_theta2 * w_21 + cos_alpha * sin_beta;
-        let w_48 = cos_theta3 * w_47 - sin_theta2 * w_25;
-        let w_49 = w_46
-            * (self.a * w_48 + w_34 * w_45 + w_37 * S::from_f64(2.0) * cos_beta);
-        let w_50 = w_11
-            * (w_13 * (w_14 + cos_theta2 * w_15)
+        let w_61 = (w_9 * w_41 + sin_theta3 * w_38) * w_60 * w_10;
+        let w_42 = sin_alpha * cos_theta2;
+        let w_43 = w_22 * w_41 + sin_theta3 * w_42;
+        let w_59 = theta1_dot * theta2_dot * (cos_theta3 * w_42 - w_22 * w_39)
+            + theta3_dot * w_27;
+        let w_48 = cos_alpha * sin_beta + cos_theta2 * w_22;
+        let w_62 = sin_theta3
+            * (w_59 * sin_beta * w_2 - w_60 * self.b * cos_beta * w_10);
+        let w_44 = self.b * S::from_f64(2.0);
+        let w_45 = cos_beta * w_44;
+        let w_46 = S::from_f64(2.0) * sin_beta;
+        let w_47 = self.a * (w_28 * (theta3_dot + w_40) + w_43 * w) + w_20 * w_45
+            - w_19 * w_46;
+        let w_63 = w_12
+            * (w_32 * (self.a * cos_beta + cos_theta3 * w_45)
+                - w_47 * (sin_beta * w_44 + cos_theta3 * self.a * sin_beta));
+        let w_49 = cos_theta3 * w_48 - sin_theta3 * w_25;
+        let w_50 = w_47
+            * (self.a * w_49 + w_34 * w_46 + w_37 * S::from_f64(2.0) * cos_beta);
+        let w_51 = w_12
+            * (w_14 * (w_15 + cos_theta2 * w_16)
                 + w_32
                     * (self.a * w_33 + S::from_f64(2.0) * cos_theta3 * w_38
-                        - w_15 * w_39) - w_49);
-        let w_51 = self.J * S::from_f64(49.0);
-        let w_52 = self.J * sin_alpha;
-        let w_53 = S::from_f64(50.0) * w_52;
-        let w_54 = w_51 * w_29 + w_53 * sin_beta * w_31;
-        let w_55 = w_28 * w_40 * w_51
-            + (w_42 + theta3_dot * w_28) * self.J * S::from_f64(50.0);
-        let w_56 = cos_theta2 * theta1_dot * sin_theta2
-            * (w_4 * S::from_f64(49.0) * w_52 + theta2_dot * w_53) * S::from_f64(0.02)
+                        - w_16 * w_39) - w_50);
+        let w_52 = self.J * S::from_f64(49.0);
+        let w_56 = w_28 * w_40 * w_52
+            + (theta1_dot * theta2_dot * w_43 + theta3_dot * w_28) * self.J
+                * S::from_f64(50.0);
+        let w_53 = self.J * sin_alpha;
+        let w_54 = S::from_f64(50.0) * w_53;
+        let w_55 = w_52 * w_29 + w_54 * sin_beta * w_31;
+        let w_57 = cos_theta2 * theta1_dot * sin_theta2
+            * (w_5 * S::from_f64(49.0) * w_53 + theta2_dot * w_54) * S::from_f64(0.02)
             * sin_alpha;
-        let w_57 = self.b * w_11;
-        let w_58 = theta1_dot * theta2_dot * (cos_theta2 * w_27 - w_21 * w_39)
-            + theta3_dot * w_26;
-        let w_59 = S::from_f64(2.0) * (cos_theta3 * w_16 - sin_theta3 * w_20)
-            + self.a * (w_26 * w_26 + w_40 * w_40);
-        let w_60 = (w_8 * w_41 + sin_theta3 * w_38) * w_59 * w_9;
-        let w_61 = sin_theta3 * (w_58 * sin_beta * w - w_59 * self.b * cos_beta * w_9);
-        let w_62 = w_11
-            * (w_32 * (self.a * cos_beta + cos_theta3 * w_44)
-                - w_46 * (cos_theta3 * self.a * sin_beta + sin_beta * w_43));
+        let w_58 = self.b * w_12;
         [
-            w_10 + w_50 + S::from_f64(0.02) * (w_33 * w_54 - w_48 * w_55) - w_56
-                - w_19 * (w_35 + S::from_f64(2.0) * w_36) * w_57
-                + (sin_theta2 * w_27 + w_47 * sin_theta3) * w_58 * w - w_60,
-            w_61 + w_62 + sin_theta2 * w_7 * w_3 + w_13 * w_57
-                - cos_theta3 * w_55 * S::from_f64(0.02) * sin_beta
-                + w_54 * S::from_f64(0.02) * cos_beta,
-            w_29 * w_2 + w_31 * w_52 * sin_beta + w_32 * self.a * w_11,
+            w_11 + w_51 + S::from_f64(0.02) * (w_33 * w_55 - w_49 * w_56) - w_57
+                - w_20 * (S::from_f64(2.0) * w_36 + w_35) * w_58
+                + (cos_theta3 * w_25 + w_48 * sin_theta3) * w_59 * w_2 - w_61,
+            w_62 + w_63 + sin_theta2 * w_8 * w_4 + w_14 * w_58
+                - cos_theta3 * w_56 * S::from_f64(0.02) * sin_beta
+                + w_55 * S::from_f64(0.02) * cos_beta,
+            w_29 * w_3 + w_31 * w_53 * sin_beta + w_32 * self.a * w_12,
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -856,40 +784,40 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_2 = cos_alpha * self.g;
         let w_3 = self.g * sin_theta1;
         let w_4 = cos_theta2 * cos_theta1 * w_2 - sin_theta2 * w_3;
+        let w_11 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
         let w_5 = cos_alpha * self.b;
         let w_6 = self.a * S::from_f64(2.0);
         let w_7 = cos_alpha * w_6;
         let w_8 = self.b * sin_alpha;
         let beta = (w_8 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
+        let w_15 = cos_theta2 * w_8;
+        let w_22 = cos_theta1
+            * (self.a * self.g * w + (w_15 + sin_alpha * w_6) * self.g * sin_alpha * w);
+        let w_16 = self.a * sin_alpha + w_15;
         let w_9 = self.g * sin_alpha;
         let w_10 = cos_beta * w_4 - cos_theta1 * sin_beta * w_9;
-        let w_11 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
+        let w_19 = w_4 * sin_beta + cos_theta1 * cos_beta * w_9;
         let w_12 = cos_theta3 * w_10 - w_11 * sin_theta3;
+        let w_23 = w_11 * cos_theta3 + sin_theta3 * w_10;
         let w_13 = self.a * cos_alpha;
         let w_14 = w_5 + cos_theta2 * w_13;
-        let w_15 = cos_theta2 * w_8;
-        let w_16 = w_15 + self.a * sin_alpha;
         let w_17 = cos_beta * w_14 - sin_beta * w_16;
         let w_18 = sin_theta2 * sin_theta3;
-        let w_19 = w_4 * sin_beta + cos_theta1 * cos_beta * w_9;
         let w_20 = w_19
             * (self.a
                 * (cos_theta3
-                    * (cos_theta2 * sin_alpha * cos_beta + cos_alpha * sin_beta)
+                    * (cos_alpha * sin_beta + cos_theta2 * sin_alpha * cos_beta)
                     - sin_alpha * w_18) + w_14 * sin_beta * S::from_f64(2.0)
                 + w_16 * cos_beta * S::from_f64(2.0));
         let w_21 = w_4 * (w_5 + cos_theta2 * w_7)
             + w_12
                 * (self.a * (cos_alpha * cos_beta - cos_theta2 * sin_alpha * sin_beta)
                     + cos_theta3 * w_17 * S::from_f64(2.0) - w_7 * w_18) + w_20;
-        let w_22 = cos_theta1
-            * (self.a * self.g * w + (w_15 + sin_alpha * w_6) * self.g * sin_alpha * w);
-        let w_23 = w_11 * cos_theta3 + sin_theta3 * w_10;
         let w_24 = self.b * S::from_f64(2.0);
         let w_25 = w
             * (w_12 * (self.a * cos_beta + cos_theta3 * cos_beta * w_24)
-                + w_19 * (cos_theta3 * self.a * sin_beta + sin_beta * w_24));
+                + w_19 * (sin_beta * w_24 + cos_theta3 * self.a * sin_beta));
         [
             w * w_21 + w_22 + sin_theta2 * w_11 * self.a * self.m * cos_alpha
                 + self.m * w_23 * (sin_theta2 * cos_theta3 * w_13 + sin_theta3 * w_17),
@@ -924,11 +852,11 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_5 = cos_theta2 * cos_alpha;
         let w_6 = cos_theta2 * sin_theta1 + cos_theta1 * w;
         let w_7 = sin_theta2 * cos_theta3;
-        let w_8 = sin_alpha * cos_beta;
-        let w_9 = cos_alpha * sin_beta;
+        let w_8 = cos_alpha * sin_beta;
+        let w_9 = sin_alpha * cos_beta;
         let w_10 = cos_theta3 * cos_alpha * cos_beta - w_4;
         let w_11 = cos_theta2 * w_10 - w * sin_theta3;
-        let w_12 = cos_theta3 * w_9 + w_8;
+        let w_12 = w_9 + cos_theta3 * w_8;
         let w_13 = w_7 + cos_theta2 * cos_beta * sin_theta3;
         let w_14 = sin_beta
             * (sin_theta1
@@ -949,12 +877,12 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                             * (cos_beta * (cos_theta1 * w_5 - sin_theta1 * sin_theta2)
                                 - cos_theta1 * w_4))) + self.b * w_6,
             sin_theta2 * w_3
-                + self.a * (sin_alpha * w_7 + sin_theta3 * (cos_theta2 * w_8 + w_9)),
+                + self.a * (sin_alpha * w_7 + sin_theta3 * (w_8 + cos_theta2 * w_9)),
             sin_beta
                 * (cos_theta1 * (cos_alpha * w_11 - sin_alpha * w_12)
                     - sin_theta1 * (w_5 * sin_theta3 + sin_theta2 * w_10))
                 + cos_beta * (sin_alpha * w_11 + cos_alpha * w_12),
-            -(w_14 + cos_beta * (sin_alpha * w_13 + sin_theta3 * w_9)),
+            -(w_14 + cos_beta * (sin_alpha * w_13 + sin_theta3 * w_8)),
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 5, in SI units: what its rounding is relative to.
@@ -996,11 +924,11 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                         - cos_theta1 * w_4)))
             .abs();
         let w_9 = sin_theta2 * cos_theta3;
-        let w_10 = sin_alpha * cos_beta;
-        let w_11 = cos_alpha * sin_beta;
+        let w_10 = cos_alpha * sin_beta;
+        let w_11 = sin_alpha * cos_beta;
         let w_12 = cos_theta3 * cos_alpha * cos_beta - w_4;
         let w_13 = cos_theta2 * w_12 - w * sin_theta3;
-        let w_14 = cos_theta3 * w_11 + w_10;
+        let w_14 = w_11 + cos_theta3 * w_10;
         let w_15 = (sin_beta
             * (cos_theta1 * (cos_alpha * w_13 - sin_alpha * w_14)
                 - sin_theta1 * (w_5 * sin_theta3 + sin_theta2 * w_12)))
@@ -1015,10 +943,10 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             self.b.abs() + (self.a * cos_theta1).abs() + (self.b * w_2).abs() + w_6,
             (self.a * sin_theta1).abs() + (self.b * w_7).abs() + w_8,
             (sin_theta2 * w_3).abs()
-                + (self.a * (sin_alpha * w_9 + sin_theta3 * (cos_theta2 * w_10 + w_11)))
+                + (self.a * (sin_alpha * w_9 + sin_theta3 * (w_10 + cos_theta2 * w_11)))
                     .abs(),
             w_15 + (cos_beta * (sin_alpha * w_13 + cos_alpha * w_14)).abs(),
-            w_17 + (cos_beta * (sin_alpha * w_16 + sin_theta3 * w_11)).abs(),
+            w_17 + (cos_beta * (sin_alpha * w_16 + sin_theta3 * w_10)).abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 5 x 3: units of each constraint per unit of each coordinate.
@@ -1089,12 +1017,12 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             [
                 S::from_f64(0.0),
                 cos_theta2 * w_3 + self.a * (sin_alpha * w_13 - w_14 * w_15),
-                self.a * ((cos_theta2 * w_14 + w_16) * cos_theta3 - sin_alpha * w_15),
+                self.a * ((w_16 + cos_theta2 * w_14) * cos_theta3 - sin_alpha * w_15),
             ],
             [
                 -(sin_beta
                     * (cos_theta1 * w_19
-                        + sin_theta1 * (cos_alpha * w_20 - sin_alpha * (w_21 + w_14)))),
+                        + sin_theta1 * (cos_alpha * w_20 - sin_alpha * (w_14 + w_21)))),
                 -(sin_beta * (w_19 * w_22 + sin_theta1 * w_20) + w_14 * w_19),
                 -(w_25
                     + cos_beta
@@ -1128,7 +1056,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 5, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 109 additions, 209 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
+    /// Operations: 91 additions, 201 multiplications, 1 division, 5 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 5] {
         let [theta1, theta2, theta3] = *q;
@@ -1152,145 +1080,124 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let theta3_dot_squared = theta3_dot * theta3_dot;
         let theta1_dot_squared = theta1_dot * theta1_dot;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_3 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
-        let w_4 = self.a * S::from_f64(2.0);
-        let w_5 = theta2_dot * w_4;
+        let w_3 = theta1_dot_squared + theta2_dot_squared;
+        let w_4 = theta3_dot_squared + w_3;
+        let w_5 = self.a * S::from_f64(2.0);
         let w_6 = cos_alpha * S::from_f64(2.0);
         let w_7 = self.a * w_6;
-        let w_8 = theta1_dot * w_7;
-        let w_9 = w_2 * w_6;
-        let w_10 = theta1_dot * theta2_dot;
-        let w_11 = w_9 * w_10;
-        let w_12 = S::from_f64(2.0) * w_2;
-        let w_13 = theta1_dot_squared + theta2_dot_squared;
-        let w_14 = self.b * w_13;
-        let w_15 = self.b * w_6 * w_10;
-        let w_16 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_3 + theta3_dot * (theta2_dot * w_12 + theta1_dot * w_9)
-                    + w_7 * w_10) + w_14 + w_15);
-        let w_17 = sin_alpha * S::from_f64(2.0);
-        let w_18 = self.a * sin_beta;
-        let w_19 = theta3_dot * theta1_dot;
-        let w_20 = cos_theta3 * w_17 * w_18 * w_19;
-        let w_21 = self.a * theta1_dot_squared;
-        let w_22 = cos_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_3 + theta3_dot * (w_5 + w_8) + w_11)
-                - w_16 + w_20 - w_21);
-        let w_23 = self.a * cos_alpha;
-        let w_24 = self.b * cos_alpha * w_13;
-        let w_25 = self.b * S::from_f64(2.0) * w_10;
-        let w_26 = sin_theta2
-            * (cos_theta3
-                * (w_23 * w_3 + theta3_dot * (theta1_dot * w_12 + theta2_dot * w_9)
-                    + w_4 * w_10) + w_24 + w_25);
-        let w_27 = cos_alpha * w_2;
-        let w_28 = theta2_dot * w_7;
-        let w_29 = theta3_dot * (theta1_dot * w_4 + w_28);
-        let w_30 = w_12 * w_10;
-        let w_31 = sin_alpha * w_18;
-        let w_32 = theta3_dot_squared + theta1_dot_squared;
-        let w_33 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_34 = theta3_dot * theta2_dot;
-        let w_35 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_33 + theta1_dot * (w_28 + theta3_dot * w_9) + w_12 * w_34)
-                + w_14 + w_15);
-        let w_36 = sin_theta1
-            * (sin_theta2 * sin_theta3 * (w_2 * w_33 + theta3_dot * (w_8 + w_5) + w_11)
-                - w_35 - w_21 + w_20);
-        let w_37 = theta1_dot_squared + theta3_dot_squared;
-        let w_38 = sin_theta2
-            * (cos_theta3
-                * (w_23 * w_33 + theta1_dot * (w_5 + theta3_dot * w_12) + w_9 * w_34)
-                + w_24 + w_25);
-        let w_39 = theta2_dot_squared + theta3_dot_squared;
-        let w_40 = sin_theta3
-            * (cos_theta2 * (sin_alpha * w_2 * w_39 + w_34 * self.a * w_17)
-                + theta3_dot_squared * cos_alpha * w_18);
-        let w_41 = sin_beta * cos_alpha;
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_42 = sin_beta * cos_beta;
-        let w_43 = S::from_f64(2.0) * w_42;
-        let w_44 = cos_alpha_squared * w_43;
-        let w_45 = w_6 * w_42;
-        let w_46 = sin_beta * S::from_f64(2.0);
-        let w_47 = cos_alpha_squared * w_46;
-        let w_48 = sin_theta1 * sin_theta3
-            * (w_33 * w_41 + theta3_dot * (theta1_dot * w_44 + theta2_dot * w_45)
-                + w_10 * w_47);
-        let w_49 = cos_alpha_squared * w_42;
-        let w_50 = sin_beta * w_6;
-        let w_51 = theta1_dot * w_50;
-        let w_52 = w_10 * w_45;
-        let cos_beta_squared = cos_beta * cos_beta;
-        let w_53 = sin_alpha * cos_alpha;
-        let w_54 = cos_alpha * w_17;
-        let w_55 = cos_theta3
-            * (cos_theta1
-                * (w_33 * w_49 + theta3_dot * (w_51 + theta2_dot * w_47) + w_52)
-                + w_39 * cos_beta_squared * w_53 + w_34 * cos_beta * w_54);
+        let w_8 = w_2 * w_6;
+        let w_9 = theta1_dot * theta2_dot;
+        let w_10 = sin_theta2 * sin_theta3
+            * (w_2 * w_4 + theta3_dot * (theta2_dot * w_5 + theta1_dot * w_7)
+                + w_8 * w_9);
+        let w_11 = S::from_f64(2.0) * w_2;
+        let w_12 = theta3_dot * (theta2_dot * w_11 + theta1_dot * w_8);
+        let w_22 = cos_theta3
+            * (theta3_dot * (theta1_dot * w_11 + theta2_dot * w_8)
+                + self.a * cos_alpha * w_4 + w_5 * w_9) + self.b * S::from_f64(2.0) * w_9
+            + self.b * cos_alpha * w_3;
+        let w_23 = sin_theta2 * w_22;
+        let w_24 = cos_theta2
+            * (theta3_dot * (theta1_dot * w_5 + theta2_dot * w_7) + cos_alpha * w_2 * w_4
+                + w_11 * w_9);
+        let w_13 = w_7 * w_9;
+        let w_14 = self.b * w_3;
+        let w_15 = self.b * w_6 * w_9;
+        let w_16 = sin_alpha * S::from_f64(2.0);
+        let w_17 = self.a * sin_beta;
+        let w_18 = theta3_dot * cos_theta3;
+        let w_19 = theta1_dot * w_16 * w_17 * w_18;
+        let w_20 = self.a * theta1_dot_squared;
+        let w_21 = cos_theta1
+            * (w_10
+                - cos_theta2
+                    * (cos_theta3
+                        * (self.a
+                            * (theta3_dot_squared + theta1_dot_squared
+                                + theta2_dot_squared) + w_12 + w_13) + w_14 + w_15) + w_19
+                - w_20);
+        let w_27 = sin_theta1
+            * (w_10 + w_19 - w_20
+                - cos_theta2
+                    * (w_14 + w_15 + cos_theta3 * (w_12 + w_13 + self.a * w_4)));
+        let w_25 = theta3_dot_squared + theta1_dot_squared;
+        let w_26 = sin_alpha * w_17 * w_25;
+        let w_28 = theta3_dot_squared + theta2_dot_squared;
+        let w_29 = theta3_dot * theta2_dot;
+        let w_30 = sin_theta3
+            * (cos_theta2 * (self.a * w_16 * w_29 + sin_alpha * w_2 * w_28)
+                + theta3_dot_squared * cos_alpha * w_17);
         let sin_beta_squared = sin_beta * sin_beta;
-        let w_56 = sin_beta_squared * w_53;
-        let w_57 = w_17 * sin_beta_squared;
-        let w_58 = sin_alpha * sin_alpha * w_42;
-        let w_59 = cos_theta2
-            * (w_48 - w_55 + cos_theta1 * (w_13 * w_56 + w_10 * w_57)
-                + theta2_dot_squared * w_58);
-        let w_60 = cos_theta1
-            * (w_33 * sin_beta * cos_alpha_squared
-                + theta1_dot * (theta2_dot * w_50 + theta3_dot * w_45) + w_34 * w_44)
-            + w_39 * cos_beta * w_53 + w_34 * cos_beta_squared * w_54;
-        let w_61 = cos_alpha * w_42;
-        let w_62 = w_34 * w_50;
-        let w_63 = sin_alpha * sin_beta_squared;
-        let w_64 = sin_beta_squared * w_54;
-        let w_65 = sin_theta3 * w_60
-            + sin_theta1
-                * (cos_theta3
-                    * (w_33 * w_61 + theta1_dot * (theta2_dot * w_44 + theta3_dot * w_47)
-                        + w_62) - w_13 * w_63 - w_10 * w_64);
-        let w_66 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_67 = theta2_dot * w_43;
-        let w_68 = cos_theta2
-            * (cos_theta1
-                * (w_61 * w_66 + theta1_dot * (w_67 + theta3_dot * w_46) + w_62)
-                + w_39 * sin_alpha * cos_beta_squared + w_34 * cos_beta * w_17);
-        let w_69 = theta2_dot * w_46;
-        let w_70 = sin_theta3
-            * (w_68
-                - sin_theta1 * sin_theta2
-                    * (w_42 * w_66 + theta3_dot * (w_69 + w_51) + w_52)
-                - w_63 * cos_theta1 * w_32 + theta3_dot_squared * w_61);
-        let w_71 = sin_theta2
-            * (cos_theta1
-                * (w_41 * w_66 + theta1_dot * (w_69 + theta3_dot * w_43) + w_34 * w_45)
-                + sin_alpha * cos_beta * w_39 + w_34 * w_17 * cos_beta_squared);
+        let w_31 = theta1_dot * w_16 * sin_beta_squared;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_32 = sin_beta * S::from_f64(2.0);
+        let w_33 = cos_alpha_squared * w_32;
+        let w_34 = sin_beta * cos_beta;
+        let w_35 = cos_alpha_squared * w_34;
+        let w_36 = sin_alpha * cos_alpha;
+        let w_37 = sin_beta_squared * w_36;
+        let w_38 = cos_theta2
+            * (theta2_dot * (w_31 - w_18 * w_33) - cos_theta3 * w_4 * w_35 + w_3 * w_37);
+        let w_39 = theta2_dot * sin_theta3;
+        let w_40 = cos_theta2 * w_18 - sin_theta2 * w_39;
+        let w_58 = cos_theta2 * w_39 + sin_theta2 * w_18;
+        let w_41 = sin_beta * w_6;
+        let w_45 = w_6 * w_34;
+        let w_42 = cos_theta3 * theta2_dot;
+        let w_43 = theta3_dot * sin_theta3;
+        let w_44 = cos_theta2 * w_42 - sin_theta2 * w_43;
+        let w_57 = sin_theta2 * w_42 + cos_theta2 * w_43;
+        let w_46 = S::from_f64(2.0) * w_34;
+        let w_47 = cos_alpha_squared * w_46;
+        let w_48 = sin_alpha * sin_alpha * w_34;
+        let w_49 = w_38 - theta1_dot * (w_40 * w_41 + w_44 * w_45)
+            + sin_theta2 * sin_theta3
+                * (w_4 * sin_beta * cos_alpha_squared + w_29 * w_47)
+            + cos_theta3 * w_25 * w_37 + theta1_dot_squared * w_48;
+        let w_61 = theta1_dot_squared + w_28;
+        let w_50 = cos_alpha * w_34;
+        let w_51 = w_29 * w_41;
+        let w_52 = sin_alpha * sin_beta_squared;
+        let w_53 = cos_alpha * w_16;
+        let w_54 = sin_beta_squared * w_53;
+        let w_55 = sin_beta * cos_alpha;
+        let w_56 = sin_theta3
+            * (cos_theta2 * (w_4 * w_55 + w_29 * w_45) - theta3_dot * theta1_dot * w_54);
+        let w_59 = sin_theta1
+            * (sin_theta2 * (cos_theta3 * (w_4 * w_50 + w_51) - w_3 * w_52 - w_9 * w_54)
+                + w_56 + theta1_dot * (w_57 * w_47 + w_58 * w_33));
+        let cos_beta_squared = cos_beta * cos_beta;
+        let w_60 = cos_theta3
+            * (cos_theta2 * (w_29 * cos_beta * w_53 + w_28 * cos_beta_squared * w_36)
+                + theta3_dot_squared * w_35);
+        let w_62 = cos_theta2
+            * (cos_theta1 * (w_51 + w_50 * w_61) + w_29 * cos_beta * w_16
+                + w_28 * sin_alpha * cos_beta_squared);
+        let w_63 = sin_theta3
+            * (w_62 - sin_theta1 * sin_theta2 * (w_29 * w_32 + w_34 * w_61)
+                - cos_theta1 * w_25 * w_52 + theta3_dot_squared * w_50);
+        let w_64 = cos_theta2 * sin_theta1;
+        let w_65 = theta3_dot
+            * (theta2_dot
+                * (sin_theta2 * (w_16 * cos_beta_squared + cos_theta1 * w_45)
+                    + w_46 * w_64) - sin_theta1 * w_31);
+        let w_66 = cos_theta3
+            * (w_65 + w_61 * (sin_beta * w_64 + cos_theta1 * sin_theta2 * w_55)
+                + sin_theta2 * sin_alpha * cos_beta * w_28);
         [
-            w_22
-                + sin_theta1
-                    * (w_26
-                        + sin_theta3
-                            * (cos_theta2 * (w_27 * w_3 + w_29 + w_30) - w_31 * w_32)),
-            w_36
-                + cos_theta1
-                    * (sin_theta3
-                        * (w_31 * w_37 - cos_theta2 * (w_27 * w_33 + w_29 + w_30))
-                        - w_38),
+            w_21 + sin_theta1 * (w_23 + sin_theta3 * (w_24 - w_26)),
+            w_27 + cos_theta1 * (sin_theta3 * (w_26 - w_24) - w_23),
             -(sin_theta2
-                * (cos_theta3 * (self.a * sin_alpha * w_39 + w_34 * w_17 * w_2)
-                    + w * theta2_dot_squared) + w_40),
-            w_59 + sin_theta2 * w_65
-                + cos_theta3 * (w_56 * cos_theta1 * w_37 - theta3_dot_squared * w_49)
-                + cos_theta1 * theta1_dot_squared * w_58
-                - sin_theta1 * sin_theta3 * w_19 * w_64,
-            w_70
-                + cos_theta3
-                    * (w_71
-                        + sin_theta1
-                            * (cos_theta2
-                                * (sin_beta * w_66 + theta3_dot * (w_67 + theta1_dot * w_45)
-                                    + w_10 * w_50) - w_19 * w_57)),
+                * (cos_theta3 * (self.a * sin_alpha * w_28 + w_16 * w_2 * w_29)
+                    + w * theta2_dot_squared) + w_30),
+            cos_theta1 * w_49 + w_59 - w_60
+                + sin_theta2 * sin_theta3
+                    * (w_28 * cos_beta * w_36 + w_29 * cos_beta_squared * w_53)
+                + cos_theta2 * theta2_dot_squared * w_48,
+            w_63 + w_66
+                + theta1_dot
+                    * (cos_theta1 * (w_57 * w_32 + w_58 * w_46)
+                        + sin_theta1 * (w_44 * w_41 + w_40 * w_45)),
         ]
     }
     /// `C` (5), `C_q` (5 x 3) and `C_t` (5) together, in SI units, for projection.
@@ -1331,16 +1238,17 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_12 = cos_beta * w_11 - cos_theta1 * w_4;
         let minus_closure_x_by_theta1 = self.a
             * (sin_theta1 + (cos_theta3 * w_10 + sin_theta3 * w_12)) + self.b * w_10;
+        let w_31 = sin_theta3 * w_10;
         let w_13 = sin_theta2 * cos_theta3;
-        let w_14 = sin_alpha * cos_beta;
-        let w_15 = cos_alpha * sin_beta;
-        let w_16 = cos_theta2 * w_14 + w_15;
+        let w_14 = cos_alpha * sin_beta;
+        let w_15 = sin_alpha * cos_beta;
+        let w_16 = w_14 + cos_theta2 * w_15;
         let w_17 = cos_alpha * cos_beta;
         let w_18 = cos_theta3 * w_17 - w_4;
         let w_19 = sin_theta2 * sin_theta3;
         let w_20 = cos_theta2 * w_18 - cos_alpha * w_19;
-        let w_21 = cos_theta3 * w_15;
-        let w_22 = w_21 + w_14;
+        let w_21 = cos_theta3 * w_14;
+        let w_22 = w_15 + w_21;
         let w_23 = cos_alpha * w_20 - sin_alpha * w_22;
         let w_24 = cos_theta2 * sin_theta3;
         let w_25 = cos_alpha * w_24 + sin_theta2 * w_18;
@@ -1349,7 +1257,6 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_28 = w_13 + cos_beta * w_24;
         let w_29 = cos_alpha * w_28 - w_4 * sin_theta3;
         let w_30 = w_2 * sin_theta3;
-        let w_31 = sin_theta3 * w_10;
         let w_32 = w_17 * w_24 + cos_alpha * w_13;
         let w_33 = sin_beta
             * (cos_theta1
@@ -1364,7 +1271,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                 sin_beta * (cos_theta1 * w_23 - sin_theta1 * w_25)
                     + cos_beta * (sin_alpha * w_20 + cos_alpha * w_22),
                 -(sin_beta * (sin_theta1 * w_27 + cos_theta1 * w_29)
-                    + cos_beta * (sin_alpha * w_28 + sin_theta3 * w_15)),
+                    + cos_beta * (sin_alpha * w_28 + sin_theta3 * w_14)),
             ],
             jacobian: [
                 [
@@ -1379,12 +1286,12 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                 ],
                 [
                     S::from_f64(0.0),
-                    cos_theta2 * w_3 + self.a * (sin_alpha * w_26 - w_14 * w_19),
+                    cos_theta2 * w_3 + self.a * (sin_alpha * w_26 - w_15 * w_19),
                     self.a * (cos_theta3 * w_16 - sin_alpha * w_19),
                 ],
                 [
                     -(sin_beta * (cos_theta1 * w_25 + sin_theta1 * w_23)),
-                    -(sin_beta * (w_9 * w_25 + sin_theta1 * w_20) + w_14 * w_25),
+                    -(sin_beta * (w_9 * w_25 + sin_theta1 * w_20) + w_15 * w_25),
                     -(w_33
                         + cos_beta
                             * (sin_alpha * w_32
@@ -1392,7 +1299,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                 ],
                 [
                     -(sin_beta * (cos_theta1 * w_27 - sin_theta1 * w_29)),
-                    sin_beta * (sin_theta1 * w_28 - w_9 * w_27) - w_14 * w_27,
+                    sin_beta * (sin_theta1 * w_28 - w_9 * w_27) - w_15 * w_27,
                     sin_beta
                         * (sin_theta1 * (w_24 + cos_beta * w_13)
                             + cos_theta1 * (cos_alpha * w_34 + cos_theta3 * w_4))
@@ -1430,21 +1337,23 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_8 = sin_alpha * self.b;
         let w_9 = cos_theta2 * w_8;
         let w_10 = theta1_dot * (w_9 + sin_alpha * w_5);
+        let w_14 = theta1_dot * (self.a * sin_alpha + w_9);
         let beta = (w_8 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
         let w_11 = theta3_dot + w_2 * cos_beta - w_4 * sin_alpha * sin_beta;
         let w_12 = cos_alpha * self.a;
         let w_13 = w_3 + w_4 * w_12;
-        let w_14 = theta1_dot * (w_9 + self.a * sin_alpha);
+        let w_18 = sin_alpha * cos_beta * w_4 + w_2 * sin_beta;
         let w_15 = cos_beta * w_13 - sin_beta * w_14;
         let w_16 = theta1_dot * sin_theta2;
         let w_17 = self.a * w_11 + cos_theta3 * w_15 * S::from_f64(2.0)
             - sin_theta3 * w_16 * w_6;
-        let w_18 = sin_alpha * cos_beta * w_4 + w_2 * sin_beta;
+        let w_25 = cos_theta3 * w_16 * w_12 + sin_theta3 * w_15;
         let w_19 = w_18 * cos_theta3 - sin_alpha * sin_theta3 * w_16;
         let w_20 = self.a * w_19 + w_13 * sin_beta * S::from_f64(2.0)
             + w_14 * cos_beta * S::from_f64(2.0);
         let w_21 = w * (w_7 * w_7 + w_10 * w_10 + w_17 * w_17 + w_20 * w_20);
+        let w_26 = sin_alpha * cos_theta3 * w_16 + w_18 * sin_theta3;
         let w_22 = S::from_f64(0.5) * self.J;
         let a_squared = self.a * self.a;
         let sin_alpha_squared = sin_alpha * sin_alpha;
@@ -1454,8 +1363,6 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
                 + sin_theta2 * sin_theta2
                     * (a_squared * cos_alpha * cos_alpha * w_23
                         - self.J * S::from_f64(0.49) * sin_alpha_squared));
-        let w_25 = cos_theta3 * w_16 * w_12 + sin_theta3 * w_15;
-        let w_26 = sin_alpha * cos_theta3 * w_16 + w_18 * sin_theta3;
         w_21 + w_22 * (w_2 * w_2 + w_19 * w_19 + w_11 * w_11) + w_24 + w_25 * w_25 * w_23
             + w_26 * w_26 * self.J * S::from_f64(0.01)
     }
@@ -1489,6 +1396,7 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_2 = cos_alpha * self.g;
         let w_3 = self.g * sin_theta1;
         let w_4 = cos_theta2 * cos_theta1 * w_2 - sin_theta2 * w_3;
+        let w_13 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
         let w_5 = theta2_dot + theta1_dot * cos_alpha;
         let w_6 = self.b * w_5;
         let w_7 = theta1_dot * cos_theta2;
@@ -1497,29 +1405,28 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_10 = self.b * sin_alpha;
         let beta = (w_10 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
+        let w_16 = cos_theta2 * w_10;
         let w_11 = self.g * sin_alpha;
         let w_12 = cos_beta * w_4 - cos_theta1 * sin_beta * w_11;
-        let w_13 = cos_theta2 * w_3 + sin_theta2 * cos_theta1 * w_2;
         let w_14 = self.a * cos_alpha;
         let w_15 = w_6 + w_14 * w_7;
-        let w_16 = cos_theta2 * w_10;
-        let w_17 = theta1_dot * (w_16 + self.a * sin_alpha);
+        let w_17 = theta1_dot * (self.a * sin_alpha + w_16);
         let w_18 = cos_beta * w_15 - sin_beta * w_17;
         let w_19 = theta1_dot * sin_theta2;
-        let w_20 = self.a * (theta3_dot + cos_beta * w_5 - w_7 * sin_alpha * sin_beta)
-            + cos_theta3 * w_18 * S::from_f64(2.0) - sin_theta3 * w_19 * w_9;
         let w_21 = self.a
             * (cos_theta3 * (w_7 * sin_alpha * cos_beta + w_5 * sin_beta)
                 - sin_theta3 * sin_alpha * w_19) + w_15 * sin_beta * S::from_f64(2.0)
             + w_17 * cos_beta * S::from_f64(2.0);
+        let w_20 = self.a * (theta3_dot + cos_beta * w_5 - w_7 * sin_alpha * sin_beta)
+            + cos_theta3 * w_18 * S::from_f64(2.0) - sin_theta3 * w_19 * w_9;
         let w_22 = w
             * (w_4 * (w_6 + w_7 * w_9) + (cos_theta3 * w_12 - w_13 * sin_theta3) * w_20
                 + (sin_beta * w_4 + cos_theta1 * cos_beta * w_11) * w_21);
+        let w_24 = self.m * (cos_theta3 * w_14 * w_19 + sin_theta3 * w_18)
+            * (w_13 * cos_theta3 + sin_theta3 * w_12);
         let w_23 = theta1_dot
             * (sin_theta2 * w_13 * self.a * self.m * cos_alpha
                 + cos_theta1 * self.a * self.g * w);
-        let w_24 = self.m * (cos_theta3 * w_14 * w_19 + sin_theta3 * w_18)
-            * (w_13 * cos_theta3 + sin_theta3 * w_12);
         w_22 + w_23 + w_24
             + cos_theta1 * theta1_dot * (w_16 + sin_alpha * w_8) * self.g * sin_alpha * w
     }
@@ -1562,8 +1469,8 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_2 = (S::from_f64(0.5) * theta1).tan();
         [
             S::from_f64(0.5)
-                * (theta1_dot * w * (w_2 * w_2 + S::from_f64(1.0))
-                    + w_2 * theta2_dot * (w * w + S::from_f64(1.0))),
+                * (theta1_dot * w * (S::from_f64(1.0) + w_2 * w_2)
+                    + w_2 * theta2_dot * (S::from_f64(1.0) + w * w)),
         ]
             .into()
     }
@@ -1604,11 +1511,13 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w = cos_theta1 * cos_theta2;
         let w_2 = sin_theta1 * sin_theta2;
         let w_3 = w - cos_alpha * w_2;
+        let w_12 = cos_alpha * w - w_2;
         let w_4 = self.b * w_3;
         let P3_x = P2_x + w_4;
         let w_5 = sin_theta1 * cos_theta2;
         let w_6 = cos_theta1 * sin_theta2;
         let w_7 = w_5 + cos_alpha * w_6;
+        let w_11 = w_6 + cos_alpha * w_5;
         let w_8 = self.b * w_7;
         let P3_y = P2_y + w_8;
         let w_9 = self.b * sin_alpha;
@@ -1616,20 +1525,18 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let beta = (w_9 / self.a).asin();
         let ([sin_beta], [cos_beta]) = S::sin_cos_each([beta]);
         let w_10 = sin_alpha * sin_beta;
-        let w_11 = w_6 + cos_alpha * w_5;
-        let w_12 = cos_alpha * w - w_2;
         let w_13 = sin_alpha * S::from_f64(0.05);
         let w_14 = sin_theta1 * w_13;
         let w_15 = cos_theta1 * w_13;
         let w_16 = cos_alpha * S::from_f64(0.05);
         let w_17 = sin_beta * S::from_f64(0.05);
         let w_18 = w_11 * w_17;
-        let w_19 = cos_beta * w_13;
-        let w_20 = sin_theta1 * w_19;
         let w_21 = w_12 * w_17;
+        let w_19 = cos_beta * w_13;
+        let w_24 = cos_theta2 * sin_beta * w_13;
+        let w_20 = sin_theta1 * w_19;
         let w_22 = cos_theta1 * w_19;
-        let w_23 = cos_theta2 * sin_beta * w_13;
-        let w_24 = cos_beta * w_16;
+        let w_23 = cos_beta * w_16;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1652,32 +1559,34 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             P3_x,
             P3_y,
             P3_z,
-            self.a
-                * (cos_theta1
-                    + (w_3 * cos_theta3
-                        + (sin_theta1 * w_10 - cos_beta * w_11) * sin_theta3)) + w_4,
-            self.a
-                * (sin_theta1
-                    + (w_7 * cos_theta3
-                        + sin_theta3 * (cos_beta * w_12 - cos_theta1 * w_10))) + w_8,
+            w_4
+                + self.a
+                    * (cos_theta1
+                        + (w_3 * cos_theta3
+                            + (sin_theta1 * w_10 - cos_beta * w_11) * sin_theta3)),
+            w_8
+                + self.a
+                    * (sin_theta1
+                        + (w_7 * cos_theta3
+                            + sin_theta3 * (cos_beta * w_12 - cos_theta1 * w_10))),
             P3_z
                 + self.a
                     * (sin_theta2 * sin_alpha * cos_theta3
                         + sin_theta3
-                            * (cos_theta2 * sin_alpha * cos_beta
-                                + cos_alpha * sin_beta)),
+                            * (cos_alpha * sin_beta
+                                + cos_theta2 * sin_alpha * cos_beta)),
             P2_x - w_14,
-            w_15 + P2_y,
+            P2_y + w_15,
             -w_16,
-            w_14 + P2_x,
+            P2_x + w_14,
             P2_y - w_15,
             w_16,
-            P2_x - w_18 - w_20 + w_4,
-            w_21 + w_22 + P2_y + w_8,
-            w_23 - w_24 + P3_z,
-            w_18 + w_20 + P2_x + w_4,
-            P2_y - w_21 - w_22 + w_8,
-            w_24 - w_23 + P3_z,
+            P2_x + w_4 - w_18 - w_20,
+            P2_y + w_8 + w_21 + w_22,
+            P3_z - w_23 + w_24,
+            P2_x + w_4 + w_18 + w_20,
+            P2_y + w_8 - w_21 - w_22,
+            P3_z + w_23 - w_24,
         ]
     }
     /// Declared start: values or guesses of the coordinates (3), and speeds (3), in SI units; 0 where nothing is declared.
@@ -1718,7 +1627,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 386 additions, 613 multiplications, 8 divisions, 3 sine-cosine pairs.
+    /// Operations: 356 additions, 593 multiplications, 8 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1742,188 +1651,182 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         let theta1_dot_squared = theta1_dot * theta1_dot;
         let w_2 = sin_theta2 * theta1_dot_squared;
         let w_3 = self.k_39 * w_2;
-        let w_4 = self.a * theta1_dot_squared;
-        let w_5 = w_4 + sin_theta1 * self.g;
-        let w_6 = S::from_f64(2.0) * w_5;
-        let w_7 = cos_theta2 * (cos_theta1 * self.k_38 - w_3) - sin_theta2 * w_6;
-        let w_8 = cos_theta2 * self.k;
-        let w_9 = w_8 + self.k_10;
-        let w_10 = theta2_dot + self.cos_alpha * theta1_dot;
+        let w_4 = self.a * theta1_dot_squared + sin_theta1 * self.g;
+        let w_5 = S::from_f64(2.0) * w_4;
+        let w_6 = cos_theta2 * (cos_theta1 * self.k_38 - w_3) - sin_theta2 * w_5;
+        let w_24 = cos_theta2 * (cos_theta1 * self.k_41 - w_3) - sin_theta2 * w_4;
+        let w_7 = cos_theta2 * self.k;
+        let w_8 = w_7 + self.k_10;
+        let w_9 = self.cos_alpha * theta1_dot;
+        let w_10 = theta2_dot + w_9;
         let w_11 = self.b * self.sin_alpha * sin_theta2 * theta1_dot
             * (theta2_dot + w_10);
         let w_12 = self.k_4 - cos_theta2 * self.k_5;
         let w_13 = self.k_6 + cos_theta2 * self.k_7;
-        let w_14 = w_8 + self.k_8;
+        let w_14 = self.k_8 + w_7;
         let w_15 = self.cos_beta * w_13 - self.sin_beta * w_14;
         let w_16 = S::from_f64(2.0) * cos_theta3;
         let w_17 = sin_theta2 * sin_theta3;
-        let w_18 = self.a * w_12 + w_15 * w_16 - w_17 * self.k_9;
-        let w_19 = self.b
-            * (self.sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2
-                + w_10 * w_10);
-        let w_20 = sin_theta2 * cos_theta1;
-        let w_21 = w_20 * self.k_41;
-        let w_22 = w_19 + w_21 + cos_theta2 * w_5;
-        let w_23 = cos_theta2 * (cos_theta1 * self.k_41 - w_3) - sin_theta2 * w_5;
-        let w_24 = cos_theta1 * self.k_42 + w_11;
-        let w_25 = self.cos_beta * w_23 - self.sin_beta * w_24;
-        let w_26 = cos_theta2 * theta1_dot;
-        let w_27 = self.k_2 * w_26 + self.sin_beta * w_10;
-        let w_28 = self.sin_alpha * theta1_dot;
-        let w_29 = cos_theta3 * w_27 - w_17 * w_28;
-        let w_30 = sin_theta2 * cos_theta3;
-        let w_31 = w_30 * w_28 + sin_theta3 * w_27;
-        let w_32 = w_29 * w_31;
-        let w_33 = theta1_dot * theta2_dot;
-        let w_34 = sin_theta2 * w_33;
-        let w_35 = S::from_f64(2.0) * (sin_theta3 * w_22 - cos_theta3 * w_25)
-            + self.a * (w_32 + self.k_5 * w_34);
-        let w_36 = cos_theta2 * self.k_2 + self.k_3;
-        let w_37 = w_36 * cos_theta3 - self.sin_alpha * w_17;
-        let closure_z_by_theta3 = self.a * w_37;
-        let w_38 = closure_z_by_theta3 + w_13 * self.k_11 + w_14 * self.k_12;
-        let w_39 = theta3_dot + self.cos_beta * w_10 - self.k_5 * w_26;
-        let w_40 = cos_theta2 * sin_theta3;
-        let w_41 = theta1_dot * theta2_dot * (self.k_2 * w_30 + self.sin_alpha * w_40);
-        let w_42 = self.a * (w_31 * (theta3_dot + w_39) + w_41) + self.k_12 * w_24
-            + self.k_11 * w_23;
-        let w_43 = self.k_14
-            * (w * w_7 + w_9 * (cos_theta1 * self.k_40 + w_11) - w_18 * w_35
-                + w_38 * w_42);
-        let w_44 = sin_theta2
-            * ((w_19 + w_20 * self.k_38 + cos_theta2 * w_6) * self.k_47
-                - cos_theta2 * (w_33 * self.k_43 + theta1_dot_squared * self.k_45));
-        let w_45 = w_31 * w_39 * self.k_35 + (w_41 + theta3_dot * w_31) * self.k_36;
-        let w_46 = self.k_35 * w_32 + self.k_37 * w_34;
-        let w_47 = cos_theta2 * sin_theta2 * theta1_dot
+        let w_18 = w_17 * self.k_9;
+        let w_19 = self.a * w_12 + w_15 * w_16 - w_18;
+        let w_20 = self.b
+            * (w_10 * w_10
+                + self.sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2);
+        let w_21 = sin_theta2 * cos_theta1;
+        let w_22 = w_21 * self.k_41;
+        let w_23 = w_20 + w_22 + cos_theta2 * w_4;
+        let w_25 = w_11 + cos_theta1 * self.k_42;
+        let w_26 = self.cos_beta * w_24 - self.sin_beta * w_25;
+        let w_27 = cos_theta2 * theta1_dot;
+        let w_28 = self.k_2 * w_27 + self.sin_beta * w_10;
+        let w_29 = self.sin_alpha * theta1_dot;
+        let w_30 = cos_theta3 * w_28 - w_17 * w_29;
+        let w_31 = sin_theta2 * cos_theta3;
+        let w_32 = w_31 * w_29 + sin_theta3 * w_28;
+        let w_33 = w_30 * w_32;
+        let w_34 = theta1_dot * theta2_dot;
+        let w_45 = sin_theta2
+            * ((w_20 + w_21 * self.k_38 + cos_theta2 * w_5) * self.k_47
+                - cos_theta2 * (w_34 * self.k_43 + theta1_dot_squared * self.k_45));
+        let w_35 = sin_theta2 * w_34;
+        let w_36 = S::from_f64(2.0) * (sin_theta3 * w_23 - cos_theta3 * w_26)
+            + self.a * (w_33 + self.k_5 * w_35);
+        let w_37 = self.k_3 + cos_theta2 * self.k_2;
+        let w_38 = w_37 * cos_theta3 - self.sin_alpha * w_17;
+        let closure_z_by_theta3 = self.a * w_38;
+        let w_39 = closure_z_by_theta3 + w_13 * self.k_11 + w_14 * self.k_12;
+        let w_136 = w_14 * theta1_dot;
+        let w_40 = theta3_dot + self.cos_beta * w_10 - self.k_5 * w_27;
+        let w_58 = S::from_f64(2.0) * (sin_theta3 * w_26 + cos_theta3 * w_23)
+            + self.a * (w_30 * w_30 + w_40 * w_40);
+        let w_41 = cos_theta2 * sin_theta3;
+        let w_42 = self.k_2 * w_31 + self.sin_alpha * w_41;
+        let w_43 = self.a * (w_32 * (theta3_dot + w_40) + w_34 * w_42) + self.k_12 * w_25
+            + self.k_11 * w_24;
+        let w_44 = self.k_14
+            * (w * w_6 + w_8 * (cos_theta1 * self.k_40 + w_11) - w_19 * w_36
+                + w_39 * w_43);
+        let w_46 = theta2_dot * w_42;
+        let w_47 = w_32 * w_40 * self.k_35
+            + (theta1_dot * w_46 + theta3_dot * w_32) * self.k_36;
+        let w_48 = self.k_35 * w_33 + self.k_37 * w_35;
+        let w_49 = cos_theta2 * sin_theta2 * theta1_dot
             * (w_10 * self.k_33 + theta2_dot * self.k_34) * self.k_44;
-        let w_48 = self.sin_alpha * w_30 + w_36 * sin_theta3;
-        let w_49 = cos_theta2 * cos_theta3;
-        let w_50 = self.sin_alpha * w_49 - self.k_2 * w_17;
-        let w_51 = theta1_dot * w_50 * theta2_dot + theta3_dot * w_29;
-        let w_52 = cos_theta1 * self.k_46;
-        let w_53 = self.k_7 * w_30;
-        let w_54 = w_53 + sin_theta3 * w_15;
-        let w_55 = S::from_f64(2.0) * (sin_theta3 * w_25 + cos_theta3 * w_22)
-            + self.a * (w_29 * w_29 + w_39 * w_39);
-        let rhs_theta1 = w_43 + w_44 + S::from_f64(0.02) * (w_37 * w_45 - w_12 * w_46)
-            + w_47 - w_48 * self.k_15 * w_51 + w_52 + w_54 * w_55 * self.k_48;
-        let w_56 = cos_theta3 * self.k_20 + self.k_21;
-        let w_57 = self.k_18 + cos_theta3 * self.k_19;
-        let w_58 = sin_theta3 * (w_55 * self.k_51 - self.k_27 * w_51)
-            + self.k_14 * (w_56 * w_42 - w_57 * w_35) - cos_theta2 * self.k_13 * w_2
-            + cos_theta3 * w_45 * self.k_49 - w_46 * self.k_50 + self.k_26 * w_7;
-        let mass_theta2_theta1 = sin_theta3 * (w_54 * self.k_25 + w_48 * self.k_27)
-            + self.k_14 * (w_18 * w_57 + w_38 * w_56) + self.k_22
-            + cos_theta3 * w_37 * self.k_23 + w_12 * self.k_24 + w * self.k_26;
-        let w_59 = self.k_14 * (w * w + w_9 * w_9 + w_18 * w_18 + w_38 * w_38);
-        let mass_theta1_theta1 = w_59 + self.J * (w_37 * w_37 + w_12 * w_12) + self.k_16
-            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_54 * w_54
-            + w_48 * w_48 * self.k_15;
+        let w_50 = self.sin_alpha * w_31;
+        let w_51 = w_50 + w_37 * sin_theta3;
+        let w_52 = cos_theta2 * cos_theta3;
+        let w_53 = self.sin_alpha * w_52 - self.k_2 * w_17;
+        let w_54 = theta3_dot * w_30 + w_53 * w_34;
+        let closure_z_by_theta2 = w_7 + self.a * w_53;
+        let w_55 = cos_theta1 * self.k_46;
+        let w_56 = self.k_7 * w_31;
+        let w_57 = w_56 + sin_theta3 * w_15;
+        let rhs_theta1 = w_44 + w_45 + S::from_f64(0.02) * (w_38 * w_47 - w_12 * w_48)
+            + w_49 - w_51 * self.k_15 * w_54 + w_55 + w_57 * w_58 * self.k_48;
+        let w_59 = self.k_21 + cos_theta3 * self.k_20;
+        let w_60 = self.k_18 + cos_theta3 * self.k_19;
+        let w_61 = sin_theta3 * (w_58 * self.k_51 - self.k_27 * w_54)
+            + self.k_14 * (w_59 * w_43 - w_60 * w_36) - cos_theta2 * self.k_13 * w_2
+            + cos_theta3 * w_47 * self.k_49 - w_48 * self.k_50 + self.k_26 * w_6;
+        let mass_theta2_theta1 = self.k_22
+            + sin_theta3 * (w_57 * self.k_25 + w_51 * self.k_27)
+            + self.k_14 * (w_19 * w_60 + w_39 * w_59) + cos_theta3 * w_38 * self.k_23
+            + w_12 * self.k_24 + w * self.k_26;
+        let w_62 = self.k_14 * (w * w + w_8 * w_8 + w_19 * w_19 + w_39 * w_39);
+        let mass_theta1_theta1 = self.k_16 + w_62 + self.J * (w_38 * w_38 + w_12 * w_12)
+            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_57 * w_57
+            + w_51 * w_51 * self.k_15;
+        let mass_theta3_theta1 = self.J * w_12 + w_19 * self.k_30;
+        let mass_theta2_theta2 = self.k_28 + self.k_14 * (w_60 * w_60 + w_59 * w_59)
+            + sin_theta3 * sin_theta3 * self.k_29;
         let inverse_theta1 = S::from_f64(1.0) / mass_theta1_theta1;
         let l_theta2_theta1 = mass_theta2_theta1 * inverse_theta1;
-        let rhs_theta2 = w_58 - rhs_theta1 * l_theta2_theta1;
-        let w_60 = cos_theta2 * sin_theta1;
-        let w_61 = self.cos_alpha * cos_theta1;
-        let w_62 = w_60 + sin_theta2 * w_61;
-        let w_63 = sin_theta2 * sin_theta1;
-        let w_64 = cos_theta2 * w_61 - w_63;
-        let w_65 = self.cos_beta * w_64 - self.k_5 * cos_theta1;
-        let minus_closure_x_by_theta1 = self.a
-            * (sin_theta1 + (cos_theta3 * w_62 + sin_theta3 * w_65)) + self.b * w_62;
+        let rhs_theta2 = w_61 - rhs_theta1 * l_theta2_theta1;
+        let w_63 = cos_theta2 * sin_theta1;
+        let w_134 = w_22 + w_63 * self.g;
+        let w_64 = w_63 + self.cos_alpha * w_21;
+        let w_75 = w_21 + self.cos_alpha * w_63;
+        let w_65 = cos_theta2 * cos_theta1;
+        let w_66 = sin_theta2 * sin_theta1;
+        let w_67 = self.cos_alpha * w_65 - w_66;
+        let w_68 = self.cos_beta * w_67 - self.k_5 * cos_theta1;
+        let w_69 = cos_theta3 * w_64 + sin_theta3 * w_68;
+        let w_81 = cos_theta3 * w_68 - sin_theta3 * w_64;
+        let minus_closure_x_by_theta1 = self.a * (sin_theta1 + w_69) + self.b * w_64;
         let minus_l_lambda_closure_x_theta1 = minus_closure_x_by_theta1 * inverse_theta1;
-        let theta3_dot_squared = theta3_dot * theta3_dot;
-        let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_66 = theta3_dot_squared + theta1_dot_squared + theta2_dot_squared;
-        let w_67 = theta3_dot * self.k_59;
-        let w_68 = theta1_dot * theta3_dot;
-        let w_69 = theta3_dot * self.k_55;
-        let w_70 = self.k_9 * theta1_dot;
-        let w_71 = theta1_dot_squared + theta2_dot_squared;
-        let w_72 = self.b * w_71;
-        let w_73 = w_33 * self.k_61;
-        let w_74 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_66 + theta2_dot * (w_69 + w_70) + self.k_56 * w_68) + w_72
-                + w_73);
-        let w_75 = cos_theta3 * self.k_54 * w_68;
-        let w_76 = cos_theta1
-            * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_66 + theta2_dot * (w_67 + theta1_dot * self.k_56)
-                    + self.k_9 * w_68) - w_74 + w_75 - w_4);
-        let w_77 = theta2_dot * self.k_59;
-        let w_78 = theta2_dot * theta3_dot;
-        let w_79 = self.k_56 * w_78;
-        let w_80 = self.k_6 * w_71;
-        let w_81 = w_33 * self.k_60;
-        let w_82 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_66 + theta1_dot * (w_69 + w_77) + w_79) + w_80
-                + w_81);
-        let w_83 = theta1_dot * (w_67 + theta2_dot * self.k_55);
-        let w_84 = self.k_9 * w_78;
-        let w_85 = theta3_dot_squared + theta1_dot_squared;
-        let mass_theta2_theta2 = self.k_14 * (w_57 * w_57 + w_56 * w_56) + self.k_28
-            + sin_theta3 * sin_theta3 * self.k_29;
+        let w_70 = cos_theta1 * theta1_dot;
+        let w_71 = theta1_dot + self.cos_alpha * theta2_dot;
+        let w_72 = w_65 * w_10 - sin_theta2 * sin_theta1 * w_71;
+        let w_80 = w_65 * w_71 - w_66 * w_10;
+        let w_132 = self.b * w_10;
+        let w_73 = self.k_5 * w_70 - self.cos_beta * w_72;
+        let w_74 = w_65 - self.cos_alpha * w_66;
+        let w_131 = w_65 * self.k_41 - w_66 * self.g;
+        let w_76 = self.k_5 * sin_theta1 - self.cos_beta * w_75;
+        let w_77 = cos_theta3 * w_74 + sin_theta3 * w_76;
+        let w_89 = cos_theta3 * w_76 - sin_theta3 * w_74;
+        let w_78 = w_64 * theta1_dot + w_75 * theta2_dot;
+        let w_79 = self.a * theta3_dot;
+        let w_92 = theta2_dot
+            * (sin_theta2 * self.k * theta2_dot
+                + self.a * (theta2_dot * (w_50 + self.k_2 * w_41) + theta3_dot * w_42))
+            + w_79 * (w_46 + w_51 * theta3_dot);
+        let w_82 = w_75 * theta1_dot + w_64 * theta2_dot;
+        let w_83 = sin_theta1 * theta1_dot;
+        let w_84 = self.cos_beta * w_82 - self.k_5 * w_83;
+        let w_85 = theta1_dot
+            * (self.a
+                * (cos_theta3 * w_80 + w_81 * theta3_dot - sin_theta3 * w_84 + w_70)
+                + self.b * w_80);
+        let w_86 = self.cos_beta * theta3_dot;
+        let w_87 = theta2_dot
+            * (self.b * w_72
+                + self.a
+                    * (cos_theta3 * (w_72 + w_74 * w_86)
+                        - sin_theta3 * (w_75 * theta3_dot + self.cos_beta * w_78)));
+        let w_91 = theta2_dot
+            * (self.b * w_82
+                + self.a
+                    * (cos_theta3 * (w_82 + w_64 * w_86)
+                        + sin_theta3 * (w_67 * theta3_dot + self.cos_beta * w_80)));
         let pivot_theta2 = mass_theta2_theta2 - mass_theta2_theta1 * l_theta2_theta1;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let w_86 = w_20 + self.cos_alpha * w_60;
-        let w_87 = cos_theta2 * cos_theta1;
-        let w_88 = w_87 - self.cos_alpha * w_63;
-        let w_89 = self.cos_beta * sin_theta3;
+        let w_88 = self.cos_beta * sin_theta3;
         let k_lambda_closure_x_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_x_theta1
-            - (self.b * w_86 + self.a * (cos_theta3 * w_86 + w_88 * w_89));
+            - (self.b * w_75 + self.a * (cos_theta3 * w_75 + w_74 * w_88));
+        let closure_y_by_theta1 = self.a * (cos_theta1 + w_77) + self.b * w_74;
         let l_lambda_closure_x_theta2 = inverse_theta2 * k_lambda_closure_x_theta2;
-        let mass_theta3_theta1 = self.J * w_12 + w_18 * self.k_30;
         let l_theta3_theta1 = mass_theta3_theta1 * inverse_theta1;
-        let k_theta3_theta2 = self.k_24 + w_57 * self.k_30
+        let k_theta3_theta2 = self.k_24 + w_60 * self.k_30
             - mass_theta2_theta1 * l_theta3_theta1;
         let l_theta3_theta2 = inverse_theta2 * k_theta3_theta2;
+        let minus_rhs_theta3 = w_33 * self.k_52 + w_35 * self.k_53 + self.k_30 * w_36
+            + rhs_theta1 * l_theta3_theta1 + l_theta3_theta2 * rhs_theta2;
         let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta1 * l_theta3_theta1
             - k_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let w_90 = self.k_5 * sin_theta1 - self.cos_beta * w_86;
-        let k_lambda_closure_x_theta3 = self.a * (cos_theta3 * w_90 - sin_theta3 * w_88)
+        let k_lambda_closure_x_theta3 = self.a * w_89
             + mass_theta3_theta1 * minus_l_lambda_closure_x_theta1
             - k_theta3_theta2 * l_lambda_closure_x_theta2;
+        let w_90 = theta1_dot
+            * (self.a
+                * (cos_theta3 * w_78 - w_89 * theta3_dot - sin_theta3 * w_73 + w_83)
+                + self.b * w_78);
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let minus_rhs_theta3 = w_32 * self.k_52 + w_34 * self.k_53 + self.k_30 * w_35
-            + rhs_theta1 * l_theta3_theta1 + l_theta3_theta2 * rhs_theta2;
         let rhs_lambda_closure_x = rhs_theta1 * minus_l_lambda_closure_x_theta1
-            - (w_76
-                + sin_theta1
-                    * (w_82
-                        + sin_theta3
-                            * (cos_theta2 * (self.k_58 * w_66 + w_83 + w_84)
-                                - self.k_57 * w_85)))
-            - l_lambda_closure_x_theta2 * rhs_theta2
+            - ((cos_theta3 * w_73 - w_77 * theta3_dot + sin_theta3 * w_78) * w_79 - w_85
+                - w_87) - l_lambda_closure_x_theta2 * rhs_theta2
             + l_lambda_closure_x_theta3 * minus_rhs_theta3;
-        let closure_y_by_theta1 = self.a
-            * (cos_theta1 + (cos_theta3 * w_88 + sin_theta3 * w_90)) + self.b * w_88;
         let l_lambda_closure_y_theta1 = closure_y_by_theta1 * inverse_theta1;
-        let k_lambda_closure_y_theta2 = self.b * w_64
-            + self.a * (cos_theta3 * w_64 - w_62 * w_89)
+        let k_lambda_closure_y_theta2 = self.b * w_67
+            + self.a * (cos_theta3 * w_67 - w_64 * w_88)
             - mass_theta2_theta1 * l_lambda_closure_y_theta1;
         let l_lambda_closure_y_theta2 = inverse_theta2 * k_lambda_closure_y_theta2;
-        let k_lambda_closure_y_theta3 = self.a * (cos_theta3 * w_65 - sin_theta3 * w_62)
+        let k_lambda_closure_y_theta3 = self.a * w_81
             - mass_theta3_theta1 * l_lambda_closure_y_theta1
             - k_theta3_theta2 * l_lambda_closure_y_theta2;
         let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let w_91 = theta1_dot_squared + theta2_dot_squared + theta3_dot_squared;
-        let w_92 = cos_theta2
-            * (cos_theta3
-                * (self.a * w_91
-                    + theta1_dot * (self.k_9 * theta2_dot + theta3_dot * self.k_56)
-                    + self.k_55 * w_78) + w_72 + w_73);
-        let w_93 = sin_theta1
-            * (sin_theta2 * sin_theta3
-                * (self.k_18 * w_91
-                    + theta1_dot * (self.k_9 * theta3_dot + theta2_dot * self.k_56)
-                    + self.k_59 * w_78) - w_92 - w_4 + w_75);
-        let w_94 = theta1_dot_squared + theta3_dot_squared;
-        let w_95 = sin_theta2
-            * (cos_theta3 * (self.k_7 * w_91 + theta1_dot * (w_77 + w_69) + w_79) + w_80
-                + w_81);
         let minus_pivot_lambda_closure_x = minus_closure_x_by_theta1
             * minus_l_lambda_closure_x_theta1
             + k_lambda_closure_x_theta2 * l_lambda_closure_x_theta2
@@ -1936,23 +1839,12 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let rhs_lambda_closure_y = l_lambda_closure_y_theta3 * minus_rhs_theta3
-            - (w_93
-                + cos_theta1
-                    * (sin_theta3
-                        * (self.k_57 * w_94
-                            - cos_theta2 * (self.k_58 * w_91 + w_83 + w_84)) - w_95))
+        let rhs_lambda_closure_y = w_90 + w_91
+            + w_79 * (cos_theta3 * w_84 + w_69 * theta3_dot + sin_theta3 * w_80)
             - rhs_theta1 * l_lambda_closure_y_theta1
             - l_lambda_closure_y_theta2 * rhs_theta2
+            + l_lambda_closure_y_theta3 * minus_rhs_theta3
             + minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x;
-        let w_96 = theta2_dot_squared + theta3_dot_squared;
-        let w_97 = sin_theta2
-            * (cos_theta3 * (self.k_8 * w_96 + w_78 * self.k_63)
-                + self.k * theta2_dot_squared)
-            + sin_theta3
-                * (cos_theta2 * (self.k_62 * w_96 + self.k_10 * w_78)
-                    + theta3_dot_squared * self.k_64);
-        let closure_z_by_theta2 = w_8 + self.a * w_50;
         let l_lambda_closure_z_theta2 = closure_z_by_theta2 * inverse_theta2;
         let k_lambda_closure_z_theta3 = closure_z_by_theta3
             - k_theta3_theta2 * l_lambda_closure_z_theta2;
@@ -1962,11 +1854,11 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_x_theta3 * l_lambda_closure_z_theta3;
         let l_lambda_closure_z_lambda_closure_x = minus_inverse_lambda_closure_x
             * minus_k_lambda_closure_z_lambda_closure_x;
-        let w_98 = closure_y_by_theta1 * l_lambda_closure_y_theta1
+        let w_93 = closure_y_by_theta1 * l_lambda_closure_y_theta1
             + k_lambda_closure_y_theta2 * l_lambda_closure_y_theta2
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_98;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_93;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let minus_k_lambda_closure_z_lambda_closure_y = k_lambda_closure_y_theta2
             * l_lambda_closure_z_theta2
@@ -1974,61 +1866,56 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_y_lambda_closure_x * l_lambda_closure_z_lambda_closure_x;
         let minus_l_lambda_closure_z_lambda_closure_y = inverse_lambda_closure_y
             * minus_k_lambda_closure_z_lambda_closure_y;
-        let rhs_lambda_closure_z = w_97 - l_lambda_closure_z_theta2 * rhs_theta2
+        let rhs_lambda_closure_z = w_92 - l_lambda_closure_z_theta2 * rhs_theta2
             + l_lambda_closure_z_theta3 * minus_rhs_theta3
             - l_lambda_closure_z_lambda_closure_x * rhs_lambda_closure_x
             + minus_l_lambda_closure_z_lambda_closure_y * rhs_lambda_closure_y;
-        let w_99 = cos_theta3 * self.k_4 - self.k_5;
-        let w_100 = self.cos_alpha * w_40 + sin_theta2 * w_99;
-        let w_101 = cos_theta2 * w_99 - self.cos_alpha * w_17;
-        let w_102 = self.k_3 * cos_theta3;
+        let w_94 = self.cos_alpha * w_52 - w_17 * self.k_4;
+        let w_95 = cos_theta3 * self.k_4 - self.k_5;
+        let w_96 = self.cos_alpha * w_17;
+        let w_97 = cos_theta2 * w_95 - w_96;
+        let w_109 = theta3_dot * (self.k_4 * w_52 - w_96) + w_94 * theta2_dot;
+        let w_98 = w_94 * theta3_dot + w_97 * theta2_dot;
+        let w_99 = self.k_3 * cos_theta3;
+        let w_100 = self.cos_alpha * w_97 - self.sin_alpha * (self.k_2 + w_99);
+        let w_101 = self.cos_alpha * w_41;
+        let w_102 = w_101 + sin_theta2 * w_95;
+        let w_103 = self.k_4 * w_41 + self.cos_alpha * w_31;
+        let w_104 = w_102 * theta2_dot + w_103 * theta3_dot;
+        let w_108 = theta2_dot
+            * (self.sin_beta
+                * (self.cos_alpha * (cos_theta1 * w_98 - w_102 * w_83) + w_97 * w_70
+                    - sin_theta1 * w_104) + self.k_2 * w_98);
+        let w_105 = sin_theta3 * theta3_dot;
+        let w_106 = self.sin_beta * theta1_dot;
+        let w_107 = (cos_theta1 * (w_98 + w_100 * theta1_dot)
+            - sin_theta1
+                * (self.cos_alpha * w_104 - self.k_31 * w_105 + w_102 * theta1_dot))
+            * w_106;
         let minus_closure_m1_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_100
-                + sin_theta1
-                    * (self.cos_alpha * w_101 - self.sin_alpha * (w_102 + self.k_2)));
+            * (cos_theta1 * w_102 + sin_theta1 * w_100);
+        let w_110 = cos_theta3 * theta3_dot;
+        let w_111 = self.cos_alpha * w_103 - sin_theta3 * self.k_31;
+        let w_112 = cos_theta1
+            * (self.cos_alpha * w_109 - self.k_31 * w_110 + w_94 * theta1_dot)
+            - sin_theta1
+                * (theta3_dot * (w_101 + self.k_4 * w_31) + w_103 * theta2_dot
+                    + w_111 * theta1_dot);
+        let w_113 = w_107 + w_108
+            + theta3_dot
+                * (self.sin_beta * w_112
+                    + self.cos_beta * (self.sin_alpha * w_109 + self.k_32 * w_110));
         let minus_l_lambda_closure_m1_theta1 = minus_closure_m1_by_theta1
             * inverse_theta1;
-        let w_103 = w_78 * self.k_66;
-        let w_104 = cos_theta3
-            * (cos_theta1
-                * (w_91 * self.k_70
-                    + theta1_dot * (theta3_dot * self.k_65 + theta2_dot * self.k_66)
-                    + w_78 * self.k_75) + w_96 * self.k_78 + w_78 * self.k_76);
-        let w_105 = sin_theta3 * sin_theta1
-            * (self.k_3 * w_91
-                + theta1_dot * (theta3_dot * self.k_73 + theta2_dot * self.k_75) + w_103)
-            - w_104 + cos_theta1 * (w_71 * self.k_71 + w_33 * self.k_67)
-            + theta2_dot_squared * self.k_72;
-        let w_106 = sin_theta3
-            * (cos_theta1
-                * (self.k_32 * w_91
-                    + theta1_dot * (theta2_dot * self.k_65 + theta3_dot * self.k_66)
-                    + w_78 * self.k_73) + w_96 * self.k_77 + w_78 * self.k_79);
-        let w_107 = w_78 * self.k_65;
-        let w_108 = sin_theta2
-            * (w_106
-                + sin_theta1
-                    * (cos_theta3
-                        * (w_91 * self.k_68
-                            + theta1_dot
-                                * (theta2_dot * self.k_73 + theta3_dot * self.k_75) + w_107)
-                        - w_71 * self.k_69 - w_33 * self.k_74));
-        let w_109 = cos_theta2 * w_105 + w_108
-            + cos_theta3
-                * (self.k_71 * cos_theta1 * w_94 - theta3_dot_squared * self.k_70)
-            + cos_theta1 * theta1_dot_squared * self.k_72
-            - sin_theta3 * sin_theta1 * w_68 * self.k_74;
+        let w_114 = self.cos_alpha * cos_theta1;
         let k_lambda_closure_m1_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_m1_theta1
-            - (self.sin_beta * (w_61 * w_100 + sin_theta1 * w_101) + self.k_2 * w_100);
+            - (self.sin_beta * (w_102 * w_114 + sin_theta1 * w_97) + self.k_2 * w_102);
         let l_lambda_closure_m1_theta2 = inverse_theta2 * k_lambda_closure_m1_theta2;
-        let w_110 = self.k_4 * w_40 + self.cos_alpha * w_30;
-        let minus_closure_m1_by_theta3 = self.sin_beta
-            * (cos_theta1 * (self.cos_alpha * w_110 - sin_theta3 * self.k_31)
-                + sin_theta1 * (self.cos_alpha * w_49 - w_17 * self.k_4))
-            + self.cos_beta * (self.sin_alpha * w_110 + sin_theta3 * self.k_32);
         let k_lambda_closure_m1_theta3 = mass_theta3_theta1
-            * minus_l_lambda_closure_m1_theta1 - minus_closure_m1_by_theta3
+            * minus_l_lambda_closure_m1_theta1
+            - (self.sin_beta * (cos_theta1 * w_111 + sin_theta1 * w_94)
+                + self.cos_beta * (self.sin_alpha * w_103 + sin_theta3 * self.k_32))
             - k_theta3_theta2 * l_lambda_closure_m1_theta2;
         let l_lambda_closure_m1_theta3 = inverse_theta3 * k_lambda_closure_m1_theta3;
         let minus_k_lambda_closure_m1_lambda_closure_x = minus_closure_x_by_theta1
@@ -2044,10 +1931,10 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_y_lambda_closure_x * l_lambda_closure_m1_lambda_closure_x;
         let l_lambda_closure_m1_lambda_closure_y = inverse_lambda_closure_y
             * k_lambda_closure_m1_lambda_closure_y;
-        let w_111 = closure_z_by_theta2 * l_lambda_closure_z_theta2
+        let w_115 = closure_z_by_theta2 * l_lambda_closure_z_theta2
             + k_lambda_closure_z_theta3 * l_lambda_closure_z_theta3;
         let pivot_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
-            * l_lambda_closure_z_lambda_closure_x - w_111
+            * l_lambda_closure_z_lambda_closure_x - w_115
             - minus_k_lambda_closure_z_lambda_closure_y
                 * minus_l_lambda_closure_z_lambda_closure_y;
         let inverse_lambda_closure_z = S::from_f64(1.0) / pivot_lambda_closure_z;
@@ -2059,53 +1946,49 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m1_lambda_closure_y;
         let l_lambda_closure_m1_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m1_lambda_closure_z;
-        let rhs_lambda_closure_m1 = rhs_theta1 * minus_l_lambda_closure_m1_theta1 - w_109
+        let rhs_lambda_closure_m1 = w_113 + rhs_theta1 * minus_l_lambda_closure_m1_theta1
             - l_lambda_closure_m1_theta2 * rhs_theta2
             + l_lambda_closure_m1_theta3 * minus_rhs_theta3
             - l_lambda_closure_m1_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m1_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m1_lambda_closure_z * rhs_lambda_closure_z;
-        let w_112 = w_49 - self.cos_beta * w_17;
-        let w_113 = w_30 + self.cos_beta * w_40;
+        let w_116 = w_52 - self.cos_beta * w_17;
+        let w_121 = w_17 - self.cos_beta * w_52;
+        let w_117 = w_31 + self.cos_beta * w_41;
+        let w_119 = w_41 + self.cos_beta * w_31;
+        let w_118 = self.cos_alpha * w_117 - sin_theta3 * self.k_5;
         let minus_closure_m2_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_112
-                - sin_theta1 * (self.cos_alpha * w_113 - sin_theta3 * self.k_5));
+            * (cos_theta1 * w_116 - sin_theta1 * w_118);
         let minus_l_lambda_closure_m2_theta1 = minus_closure_m2_by_theta1
             * inverse_theta1;
-        let w_114 = theta2_dot_squared + theta3_dot_squared + theta1_dot_squared;
-        let w_115 = self.k_11 * theta3_dot;
-        let w_116 = cos_theta2
-            * (cos_theta1
-                * (self.k_68 * w_114 + theta1_dot * (theta2_dot * self.k_80 + w_115)
-                    + w_107) + w_96 * self.k_83 + w_78 * self.k_82);
-        let w_117 = w_116
-            - sin_theta2 * sin_theta1
-                * (self.k_81 * w_114 + theta2_dot * (w_115 + theta1_dot * self.k_66)
-                    + w_68 * self.k_65) - self.k_69 * cos_theta1 * w_85
-            + theta3_dot_squared * self.k_68;
-        let w_118 = theta3_dot * self.k_80;
-        let w_119 = sin_theta2
-            * (cos_theta1
-                * (self.k_3 * w_114 + theta1_dot * (self.k_11 * theta2_dot + w_118)
-                    + w_103) + self.k_2 * w_96 + w_78 * self.k_84);
-        let w_120 = sin_theta3 * w_117
-            + cos_theta3
-                * (w_119
-                    + sin_theta1
-                        * (cos_theta2
-                            * (self.sin_beta * w_114
-                                + theta2_dot * (w_118 + theta1_dot * self.k_65)
-                                + w_68 * self.k_66) - w_68 * self.k_67));
         let k_lambda_closure_m2_theta2 = self.sin_beta
-            * (sin_theta1 * w_113 - w_61 * w_112) - self.k_2 * w_112
+            * (sin_theta1 * w_117 - w_114 * w_116) - self.k_2 * w_116
             + mass_theta2_theta1 * minus_l_lambda_closure_m2_theta1;
+        let w_120 = w_117 * theta2_dot + w_119 * theta3_dot;
+        let w_122 = w_116 * theta2_dot - w_121 * theta3_dot;
+        let w_123 = theta2_dot
+            * (self.sin_beta
+                * (cos_theta1 * (w_117 * theta1_dot + self.cos_alpha * w_120)
+                    + sin_theta1 * (w_122 + w_116 * w_9)) + self.k_2 * w_120);
+        let w_124 = w_119 * theta2_dot + w_117 * theta3_dot;
+        let w_127 = w_106
+            * (sin_theta1
+                * (self.cos_alpha * w_122 - self.k_5 * w_110 + w_116 * theta1_dot)
+                + cos_theta1 * (w_120 + w_118 * theta1_dot));
+        let w_125 = self.cos_alpha * w_121 + cos_theta3 * self.k_5;
+        let w_126 = self.sin_beta
+            * (cos_theta1
+                * (self.cos_alpha * w_124 - self.k_5 * w_105 + w_119 * theta1_dot)
+                + sin_theta1
+                    * (w_116 * theta3_dot - w_121 * theta2_dot - w_125 * theta1_dot));
+        let w_128 = w_123
+            + theta3_dot
+                * (w_126 + self.cos_beta * (self.k_3 * w_105 + self.sin_alpha * w_124))
+            + w_127;
         let l_lambda_closure_m2_theta2 = inverse_theta2 * k_lambda_closure_m2_theta2;
-        let w_121 = w_17 - self.cos_beta * w_49;
-        let closure_m2_by_theta3 = self.sin_beta
-            * (sin_theta1 * (w_40 + self.cos_beta * w_30)
-                + cos_theta1 * (self.cos_alpha * w_121 + cos_theta3 * self.k_5))
-            - self.cos_beta * (w_102 - self.sin_alpha * w_121);
-        let k_lambda_closure_m2_theta3 = closure_m2_by_theta3
+        let k_lambda_closure_m2_theta3 = self.sin_beta
+            * (sin_theta1 * w_119 + cos_theta1 * w_125)
+            - self.cos_beta * (w_99 - self.sin_alpha * w_121)
             + mass_theta3_theta1 * minus_l_lambda_closure_m2_theta1
             - k_theta3_theta2 * l_lambda_closure_m2_theta2;
         let l_lambda_closure_m2_theta3 = inverse_theta3 * k_lambda_closure_m2_theta3;
@@ -2113,6 +1996,9 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             * minus_l_lambda_closure_m2_theta1
             + k_lambda_closure_x_theta2 * l_lambda_closure_m2_theta2
             + k_lambda_closure_x_theta3 * l_lambda_closure_m2_theta3;
+        let w_130 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
+            + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
+            + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
         let l_lambda_closure_m2_lambda_closure_x = minus_inverse_lambda_closure_x
             * minus_k_lambda_closure_m2_lambda_closure_x;
         let k_lambda_closure_m2_lambda_closure_y = closure_y_by_theta1
@@ -2130,15 +2016,9 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_y;
         let l_lambda_closure_m2_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m2_lambda_closure_z;
-        let w_122 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
+        let w_129 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
             + k_lambda_closure_m1_theta2 * l_lambda_closure_m1_theta2
             + k_lambda_closure_m1_theta3 * l_lambda_closure_m1_theta3;
-        let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
-            * l_lambda_closure_m1_lambda_closure_x - w_122
-            - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
-            - k_lambda_closure_m1_lambda_closure_z
-                * l_lambda_closure_m1_lambda_closure_z;
-        let inverse_lambda_closure_m1 = S::from_f64(1.0) / pivot_lambda_closure_m1;
         let k_lambda_closure_m2_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
             * l_lambda_closure_m2_lambda_closure_x
             - minus_closure_m1_by_theta1 * minus_l_lambda_closure_m2_theta1
@@ -2147,20 +2027,23 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
             - k_lambda_closure_m1_lambda_closure_z
                 * l_lambda_closure_m2_lambda_closure_z;
+        let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
+            * l_lambda_closure_m1_lambda_closure_x - w_129
+            - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
+            - k_lambda_closure_m1_lambda_closure_z
+                * l_lambda_closure_m1_lambda_closure_z;
+        let inverse_lambda_closure_m1 = S::from_f64(1.0) / pivot_lambda_closure_m1;
         let l_lambda_closure_m2_lambda_closure_m1 = inverse_lambda_closure_m1
             * k_lambda_closure_m2_lambda_closure_m1;
-        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_120
+        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_128
             - l_lambda_closure_m2_theta2 * rhs_theta2
             + l_lambda_closure_m2_theta3 * minus_rhs_theta3
             - l_lambda_closure_m2_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m2_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m2_lambda_closure_z * rhs_lambda_closure_z
             - l_lambda_closure_m2_lambda_closure_m1 * rhs_lambda_closure_m1;
-        let w_123 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
-            + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
-            + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
         let pivot_lambda_closure_m2 = minus_k_lambda_closure_m2_lambda_closure_x
-            * l_lambda_closure_m2_lambda_closure_x - w_123
+            * l_lambda_closure_m2_lambda_closure_x - w_130
             - k_lambda_closure_m2_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
             - k_lambda_closure_m2_lambda_closure_z * l_lambda_closure_m2_lambda_closure_z
             - k_lambda_closure_m2_lambda_closure_m1
@@ -2194,21 +2077,17 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - l_lambda_closure_z_theta2 * lambda_closure_z
             - l_lambda_closure_m1_theta2 * lambda_closure_m1
             - l_lambda_closure_m2_theta2 * lambda_closure_m2;
-        let w_124 = w_87 * self.k_41 - w_63 * self.g;
-        let w_125 = self.b * w_10;
-        let w_126 = self.cos_beta * w_124 - cos_theta1 * self.k_85;
-        let w_127 = w_60 * self.g + w_21;
-        let w_128 = w_125 + self.k_7 * w_26;
-        let w_129 = w_14 * theta1_dot;
-        let w_130 = self.cos_beta * w_128 - self.sin_beta * w_129;
-        let w_131 = (self.sin_beta * w_124 + cos_theta1 * self.k_86)
-            * (self.a * w_29 + self.k_11 * w_128 + self.k_12 * w_129);
-        let w_132 = self.k_48
-            * (w_124 * (w_125 + self.k_9 * w_26)
-                + (cos_theta3 * w_126 - sin_theta3 * w_127)
-                    * (self.a * w_39 + w_16 * w_130 - w_17 * w_70) + w_131);
-        let w_133 = self.m * (w_53 * theta1_dot + sin_theta3 * w_130)
-            * (cos_theta3 * w_127 + sin_theta3 * w_126);
+        let w_133 = self.cos_beta * w_131 - cos_theta1 * self.k_54;
+        let w_135 = w_132 + self.k_7 * w_27;
+        let w_138 = (self.sin_beta * w_131 + cos_theta1 * self.k_55)
+            * (self.a * w_30 + self.k_11 * w_135 + self.k_12 * w_136);
+        let w_137 = self.cos_beta * w_135 - self.sin_beta * w_136;
+        let w_139 = self.k_48
+            * (w_131 * (w_132 + self.k_9 * w_27)
+                + (cos_theta3 * w_133 - sin_theta3 * w_134)
+                    * (self.a * w_40 + w_16 * w_137 - w_18 * theta1_dot) + w_138);
+        let w_140 = self.m * (w_56 * theta1_dot + sin_theta3 * w_137)
+            * (cos_theta3 * w_134 + sin_theta3 * w_133);
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta1 * inverse_theta1 - l_theta2_theta1 * theta2_ddot
@@ -2227,18 +2106,18 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 lambda_closure_m1,
                 lambda_closure_m2,
             ],
-            power: w_132 + theta1_dot * (sin_theta2 * w_127 * self.k_87 + w_52) + w_133
-                + cos_theta1 * w_9 * theta1_dot * self.k_88,
+            power: w_139 + theta1_dot * (w_55 + sin_theta2 * w_134 * self.k_56) + w_140
+                + cos_theta1 * w_8 * theta1_dot * self.k_57,
             refused: sim_kernel::pivot_is_refused(mass_theta1_theta1, mass_theta1_theta1)
                 | sim_kernel::pivot_is_refused(pivot_theta2, mass_theta2_theta2)
                 | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_98)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_111)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_122)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_123),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_93)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_115)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_129)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_130),
         }
     }
 }

@@ -1047,102 +1047,135 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
         let w_2 = S::from_f64(0.05555555555555555)
             * S::from_f64(::core::f64::consts::PI);
         let w_3 = w_2 - alpha;
+        let [lift_2] = CamFollower::<S>::TABLE_lift.at(w_2);
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.1111111111111111);
         let w_5 = w_4 - alpha;
+        let [lift_3] = CamFollower::<S>::TABLE_lift.at(w_4);
         let w_6 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.16666666666666666);
         let w_7 = w_6 - alpha;
+        let [lift_4] = CamFollower::<S>::TABLE_lift.at(w_6);
         let w_8 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.2222222222222222);
         let w_9 = w_8 - alpha;
+        let [lift_5] = CamFollower::<S>::TABLE_lift.at(w_8);
         let w_10 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.2777777777777778);
         let w_11 = w_10 - alpha;
+        let [lift_6] = CamFollower::<S>::TABLE_lift.at(w_10);
         let w_12 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.3333333333333333);
         let w_13 = w_12 - alpha;
+        let [lift_7] = CamFollower::<S>::TABLE_lift.at(w_12);
         let w_14 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.3888888888888889);
         let w_15 = w_14 - alpha;
+        let [lift_8] = CamFollower::<S>::TABLE_lift.at(w_14);
         let w_16 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.4444444444444444);
         let w_17 = w_16 - alpha;
+        let [lift_9] = CamFollower::<S>::TABLE_lift.at(w_16);
         let w_18 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.5);
         let w_19 = w_18 - alpha;
         let w_20 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.5555555555555556);
         let w_21 = w_20 - alpha;
+        let [lift_11] = CamFollower::<S>::TABLE_lift.at(w_20);
         let w_22 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.6111111111111112);
         let w_23 = w_22 - alpha;
+        let [lift_12] = CamFollower::<S>::TABLE_lift.at(w_22);
         let w_24 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.6666666666666666);
         let w_25 = w_24 - alpha;
+        let [lift_13] = CamFollower::<S>::TABLE_lift.at(w_24);
         let w_26 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.7222222222222222);
         let w_27 = w_26 - alpha;
+        let [lift_14] = CamFollower::<S>::TABLE_lift.at(w_26);
         let w_28 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.7777777777777778);
         let w_29 = w_28 - alpha;
+        let [lift_15] = CamFollower::<S>::TABLE_lift.at(w_28);
         let w_30 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.8333333333333334);
         let w_31 = w_30 - alpha;
+        let [lift_16] = CamFollower::<S>::TABLE_lift.at(w_30);
         let w_32 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.8888888888888888);
         let w_33 = w_32 - alpha;
+        let [lift_17] = CamFollower::<S>::TABLE_lift.at(w_32);
         let w_34 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(0.9444444444444444);
         let w_35 = w_34 - alpha;
+        let [lift_18] = CamFollower::<S>::TABLE_lift.at(w_34);
         let w_36 = S::from_f64(::core::f64::consts::PI) - alpha;
         let w_37 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.0555555555555556);
         let w_38 = w_37 - alpha;
+        let [lift_20] = CamFollower::<S>::TABLE_lift.at(w_37);
         let w_39 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.1111111111111112);
         let w_40 = w_39 - alpha;
+        let [lift_21] = CamFollower::<S>::TABLE_lift.at(w_39);
         let w_41 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.1666666666666667);
         let w_42 = w_41 - alpha;
+        let [lift_22] = CamFollower::<S>::TABLE_lift.at(w_41);
         let w_43 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.2222222222222223);
         let w_44 = w_43 - alpha;
+        let [lift_23] = CamFollower::<S>::TABLE_lift.at(w_43);
         let w_45 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.2777777777777777);
         let w_46 = w_45 - alpha;
+        let [lift_24] = CamFollower::<S>::TABLE_lift.at(w_45);
         let w_47 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.3333333333333333);
         let w_48 = w_47 - alpha;
+        let [lift_25] = CamFollower::<S>::TABLE_lift.at(w_47);
         let w_49 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.3888888888888888);
         let w_50 = w_49 - alpha;
+        let [lift_26] = CamFollower::<S>::TABLE_lift.at(w_49);
         let w_51 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.4444444444444444);
         let w_52 = w_51 - alpha;
+        let [lift_27] = CamFollower::<S>::TABLE_lift.at(w_51);
         let w_53 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.5);
         let w_54 = w_53 - alpha;
+        let [lift_28] = CamFollower::<S>::TABLE_lift.at(w_53);
         let w_55 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.5555555555555556);
         let w_56 = w_55 - alpha;
+        let [lift_29] = CamFollower::<S>::TABLE_lift.at(w_55);
         let w_57 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.6111111111111112);
         let w_58 = w_57 - alpha;
+        let [lift_30] = CamFollower::<S>::TABLE_lift.at(w_57);
         let w_59 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.6666666666666667);
         let w_60 = w_59 - alpha;
+        let [lift_31] = CamFollower::<S>::TABLE_lift.at(w_59);
         let w_61 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.7222222222222223);
         let w_62 = w_61 - alpha;
+        let [lift_32] = CamFollower::<S>::TABLE_lift.at(w_61);
         let w_63 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.7777777777777777);
         let w_64 = w_63 - alpha;
+        let [lift_33] = CamFollower::<S>::TABLE_lift.at(w_63);
         let w_65 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.8333333333333333);
         let w_66 = w_65 - alpha;
+        let [lift_34] = CamFollower::<S>::TABLE_lift.at(w_65);
         let w_67 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.8888888888888888);
         let w_68 = w_67 - alpha;
+        let [lift_35] = CamFollower::<S>::TABLE_lift.at(w_67);
         let w_69 = S::from_f64(::core::f64::consts::PI)
             * S::from_f64(1.9444444444444444);
         let w_70 = w_69 - alpha;
+        let [lift_36] = CamFollower::<S>::TABLE_lift.at(w_69);
         let w_71 = S::from_f64(::core::f64::consts::PI) * S::from_f64(2.0);
         let w_72 = w_71 - alpha;
         let (
@@ -1261,37 +1294,30 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
             w_70,
             w_72,
         ]);
+        let [lift_37] = CamFollower::<S>::TABLE_lift.at(w_71);
         let path_0_x = -(w * sin_alpha);
         let path_0_y = w * cos_alpha;
-        let [lift_2] = CamFollower::<S>::TABLE_lift.at(w_2);
         let w_73 = self.r + lift_2;
         let path_1_x = w_73 * sin_w_3;
         let path_1_y = w_73 * cos_w_3;
-        let [lift_3] = CamFollower::<S>::TABLE_lift.at(w_4);
         let w_74 = self.r + lift_3;
         let path_2_x = w_74 * sin_w_5;
         let path_2_y = w_74 * cos_w_5;
-        let [lift_4] = CamFollower::<S>::TABLE_lift.at(w_6);
         let w_75 = self.r + lift_4;
         let path_3_x = w_75 * sin_w_7;
         let path_3_y = w_75 * cos_w_7;
-        let [lift_5] = CamFollower::<S>::TABLE_lift.at(w_8);
         let w_76 = self.r + lift_5;
         let path_4_x = w_76 * sin_w_9;
         let path_4_y = w_76 * cos_w_9;
-        let [lift_6] = CamFollower::<S>::TABLE_lift.at(w_10);
         let w_77 = self.r + lift_6;
         let path_5_x = w_77 * sin_w_11;
         let path_5_y = w_77 * cos_w_11;
-        let [lift_7] = CamFollower::<S>::TABLE_lift.at(w_12);
         let w_78 = self.r + lift_7;
         let path_6_x = w_78 * sin_w_13;
         let path_6_y = w_78 * cos_w_13;
-        let [lift_8] = CamFollower::<S>::TABLE_lift.at(w_14);
         let w_79 = self.r + lift_8;
         let path_7_x = w_79 * sin_w_15;
         let path_7_y = w_79 * cos_w_15;
-        let [lift_9] = CamFollower::<S>::TABLE_lift.at(w_16);
         let w_80 = self.r + lift_9;
         let path_8_x = w_80 * sin_w_17;
         let path_8_y = w_80 * cos_w_17;
@@ -1299,35 +1325,27 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
         let w_81 = self.r + lift_10;
         let path_9_x = w_81 * sin_w_19;
         let path_9_y = w_81 * cos_w_19;
-        let [lift_11] = CamFollower::<S>::TABLE_lift.at(w_20);
         let w_82 = self.r + lift_11;
         let path_10_x = w_82 * sin_w_21;
         let path_10_y = w_82 * cos_w_21;
-        let [lift_12] = CamFollower::<S>::TABLE_lift.at(w_22);
         let w_83 = self.r + lift_12;
         let path_11_x = w_83 * sin_w_23;
         let path_11_y = w_83 * cos_w_23;
-        let [lift_13] = CamFollower::<S>::TABLE_lift.at(w_24);
         let w_84 = self.r + lift_13;
         let path_12_x = w_84 * sin_w_25;
         let path_12_y = w_84 * cos_w_25;
-        let [lift_14] = CamFollower::<S>::TABLE_lift.at(w_26);
         let w_85 = self.r + lift_14;
         let path_13_x = w_85 * sin_w_27;
         let path_13_y = w_85 * cos_w_27;
-        let [lift_15] = CamFollower::<S>::TABLE_lift.at(w_28);
         let w_86 = self.r + lift_15;
         let path_14_x = w_86 * sin_w_29;
         let path_14_y = w_86 * cos_w_29;
-        let [lift_16] = CamFollower::<S>::TABLE_lift.at(w_30);
         let w_87 = self.r + lift_16;
         let path_15_x = w_87 * sin_w_31;
         let path_15_y = w_87 * cos_w_31;
-        let [lift_17] = CamFollower::<S>::TABLE_lift.at(w_32);
         let w_88 = self.r + lift_17;
         let path_16_x = w_88 * sin_w_33;
         let path_16_y = w_88 * cos_w_33;
-        let [lift_18] = CamFollower::<S>::TABLE_lift.at(w_34);
         let w_89 = self.r + lift_18;
         let path_17_x = w_89 * sin_w_35;
         let path_17_y = w_89 * cos_w_35;
@@ -1336,75 +1354,57 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
         let w_90 = self.r + lift_19;
         let path_18_x = w_90 * sin_w_36;
         let path_18_y = w_90 * cos_w_36;
-        let [lift_20] = CamFollower::<S>::TABLE_lift.at(w_37);
         let w_91 = self.r + lift_20;
         let path_19_x = w_91 * sin_w_38;
         let path_19_y = w_91 * cos_w_38;
-        let [lift_21] = CamFollower::<S>::TABLE_lift.at(w_39);
         let w_92 = self.r + lift_21;
         let path_20_x = w_92 * sin_w_40;
         let path_20_y = w_92 * cos_w_40;
-        let [lift_22] = CamFollower::<S>::TABLE_lift.at(w_41);
         let w_93 = self.r + lift_22;
         let path_21_x = w_93 * sin_w_42;
         let path_21_y = w_93 * cos_w_42;
-        let [lift_23] = CamFollower::<S>::TABLE_lift.at(w_43);
         let w_94 = self.r + lift_23;
         let path_22_x = w_94 * sin_w_44;
         let path_22_y = w_94 * cos_w_44;
-        let [lift_24] = CamFollower::<S>::TABLE_lift.at(w_45);
         let w_95 = self.r + lift_24;
         let path_23_x = w_95 * sin_w_46;
         let path_23_y = w_95 * cos_w_46;
-        let [lift_25] = CamFollower::<S>::TABLE_lift.at(w_47);
         let w_96 = self.r + lift_25;
         let path_24_x = w_96 * sin_w_48;
         let path_24_y = w_96 * cos_w_48;
-        let [lift_26] = CamFollower::<S>::TABLE_lift.at(w_49);
         let w_97 = self.r + lift_26;
         let path_25_x = w_97 * sin_w_50;
         let path_25_y = w_97 * cos_w_50;
-        let [lift_27] = CamFollower::<S>::TABLE_lift.at(w_51);
         let w_98 = self.r + lift_27;
         let path_26_x = w_98 * sin_w_52;
         let path_26_y = w_98 * cos_w_52;
-        let [lift_28] = CamFollower::<S>::TABLE_lift.at(w_53);
         let w_99 = self.r + lift_28;
         let path_27_x = w_99 * sin_w_54;
         let path_27_y = w_99 * cos_w_54;
-        let [lift_29] = CamFollower::<S>::TABLE_lift.at(w_55);
         let w_100 = self.r + lift_29;
         let path_28_x = w_100 * sin_w_56;
         let path_28_y = w_100 * cos_w_56;
-        let [lift_30] = CamFollower::<S>::TABLE_lift.at(w_57);
         let w_101 = self.r + lift_30;
         let path_29_x = w_101 * sin_w_58;
         let path_29_y = w_101 * cos_w_58;
-        let [lift_31] = CamFollower::<S>::TABLE_lift.at(w_59);
         let w_102 = self.r + lift_31;
         let path_30_x = w_102 * sin_w_60;
         let path_30_y = w_102 * cos_w_60;
-        let [lift_32] = CamFollower::<S>::TABLE_lift.at(w_61);
         let w_103 = self.r + lift_32;
         let path_31_x = w_103 * sin_w_62;
         let path_31_y = w_103 * cos_w_62;
-        let [lift_33] = CamFollower::<S>::TABLE_lift.at(w_63);
         let w_104 = self.r + lift_33;
         let path_32_x = w_104 * sin_w_64;
         let path_32_y = w_104 * cos_w_64;
-        let [lift_34] = CamFollower::<S>::TABLE_lift.at(w_65);
         let w_105 = self.r + lift_34;
         let path_33_x = w_105 * sin_w_66;
         let path_33_y = w_105 * cos_w_66;
-        let [lift_35] = CamFollower::<S>::TABLE_lift.at(w_67);
         let w_106 = self.r + lift_35;
         let path_34_x = w_106 * sin_w_68;
         let path_34_y = w_106 * cos_w_68;
-        let [lift_36] = CamFollower::<S>::TABLE_lift.at(w_69);
         let w_107 = self.r + lift_36;
         let path_35_x = w_107 * sin_w_70;
         let path_35_y = w_107 * cos_w_70;
-        let [lift_37] = CamFollower::<S>::TABLE_lift.at(w_71);
         let w_108 = self.r + lift_37;
         let w_109 = y + self.r * S::from_f64(1.5);
         [
@@ -1568,7 +1568,7 @@ impl<S: sim_kernel::Scalar> CamFollower<S> {
             S::from_f64(0.0),
             w_109,
             S::from_f64(0.0),
-            y + self.r,
+            self.r + y,
             w_18,
             S::from_f64(0.0),
             w_109,

@@ -165,12 +165,13 @@ pub struct CardanPrepared<S = ::core::primitive::f64> {
     k: S,
     inverse_alpha: S,
     k_2: S,
+    k_3: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Cardan<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 multiplications, 1 division, 1 sine-cosine pair.
+    /// Operations: 1 addition, 2 multiplications, 1 division, 1 sine-cosine pair.
     #[inline]
     pub fn prepare(&self) -> CardanPrepared<S> {
         let ([_], [cos_beta]) = S::sin_cos_each([self.beta]);
@@ -181,7 +182,8 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             c: self.c,
             k: cos_beta * S::from_f64(2.0),
             inverse_alpha: inverse_J,
-            k_2: self.c * inverse_J,
+            k_2: S::from_f64(1.0) + S::from_f64(1.0),
+            k_3: self.c * inverse_J,
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -256,7 +258,7 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 1, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 5 additions, 11 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 11 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
         let [alpha, gamma] = *q;
@@ -266,16 +268,12 @@ impl<S: sim_kernel::Scalar> Cardan<S> {
             gamma,
             self.beta,
         ]);
-        let w = alpha_dot * gamma_dot;
-        let alpha_dot_squared = alpha_dot * alpha_dot;
-        let gamma_dot_squared = gamma_dot * gamma_dot;
+        let w = sin_alpha * cos_gamma;
+        let w_2 = cos_alpha * sin_gamma;
         [
-            sin_alpha * cos_gamma
-                * (cos_beta * S::from_f64(2.0) * w - alpha_dot_squared
-                    - gamma_dot_squared)
-                + cos_alpha * sin_gamma
-                    * (cos_beta * (alpha_dot_squared + gamma_dot_squared)
-                        - S::from_f64(2.0) * w),
+            alpha_dot * gamma_dot
+                * (w * cos_beta * S::from_f64(2.0) - w_2 * S::from_f64(2.0))
+                - (w - cos_beta * w_2) * (alpha_dot * alpha_dot + gamma_dot * gamma_dot),
         ]
     }
     /// `C` (1), `C_q` (1 x 2) and `C_t` (1) together, in SI units, for projection.
@@ -533,7 +531,7 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 45 additions, 71 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 39 additions, 67 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -550,8 +548,8 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
         let w = cos_alpha * cos_gamma;
         let w_2 = sin_alpha * sin_gamma;
         let cross_by_alpha = w + self.cos_beta * w_2;
-        let l_lambda_cross_alpha = cross_by_alpha * self.inverse_alpha;
         let minus_cross_by_gamma = w_2 + self.cos_beta * w;
+        let l_lambda_cross_alpha = cross_by_alpha * self.inverse_alpha;
         let minus_l_lambda_cross_gamma = minus_cross_by_gamma * self.inverse_alpha;
         let minus_pivot_lambda_cross = cross_by_alpha * l_lambda_cross_alpha
             + minus_cross_by_gamma * minus_l_lambda_cross_gamma;
@@ -567,54 +565,50 @@ impl<S: sim_kernel::Scalar> CardanPrepared<S> {
                     * (self.cos_beta * (alpha_dot_squared + gamma_dot_squared)
                         - S::from_f64(2.0) * w_3)
                 + minus_rhs_gamma * minus_l_lambda_cross_gamma);
-        let w_4 = cos_gamma * sin_alpha;
-        let w_5 = cos_alpha * sin_gamma;
-        let w_6 = self.cos_beta * w_5;
-        let w_7 = w_4 - w_6;
-        let w_8 = lambda_cross * w_7;
-        let w_9 = self.inverse_alpha * w_8;
-        let w_10 = alpha_dot - self.cos_beta * gamma_dot;
-        let w_11 = self.cos_beta * alpha_dot - gamma_dot;
-        let w_12 = cos_alpha * cos_gamma * w_10 + sin_alpha * sin_gamma * w_11;
-        let w_13 = sin_alpha * sin_gamma * w_10 + cos_alpha * cos_gamma * w_11;
-        let minus_alpha_ddot = l_lambda_cross_alpha * lambda_cross;
         let gamma_ddot = minus_l_lambda_cross_gamma * lambda_cross
             - minus_rhs_gamma * self.inverse_alpha;
-        let w_14 = self.cos_beta * w_4;
-        let w_15 = w_5 - w_14;
-        let w_16 = lambda_cross * w_15;
-        let w_17 = minus_inverse_lambda_cross
-            * (alpha_dot * w_12 - gamma_dot * w_13 - minus_alpha_ddot * w_7
-                + gamma_ddot * w_15 - l_lambda_cross_alpha * w_8
-                + minus_l_lambda_cross_gamma * w_16);
-        let w_18 = self.inverse_alpha * w_16;
+        let w_4 = cos_gamma * sin_alpha;
+        let w_5 = cos_alpha * sin_gamma;
+        let w_6 = w_4 - self.cos_beta * w_5;
+        let w_11 = w_5 - self.cos_beta * w_4;
+        let w_7 = lambda_cross * w_6;
+        let w_8 = self.inverse_alpha * w_7;
+        let w_9 = cross_by_alpha * alpha_dot - minus_cross_by_gamma * gamma_dot;
+        let w_10 = minus_cross_by_gamma * alpha_dot - cross_by_alpha * gamma_dot;
+        let minus_alpha_ddot = l_lambda_cross_alpha * lambda_cross;
+        let w_12 = lambda_cross * w_11;
+        let w_13 = minus_inverse_lambda_cross
+            * (alpha_dot * w_9 - gamma_dot * w_10 - minus_alpha_ddot * w_6
+                + gamma_ddot * w_11 - l_lambda_cross_alpha * w_7
+                + minus_l_lambda_cross_gamma * w_12);
+        let w_15 = minus_inverse_lambda_cross
+            * (gamma_dot * w_9 - alpha_dot * w_10 - minus_alpha_ddot * w_11
+                + gamma_ddot * w_6 - l_lambda_cross_alpha * w_12
+                + minus_l_lambda_cross_gamma * w_7);
+        let w_14 = self.inverse_alpha * w_12;
+        let w_16 = w_6 * self.k_2;
+        let w_17 = w_11 * self.k_2;
+        let w_18 = minus_inverse_lambda_cross * (alpha_dot * w_16 + gamma_dot * w_17);
         let w_19 = minus_inverse_lambda_cross
-            * (gamma_dot * w_12 - alpha_dot * w_13 - minus_alpha_ddot * w_15
-                + gamma_ddot * w_7 - l_lambda_cross_alpha * w_16
-                + minus_l_lambda_cross_gamma * w_8);
-        let w_20 = w_4 - w_6 + w_7;
-        let w_21 = w_5 - w_14 + w_15;
-        let w_22 = minus_inverse_lambda_cross * (alpha_dot * w_20 + gamma_dot * w_21);
-        let w_23 = minus_inverse_lambda_cross
-            * (alpha_dot * w_21 + gamma_dot * w_20
+            * (alpha_dot * w_17 + gamma_dot * w_16
                 - self.c * minus_l_lambda_cross_gamma);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [w_9 + l_lambda_cross_alpha * w_17, w_18 + l_lambda_cross_alpha * w_19],
+                [w_8 + l_lambda_cross_alpha * w_13, w_14 + l_lambda_cross_alpha * w_15],
                 [
-                    w_18 - minus_l_lambda_cross_gamma * w_17,
-                    w_9 - minus_l_lambda_cross_gamma * w_19,
+                    w_14 - minus_l_lambda_cross_gamma * w_13,
+                    w_8 - minus_l_lambda_cross_gamma * w_15,
                 ],
             ],
             accelerations_by_speeds: [
-                [l_lambda_cross_alpha * w_22, l_lambda_cross_alpha * w_23],
+                [l_lambda_cross_alpha * w_18, l_lambda_cross_alpha * w_19],
                 [
-                    -(minus_l_lambda_cross_gamma * w_22),
-                    -(self.k_2 + minus_l_lambda_cross_gamma * w_23),
+                    -(minus_l_lambda_cross_gamma * w_18),
+                    -(self.k_3 + minus_l_lambda_cross_gamma * w_19),
                 ],
             ],
-            multipliers_by_positions: [[-w_17, -w_19]],
-            multipliers_by_speeds: [[-w_22, -w_23]],
+            multipliers_by_positions: [[-w_13, -w_15]],
+            multipliers_by_speeds: [[-w_18, -w_19]],
             refused: sim_kernel::pivot_is_refused(self.J, self.J)
                 | sim_kernel::pivot_is_refused(self.J, self.J)
                 | sim_kernel::pivot_is_refused(

@@ -166,7 +166,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 60 multiplications, 5 sine-cosine pairs.
+    /// Operations: 24 additions, 62 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -186,7 +186,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let u1_x = self.l * sin_phi_1;
-        let w_2 = self.m + self.m;
+        let w_2 = self.m * (S::from_f64(1.0) + S::from_f64(1.0));
         let w_3 = self.m + w_2;
         let w_4 = self.l * cos_phi_1;
         let u2_x = self.l * sin_phi_2;
@@ -195,55 +195,67 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let w_7 = w_6 * w_3;
         let w_8 = w * S::from_f64(0.5) * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
             + u1_x * w_5 + w_4 * w_7;
-        let w_9 = self.m * self.l * S::from_f64(0.5);
-        let u3_x = self.l * sin_phi_3;
-        let w_10 = u3_x * w_2;
-        let w_11 = w_9 * sin_phi_3 + w_10;
-        let w_12 = self.l * cos_phi_3;
-        let w_13 = w_12 * w_2;
-        let w_14 = cos_phi_3 * w_9 + w_13;
-        let w_15 = u1_x * w_11 + w_4 * w_14;
-        let u4_x = self.l * sin_phi_4;
-        let w_16 = self.m * u4_x;
-        let w_17 = w_9 * sin_phi_4 + w_16;
-        let w_18 = self.l * cos_phi_4;
-        let w_19 = self.m * w_18;
-        let w_20 = w_9 * cos_phi_4 + w_19;
-        let w_21 = u1_x * w_17 + w_4 * w_20;
-        let mass_P4_y_phi_5 = w_9 * sin_phi_5;
-        let mass_P4_x_phi_5 = w_9 * cos_phi_5;
-        let w_22 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_4;
+        let w_9 = self.m * self.l;
+        let w_10 = S::from_f64(0.5) * w_9;
+        let w_15 = w_10 + w_9;
+        let w_11 = w_10 + self.l * w_2;
+        let w_12 = sin_phi_3 * w_11;
+        let w_13 = cos_phi_3 * w_11;
+        let w_14 = u1_x * w_12 + w_4 * w_13;
+        let w_20 = u2_x * w_12 + w_6 * w_13;
+        let w_16 = sin_phi_4 * w_15;
+        let w_17 = cos_phi_4 * w_15;
+        let w_18 = u1_x * w_16 + w_4 * w_17;
+        let mass_P4_y_phi_5 = w_10 * sin_phi_5;
+        let mass_P4_x_phi_5 = w_10 * cos_phi_5;
+        let w_19 = mass_P4_y_phi_5 * u1_x + mass_P4_x_phi_5 * w_4;
         let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
-        let w_23 = u2_x * w_11 + w_6 * w_14;
-        let w_24 = u2_x * w_17 + w_6 * w_20;
-        let w_25 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_6;
-        let w_26 = u3_x * w_17 + w_12 * w_20;
-        let w_27 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_12;
-        let w_28 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_18;
+        let w_21 = u2_x * w_16 + w_6 * w_17;
+        let w_22 = mass_P4_y_phi_5 * u2_x + mass_P4_x_phi_5 * w_6;
+        let u3_x = self.l * sin_phi_3;
+        let w_23 = self.l * cos_phi_3;
+        let w_24 = u3_x * w_16 + w_23 * w_17;
+        let w_25 = mass_P4_y_phi_5 * u3_x + mass_P4_x_phi_5 * w_23;
+        let u4_x = self.l * sin_phi_4;
+        let w_26 = self.l * cos_phi_4;
+        let w_27 = mass_P4_y_phi_5 * u4_x + mass_P4_x_phi_5 * w_26;
         [
             [
                 S::from_f64(1.3333333333333333) * w + u1_x * u1_x * w_3
                     + w_4 * w_4 * w_3,
                 w_8,
-                w_15,
-                w_21,
-                w_22,
+                w_14,
+                w_18,
+                w_19,
             ],
-            [w_8, mass_phi_2_phi_2 + u2_x * w_5 + w_6 * w_7, w_23, w_24, w_25],
-            [w_15, w_23, mass_phi_2_phi_2 + u3_x * w_10 + w_12 * w_13, w_26, w_27],
-            [w_21, w_24, w_26, mass_phi_2_phi_2 + u4_x * w_16 + w_18 * w_19, w_28],
-            [w_22, w_25, w_27, w_28, mass_phi_2_phi_2],
+            [w_8, mass_phi_2_phi_2 + u2_x * w_5 + w_6 * w_7, w_20, w_21, w_22],
+            [
+                w_14,
+                w_20,
+                mass_phi_2_phi_2 + u3_x * u3_x * w_2 + w_23 * w_23 * w_2,
+                w_24,
+                w_25,
+            ],
+            [
+                w_18,
+                w_21,
+                w_24,
+                mass_phi_2_phi_2 + u4_x * self.m * u4_x + w_26 * self.m * w_26,
+                w_27,
+            ],
+            [w_19, w_22, w_25, w_27, mass_phi_2_phi_2],
         ]
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 29 additions, 70 multiplications, 5 sine-cosine pairs.
+    /// Operations: 28 additions, 70 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
         let w = S::from_f64(0.5) * self.m;
         let w_2 = w * self.l * self.l;
+        let w_4 = self.l * w;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let (
             [sin_phi_1,
@@ -259,41 +271,39 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w_3 = sin_phi_1 * cos_phi_2;
-        let w_4 = cos_phi_1 * sin_phi_2;
-        let w_5 = self.l * w;
+        let w_3 = sin_phi_1 * cos_phi_2 - cos_phi_1 * sin_phi_2;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let w_6 = w_5 * phi_3_dot_squared;
+        let w_5 = w_4 * phi_3_dot_squared;
+        let w_7 = self.l * phi_3_dot_squared;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
         let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_7 = w_5 * phi_4_dot_squared;
-        let w_8 = self.l * phi_3_dot_squared;
-        let w_9 = cos_phi_3 * w_8 + P2_y_convective;
-        let w_10 = w_5 * phi_5_dot * phi_5_dot;
-        let w_11 = self.l * phi_4_dot_squared;
-        let w_12 = cos_phi_4 * w_11 + w_9;
-        let w_13 = w_10 * cos_phi_5 + self.m * w_12;
-        let w_14 = w_7 * cos_phi_4 + self.m * w_9 + w_13;
-        let w_15 = w_6 * cos_phi_3 + self.m * P2_y_convective + w_14;
+        let w_6 = w_4 * phi_4_dot_squared;
+        let w_10 = self.l * phi_4_dot_squared;
+        let w_8 = cos_phi_3 * w_7 + P2_y_convective;
+        let w_9 = w_4 * phi_5_dot * phi_5_dot;
+        let w_11 = cos_phi_4 * w_10 + w_8;
+        let w_12 = w_9 * cos_phi_5 + self.m * w_11;
+        let w_13 = w_6 * cos_phi_4 + self.m * w_8 + w_12;
+        let w_14 = w_5 * cos_phi_3 + self.m * P2_y_convective + w_13;
         let minus_P2_x_convective = self.l
             * (phi_1_dot_squared * sin_phi_1 + phi_2_dot_squared * sin_phi_2);
-        let w_16 = sin_phi_3 * w_8 + minus_P2_x_convective;
-        let w_17 = sin_phi_4 * w_11 + w_16;
-        let w_18 = sin_phi_5 * w_10 + self.m * w_17;
-        let w_19 = sin_phi_4 * w_7 + self.m * w_16 + w_18;
-        let w_20 = sin_phi_3 * w_6 + self.m * minus_P2_x_convective + w_19;
+        let w_15 = sin_phi_3 * w_7 + minus_P2_x_convective;
+        let w_16 = sin_phi_4 * w_10 + w_15;
+        let w_17 = sin_phi_5 * w_9 + self.m * w_16;
+        let w_18 = sin_phi_4 * w_6 + self.m * w_15 + w_17;
+        let w_19 = sin_phi_3 * w_5 + self.m * minus_P2_x_convective + w_18;
         [
-            w_2 * phi_2_dot_squared * (w_3 - w_4) + w_15 * self.l * sin_phi_1
-                - w_20 * self.l * cos_phi_1,
-            w_2 * phi_1_dot_squared * (w_4 - w_3) + w_15 * self.l * sin_phi_2
-                - w_20 * self.l * cos_phi_2,
-            P2_y_convective * w_5 * sin_phi_3 - minus_P2_x_convective * w_5 * cos_phi_3
-                + w_14 * self.l * sin_phi_3 - w_19 * self.l * cos_phi_3,
-            w_9 * w_5 * sin_phi_4 - w_16 * w_5 * cos_phi_4 + w_13 * self.l * sin_phi_4
-                - w_18 * self.l * cos_phi_4,
-            w_12 * w_5 * sin_phi_5 - w_17 * w_5 * cos_phi_5,
+            w_2 * phi_2_dot_squared * w_3 + w_14 * self.l * sin_phi_1
+                - w_19 * self.l * cos_phi_1,
+            w_14 * self.l * sin_phi_2 - phi_1_dot_squared * w_2 * w_3
+                - w_19 * self.l * cos_phi_2,
+            P2_y_convective * w_4 * sin_phi_3 - minus_P2_x_convective * w_4 * cos_phi_3
+                + w_13 * self.l * sin_phi_3 - w_18 * self.l * cos_phi_3,
+            w_8 * w_4 * sin_phi_4 - w_15 * w_4 * cos_phi_4 + w_12 * self.l * sin_phi_4
+                - w_17 * self.l * cos_phi_4,
+            w_11 * w_4 * sin_phi_5 - w_16 * w_4 * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
@@ -399,16 +409,16 @@ impl<S: sim_kernel::Scalar> Chain<S> {
         let P2_x_dot = self.l * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2);
         let w_5 = self.l * phi_3_dot;
         let w_6 = cos_phi_3 * w_5;
-        let w_7 = S::from_f64(2.0) * P2_x_dot + w_6;
-        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
         let w_8 = w_5 * sin_phi_3;
-        let w_9 = S::from_f64(2.0) * P2_y_dot + w_8;
+        let w_7 = S::from_f64(2.0) * P2_x_dot + w_6;
         let P3_x_dot = P2_x_dot + w_6;
+        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
+        let w_9 = S::from_f64(2.0) * P2_y_dot + w_8;
+        let P3_y_dot = P2_y_dot + w_8;
         let w_10 = self.l * phi_4_dot;
         let w_11 = cos_phi_4 * w_10;
-        let w_12 = S::from_f64(2.0) * P3_x_dot + w_11;
-        let P3_y_dot = P2_y_dot + w_8;
         let w_13 = w_10 * sin_phi_4;
+        let w_12 = S::from_f64(2.0) * P3_x_dot + w_11;
         let w_14 = S::from_f64(2.0) * P3_y_dot + w_13;
         let w_15 = self.l * phi_5_dot;
         let w_16 = S::from_f64(2.0) * (P3_x_dot + w_11) + cos_phi_5 * w_15;
@@ -544,7 +554,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 25 additions, 10 multiplications, 5 sine-cosine pairs.
+    /// Operations: 13 additions, 10 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 5]) -> [S; 14] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -562,6 +572,12 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
+        let w = sin_phi_1 + sin_phi_2;
+        let w_2 = cos_phi_1 + cos_phi_2;
+        let w_3 = w + sin_phi_3;
+        let w_4 = w_2 + cos_phi_3;
+        let w_5 = w_3 + sin_phi_4;
+        let w_6 = w_4 + cos_phi_4;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -569,14 +585,14 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             S::from_f64(0.0),
             self.l * sin_phi_1,
             -(self.l * cos_phi_1),
-            self.l * (sin_phi_1 + sin_phi_2),
-            -(self.l * (cos_phi_1 + cos_phi_2)),
-            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3),
-            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3)),
-            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3 + sin_phi_4),
-            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4)),
-            self.l * (sin_phi_1 + sin_phi_2 + sin_phi_3 + sin_phi_4 + sin_phi_5),
-            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4 + cos_phi_5)),
+            self.l * w,
+            -(self.l * w_2),
+            self.l * w_3,
+            -(self.l * w_4),
+            self.l * w_5,
+            -(self.l * w_6),
+            self.l * (w_5 + sin_phi_5),
+            -(self.l * (w_6 + cos_phi_5)),
         ]
     }
     /// Declared start: values or guesses of the coordinates (5), and speeds (5), in SI units; 0 where nothing is declared.
@@ -674,22 +690,23 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_9 = u4_x * w_8;
         let w_10 = w * w_5;
         let w_11 = w * w_6;
+        let k_P3_x_phi_4 = mass_P3_x_phi_4 - w_5 + w_11;
         let w_12 = w * w_11;
         let pivot_phi_4 = self.mass_phi_2_phi_2 + w_9 - w_10 - w_10 + w_12;
+        let abs_w_10 = w_10.abs();
         let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
         let mass_P3_y_phi_4 = self.k_2 * sin_phi_4;
         let k_P3_y_phi_4 = mass_P3_y_phi_4 + w_8 - w * w_4;
         let l_P3_y_phi_4 = inverse_phi_4 * k_P3_y_phi_4;
+        let w_14 = self.m + w_2 - k_P3_y_phi_4 * l_P3_y_phi_4;
         let w_13 = self.l * cos_phi_3;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
         let P3_y_convective = w_13 * phi_3_dot_squared;
-        let w_14 = self.m + w_2 - k_P3_y_phi_4 * l_P3_y_phi_4;
         let w_15 = w_3 - (self.k_6 + mass_P3_x_phi_4 * phi_4_dot_squared)
             - minus_P4_x_convective * w_4 - l_P3_y_phi_4 * rhs_phi_4
             - P3_y_convective * w_14;
-        let minus_P3_x_convective = u3_x * phi_3_dot_squared;
-        let k_P3_x_phi_4 = mass_P3_x_phi_4 - w_5 + w_11;
         let w_16 = w_4 + k_P3_x_phi_4 * l_P3_y_phi_4;
+        let minus_P3_x_convective = u3_x * phi_3_dot_squared;
         let w_17 = u3_x * w_16;
         let l_P3_x_phi_4 = inverse_phi_4 * k_P3_x_phi_4;
         let w_18 = self.m + w_6 - k_P3_x_phi_4 * l_P3_x_phi_4;
@@ -707,23 +724,24 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_24 = u3_x * w_23;
         let w_25 = w_13 * w_17;
         let w_26 = w_13 * w_18;
+        let k_P2_x_phi_3 = mass_P2_x_phi_3 - w_17 + w_26;
         let w_27 = w_13 * w_26;
         let pivot_phi_3 = self.mass_phi_2_phi_2 + w_24 - w_25 - w_25 + w_27;
+        let abs_w_25 = w_25.abs();
         let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
         let mass_P2_y_phi_3 = self.k_2 * sin_phi_3;
         let k_P2_y_phi_3 = mass_P2_y_phi_3 + w_23 - w_13 * w_16;
         let l_P2_y_phi_3 = inverse_phi_3 * k_P2_y_phi_3;
+        let w_28 = self.m + w_14 - k_P2_y_phi_3 * l_P2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_28 = self.m + w_14 - k_P2_y_phi_3 * l_P2_y_phi_3;
         let w_29 = w_15 - (self.k_6 + mass_P2_x_phi_3 * phi_3_dot_squared)
             - minus_P3_x_convective * w_16 - l_P2_y_phi_3 * rhs_phi_3
             - P2_y_convective * w_28;
+        let w_31 = w_16 + k_P2_x_phi_3 * l_P2_y_phi_3;
         let w_30 = sin_phi_1 * phi_1_dot_squared;
         let minus_P2_x_convective = self.l * (w_30 + w_21);
-        let k_P2_x_phi_3 = mass_P2_x_phi_3 - w_17 + w_26;
-        let w_31 = w_16 + k_P2_x_phi_3 * l_P2_y_phi_3;
         let w_32 = u1_x * w_31;
         let w_33 = self.l * cos_phi_1;
         let l_P2_x_phi_3 = inverse_phi_3 * k_P2_x_phi_3;
@@ -736,18 +754,19 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_36 = u2_x * w_31;
         let w_37 = self.l * cos_phi_2;
         let w_38 = u1_x * u1_x * w_28;
+        let w_41 = u2_x * w_28;
         let w_39 = w_33 * w_32;
         let w_40 = w_33 * w_33 * w_34;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_38 - w_39 - w_39 + w_40;
-        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let w_41 = u2_x * w_28;
         let w_42 = w_37 * w_34;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + sin_phi_1 * sin_phi_2)
             + u1_x * w_41 - w_37 * w_32 - w_33 * w_36 + w_33 * w_42;
-        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
         let w_43 = u2_x * w_41;
-        let w_44 = w_37 * w_36;
         let w_45 = w_37 * w_42;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_38 - w_39 - w_39 + w_40;
+        let abs_w_39 = w_39.abs();
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
+        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
+        let w_44 = w_37 * w_36;
         let pivot_phi_2 = self.mass_phi_2_phi_2 + w_43 - w_44 - w_44 + w_45
             - k_phi_2_phi_1 * l_phi_2_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2
@@ -763,18 +782,15 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
             - l_P3_y_phi_4 * P3_y_ddot;
+        let w_47 = u3_x * phi_3_dot;
+        let abs_w_44 = w_44.abs();
         let w_46 = sin_phi_1 * phi_1_dot;
         let P2_y_dot = self.l * (w_46 + sin_phi_2 * phi_2_dot);
-        let w_47 = u3_x * phi_3_dot;
         let P3_y_dot = P2_y_dot + w_47;
         let w_48 = u4_x * phi_4_dot;
         let w_49 = self.k_3 * w_46 + u2_x * phi_2_dot
             + (S::from_f64(2.0) * P2_y_dot + w_47) + (S::from_f64(2.0) * P3_y_dot + w_48)
             + (S::from_f64(2.0) * (P3_y_dot + w_48) + self.l * sin_phi_5 * phi_5_dot);
-        let abs_w_10 = w_10.abs();
-        let abs_w_25 = w_25.abs();
-        let abs_w_39 = w_39.abs();
-        let abs_w_44 = w_44.abs();
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,

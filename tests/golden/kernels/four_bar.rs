@@ -270,18 +270,22 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
     k_8: S,
     k_9: S,
     inverse_theta2: S,
-    inverse_theta4: S,
+    l_lambda_closure_y_turned_theta2: S,
+    minus_pivot_lambda_closure_y_turned: S,
+    pivot_lambda_closure_y_turned: S,
+    minus_inverse_lambda_closure_y_turned: S,
     k_10: S,
     k_11: S,
     k_12: S,
     k_13: S,
     k_14: S,
+    k_15: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> FourBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 2 additions, 28 multiplications, 2 divisions.
+    /// Operations: 4 additions, 31 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -290,36 +294,43 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             + w;
         let w_2 = self.a * self.m3;
         let w_3 = S::from_f64(0.5) * w_2;
-        let w_4 = self.m3 * self.b * self.b;
-        let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
-            * self.m4;
-        let w_5 = S::from_f64(0.5) * self.g;
-        let w_6 = self.a * self.m2 * w_5;
-        let w_7 = self.m3 * self.b;
+        let w_4 = self.b * w_3;
+        let w_5 = self.m3 * self.b * self.b;
+        let w_6 = S::from_f64(0.5) * self.g;
+        let w_7 = self.a * self.m2 * w_6;
+        let w_8 = self.m3 * self.b;
+        let inverse_mass_theta2_theta2 = S::from_f64(1.0) / mass_theta2_theta2;
+        let w_9 = self.a * inverse_mass_theta2_theta2;
+        let w_10 = self.a * w_9;
         FourBarPrepared {
             a: self.a,
             k: w,
             mass_theta2_theta2: mass_theta2_theta2,
             b: self.b,
-            k_2: self.b * w_3,
-            mass_theta3_theta3: S::from_f64(0.3333333333333333) * w_4,
+            k_2: w_4,
+            mass_theta3_theta3: S::from_f64(0.3333333333333333) * w_5,
             c: self.c,
-            mass_theta4_theta4: mass_theta4_theta4,
+            mass_theta4_theta4: S::from_f64(0.3333333333333333) * self.c * self.c
+                * self.m4,
             T: self.T,
             k_3: self.a * S::from_f64(2.0),
             k_4: w_3,
-            k_5: w_6,
-            k_6: w_6 + w_2 * self.g,
-            k_7: S::from_f64(0.25) * w_7,
-            k_8: w_5 * w_7,
-            k_9: self.c * self.m4 * w_5,
-            inverse_theta2: S::from_f64(1.0) / mass_theta2_theta2,
-            inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
-            k_10: self.m3 * w_5,
-            k_11: self.b * w_2,
-            k_12: w_4 * S::from_f64(0.25),
-            k_13: self.b * S::from_f64(2.0),
-            k_14: self.c * S::from_f64(2.0),
+            k_5: w_7,
+            k_6: w_7 + w_2 * self.g,
+            k_7: S::from_f64(0.25) * w_8,
+            k_8: w_6 * w_8,
+            k_9: self.c * self.m4 * w_6,
+            inverse_theta2: inverse_mass_theta2_theta2,
+            l_lambda_closure_y_turned_theta2: w_9,
+            minus_pivot_lambda_closure_y_turned: w_10,
+            pivot_lambda_closure_y_turned: -w_10,
+            minus_inverse_lambda_closure_y_turned: S::from_f64(1.0) / w_10,
+            k_10: self.b - w_4 * w_9,
+            k_11: self.m3 * w_6,
+            k_12: self.b * w_2,
+            k_13: w_5 * S::from_f64(0.25),
+            k_14: self.b * S::from_f64(2.0),
+            k_15: self.c * S::from_f64(2.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -360,11 +371,10 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let [theta2_dot, theta3_dot, _] = *qd;
         let w = S::from_f64(0.5) * self.a * self.m3 * self.b;
         let ([u2_y, u3_y], [u2_x, u3_x]) = S::sin_cos_each([theta2, theta3]);
-        let w_2 = u2_y * u3_x;
-        let w_3 = u2_x * u3_y;
+        let w_2 = u2_y * u3_x - u2_x * u3_y;
         [
-            w * theta3_dot * theta3_dot * (w_2 - w_3),
-            w * theta2_dot * theta2_dot * (w_3 - w_2),
+            w * theta3_dot * theta3_dot * w_2,
+            -(theta2_dot * theta2_dot * w * w_2),
             S::from_f64(0.0),
         ]
     }
@@ -557,11 +567,11 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let w_3 = S::from_f64(0.5) * self.m3;
         let w_4 = (w * w_2 + self.b * (theta3_ddot * u3_y + theta3_dot_squared * u3_x))
             * w_3;
-        let w_5 = theta2_ddot * u2_x - u2_y * theta2_dot_squared;
-        let w_6 = S::from_f64(2.0) * self.g;
+        let w_5 = S::from_f64(2.0) * self.g;
+        let w_6 = theta2_ddot * u2_x - u2_y * theta2_dot_squared;
         let w_7 = w_3
-            * (w * w_5 + self.b * (theta3_ddot * u3_x - u3_y * theta3_dot_squared)
-                + w_6);
+            * (w_5 + w * w_6
+                + self.b * (theta3_ddot * u3_x - u3_y * theta3_dot_squared));
         let w_8 = S::from_f64(0.5) * self.m2;
         let theta4_dot_squared = theta4_dot * theta4_dot;
         let w_9 = S::from_f64(0.5) * self.m4;
@@ -575,10 +585,10 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             lambda_closure_x - w_4,
             lambda_closure_y + w_7,
             lambda_closure_x - w_4 - self.a * w_2 * w_8,
-            lambda_closure_y + w_7 + w_8 * (self.a * w_5 + w_6),
+            lambda_closure_y + w_7 + w_8 * (w_5 + self.a * w_6),
             -(lambda_closure_x
                 + self.c * (theta4_ddot * u4_y + theta4_dot_squared * u4_x) * w_9),
-            w_9 * (self.c * (theta4_ddot * u4_x - u4_y * theta4_dot_squared) + w_6)
+            w_9 * (w_5 + self.c * (theta4_ddot * u4_x - u4_y * theta4_dot_squared))
                 - lambda_closure_y,
         ]
             .into()
@@ -690,9 +700,9 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
     /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
     /// ```
     ///
-    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    /// by an elimination planned from the structure of the system, with two constraint rows turned along and across a link. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 41 additions, 83 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 39 additions, 76 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -707,99 +717,103 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta3,
             theta4,
         ]);
+        let w = u2_y * u3_x - u3_y * u2_x;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = self.k_2 * theta3_dot_squared;
-        let rhs_theta2 = u2_x * (u3_y * w - self.k_6) + self.T - u2_y * u3_x * w;
+        let rhs_theta2 = self.T - u2_x * self.k_6 - self.k_2 * w * theta3_dot_squared;
+        let w_3 = self.b * theta3_dot_squared;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_2 = self.k_2 * theta2_dot_squared;
-        let mass_theta3_theta2 = self.k_2 * (u2_y * u3_y + u2_x * u3_x);
+        let w_2 = u2_y * u3_y + u2_x * u3_x;
+        let mass_theta3_theta2 = self.k_2 * w_2;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let rhs_theta3 = u3_x * (u2_y * w_2 - self.k_8) - u3_y * u2_x * w_2
-            - rhs_theta2 * l_theta3_theta2;
-        let minus_closure_x_by_theta2 = self.a * u2_y;
-        let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
-            * self.inverse_theta2;
-        let w_3 = self.c * theta4_dot * theta4_dot;
-        let w_4 = self.a * theta2_dot_squared;
-        let w_5 = self.b * theta3_dot_squared;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let B_y = self.c * u4_y;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let pivot_theta3 = self.mass_theta3_theta3
-            - mass_theta3_theta2 * l_theta3_theta2;
+        let k_theta3_lambda_closure_y_turned = w_2 * self.k_10;
+        let minus_l_theta3_lambda_closure_y_turned = self
+            .minus_inverse_lambda_closure_y_turned * k_theta3_lambda_closure_y_turned;
+        let w_4 = u2_x * u4_y - u2_y * u4_x;
+        let w_5 = self.c * theta4_dot * theta4_dot;
+        let minus_rhs_lambda_closure_y_turned = w * w_3 + w_4 * w_5
+            + rhs_theta2 * self.l_lambda_closure_y_turned_theta2;
+        let rhs_theta3 = self.k_2 * w * theta2_dot_squared - u3_x * self.k_8
+            - rhs_theta2 * l_theta3_theta2
+            - minus_l_theta3_lambda_closure_y_turned * minus_rhs_lambda_closure_y_turned;
+        let k_lambda_closure_x_turned_theta3 = self.b * w;
+        let w_6 = u2_y * u4_y + u2_x * u4_x;
+        let minus_k_theta4_lambda_closure_y_turned = self.c * w_6;
+        let l_theta4_lambda_closure_y_turned = minus_k_theta4_lambda_closure_y_turned
+            * self.minus_inverse_lambda_closure_y_turned;
+        let w_8 = minus_k_theta4_lambda_closure_y_turned
+            * l_theta4_lambda_closure_y_turned;
+        let minus_k_theta4_theta3 = k_theta3_lambda_closure_y_turned
+            * l_theta4_lambda_closure_y_turned;
+        let w_7 = k_theta3_lambda_closure_y_turned
+            * minus_l_theta3_lambda_closure_y_turned;
+        let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta2 * l_theta3_theta2
+            + w_7;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let k_lambda_closure_x_theta3 = mass_theta3_theta2
-            * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
-        let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let rhs_lambda_closure_x = rhs_theta2 * minus_l_lambda_closure_x_theta2
-            - (u4_x * w_3 - u2_x * w_4 - u3_x * w_5)
-            + minus_rhs_theta4 * l_lambda_closure_x_theta4
-            - l_lambda_closure_x_theta3 * rhs_theta3;
-        let minus_pivot_lambda_closure_x = minus_closure_x_by_theta2
-            * minus_l_lambda_closure_x_theta2 + B_y * l_lambda_closure_x_theta4
-            + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
-        let minus_inverse_lambda_closure_x = S::from_f64(1.0)
-            / minus_pivot_lambda_closure_x;
-        let A_x = self.a * u2_x;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
-        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
-            * self.inverse_theta4;
-        let k_lambda_closure_y_theta3 = self.b * u3_x
-            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
-        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let k_lambda_closure_y_lambda_closure_x = minus_closure_x_by_theta2
-            * l_lambda_closure_y_theta2 + B_y * minus_l_lambda_closure_y_theta4
-            - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
-        let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
-            * k_lambda_closure_y_lambda_closure_x;
-        let w_6 = A_x * l_lambda_closure_y_theta2
-            + minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
-            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_6;
-        let lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y
-            * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
-                - (u4_y * w_3 - u2_y * w_4 - u3_y * w_5)
-                - rhs_theta2 * l_lambda_closure_y_theta2
-                - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
-                - l_lambda_closure_y_theta3 * rhs_theta3);
-        let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
-            * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
+        let minus_l_theta4_theta3 = minus_k_theta4_theta3 * inverse_theta3;
+        let rhs_theta4 = l_theta4_lambda_closure_y_turned
+            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_9
+            + minus_l_theta4_theta3 * rhs_theta3;
+        let pivot_theta4 = self.mass_theta4_theta4 + w_8
+            - minus_k_theta4_theta3 * minus_l_theta4_theta3;
+        let inverse_theta4 = S::from_f64(1.0) / pivot_theta4;
+        let l_lambda_closure_x_turned_theta3 = k_lambda_closure_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_closure_x_turned_theta4 = self.c * w_4
+            + minus_k_theta4_theta3 * l_lambda_closure_x_turned_theta3;
+        let l_lambda_closure_x_turned_theta4 = inverse_theta4
+            * k_lambda_closure_x_turned_theta4;
+        let minus_pivot_lambda_closure_x_turned = k_lambda_closure_x_turned_theta3
+            * l_lambda_closure_x_turned_theta3
+            + k_lambda_closure_x_turned_theta4 * l_lambda_closure_x_turned_theta4;
+        let w_9 = S::from_f64(1.0) / minus_pivot_lambda_closure_x_turned
+            * (w_6 * w_5 - w_2 * w_3 - self.a * theta2_dot_squared
+                + l_lambda_closure_x_turned_theta3 * rhs_theta3
+                + l_lambda_closure_x_turned_theta4 * rhs_theta4);
+        let theta4_ddot = inverse_theta4 * rhs_theta4
+            - l_lambda_closure_x_turned_theta4 * w_9;
         let theta3_ddot = inverse_theta3 * rhs_theta3
-            - l_lambda_closure_x_theta3 * lambda_closure_x
-            - l_lambda_closure_y_theta3 * lambda_closure_y;
+            + minus_l_theta4_theta3 * theta4_ddot
+            - l_lambda_closure_x_turned_theta3 * w_9;
+        let w_10 = self.minus_inverse_lambda_closure_y_turned
+            * minus_rhs_lambda_closure_y_turned
+            + minus_l_theta3_lambda_closure_y_turned * theta3_ddot
+            - l_theta4_lambda_closure_y_turned * theta4_ddot;
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta2 * self.inverse_theta2 - l_theta3_theta2 * theta3_ddot
-                    + minus_l_lambda_closure_x_theta2 * lambda_closure_x
-                    - l_lambda_closure_y_theta2 * lambda_closure_y,
+                    - self.l_lambda_closure_y_turned_theta2 * w_10,
                 theta3_ddot,
-                minus_l_lambda_closure_y_theta4 * lambda_closure_y
-                    - minus_rhs_theta4 * self.inverse_theta4
-                    - l_lambda_closure_x_theta4 * lambda_closure_x,
+                theta4_ddot,
             ],
-            multipliers: [lambda_closure_x, lambda_closure_y],
+            multipliers: [u2_x * w_9 - u2_y * w_10, u2_y * w_9 + u2_x * w_10],
             power: theta2_dot * (self.T - u2_x * self.k_5)
-                - (u2_x * theta2_dot * self.k_3 + self.b * u3_x * theta3_dot) * self.k_10
+                - (u2_x * theta2_dot * self.k_3 + self.b * u3_x * theta3_dot) * self.k_11
                 - u4_x * self.k_9 * theta4_dot,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta2_theta2,
                 self.mass_theta2_theta2,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta4_theta4,
-                    self.mass_theta4_theta4,
-                ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
+                    self.pivot_lambda_closure_y_turned,
+                    self.minus_pivot_lambda_closure_y_turned,
+                )
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_closure_x,
-                    minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_6),
+                    pivot_theta3,
+                    self.mass_theta3_theta3 + w_7,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_theta4,
+                    self.mass_theta4_theta4 + w_8,
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_closure_x_turned,
+                    minus_pivot_lambda_closure_x_turned,
+                ),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 129 additions, 222 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 153 additions, 231 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -815,212 +829,246 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             theta4,
         ]);
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w = u3_y * theta3_dot_squared;
-        let w_2 = u3_x * theta3_dot_squared;
-        let rhs_theta2 = u2_x * (self.k_2 * w - self.k_6) + self.T
-            - u2_y * self.k_2 * w_2;
+        let w = u2_y * u3_x - u3_y * u2_x;
+        let w_2 = self.k_2 * w;
+        let rhs_theta2 = self.T - u2_x * self.k_6 - theta3_dot_squared * w_2;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_3 = u2_y * theta2_dot_squared;
-        let w_4 = u2_x * theta2_dot_squared;
-        let w_5 = u2_y * u3_y + u2_x * u3_x;
-        let mass_theta3_theta2 = self.k_2 * w_5;
+        let w_3 = u2_y * u3_y + u2_x * u3_x;
+        let mass_theta3_theta2 = self.k_2 * w_3;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let rhs_theta3 = u3_x * (self.k_2 * w_3 - self.k_8) - u3_y * self.k_2 * w_4
-            - rhs_theta2 * l_theta3_theta2;
-        let minus_closure_x_by_theta2 = self.a * u2_y;
-        let minus_l_lambda_closure_x_theta2 = minus_closure_x_by_theta2
-            * self.inverse_theta2;
-        let minus_closure_y_by_theta4 = self.c * u4_x;
+        let k_theta3_lambda_closure_y_turned = w_3 * self.k_10;
+        let minus_l_theta3_lambda_closure_y_turned = self
+            .minus_inverse_lambda_closure_y_turned * k_theta3_lambda_closure_y_turned;
+        let w_4 = self.b * theta3_dot_squared;
+        let w_5 = w * w_4;
+        let w_6 = u2_x * u4_y - u2_y * u4_x;
+        let w_7 = self.c * w_6;
         let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_6 = self.b * w_2;
-        let minus_rhs_theta4 = u4_x * self.k_9;
-        let B_y = self.c * u4_y;
-        let l_lambda_closure_x_theta4 = B_y * self.inverse_theta4;
-        let pivot_theta3 = self.mass_theta3_theta3
-            - mass_theta3_theta2 * l_theta3_theta2;
+        let w_8 = w_7 * theta4_dot_squared;
+        let minus_rhs_lambda_closure_y_turned = w_5 + w_8
+            + rhs_theta2 * self.l_lambda_closure_y_turned_theta2;
+        let rhs_theta3 = theta2_dot_squared * w_2 - u3_x * self.k_8
+            - rhs_theta2 * l_theta3_theta2
+            - minus_l_theta3_lambda_closure_y_turned * minus_rhs_lambda_closure_y_turned;
+        let w_9 = u2_y * u4_y + u2_x * u4_x;
+        let minus_k_theta4_lambda_closure_y_turned = self.c * w_9;
+        let w_15 = minus_k_theta4_lambda_closure_y_turned * theta4_dot_squared;
+        let l_theta4_lambda_closure_y_turned = minus_k_theta4_lambda_closure_y_turned
+            * self.minus_inverse_lambda_closure_y_turned;
+        let minus_k_theta4_theta3 = k_theta3_lambda_closure_y_turned
+            * l_theta4_lambda_closure_y_turned;
+        let w_10 = k_theta3_lambda_closure_y_turned
+            * minus_l_theta3_lambda_closure_y_turned;
+        let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta2 * l_theta3_theta2
+            + w_10;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let k_lambda_closure_x_theta3 = mass_theta3_theta2
-            * minus_l_lambda_closure_x_theta2 - self.b * u3_y;
-        let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
-        let rhs_lambda_closure_x = rhs_theta2 * minus_l_lambda_closure_x_theta2
-            - (minus_closure_y_by_theta4 * theta4_dot_squared - self.a * w_4 - w_6)
-            + minus_rhs_theta4 * l_lambda_closure_x_theta4
-            - l_lambda_closure_x_theta3 * rhs_theta3;
-        let minus_pivot_lambda_closure_x = minus_closure_x_by_theta2
-            * minus_l_lambda_closure_x_theta2 + B_y * l_lambda_closure_x_theta4
-            + k_lambda_closure_x_theta3 * l_lambda_closure_x_theta3;
-        let minus_inverse_lambda_closure_x = S::from_f64(1.0)
-            / minus_pivot_lambda_closure_x;
-        let A_x = self.a * u2_x;
-        let l_lambda_closure_y_theta2 = A_x * self.inverse_theta2;
-        let minus_l_lambda_closure_y_theta4 = minus_closure_y_by_theta4
-            * self.inverse_theta4;
-        let k_lambda_closure_y_theta3 = self.b * u3_x
-            - mass_theta3_theta2 * l_lambda_closure_y_theta2;
-        let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
-        let k_lambda_closure_y_lambda_closure_x = minus_closure_x_by_theta2
-            * l_lambda_closure_y_theta2 + B_y * minus_l_lambda_closure_y_theta4
-            - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
-        let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
-            * k_lambda_closure_y_lambda_closure_x;
-        let w_7 = self.b * w;
-        let w_8 = self.k_3 * w_3 + w_7;
-        let w_9 = A_x * l_lambda_closure_y_theta2
-            + minus_closure_y_by_theta4 * minus_l_lambda_closure_y_theta4
-            + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
-        let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_9;
-        let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
-        let lambda_closure_y = inverse_lambda_closure_y
-            * (minus_l_lambda_closure_y_lambda_closure_x * rhs_lambda_closure_x
-                - (B_y * theta4_dot_squared - self.a * w_3 - w_7)
-                - rhs_theta2 * l_lambda_closure_y_theta2
-                - minus_rhs_theta4 * minus_l_lambda_closure_y_theta4
-                - l_lambda_closure_y_theta3 * rhs_theta3);
-        let lambda_closure_x = minus_l_lambda_closure_y_lambda_closure_x
-            * lambda_closure_y - minus_inverse_lambda_closure_x * rhs_lambda_closure_x;
-        let w_10 = self.k_3 * w_4 + w_6;
+        let minus_l_theta4_theta3 = minus_k_theta4_theta3 * inverse_theta3;
+        let rhs_theta4 = l_theta4_lambda_closure_y_turned
+            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_9
+            + minus_l_theta4_theta3 * rhs_theta3;
+        let w_11 = theta2_dot_squared * self.k_3;
+        let w_12 = u2_x * w_11 + u3_x * w_4;
+        let w_13 = u2_y * w_11 + u3_y * w_4;
+        let w_16 = w_3 * w_4;
+        let w_14 = minus_k_theta4_lambda_closure_y_turned
+            * l_theta4_lambda_closure_y_turned;
+        let pivot_theta4 = self.mass_theta4_theta4 + w_14
+            - minus_k_theta4_theta3 * minus_l_theta4_theta3;
+        let inverse_theta4 = S::from_f64(1.0) / pivot_theta4;
+        let k_lambda_closure_x_turned_theta3 = self.b * w;
+        let l_lambda_closure_x_turned_theta3 = k_lambda_closure_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_closure_x_turned_theta4 = w_7
+            + minus_k_theta4_theta3 * l_lambda_closure_x_turned_theta3;
+        let l_lambda_closure_x_turned_theta4 = inverse_theta4
+            * k_lambda_closure_x_turned_theta4;
+        let minus_pivot_lambda_closure_x_turned = k_lambda_closure_x_turned_theta3
+            * l_lambda_closure_x_turned_theta3
+            + k_lambda_closure_x_turned_theta4 * l_lambda_closure_x_turned_theta4;
+        let minus_inverse_lambda_closure_x_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_closure_x_turned;
+        let w_17 = minus_inverse_lambda_closure_x_turned
+            * (w_15 - w_16 - self.a * theta2_dot_squared
+                + l_lambda_closure_x_turned_theta3 * rhs_theta3
+                + l_lambda_closure_x_turned_theta4 * rhs_theta4);
+        let theta4_ddot = inverse_theta4 * rhs_theta4
+            - l_lambda_closure_x_turned_theta4 * w_17;
         let theta3_ddot = inverse_theta3 * rhs_theta3
-            - l_lambda_closure_x_theta3 * lambda_closure_x
-            - l_lambda_closure_y_theta3 * lambda_closure_y;
-        let w_11 = u3_y * u2_x;
-        let w_12 = u2_y * u3_x;
-        let w_13 = w_11 - w_12;
-        let w_14 = S::from_f64(0.5) * self.k_11 * w_13;
-        let w_15 = theta3_ddot * w_14;
-        let w_16 = u2_y * (self.k_6 - w_8 * self.k_4 + self.a * lambda_closure_y)
-            + u2_x * (self.a * lambda_closure_x - w_10 * self.k_4) - w_15
+            + minus_l_theta4_theta3 * theta4_ddot
+            - l_lambda_closure_x_turned_theta3 * w_17;
+        let w_22 = self.minus_inverse_lambda_closure_y_turned
+            * minus_rhs_lambda_closure_y_turned
+            + minus_l_theta3_lambda_closure_y_turned * theta3_ddot
+            - l_theta4_lambda_closure_y_turned * theta4_ddot;
+        let w_18 = w * self.k_12;
+        let w_19 = S::from_f64(0.5) * w_18;
+        let w_23 = (rhs_theta2 * self.inverse_theta2 - l_theta3_theta2 * theta3_ddot
+            - self.l_lambda_closure_y_turned_theta2 * w_22) * w_19;
+        let w_20 = theta3_ddot * w_19;
+        let w_21 = u2_y * self.k_6 - self.k_4 * (u2_x * w_12 + u2_y * w_13) + w_20
             + self.k * theta2_dot_squared;
-        let theta2_ddot = rhs_theta2 * self.inverse_theta2
-            - l_theta3_theta2 * theta3_ddot
-            + minus_l_lambda_closure_x_theta2 * lambda_closure_x
-            - l_lambda_closure_y_theta2 * lambda_closure_y;
-        let w_17 = theta2_ddot * w_14;
-        let w_18 = self.k_2 * w_5 * theta2_dot_squared - w_17 - l_theta3_theta2 * w_16;
-        let w_19 = self.a * (u2_x * theta2_ddot - w_3)
-            + minus_l_lambda_closure_x_theta2 * w_16 - l_lambda_closure_x_theta3 * w_18;
-        let w_20 = inverse_lambda_closure_y
-            * (self.a * (u2_y * theta2_ddot + w_4) - l_lambda_closure_y_theta2 * w_16
-                - l_lambda_closure_y_theta3 * w_18
-                + minus_l_lambda_closure_y_lambda_closure_x * w_19);
-        let w_21 = minus_l_lambda_closure_y_lambda_closure_x * w_20
-            - minus_inverse_lambda_closure_x * w_19;
-        let w_22 = inverse_theta3 * w_18 - l_lambda_closure_x_theta3 * w_21
-            - l_lambda_closure_y_theta3 * w_20;
-        let w_23 = self.k_2 * w_5 * theta3_dot_squared + w_15;
-        let w_24 = u3_y * (self.k_8 - w_8 * self.k_7 + self.b * lambda_closure_y)
-            + u3_x * (self.b * lambda_closure_x - w_10 * self.k_7)
-            + theta3_dot_squared * self.k_12 + w_17 - l_theta3_theta2 * w_23;
-        let w_25 = self.b * (u3_x * theta3_ddot - w)
-            + minus_l_lambda_closure_x_theta2 * w_23 - l_lambda_closure_x_theta3 * w_24;
-        let w_26 = inverse_lambda_closure_y
-            * (self.b * (u3_y * theta3_ddot + w_2) - l_lambda_closure_y_theta2 * w_23
-                - l_lambda_closure_y_theta3 * w_24
-                + minus_l_lambda_closure_y_lambda_closure_x * w_25);
-        let w_27 = minus_l_lambda_closure_y_lambda_closure_x * w_26
-            - minus_inverse_lambda_closure_x * w_25;
-        let w_28 = inverse_theta3 * w_24 - l_lambda_closure_x_theta3 * w_27
-            - l_lambda_closure_y_theta3 * w_26;
-        let w_29 = u4_y * (self.k_9 - self.c * lambda_closure_y)
-            - minus_closure_y_by_theta4 * lambda_closure_x;
-        let theta4_ddot = minus_l_lambda_closure_y_theta4 * lambda_closure_y
-            - minus_rhs_theta4 * self.inverse_theta4
-            - l_lambda_closure_x_theta4 * lambda_closure_x;
-        let w_30 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_closure_x_theta4 * w_29;
-        let w_31 = inverse_lambda_closure_y
-            * (minus_l_lambda_closure_y_theta4 * w_29
-                - self.c * (u4_y * theta4_ddot + u4_x * theta4_dot_squared)
-                + minus_l_lambda_closure_y_lambda_closure_x * w_30);
-        let w_32 = minus_l_lambda_closure_y_lambda_closure_x * w_31
-            - minus_inverse_lambda_closure_x * w_30;
-        let w_33 = l_lambda_closure_x_theta3 * w_32 + l_lambda_closure_y_theta3 * w_31;
-        let w_34 = theta2_dot * self.k_3;
-        let w_35 = self.k_11 * theta2_dot * (w_12 - w_11);
-        let w_36 = u2_x * w_34 - l_lambda_closure_x_theta3 * w_35;
-        let w_37 = inverse_lambda_closure_y
-            * (u2_y * w_34 - l_lambda_closure_y_theta3 * w_35
-                + minus_l_lambda_closure_y_lambda_closure_x * w_36);
-        let w_38 = minus_l_lambda_closure_y_lambda_closure_x * w_37
-            - minus_inverse_lambda_closure_x * w_36;
-        let w_39 = inverse_theta3 * w_35 - l_lambda_closure_x_theta3 * w_38
-            - l_lambda_closure_y_theta3 * w_37;
-        let w_40 = self.k_11 * theta3_dot * w_13;
-        let w_41 = l_theta3_theta2 * w_40;
-        let w_42 = theta3_dot * self.k_13;
-        let w_43 = u3_x * w_42 + minus_l_lambda_closure_x_theta2 * w_40
-            + l_lambda_closure_x_theta3 * w_41;
-        let w_44 = inverse_lambda_closure_y
-            * (u3_y * w_42 - l_lambda_closure_y_theta2 * w_40
-                + l_lambda_closure_y_theta3 * w_41
-                + minus_l_lambda_closure_y_lambda_closure_x * w_43);
-        let w_45 = minus_l_lambda_closure_y_lambda_closure_x * w_44
-            - minus_inverse_lambda_closure_x * w_43;
-        let w_46 = inverse_theta3 * w_41 + l_lambda_closure_x_theta3 * w_45
-            + l_lambda_closure_y_theta3 * w_44;
-        let w_47 = theta4_dot * self.k_14;
-        let w_48 = u4_x * w_47;
-        let w_49 = inverse_lambda_closure_y
-            * (u4_y * w_47 + minus_l_lambda_closure_y_lambda_closure_x * w_48);
-        let w_50 = minus_inverse_lambda_closure_x * w_48
-            - minus_l_lambda_closure_y_lambda_closure_x * w_49;
-        let w_51 = l_lambda_closure_y_theta3 * w_49 - l_lambda_closure_x_theta3 * w_50;
+        let w_40 = mass_theta3_theta2 * theta3_dot_squared - w_20;
+        let w_24 = self.b * w_3;
+        let w_25 = w_24 * w_17;
+        let w_35 = w_24 * theta3_ddot;
+        let w_27 = k_lambda_closure_x_turned_theta3 * theta3_ddot;
+        let w_26 = k_lambda_closure_x_turned_theta3 * w_22;
+        let w_28 = w_7 * theta4_ddot;
+        let w_32 = w_7 * w_22;
+        let w_34 = minus_k_theta4_lambda_closure_y_turned * theta4_ddot;
+        let w_31 = minus_k_theta4_lambda_closure_y_turned * w_17;
+        let w_29 = w_15 - w_16 + w_27 + w_28
+            - self.l_lambda_closure_y_turned_theta2 * w_21;
+        let w_30 = mass_theta3_theta2 * theta2_dot_squared + w_23 - w_25 + w_26
+            - l_theta3_theta2 * w_21 + minus_l_theta3_lambda_closure_y_turned * w_29;
+        let w_41 = w_16 - w_27 - self.l_lambda_closure_y_turned_theta2 * w_40;
+        let w_42 = w_25 - w_23 - w_26 - self.k_7 * (u3_x * w_12 + u3_y * w_13)
+            + theta3_dot_squared * self.k_13 + u3_y * self.k_8 - l_theta3_theta2 * w_40
+            + minus_l_theta3_lambda_closure_y_turned * w_41;
+        let w_48 = w_15 + w_28;
+        let w_33 = w_31 + w_32 - l_theta4_lambda_closure_y_turned * w_29
+            + minus_l_theta4_theta3 * w_30;
+        let w_36 = minus_inverse_lambda_closure_x_turned
+            * (w_34 - w_5 - w_8 - w_35 - l_lambda_closure_x_turned_theta3 * w_30
+                - l_lambda_closure_x_turned_theta4 * w_33);
+        let w_37 = inverse_theta4 * w_33 + l_lambda_closure_x_turned_theta4 * w_36;
+        let w_38 = inverse_theta3 * w_30 + minus_l_theta4_theta3 * w_37
+            + l_lambda_closure_x_turned_theta3 * w_36;
+        let w_39 = minus_l_theta3_lambda_closure_y_turned * w_38
+            - self.minus_inverse_lambda_closure_y_turned * w_29
+            - l_theta4_lambda_closure_y_turned * w_37;
+        let w_43 = minus_l_theta4_theta3 * w_42
+            - l_theta4_lambda_closure_y_turned * w_41;
+        let w_44 = minus_inverse_lambda_closure_x_turned
+            * (w_5 + w_35 - l_lambda_closure_x_turned_theta3 * w_42
+                - l_lambda_closure_x_turned_theta4 * w_43);
+        let w_45 = inverse_theta4 * w_43 + l_lambda_closure_x_turned_theta4 * w_44;
+        let w_46 = inverse_theta3 * w_42 + minus_l_theta4_theta3 * w_45
+            + l_lambda_closure_x_turned_theta3 * w_44;
+        let w_47 = minus_l_theta3_lambda_closure_y_turned * w_46
+            - self.minus_inverse_lambda_closure_y_turned * w_41
+            - l_theta4_lambda_closure_y_turned * w_45;
+        let w_49 = minus_l_theta3_lambda_closure_y_turned * w_48;
+        let w_50 = u4_y * self.k_9 - w_31 - w_32
+            + l_theta4_lambda_closure_y_turned * w_48 - minus_l_theta4_theta3 * w_49;
+        let w_51 = minus_inverse_lambda_closure_x_turned
+            * (w_8 - w_34 + l_lambda_closure_x_turned_theta3 * w_49
+                - l_lambda_closure_x_turned_theta4 * w_50);
+        let w_52 = inverse_theta4 * w_50 + l_lambda_closure_x_turned_theta4 * w_51;
+        let w_53 = minus_l_theta4_theta3 * w_52 - inverse_theta3 * w_49
+            + l_lambda_closure_x_turned_theta3 * w_51;
+        let w_54 = self.minus_inverse_lambda_closure_y_turned * w_48
+            + minus_l_theta3_lambda_closure_y_turned * w_53
+            - l_theta4_lambda_closure_y_turned * w_52;
+        let w_55 = theta2_dot * w_18;
+        let w_61 = theta3_dot * w_18;
+        let w_56 = minus_l_theta4_theta3 * w_55;
+        let w_57 = minus_inverse_lambda_closure_x_turned
+            * (theta2_dot * self.k_3 - l_lambda_closure_x_turned_theta3 * w_55
+                - l_lambda_closure_x_turned_theta4 * w_56);
+        let w_58 = inverse_theta4 * w_56 + l_lambda_closure_x_turned_theta4 * w_57;
+        let w_59 = inverse_theta3 * w_55 + minus_l_theta4_theta3 * w_58
+            + l_lambda_closure_x_turned_theta3 * w_57;
+        let w_60 = minus_l_theta3_lambda_closure_y_turned * w_59
+            - l_theta4_lambda_closure_y_turned * w_58;
+        let w_62 = theta3_dot * self.k_14;
+        let w_63 = self.l_lambda_closure_y_turned_theta2 * w_61 - w * w_62;
+        let w_64 = l_theta3_theta2 * w_61
+            + minus_l_theta3_lambda_closure_y_turned * w_63;
+        let w_65 = minus_l_theta4_theta3 * w_64
+            - l_theta4_lambda_closure_y_turned * w_63;
+        let w_66 = minus_inverse_lambda_closure_x_turned
+            * (w_3 * w_62 - l_lambda_closure_x_turned_theta3 * w_64
+                - l_lambda_closure_x_turned_theta4 * w_65);
+        let w_67 = inverse_theta4 * w_65 + l_lambda_closure_x_turned_theta4 * w_66;
+        let w_68 = inverse_theta3 * w_64 + minus_l_theta4_theta3 * w_67
+            + l_lambda_closure_x_turned_theta3 * w_66;
+        let w_69 = minus_l_theta3_lambda_closure_y_turned * w_68
+            - self.minus_inverse_lambda_closure_y_turned * w_63
+            - l_theta4_lambda_closure_y_turned * w_67;
+        let w_70 = theta4_dot * self.k_15;
+        let w_71 = w_6 * w_70;
+        let w_72 = minus_l_theta3_lambda_closure_y_turned * w_71;
+        let w_73 = l_theta4_lambda_closure_y_turned * w_71
+            - minus_l_theta4_theta3 * w_72;
+        let w_74 = minus_inverse_lambda_closure_x_turned
+            * (l_lambda_closure_x_turned_theta3 * w_72 - w_9 * w_70
+                - l_lambda_closure_x_turned_theta4 * w_73);
+        let w_75 = inverse_theta4 * w_73 + l_lambda_closure_x_turned_theta4 * w_74;
+        let w_76 = minus_l_theta4_theta3 * w_75 - inverse_theta3 * w_72
+            + l_lambda_closure_x_turned_theta3 * w_74;
+        let w_77 = self.minus_inverse_lambda_closure_y_turned * w_71
+            + minus_l_theta3_lambda_closure_y_turned * w_76
+            - l_theta4_lambda_closure_y_turned * w_75;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_theta2 * w_16 - l_theta3_theta2 * w_22
-                        + minus_l_lambda_closure_x_theta2 * w_21
-                        - l_lambda_closure_y_theta2 * w_20,
-                    self.inverse_theta2 * w_23 - l_theta3_theta2 * w_28
-                        + minus_l_lambda_closure_x_theta2 * w_27
-                        - l_lambda_closure_y_theta2 * w_26,
-                    l_theta3_theta2 * w_33 + minus_l_lambda_closure_x_theta2 * w_32
-                        - l_lambda_closure_y_theta2 * w_31,
+                    self.inverse_theta2 * w_21 - l_theta3_theta2 * w_38
+                        - self.l_lambda_closure_y_turned_theta2 * w_39,
+                    self.inverse_theta2 * w_40 - l_theta3_theta2 * w_46
+                        - self.l_lambda_closure_y_turned_theta2 * w_47,
+                    -(l_theta3_theta2 * w_53
+                        + self.l_lambda_closure_y_turned_theta2 * w_54),
                 ],
-                [w_22, w_28, -w_33],
-                [
-                    minus_l_lambda_closure_y_theta4 * w_20
-                        - l_lambda_closure_x_theta4 * w_21,
-                    minus_l_lambda_closure_y_theta4 * w_26
-                        - l_lambda_closure_x_theta4 * w_27,
-                    self.inverse_theta4 * w_29 - l_lambda_closure_x_theta4 * w_32
-                        + minus_l_lambda_closure_y_theta4 * w_31,
-                ],
+                [w_38, w_46, w_53],
+                [w_37, w_45, w_52],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_closure_x_theta2 * w_38 - l_theta3_theta2 * w_39
-                        - l_lambda_closure_y_theta2 * w_37,
-                    self.inverse_theta2 * w_40 + l_theta3_theta2 * w_46
-                        + minus_l_lambda_closure_x_theta2 * w_45
-                        - l_lambda_closure_y_theta2 * w_44,
-                    minus_l_lambda_closure_x_theta2 * w_50 - l_theta3_theta2 * w_51
-                        + l_lambda_closure_y_theta2 * w_49,
+                    -(l_theta3_theta2 * w_59
+                        + self.l_lambda_closure_y_turned_theta2 * w_60),
+                    -(self.inverse_theta2 * w_61 + l_theta3_theta2 * w_68
+                        + self.l_lambda_closure_y_turned_theta2 * w_69),
+                    -(l_theta3_theta2 * w_76
+                        + self.l_lambda_closure_y_turned_theta2 * w_77),
                 ],
-                [w_39, -w_46, w_51],
+                [w_59, w_68, w_76],
+                [w_58, w_67, w_75],
+            ],
+            multipliers_by_positions: [
                 [
-                    minus_l_lambda_closure_y_theta4 * w_37
-                        - l_lambda_closure_x_theta4 * w_38,
-                    minus_l_lambda_closure_y_theta4 * w_44
-                        - l_lambda_closure_x_theta4 * w_45,
-                    -(l_lambda_closure_x_theta4 * w_50
-                        + minus_l_lambda_closure_y_theta4 * w_49),
+                    -(u2_x * w_36 + u2_y * w_39 + (u2_y * w_17 + u2_x * w_22)),
+                    -(u2_x * w_44 + u2_y * w_47),
+                    -(u2_x * w_51 + u2_y * w_54),
+                ],
+                [
+                    u2_x * w_39 - u2_y * w_36 + (u2_x * w_17 - u2_y * w_22),
+                    u2_x * w_47 - u2_y * w_44,
+                    u2_x * w_54 - u2_y * w_51,
                 ],
             ],
-            multipliers_by_positions: [[w_21, w_27, w_32], [w_20, w_26, w_31]],
-            multipliers_by_speeds: [[w_38, w_45, w_50], [w_37, w_44, -w_49]],
+            multipliers_by_speeds: [
+                [
+                    -(u2_x * w_57 + u2_y * w_60),
+                    -(u2_x * w_66 + u2_y * w_69),
+                    -(u2_x * w_74 + u2_y * w_77),
+                ],
+                [
+                    u2_x * w_60 - u2_y * w_57,
+                    u2_x * w_69 - u2_y * w_66,
+                    u2_x * w_77 - u2_y * w_74,
+                ],
+            ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta2_theta2,
                 self.mass_theta2_theta2,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta4_theta4,
-                    self.mass_theta4_theta4,
-                ) | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
+                    self.pivot_lambda_closure_y_turned,
+                    self.minus_pivot_lambda_closure_y_turned,
+                )
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_closure_x,
-                    minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_9),
+                    pivot_theta3,
+                    self.mass_theta3_theta3 + w_10,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_theta4,
+                    self.mass_theta4_theta4 + w_14,
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_closure_x_turned,
+                    minus_pivot_lambda_closure_x_turned,
+                ),
         }
     }
 }

@@ -292,38 +292,67 @@ pub struct FourBarsPrepared<S = ::core::primitive::f64> {
     k_5: S,
     k_6: S,
     inverse_crank_angle_0: S,
-    inverse_coupler_angle_2: S,
+    l_lambda_loop_1_y_turned_crank_angle_0: S,
+    minus_pivot_lambda_loop_1_y_turned: S,
+    pivot_lambda_loop_1_y_turned: S,
+    minus_inverse_lambda_loop_1_y_turned: S,
     k_7: S,
+    inverse_coupler_angle_2: S,
+    l_lambda_loop_2_y_turned_coupler_angle_2: S,
+    minus_pivot_lambda_loop_2_y_turned: S,
+    pivot_lambda_loop_2_y_turned: S,
+    minus_inverse_lambda_loop_2_y_turned: S,
     k_8: S,
     k_9: S,
+    k_10: S,
+    k_11: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> FourBars<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 15 multiplications, 2 divisions.
+    /// Operations: 4 additions, 25 multiplications, 4 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarsPrepared<S> {
-        let w = self.l * self.l * self.m;
-        let mass_crank_angle_0_crank_angle_0 = S::from_f64(1.3333333333333333) * w;
-        let mass_crank_angle_3_crank_angle_3 = w * S::from_f64(0.3333333333333333);
-        let w_2 = self.l * self.m;
-        let w_3 = S::from_f64(0.5) * self.g;
+        let l_squared = self.l * self.l;
+        let mass_crank_angle_0_crank_angle_0 = S::from_f64(1.3333333333333333)
+            * l_squared * self.m;
+        let mass_crank_angle_3_crank_angle_3 = l_squared * self.m
+            * S::from_f64(0.3333333333333333);
+        let w = self.m * S::from_f64(0.5);
+        let w_2 = l_squared * w;
+        let w_3 = self.l * self.m;
+        let w_4 = S::from_f64(1.0) / mass_crank_angle_0_crank_angle_0;
+        let w_5 = self.l * w_4;
+        let w_6 = self.l * w_5;
+        let w_7 = S::from_f64(1.0) / mass_crank_angle_3_crank_angle_3;
+        let w_8 = self.l * w_7;
+        let w_9 = self.l * w_8;
         FourBarsPrepared {
             l: self.l,
             mass_crank_angle_0_crank_angle_0: mass_crank_angle_0_crank_angle_0,
             mass_crank_angle_3_crank_angle_3: mass_crank_angle_3_crank_angle_3,
-            k: w * S::from_f64(0.5),
+            k: w_2,
             k_2: self.l * S::from_f64(2.0),
-            k_3: S::from_f64(0.5) * w_2,
-            k_4: S::from_f64(1.5) * self.g * w_2,
-            k_5: w_2 * w_3,
-            k_6: w_2 * S::from_f64(0.25),
-            inverse_crank_angle_0: S::from_f64(1.0) / mass_crank_angle_0_crank_angle_0,
-            inverse_coupler_angle_2: S::from_f64(1.0) / mass_crank_angle_3_crank_angle_3,
-            k_7: self.m * w_3,
-            k_8: w,
-            k_9: w * S::from_f64(0.25),
+            k_3: S::from_f64(0.5) * w_3,
+            k_4: S::from_f64(1.5) * self.g * w_3,
+            k_5: S::from_f64(0.5) * self.g * w_3,
+            k_6: w_3 * S::from_f64(0.25),
+            inverse_crank_angle_0: w_4,
+            l_lambda_loop_1_y_turned_crank_angle_0: w_5,
+            minus_pivot_lambda_loop_1_y_turned: w_6,
+            pivot_lambda_loop_1_y_turned: -w_6,
+            minus_inverse_lambda_loop_1_y_turned: S::from_f64(1.0) / w_6,
+            k_7: self.l - w_2 * w_5,
+            inverse_coupler_angle_2: w_7,
+            l_lambda_loop_2_y_turned_coupler_angle_2: w_8,
+            minus_pivot_lambda_loop_2_y_turned: w_9,
+            pivot_lambda_loop_2_y_turned: -w_9,
+            minus_inverse_lambda_loop_2_y_turned: S::from_f64(1.0) / w_9,
+            k_8: self.l - w_2 * w_8,
+            k_9: w * self.g,
+            k_10: l_squared * self.m,
+            k_11: l_squared * self.m * S::from_f64(0.25),
         }
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
@@ -470,20 +499,20 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
             crank_angle_2,
             coupler_angle_3,
         ]);
-        let w_2 = sin_crank_angle_0 * cos_coupler_angle_1;
-        let w_3 = cos_crank_angle_0 * sin_coupler_angle_1;
-        let w_4 = sin_crank_angle_1 * cos_coupler_angle_2;
-        let w_5 = cos_crank_angle_1 * sin_coupler_angle_2;
-        let w_6 = sin_crank_angle_2 * cos_coupler_angle_3;
-        let w_7 = cos_crank_angle_2 * sin_coupler_angle_3;
+        let w_2 = sin_crank_angle_0 * cos_coupler_angle_1
+            - cos_crank_angle_0 * sin_coupler_angle_1;
+        let w_3 = sin_crank_angle_1 * cos_coupler_angle_2
+            - cos_crank_angle_1 * sin_coupler_angle_2;
+        let w_4 = sin_crank_angle_2 * cos_coupler_angle_3
+            - cos_crank_angle_2 * sin_coupler_angle_3;
         [
-            w * coupler_angle_1_dot * coupler_angle_1_dot * (w_2 - w_3),
-            w * coupler_angle_2_dot * coupler_angle_2_dot * (w_4 - w_5),
-            w * coupler_angle_3_dot * coupler_angle_3_dot * (w_6 - w_7),
+            w * coupler_angle_1_dot * coupler_angle_1_dot * w_2,
+            w * coupler_angle_2_dot * coupler_angle_2_dot * w_3,
+            w * coupler_angle_3_dot * coupler_angle_3_dot * w_4,
             S::from_f64(0.0),
-            w * crank_angle_0_dot * crank_angle_0_dot * (w_3 - w_2),
-            w * crank_angle_1_dot * crank_angle_1_dot * (w_5 - w_4),
-            w * crank_angle_2_dot * crank_angle_2_dot * (w_7 - w_6),
+            -(crank_angle_0_dot * crank_angle_0_dot * w * w_2),
+            -(w * crank_angle_1_dot * crank_angle_1_dot * w_3),
+            -(w * crank_angle_2_dot * crank_angle_2_dot * w_4),
         ]
     }
     /// Generalised forces `T_q' F`, 7: joules per unit of each coordinate.
@@ -962,10 +991,10 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
         let w_4 = sin_crank_angle_0 * w_2 + sin_coupler_angle_1 * w_3;
         let w_5 = w_2 * cos_crank_angle_0 + w_3 * cos_coupler_angle_1;
         let w_6 = crank_angle_1_dot * w;
+        let w_10 = crank_angle_2_dot * w;
         let w_7 = self.l * coupler_angle_2_dot;
         let w_8 = sin_crank_angle_1 * w_6 + sin_coupler_angle_2 * w_7;
         let w_9 = w_6 * cos_crank_angle_1 + w_7 * cos_coupler_angle_2;
-        let w_10 = crank_angle_2_dot * w;
         let w_11 = self.l * coupler_angle_3_dot;
         let w_12 = sin_crank_angle_2 * w_10 + sin_coupler_angle_3 * w_11;
         let w_13 = w_10 * cos_crank_angle_2 + w_11 * cos_coupler_angle_3;
@@ -1168,7 +1197,7 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
             crank_2_tip_y,
             crank_2_tip_x,
             crank_2_tip_y,
-            self.l * (cos_crank_angle_2 + cos_coupler_angle_3) + crank_2_base_x,
+            crank_2_base_x + self.l * (cos_crank_angle_2 + cos_coupler_angle_3),
             self.l * (sin_crank_angle_2 + sin_coupler_angle_3),
             crank_3_tip_x,
             crank_3_tip_y,
@@ -1230,9 +1259,9 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
     /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
     /// ```
     ///
-    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    /// by an elimination planned from the structure of the system, with pairs of constraint rows turned along and across links. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 149 additions, 259 multiplications, 9 divisions, 7 sine-cosine pairs.
+    /// Operations: 125 additions, 223 multiplications, 7 divisions, 7 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1271,349 +1300,299 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             crank_angle_3,
         ]);
         let coupler_angle_1_dot_squared = coupler_angle_1_dot * coupler_angle_1_dot;
-        let w = sin_coupler_angle_1 * self.k;
-        let w_2 = sin_crank_angle_0 * self.k;
-        let w_3 = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
-        let rhs_crank_angle_0 = cos_crank_angle_0
-            * (coupler_angle_1_dot_squared * w - self.k_4) - w_2 * w_3;
+        let w = sin_crank_angle_0 * cos_coupler_angle_1
+            - sin_coupler_angle_1 * cos_crank_angle_0;
+        let w_2 = self.k * w;
+        let minus_rhs_crank_angle_0 = cos_crank_angle_0 * self.k_4
+            + coupler_angle_1_dot_squared * w_2;
+        let w_3 = cos_crank_angle_0 * sin_crank_angle_1
+            - sin_crank_angle_0 * cos_crank_angle_1;
         let crank_angle_1_dot_squared = crank_angle_1_dot * crank_angle_1_dot;
-        let w_4 = self.k * sin_crank_angle_1;
-        let w_5 = self.k * sin_coupler_angle_2;
-        let w_6 = cos_crank_angle_1 * crank_angle_1_dot_squared;
-        let rhs_coupler_angle_2 = cos_coupler_angle_2
-            * (crank_angle_1_dot_squared * w_4 - self.k_5) - w_5 * w_6;
+        let rhs_lambda_loop_1_y_turned = minus_rhs_crank_angle_0
+            * self.l_lambda_loop_1_y_turned_crank_angle_0
+            - self.l
+                * (w_3 * crank_angle_1_dot_squared + w * coupler_angle_1_dot_squared);
+        let k_lambda_loop_1_x_turned_coupler_angle_1 = self.l * w;
+        let w_4 = sin_coupler_angle_2 * cos_crank_angle_1
+            - sin_crank_angle_1 * cos_coupler_angle_2;
+        let w_5 = self.k * w_4;
+        let minus_rhs_coupler_angle_2 = cos_coupler_angle_2 * self.k_5
+            + crank_angle_1_dot_squared * w_5;
+        let w_6 = cos_coupler_angle_2 * sin_crank_angle_2
+            - sin_coupler_angle_2 * cos_crank_angle_2;
         let crank_angle_2_dot_squared = crank_angle_2_dot * crank_angle_2_dot;
-        let w_7 = self.k * sin_crank_angle_2;
-        let w_8 = self.k * sin_coupler_angle_3;
-        let w_9 = cos_crank_angle_2 * crank_angle_2_dot_squared;
-        let rhs_coupler_angle_3 = cos_coupler_angle_3
-            * (crank_angle_2_dot_squared * w_7 - self.k_5) - w_8 * w_9;
+        let rhs_lambda_loop_2_y_turned = minus_rhs_coupler_angle_2
+            * self.l_lambda_loop_2_y_turned_coupler_angle_2
+            - self.l
+                * (w_4 * crank_angle_1_dot_squared + w_6 * crank_angle_2_dot_squared);
+        let k_lambda_loop_2_x_turned_crank_angle_1 = self.l * w_4;
         let crank_angle_0_dot_squared = crank_angle_0_dot * crank_angle_0_dot;
-        let w_10 = cos_crank_angle_0 * crank_angle_0_dot_squared;
-        let mass_coupler_angle_1_crank_angle_0 = self.k
-            * (sin_crank_angle_0 * sin_coupler_angle_1
-                + cos_crank_angle_0 * cos_coupler_angle_1);
+        let w_7 = sin_crank_angle_0 * sin_coupler_angle_1
+            + cos_crank_angle_0 * cos_coupler_angle_1;
+        let mass_coupler_angle_1_crank_angle_0 = self.k * w_7;
         let l_coupler_angle_1_crank_angle_0 = mass_coupler_angle_1_crank_angle_0
             * self.inverse_crank_angle_0;
-        let rhs_coupler_angle_1 = cos_coupler_angle_1
-            * (crank_angle_0_dot_squared * w_2 - self.k_5) - w * w_10
-            - rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
+        let k_coupler_angle_1_lambda_loop_1_y_turned = w_7 * self.k_7;
+        let minus_l_coupler_angle_1_lambda_loop_1_y_turned = self
+            .minus_inverse_lambda_loop_1_y_turned
+            * k_coupler_angle_1_lambda_loop_1_y_turned;
+        let rhs_coupler_angle_1 = crank_angle_0_dot_squared * w_2
+            - cos_coupler_angle_1 * self.k_5
+            + minus_rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned
+                * rhs_lambda_loop_1_y_turned;
+        let w_10 = k_coupler_angle_1_lambda_loop_1_y_turned
+            * minus_l_coupler_angle_1_lambda_loop_1_y_turned;
+        let pivot_coupler_angle_1 = self.mass_crank_angle_3_crank_angle_3
+            - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0
+            + w_10;
         let coupler_angle_2_dot_squared = coupler_angle_2_dot * coupler_angle_2_dot;
-        let w_11 = cos_coupler_angle_2 * coupler_angle_2_dot_squared;
-        let mass_coupler_angle_2_crank_angle_1 = self.k
-            * (sin_crank_angle_1 * sin_coupler_angle_2
-                + cos_crank_angle_1 * cos_coupler_angle_2);
+        let w_8 = sin_crank_angle_0 * sin_crank_angle_1
+            + cos_crank_angle_0 * cos_crank_angle_1;
+        let minus_k_crank_angle_1_lambda_loop_1_y_turned = self.l * w_8;
+        let l_crank_angle_1_lambda_loop_1_y_turned = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * self.minus_inverse_lambda_loop_1_y_turned;
+        let w_9 = sin_crank_angle_1 * sin_coupler_angle_2
+            + cos_crank_angle_1 * cos_coupler_angle_2;
+        let mass_coupler_angle_2_crank_angle_1 = self.k * w_9;
         let l_crank_angle_1_coupler_angle_2 = mass_coupler_angle_2_crank_angle_1
             * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_1 = cos_crank_angle_1
-            * (coupler_angle_2_dot_squared * w_5 - self.k_4) - w_4 * w_11
-            - rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2;
-        let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
-        let w_12 = cos_coupler_angle_3 * coupler_angle_3_dot_squared;
-        let mass_coupler_angle_3_crank_angle_2 = self.k
-            * (sin_crank_angle_2 * sin_coupler_angle_3
-                + cos_crank_angle_2 * cos_coupler_angle_3);
-        let l_crank_angle_2_coupler_angle_3 = mass_coupler_angle_3_crank_angle_2
-            * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_2 = cos_crank_angle_2
-            * (coupler_angle_3_dot_squared * w_8 - self.k_4) - w_7 * w_12
-            - rhs_coupler_angle_3 * l_crank_angle_2_coupler_angle_3;
-        let minus_loop_1_x_by_crank_angle_0 = self.l * sin_crank_angle_0;
-        let minus_l_lambda_loop_1_x_crank_angle_0 = minus_loop_1_x_by_crank_angle_0
-            * self.inverse_crank_angle_0;
-        let pivot_coupler_angle_1 = self.mass_crank_angle_3_crank_angle_3
-            - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
+        let k_crank_angle_1_lambda_loop_2_y_turned = w_9 * self.k_8;
+        let minus_l_crank_angle_1_lambda_loop_2_y_turned = self
+            .minus_inverse_lambda_loop_2_y_turned
+            * k_crank_angle_1_lambda_loop_2_y_turned;
+        let minus_k_crank_angle_1_coupler_angle_1 = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * minus_l_coupler_angle_1_lambda_loop_1_y_turned;
+        let w_18 = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * l_crank_angle_1_lambda_loop_1_y_turned;
         let inverse_coupler_angle_1 = S::from_f64(1.0) / pivot_coupler_angle_1;
-        let k_lambda_loop_1_x_coupler_angle_1 = mass_coupler_angle_1_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * sin_coupler_angle_1;
-        let l_lambda_loop_1_x_coupler_angle_1 = inverse_coupler_angle_1
-            * k_lambda_loop_1_x_coupler_angle_1;
-        let crank_1_tip_y = self.l * sin_crank_angle_1;
-        let pivot_crank_angle_1 = self.mass_crank_angle_0_crank_angle_0
-            - mass_coupler_angle_2_crank_angle_1 * l_crank_angle_1_coupler_angle_2;
-        let inverse_crank_angle_1 = S::from_f64(1.0) / pivot_crank_angle_1;
-        let l_lambda_loop_1_x_crank_angle_1 = crank_1_tip_y * inverse_crank_angle_1;
-        let rhs_lambda_loop_1_x = rhs_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_6 - w_10 - w_3)
-            - l_lambda_loop_1_x_coupler_angle_1 * rhs_coupler_angle_1
-            - l_lambda_loop_1_x_crank_angle_1 * rhs_crank_angle_1;
-        let minus_loop_3_x_by_coupler_angle_3 = self.l * sin_coupler_angle_3;
-        let minus_l_lambda_loop_3_x_coupler_angle_3 = minus_loop_3_x_by_coupler_angle_3
-            * self.inverse_coupler_angle_2;
-        let crank_angle_3_dot_squared = crank_angle_3_dot * crank_angle_3_dot;
+        let minus_l_crank_angle_1_coupler_angle_1 = minus_k_crank_angle_1_coupler_angle_1
+            * inverse_coupler_angle_1;
+        let rhs_crank_angle_1 = coupler_angle_2_dot_squared * w_5
+            - cos_crank_angle_1 * self.k_4
+            - l_crank_angle_1_lambda_loop_1_y_turned * rhs_lambda_loop_1_y_turned
+            + minus_rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            + minus_l_crank_angle_1_coupler_angle_1 * rhs_coupler_angle_1;
+        let w_11 = self.k * sin_crank_angle_2;
+        let w_12 = self.k * sin_coupler_angle_3;
+        let w_13 = cos_coupler_angle_3 * cos_crank_angle_3
+            + sin_coupler_angle_3 * sin_crank_angle_3;
+        let k_coupler_angle_3_lambda_loop_3_y_turned = self.l * w_13;
+        let minus_l_coupler_angle_3_lambda_loop_3_y_turned = k_coupler_angle_3_lambda_loop_3_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let pivot_coupler_angle_3 = self.mass_crank_angle_3_crank_angle_3
+            + k_coupler_angle_3_lambda_loop_3_y_turned
+                * minus_l_coupler_angle_3_lambda_loop_3_y_turned;
+        let w_14 = cos_crank_angle_2 * sin_crank_angle_3
+            - sin_crank_angle_2 * cos_crank_angle_3;
+        let w_15 = cos_coupler_angle_3 * sin_crank_angle_3
+            - sin_coupler_angle_3 * cos_crank_angle_3;
+        let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
         let minus_rhs_crank_angle_3 = cos_crank_angle_3 * self.k_5;
-        let crank_3_tip_y = self.l * sin_crank_angle_3;
-        let l_lambda_loop_3_x_crank_angle_3 = crank_3_tip_y
-            * self.inverse_coupler_angle_2;
-        let pivot_crank_angle_2 = self.mass_crank_angle_0_crank_angle_0
-            - mass_coupler_angle_3_crank_angle_2 * l_crank_angle_2_coupler_angle_3;
-        let inverse_crank_angle_2 = S::from_f64(1.0) / pivot_crank_angle_2;
-        let crank_2_tip_y = self.l * sin_crank_angle_2;
-        let k_lambda_loop_3_x_crank_angle_2 = mass_coupler_angle_3_crank_angle_2
-            * minus_l_lambda_loop_3_x_coupler_angle_3 - crank_2_tip_y;
-        let l_lambda_loop_3_x_crank_angle_2 = inverse_crank_angle_2
-            * k_lambda_loop_3_x_crank_angle_2;
-        let rhs_lambda_loop_3_x = rhs_coupler_angle_3
-            * minus_l_lambda_loop_3_x_coupler_angle_3
-            - self.l * (cos_crank_angle_3 * crank_angle_3_dot_squared - w_9 - w_12)
-            + minus_rhs_crank_angle_3 * l_lambda_loop_3_x_crank_angle_3
-            - l_lambda_loop_3_x_crank_angle_2 * rhs_crank_angle_2;
-        let minus_loop_1_y_by_crank_angle_1 = self.l * cos_crank_angle_1;
-        let minus_l_lambda_loop_1_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
+        let minus_rhs_lambda_loop_3_y_turned = self.l
+            * (w_14 * crank_angle_2_dot_squared + w_15 * coupler_angle_3_dot_squared)
+            + minus_rhs_crank_angle_3 * self.l_lambda_loop_2_y_turned_coupler_angle_2;
+        let k_lambda_loop_3_x_turned_coupler_angle_3 = self.l * w_15;
+        let rhs_coupler_angle_3 = cos_coupler_angle_3
+            * (crank_angle_2_dot_squared * w_11 - self.k_5)
+            - cos_crank_angle_2 * crank_angle_2_dot_squared * w_12
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned
+                * minus_rhs_lambda_loop_3_y_turned;
+        let w_16 = cos_coupler_angle_2 * cos_crank_angle_2
+            + sin_coupler_angle_2 * sin_crank_angle_2;
+        let minus_k_crank_angle_2_lambda_loop_2_y_turned = self.l * w_16;
+        let l_crank_angle_2_lambda_loop_2_y_turned = minus_k_crank_angle_2_lambda_loop_2_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let w_20 = minus_k_crank_angle_2_lambda_loop_2_y_turned
+            * l_crank_angle_2_lambda_loop_2_y_turned;
+        let w_17 = sin_crank_angle_2 * sin_crank_angle_3
+            + cos_crank_angle_2 * cos_crank_angle_3;
+        let k_crank_angle_2_lambda_loop_3_y_turned = self.l * w_17;
+        let minus_l_crank_angle_2_lambda_loop_3_y_turned = k_crank_angle_2_lambda_loop_3_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let minus_k_crank_angle_2_crank_angle_1 = k_crank_angle_1_lambda_loop_2_y_turned
+            * l_crank_angle_2_lambda_loop_2_y_turned;
+        let w_19 = k_crank_angle_1_lambda_loop_2_y_turned
+            * minus_l_crank_angle_1_lambda_loop_2_y_turned;
+        let pivot_crank_angle_1 = self.mass_crank_angle_0_crank_angle_0 + w_18
+            - mass_coupler_angle_2_crank_angle_1 * l_crank_angle_1_coupler_angle_2 + w_19
+            - minus_k_crank_angle_1_coupler_angle_1
+                * minus_l_crank_angle_1_coupler_angle_1;
+        let inverse_crank_angle_1 = S::from_f64(1.0) / pivot_crank_angle_1;
+        let minus_l_crank_angle_2_crank_angle_1 = minus_k_crank_angle_2_crank_angle_1
             * inverse_crank_angle_1;
-        let w_13 = sin_crank_angle_1 * crank_angle_1_dot_squared;
-        let crank_0_tip_x = self.l * cos_crank_angle_0;
-        let l_lambda_loop_1_y_crank_angle_0 = crank_0_tip_x * self.inverse_crank_angle_0;
-        let loop_1_y_by_coupler_angle_1 = self.l * cos_coupler_angle_1;
-        let k_lambda_loop_1_y_coupler_angle_1 = loop_1_y_by_coupler_angle_1
-            - mass_coupler_angle_1_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0;
-        let l_lambda_loop_1_y_coupler_angle_1 = inverse_coupler_angle_1
-            * k_lambda_loop_1_y_coupler_angle_1;
-        let minus_pivot_lambda_loop_1_x = minus_loop_1_x_by_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0
-            + k_lambda_loop_1_x_coupler_angle_1 * l_lambda_loop_1_x_coupler_angle_1
-            + crank_1_tip_y * l_lambda_loop_1_x_crank_angle_1;
-        let minus_inverse_lambda_loop_1_x = S::from_f64(1.0)
-            / minus_pivot_lambda_loop_1_x;
-        let k_lambda_loop_1_y_lambda_loop_1_x = minus_loop_1_x_by_crank_angle_0
-            * l_lambda_loop_1_y_crank_angle_0
-            - k_lambda_loop_1_x_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
-            + crank_1_tip_y * minus_l_lambda_loop_1_y_crank_angle_1;
-        let minus_l_lambda_loop_1_y_lambda_loop_1_x = minus_inverse_lambda_loop_1_x
-            * k_lambda_loop_1_y_lambda_loop_1_x;
-        let rhs_lambda_loop_1_y = minus_l_lambda_loop_1_y_crank_angle_1
-            * rhs_crank_angle_1
+        let inverse_coupler_angle_3 = S::from_f64(1.0) / pivot_coupler_angle_3;
+        let k_crank_angle_2_coupler_angle_3 = self.k
+            * (sin_crank_angle_2 * sin_coupler_angle_3
+                + cos_crank_angle_2 * cos_coupler_angle_3)
+            + k_crank_angle_2_lambda_loop_3_y_turned
+                * minus_l_coupler_angle_3_lambda_loop_3_y_turned;
+        let w_21 = k_crank_angle_2_lambda_loop_3_y_turned
+            * minus_l_crank_angle_2_lambda_loop_3_y_turned;
+        let l_crank_angle_2_coupler_angle_3 = inverse_coupler_angle_3
+            * k_crank_angle_2_coupler_angle_3;
+        let l_lambda_loop_1_x_turned_coupler_angle_1 = k_lambda_loop_1_x_turned_coupler_angle_1
+            * inverse_coupler_angle_1;
+        let k_lambda_loop_1_x_turned_crank_angle_1 = self.l * w_3
+            + minus_k_crank_angle_1_coupler_angle_1
+                * l_lambda_loop_1_x_turned_coupler_angle_1;
+        let l_lambda_loop_1_x_turned_crank_angle_1 = inverse_crank_angle_1
+            * k_lambda_loop_1_x_turned_crank_angle_1;
+        let minus_pivot_lambda_loop_1_x_turned = k_lambda_loop_1_x_turned_coupler_angle_1
+            * l_lambda_loop_1_x_turned_coupler_angle_1
+            + k_lambda_loop_1_x_turned_crank_angle_1
+                * l_lambda_loop_1_x_turned_crank_angle_1;
+        let minus_rhs_lambda_loop_1_x_turned = self.l
+            * (w_8 * crank_angle_1_dot_squared - crank_angle_0_dot_squared
+                - w_7 * coupler_angle_1_dot_squared)
+            + l_lambda_loop_1_x_turned_coupler_angle_1 * rhs_coupler_angle_1
+            + l_lambda_loop_1_x_turned_crank_angle_1 * rhs_crank_angle_1;
+        let k_crank_angle_2_lambda_loop_1_x_turned = minus_k_crank_angle_2_crank_angle_1
+            * l_lambda_loop_1_x_turned_crank_angle_1;
+        let minus_inverse_lambda_loop_1_x_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_loop_1_x_turned;
+        let minus_l_crank_angle_2_lambda_loop_1_x_turned = k_crank_angle_2_lambda_loop_1_x_turned
+            * minus_inverse_lambda_loop_1_x_turned;
+        let rhs_crank_angle_2 = cos_crank_angle_2
+            * (coupler_angle_3_dot_squared * w_12 - self.k_4)
+            - cos_coupler_angle_3 * coupler_angle_3_dot_squared * w_11
+            - l_crank_angle_2_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            - minus_l_crank_angle_2_lambda_loop_3_y_turned
+                * minus_rhs_lambda_loop_3_y_turned
+            + minus_l_crank_angle_2_crank_angle_1 * rhs_crank_angle_1
+            - l_crank_angle_2_coupler_angle_3 * rhs_coupler_angle_3
+            - minus_l_crank_angle_2_lambda_loop_1_x_turned
+                * minus_rhs_lambda_loop_1_x_turned;
+        let l_lambda_loop_2_x_turned_crank_angle_1 = k_lambda_loop_2_x_turned_crank_angle_1
+            * inverse_crank_angle_1;
+        let minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned = k_lambda_loop_1_x_turned_crank_angle_1
+            * l_lambda_loop_2_x_turned_crank_angle_1;
+        let l_lambda_loop_2_x_turned_lambda_loop_1_x_turned = minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * minus_inverse_lambda_loop_1_x_turned;
+        let k_lambda_loop_2_x_turned_crank_angle_2 = self.l * w_6
+            + minus_k_crank_angle_2_crank_angle_1
+                * l_lambda_loop_2_x_turned_crank_angle_1
+            - k_crank_angle_2_lambda_loop_1_x_turned
+                * l_lambda_loop_2_x_turned_lambda_loop_1_x_turned;
+        let w_22 = k_crank_angle_2_lambda_loop_1_x_turned
+            * minus_l_crank_angle_2_lambda_loop_1_x_turned;
+        let pivot_crank_angle_2 = self.mass_crank_angle_0_crank_angle_0 + w_20 + w_21
+            - minus_k_crank_angle_2_crank_angle_1 * minus_l_crank_angle_2_crank_angle_1
+            - k_crank_angle_2_coupler_angle_3 * l_crank_angle_2_coupler_angle_3 + w_22;
+        let inverse_crank_angle_2 = S::from_f64(1.0) / pivot_crank_angle_2;
+        let l_lambda_loop_2_x_turned_crank_angle_2 = inverse_crank_angle_2
+            * k_lambda_loop_2_x_turned_crank_angle_2;
+        let rhs_lambda_loop_2_x_turned = l_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * minus_rhs_lambda_loop_1_x_turned
             - self.l
-                * (w_13 - sin_crank_angle_0 * crank_angle_0_dot_squared
-                    - sin_coupler_angle_1 * coupler_angle_1_dot_squared)
-            - rhs_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0
-            - l_lambda_loop_1_y_coupler_angle_1 * rhs_coupler_angle_1
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * rhs_lambda_loop_1_x;
-        let minus_pivot_lambda_loop_3_x = minus_loop_3_x_by_coupler_angle_3
-            * minus_l_lambda_loop_3_x_coupler_angle_3
-            + crank_3_tip_y * l_lambda_loop_3_x_crank_angle_3
-            + k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_x_crank_angle_2;
-        let minus_inverse_lambda_loop_3_x = S::from_f64(1.0)
-            / minus_pivot_lambda_loop_3_x;
-        let loop_3_y_by_coupler_angle_3 = self.l * cos_coupler_angle_3;
-        let l_lambda_loop_3_y_coupler_angle_3 = loop_3_y_by_coupler_angle_3
-            * self.inverse_coupler_angle_2;
-        let minus_loop_3_y_by_crank_angle_3 = self.l * cos_crank_angle_3;
-        let minus_l_lambda_loop_3_y_crank_angle_3 = minus_loop_3_y_by_crank_angle_3
-            * self.inverse_coupler_angle_2;
-        let minus_loop_2_y_by_crank_angle_2 = self.l * cos_crank_angle_2;
-        let k_lambda_loop_3_y_crank_angle_2 = minus_loop_2_y_by_crank_angle_2
-            - mass_coupler_angle_3_crank_angle_2 * l_lambda_loop_3_y_coupler_angle_3;
-        let l_lambda_loop_3_y_crank_angle_2 = inverse_crank_angle_2
-            * k_lambda_loop_3_y_crank_angle_2;
-        let k_lambda_loop_3_y_lambda_loop_3_x = minus_loop_3_x_by_coupler_angle_3
-            * l_lambda_loop_3_y_coupler_angle_3
-            + crank_3_tip_y * minus_l_lambda_loop_3_y_crank_angle_3
-            - k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
-        let minus_l_lambda_loop_3_y_lambda_loop_3_x = minus_inverse_lambda_loop_3_x
-            * k_lambda_loop_3_y_lambda_loop_3_x;
-        let w_14 = sin_crank_angle_2 * crank_angle_2_dot_squared;
-        let rhs_lambda_loop_3_y = minus_l_lambda_loop_3_y_lambda_loop_3_x
-            * rhs_lambda_loop_3_x
-            - self.l
-                * (sin_crank_angle_3 * crank_angle_3_dot_squared - w_14
-                    - sin_coupler_angle_3 * coupler_angle_3_dot_squared)
-            - rhs_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
-            - minus_rhs_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
-            - l_lambda_loop_3_y_crank_angle_2 * rhs_crank_angle_2;
-        let minus_loop_2_x_by_coupler_angle_2 = self.l * sin_coupler_angle_2;
-        let minus_l_lambda_loop_2_x_coupler_angle_2 = minus_loop_2_x_by_coupler_angle_2
-            * self.inverse_coupler_angle_2;
-        let k_lambda_loop_2_x_crank_angle_1 = mass_coupler_angle_2_crank_angle_1
-            * minus_l_lambda_loop_2_x_coupler_angle_2 - crank_1_tip_y;
-        let l_lambda_loop_2_x_crank_angle_1 = inverse_crank_angle_1
-            * k_lambda_loop_2_x_crank_angle_1;
-        let l_lambda_loop_2_x_crank_angle_2 = crank_2_tip_y * inverse_crank_angle_2;
-        let minus_k_lambda_loop_2_x_lambda_loop_1_x = crank_1_tip_y
-            * l_lambda_loop_2_x_crank_angle_1;
-        let l_lambda_loop_2_x_lambda_loop_1_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * minus_inverse_lambda_loop_1_x;
-        let minus_k_lambda_loop_2_x_lambda_loop_3_x = crank_2_tip_y
-            * l_lambda_loop_3_x_crank_angle_2;
-        let l_lambda_loop_2_x_lambda_loop_3_x = minus_k_lambda_loop_2_x_lambda_loop_3_x
-            * minus_inverse_lambda_loop_3_x;
-        let w_15 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
-            + k_lambda_loop_1_y_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
-            + minus_loop_1_y_by_crank_angle_1 * minus_l_lambda_loop_1_y_crank_angle_1;
-        let pivot_lambda_loop_1_y = k_lambda_loop_1_y_lambda_loop_1_x
-            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_15;
-        let inverse_lambda_loop_1_y = S::from_f64(1.0) / pivot_lambda_loop_1_y;
-        let k_lambda_loop_2_x_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
-            * l_lambda_loop_2_x_crank_angle_1
-            - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_x_lambda_loop_1_x;
-        let l_lambda_loop_2_x_lambda_loop_1_y = inverse_lambda_loop_1_y
-            * k_lambda_loop_2_x_lambda_loop_1_y;
-        let w_16 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
-            + minus_loop_3_y_by_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
-            + k_lambda_loop_3_y_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
-        let pivot_lambda_loop_3_y = k_lambda_loop_3_y_lambda_loop_3_x
-            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_16;
-        let inverse_lambda_loop_3_y = S::from_f64(1.0) / pivot_lambda_loop_3_y;
-        let minus_k_lambda_loop_2_x_lambda_loop_3_y = crank_2_tip_y
-            * l_lambda_loop_3_y_crank_angle_2
-            + minus_k_lambda_loop_2_x_lambda_loop_3_x
-                * minus_l_lambda_loop_3_y_lambda_loop_3_x;
-        let minus_l_lambda_loop_2_x_lambda_loop_3_y = inverse_lambda_loop_3_y
-            * minus_k_lambda_loop_2_x_lambda_loop_3_y;
-        let rhs_lambda_loop_2_x = rhs_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2 - self.l * (w_9 - w_6 - w_11)
-            - l_lambda_loop_2_x_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_2_x_crank_angle_2 * rhs_crank_angle_2
-            - l_lambda_loop_2_x_lambda_loop_1_x * rhs_lambda_loop_1_x
-            - l_lambda_loop_2_x_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_x_lambda_loop_1_y * rhs_lambda_loop_1_y
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * rhs_lambda_loop_3_y;
-        let minus_l_lambda_loop_2_y_crank_angle_2 = minus_loop_2_y_by_crank_angle_2
-            * inverse_crank_angle_2;
-        let loop_2_y_by_coupler_angle_2 = self.l * cos_coupler_angle_2;
-        let l_lambda_loop_2_y_coupler_angle_2 = loop_2_y_by_coupler_angle_2
-            * self.inverse_coupler_angle_2;
-        let k_lambda_loop_2_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
-            - mass_coupler_angle_2_crank_angle_1 * l_lambda_loop_2_y_coupler_angle_2;
-        let l_lambda_loop_2_y_crank_angle_1 = inverse_crank_angle_1
-            * k_lambda_loop_2_y_crank_angle_1;
-        let minus_k_lambda_loop_2_y_lambda_loop_1_x = crank_1_tip_y
-            * l_lambda_loop_2_y_crank_angle_1;
-        let l_lambda_loop_2_y_lambda_loop_1_x = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * minus_inverse_lambda_loop_1_x;
-        let k_lambda_loop_2_y_lambda_loop_3_x = minus_loop_2_y_by_crank_angle_2
-            * l_lambda_loop_3_x_crank_angle_2;
-        let minus_l_lambda_loop_2_y_lambda_loop_3_x = k_lambda_loop_2_y_lambda_loop_3_x
-            * minus_inverse_lambda_loop_3_x;
-        let k_lambda_loop_2_y_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
-            * l_lambda_loop_2_y_crank_angle_1
-            - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_y_lambda_loop_1_x;
-        let l_lambda_loop_2_y_lambda_loop_1_y = inverse_lambda_loop_1_y
-            * k_lambda_loop_2_y_lambda_loop_1_y;
-        let k_lambda_loop_2_y_lambda_loop_3_y = minus_loop_2_y_by_crank_angle_2
-            * l_lambda_loop_3_y_crank_angle_2
-            + k_lambda_loop_2_y_lambda_loop_3_x
-                * minus_l_lambda_loop_3_y_lambda_loop_3_x;
-        let l_lambda_loop_2_y_lambda_loop_3_y = inverse_lambda_loop_3_y
-            * k_lambda_loop_2_y_lambda_loop_3_y;
-        let w_17 = minus_loop_2_x_by_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2
-            + k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_x_crank_angle_1
-            + crank_2_tip_y * l_lambda_loop_2_x_crank_angle_2;
-        let pivot_lambda_loop_2_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * l_lambda_loop_2_x_lambda_loop_1_x - w_17
-            + minus_k_lambda_loop_2_x_lambda_loop_3_x * l_lambda_loop_2_x_lambda_loop_3_x
-            - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_x_lambda_loop_1_y
-            - minus_k_lambda_loop_2_x_lambda_loop_3_y
-                * minus_l_lambda_loop_2_x_lambda_loop_3_y;
-        let inverse_lambda_loop_2_x = S::from_f64(1.0) / pivot_lambda_loop_2_x;
-        let k_lambda_loop_2_y_lambda_loop_2_x = minus_loop_2_x_by_coupler_angle_2
-            * l_lambda_loop_2_y_coupler_angle_2
-            - k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
-            + crank_2_tip_y * minus_l_lambda_loop_2_y_crank_angle_2
-            + minus_k_lambda_loop_2_x_lambda_loop_1_x * l_lambda_loop_2_y_lambda_loop_1_x
-            - minus_k_lambda_loop_2_x_lambda_loop_3_x
-                * minus_l_lambda_loop_2_y_lambda_loop_3_x
-            - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
-            + minus_k_lambda_loop_2_x_lambda_loop_3_y
-                * l_lambda_loop_2_y_lambda_loop_3_y;
-        let l_lambda_loop_2_y_lambda_loop_2_x = inverse_lambda_loop_2_x
-            * k_lambda_loop_2_y_lambda_loop_2_x;
-        let rhs_lambda_loop_2_y = minus_l_lambda_loop_2_y_crank_angle_2
-            * rhs_crank_angle_2
-            - self.l * (w_14 - w_13 - sin_coupler_angle_2 * coupler_angle_2_dot_squared)
-            - rhs_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
-            - l_lambda_loop_2_y_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_2_y_lambda_loop_1_x * rhs_lambda_loop_1_x
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_y_lambda_loop_1_y * rhs_lambda_loop_1_y
-            - l_lambda_loop_2_y_lambda_loop_3_y * rhs_lambda_loop_3_y
-            - l_lambda_loop_2_y_lambda_loop_2_x * rhs_lambda_loop_2_x;
-        let w_18 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
-            + k_lambda_loop_2_y_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
-            + minus_loop_2_y_by_crank_angle_2 * minus_l_lambda_loop_2_y_crank_angle_2;
-        let pivot_lambda_loop_2_y = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * l_lambda_loop_2_y_lambda_loop_1_x - w_18
-            + k_lambda_loop_2_y_lambda_loop_3_x * minus_l_lambda_loop_2_y_lambda_loop_3_x
-            - k_lambda_loop_2_y_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
-            - k_lambda_loop_2_y_lambda_loop_3_y * l_lambda_loop_2_y_lambda_loop_3_y
-            - k_lambda_loop_2_y_lambda_loop_2_x * l_lambda_loop_2_y_lambda_loop_2_x;
-        let lambda_loop_2_y = S::from_f64(1.0) / pivot_lambda_loop_2_y
-            * rhs_lambda_loop_2_y;
-        let lambda_loop_2_x = inverse_lambda_loop_2_x * rhs_lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_2_x * lambda_loop_2_y;
-        let lambda_loop_1_y = inverse_lambda_loop_1_y * rhs_lambda_loop_1_y
-            - l_lambda_loop_2_x_lambda_loop_1_y * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_1_y * lambda_loop_2_y;
-        let lambda_loop_1_x = minus_l_lambda_loop_1_y_lambda_loop_1_x * lambda_loop_1_y
-            - minus_inverse_lambda_loop_1_x * rhs_lambda_loop_1_x
-            - l_lambda_loop_2_x_lambda_loop_1_x * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_1_x * lambda_loop_2_y;
-        let coupler_angle_1_ddot = inverse_coupler_angle_1 * rhs_coupler_angle_1
-            - l_lambda_loop_1_x_coupler_angle_1 * lambda_loop_1_x
-            - l_lambda_loop_1_y_coupler_angle_1 * lambda_loop_1_y;
-        let crank_angle_1_ddot = inverse_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_1_x_crank_angle_1 * lambda_loop_1_x
-            + minus_l_lambda_loop_1_y_crank_angle_1 * lambda_loop_1_y
-            - l_lambda_loop_2_x_crank_angle_1 * lambda_loop_2_x
-            - l_lambda_loop_2_y_crank_angle_1 * lambda_loop_2_y;
-        let lambda_loop_3_y = inverse_lambda_loop_3_y * rhs_lambda_loop_3_y
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_3_y * lambda_loop_2_y;
-        let lambda_loop_3_x = minus_l_lambda_loop_2_y_lambda_loop_3_x * lambda_loop_2_y
-            - minus_inverse_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_x_lambda_loop_3_x * lambda_loop_2_x
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * lambda_loop_3_y;
+                * (w_16 * crank_angle_2_dot_squared - coupler_angle_2_dot_squared
+                    - w_9 * crank_angle_1_dot_squared)
+            - l_lambda_loop_2_x_turned_crank_angle_1 * rhs_crank_angle_1
+            - l_lambda_loop_2_x_turned_crank_angle_2 * rhs_crank_angle_2;
+        let w_23 = k_lambda_loop_2_x_turned_crank_angle_1
+            * l_lambda_loop_2_x_turned_crank_angle_1
+            + k_lambda_loop_2_x_turned_crank_angle_2
+                * l_lambda_loop_2_x_turned_crank_angle_2;
+        let pivot_lambda_loop_2_x_turned = minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * l_lambda_loop_2_x_turned_lambda_loop_1_x_turned - w_23;
+        let l_lambda_loop_3_x_turned_coupler_angle_3 = k_lambda_loop_3_x_turned_coupler_angle_3
+            * inverse_coupler_angle_3;
+        let k_lambda_loop_3_x_turned_crank_angle_2 = self.l * w_14
+            - k_crank_angle_2_coupler_angle_3 * l_lambda_loop_3_x_turned_coupler_angle_3;
+        let l_lambda_loop_3_x_turned_crank_angle_2 = inverse_crank_angle_2
+            * k_lambda_loop_3_x_turned_crank_angle_2;
+        let minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned = k_lambda_loop_2_x_turned_crank_angle_2
+            * l_lambda_loop_3_x_turned_crank_angle_2;
+        let w_24 = k_lambda_loop_3_x_turned_coupler_angle_3
+            * l_lambda_loop_3_x_turned_coupler_angle_3
+            + k_lambda_loop_3_x_turned_crank_angle_2
+                * l_lambda_loop_3_x_turned_crank_angle_2;
+        let inverse_lambda_loop_2_x_turned = S::from_f64(1.0)
+            / pivot_lambda_loop_2_x_turned;
+        let minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned = minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+            * inverse_lambda_loop_2_x_turned;
+        let minus_pivot_lambda_loop_3_x_turned = w_24
+            + minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+                * minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned;
+        let w_25 = S::from_f64(1.0) / minus_pivot_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+                * rhs_lambda_loop_2_x_turned
+                - self.l
+                    * (crank_angle_3_dot * crank_angle_3_dot
+                        - w_17 * crank_angle_2_dot_squared
+                        - w_13 * coupler_angle_3_dot_squared)
+                - l_lambda_loop_3_x_turned_coupler_angle_3 * rhs_coupler_angle_3
+                - l_lambda_loop_3_x_turned_crank_angle_2 * rhs_crank_angle_2);
+        let w_26 = inverse_lambda_loop_2_x_turned * rhs_lambda_loop_2_x_turned
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_25;
         let crank_angle_2_ddot = inverse_crank_angle_2 * rhs_crank_angle_2
-            - l_lambda_loop_2_x_crank_angle_2 * lambda_loop_2_x
-            + minus_l_lambda_loop_2_y_crank_angle_2 * lambda_loop_2_y
-            - l_lambda_loop_3_x_crank_angle_2 * lambda_loop_3_x
-            - l_lambda_loop_3_y_crank_angle_2 * lambda_loop_3_y;
-        let w_19 = cos_crank_angle_0 * crank_angle_0_dot;
-        let w_20 = cos_crank_angle_1 * crank_angle_1_dot;
-        let w_21 = cos_crank_angle_2 * crank_angle_2_dot;
-        let w_22 = self.k_7
-            * (self.k_2 * w_19 + loop_1_y_by_coupler_angle_1 * coupler_angle_1_dot
-                + (self.k_2 * w_20 + loop_2_y_by_coupler_angle_2 * coupler_angle_2_dot)
-                + (self.k_2 * w_21 + loop_3_y_by_coupler_angle_3 * coupler_angle_3_dot));
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_26
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_25;
+        let w_27 = minus_inverse_lambda_loop_1_x_turned
+            * minus_rhs_lambda_loop_1_x_turned
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * crank_angle_2_ddot
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_26;
+        let crank_angle_1_ddot = inverse_crank_angle_1 * rhs_crank_angle_1
+            + minus_l_crank_angle_2_crank_angle_1 * crank_angle_2_ddot
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_27
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_26;
+        let coupler_angle_1_ddot = inverse_coupler_angle_1 * rhs_coupler_angle_1
+            + minus_l_crank_angle_1_coupler_angle_1 * crank_angle_1_ddot
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_27;
+        let w_28 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * coupler_angle_1_ddot
+            - self.minus_inverse_lambda_loop_1_y_turned * rhs_lambda_loop_1_y_turned
+            - l_crank_angle_1_lambda_loop_1_y_turned * crank_angle_1_ddot;
+        let w_30 = minus_l_crank_angle_1_lambda_loop_2_y_turned * crank_angle_1_ddot
+            - self.minus_inverse_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            - l_crank_angle_2_lambda_loop_2_y_turned * crank_angle_2_ddot;
+        let coupler_angle_3_ddot = inverse_coupler_angle_3 * rhs_coupler_angle_3
+            - l_crank_angle_2_coupler_angle_3 * crank_angle_2_ddot
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_25;
+        let w_29 = self.minus_inverse_lambda_loop_2_y_turned
+            * minus_rhs_lambda_loop_3_y_turned
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * crank_angle_2_ddot
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * coupler_angle_3_ddot;
+        let w_31 = cos_crank_angle_0 * crank_angle_0_dot;
+        let w_32 = cos_crank_angle_1 * crank_angle_1_dot;
+        let w_33 = cos_crank_angle_2 * crank_angle_2_dot;
+        let w_34 = self.k_9
+            * (self.k_2 * w_31 + self.l * cos_coupler_angle_1 * coupler_angle_1_dot
+                + (self.k_2 * w_32 + self.l * cos_coupler_angle_2 * coupler_angle_2_dot)
+                + (self.k_2 * w_33
+                    + self.l * cos_coupler_angle_3 * coupler_angle_3_dot));
         sim_kernel::Dynamics {
             accelerations: [
-                rhs_crank_angle_0 * self.inverse_crank_angle_0
-                    - l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
-                    + minus_l_lambda_loop_1_x_crank_angle_0 * lambda_loop_1_x
-                    - l_lambda_loop_1_y_crank_angle_0 * lambda_loop_1_y,
+                -(minus_rhs_crank_angle_0 * self.inverse_crank_angle_0
+                    + l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
+                    + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_28),
                 crank_angle_1_ddot,
                 crank_angle_2_ddot,
-                minus_l_lambda_loop_3_y_crank_angle_3 * lambda_loop_3_y
-                    - minus_rhs_crank_angle_3 * self.inverse_coupler_angle_2
-                    - l_lambda_loop_3_x_crank_angle_3 * lambda_loop_3_x,
+                self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_29
+                    - minus_rhs_crank_angle_3 * self.inverse_coupler_angle_2,
                 coupler_angle_1_ddot,
-                rhs_coupler_angle_2 * self.inverse_coupler_angle_2
-                    - l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
-                    + minus_l_lambda_loop_2_x_coupler_angle_2 * lambda_loop_2_x
-                    - l_lambda_loop_2_y_coupler_angle_2 * lambda_loop_2_y,
-                rhs_coupler_angle_3 * self.inverse_coupler_angle_2
-                    - l_crank_angle_2_coupler_angle_3 * crank_angle_2_ddot
-                    + minus_l_lambda_loop_3_x_coupler_angle_3 * lambda_loop_3_x
-                    - l_lambda_loop_3_y_coupler_angle_3 * lambda_loop_3_y,
+                -(minus_rhs_coupler_angle_2 * self.inverse_coupler_angle_2
+                    + l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
+                    + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_30),
+                coupler_angle_3_ddot,
             ],
             multipliers: [
-                lambda_loop_1_x,
-                lambda_loop_1_y,
-                lambda_loop_2_x,
-                lambda_loop_2_y,
-                lambda_loop_3_x,
-                lambda_loop_3_y,
+                cos_crank_angle_0 * w_27 - sin_crank_angle_0 * w_28,
+                sin_crank_angle_0 * w_27 + cos_crank_angle_0 * w_28,
+                cos_coupler_angle_2 * w_26 - sin_coupler_angle_2 * w_30,
+                sin_coupler_angle_2 * w_26 + cos_coupler_angle_2 * w_30,
+                -(cos_crank_angle_3 * w_25 + sin_crank_angle_3 * w_29),
+                cos_crank_angle_3 * w_29 - sin_crank_angle_3 * w_25,
             ],
             power: -(self.k_5
-                * (w_19 + w_20 + w_21 + cos_crank_angle_3 * crank_angle_3_dot) + w_22),
+                * (w_31 + w_32 + w_33 + cos_crank_angle_3 * crank_angle_3_dot) + w_34),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_crank_angle_0_crank_angle_0,
                 self.mass_crank_angle_0_crank_angle_0,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_crank_angle_3_crank_angle_3,
-                    self.mass_crank_angle_3_crank_angle_3,
+                    self.pivot_lambda_loop_1_y_turned,
+                    self.minus_pivot_lambda_loop_1_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     self.mass_crank_angle_3_crank_angle_3,
@@ -1622,35 +1601,41 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     self.mass_crank_angle_3_crank_angle_3,
                     self.mass_crank_angle_3_crank_angle_3,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_loop_2_y_turned,
+                    self.minus_pivot_lambda_loop_2_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_coupler_angle_1,
-                    self.mass_crank_angle_3_crank_angle_3,
+                    self.mass_crank_angle_3_crank_angle_3 + w_10,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_loop_2_y_turned,
+                    self.minus_pivot_lambda_loop_2_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_crank_angle_1,
-                    self.mass_crank_angle_0_crank_angle_0,
+                    self.mass_crank_angle_0_crank_angle_0 + w_18 + w_19,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_coupler_angle_3,
+                    pivot_coupler_angle_3,
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_loop_1_x_turned,
+                    minus_pivot_lambda_loop_1_x_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_crank_angle_2,
-                    self.mass_crank_angle_0_crank_angle_0,
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_loop_1_x,
-                    minus_pivot_lambda_loop_1_x,
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_loop_3_x,
-                    minus_pivot_lambda_loop_3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_15)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_16)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_17)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_18),
+                    self.mass_crank_angle_0_crank_angle_0 + w_20 + w_21 + w_22,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x_turned, w_23)
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_loop_3_x_turned, w_24),
         }
     }
     /// The derivatives of accelerations (7 rows) and multipliers (6 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 722 additions, 1073 multiplications, 9 divisions, 7 sine-cosine pairs.
+    /// Operations: 675 additions, 1080 multiplications, 7 divisions, 7 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1689,1129 +1674,1095 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             crank_angle_3,
         ]);
         let coupler_angle_1_dot_squared = coupler_angle_1_dot * coupler_angle_1_dot;
-        let w = sin_coupler_angle_1 * coupler_angle_1_dot_squared;
-        let w_2 = cos_coupler_angle_1 * coupler_angle_1_dot_squared;
-        let rhs_crank_angle_0 = cos_crank_angle_0 * (self.k * w - self.k_4)
-            - sin_crank_angle_0 * self.k * w_2;
+        let w = sin_crank_angle_0 * cos_coupler_angle_1
+            - sin_coupler_angle_1 * cos_crank_angle_0;
+        let w_2 = self.k * w;
+        let minus_rhs_crank_angle_0 = cos_crank_angle_0 * self.k_4
+            + coupler_angle_1_dot_squared * w_2;
+        let w_3 = cos_crank_angle_0 * sin_crank_angle_1
+            - sin_crank_angle_0 * cos_crank_angle_1;
         let crank_angle_1_dot_squared = crank_angle_1_dot * crank_angle_1_dot;
-        let w_3 = sin_crank_angle_1 * crank_angle_1_dot_squared;
-        let w_4 = cos_crank_angle_1 * crank_angle_1_dot_squared;
-        let rhs_coupler_angle_2 = cos_coupler_angle_2 * (self.k * w_3 - self.k_5)
-            - self.k * sin_coupler_angle_2 * w_4;
+        let w_4 = self.l
+            * (w_3 * crank_angle_1_dot_squared + w * coupler_angle_1_dot_squared);
+        let rhs_lambda_loop_1_y_turned = minus_rhs_crank_angle_0
+            * self.l_lambda_loop_1_y_turned_crank_angle_0 - w_4;
+        let w_5 = sin_coupler_angle_2 * cos_crank_angle_1
+            - sin_crank_angle_1 * cos_coupler_angle_2;
+        let w_6 = self.k * w_5;
+        let minus_rhs_coupler_angle_2 = cos_coupler_angle_2 * self.k_5
+            + crank_angle_1_dot_squared * w_6;
+        let w_7 = cos_coupler_angle_2 * sin_crank_angle_2
+            - sin_coupler_angle_2 * cos_crank_angle_2;
         let crank_angle_2_dot_squared = crank_angle_2_dot * crank_angle_2_dot;
-        let w_5 = sin_crank_angle_2 * crank_angle_2_dot_squared;
-        let w_6 = cos_crank_angle_2 * crank_angle_2_dot_squared;
-        let rhs_coupler_angle_3 = cos_coupler_angle_3 * (self.k * w_5 - self.k_5)
-            - self.k * sin_coupler_angle_3 * w_6;
+        let w_8 = self.l
+            * (w_5 * crank_angle_1_dot_squared + w_7 * crank_angle_2_dot_squared);
+        let rhs_lambda_loop_2_y_turned = minus_rhs_coupler_angle_2
+            * self.l_lambda_loop_2_y_turned_coupler_angle_2 - w_8;
         let crank_angle_0_dot_squared = crank_angle_0_dot * crank_angle_0_dot;
-        let w_7 = sin_crank_angle_0 * crank_angle_0_dot_squared;
-        let w_8 = cos_crank_angle_0 * crank_angle_0_dot_squared;
         let w_9 = sin_crank_angle_0 * sin_coupler_angle_1
             + cos_crank_angle_0 * cos_coupler_angle_1;
         let mass_coupler_angle_1_crank_angle_0 = self.k * w_9;
         let l_coupler_angle_1_crank_angle_0 = mass_coupler_angle_1_crank_angle_0
             * self.inverse_crank_angle_0;
-        let rhs_coupler_angle_1 = cos_coupler_angle_1 * (self.k * w_7 - self.k_5)
-            - sin_coupler_angle_1 * self.k * w_8
-            - rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
+        let k_coupler_angle_1_lambda_loop_1_y_turned = w_9 * self.k_7;
+        let minus_l_coupler_angle_1_lambda_loop_1_y_turned = self
+            .minus_inverse_lambda_loop_1_y_turned
+            * k_coupler_angle_1_lambda_loop_1_y_turned;
+        let rhs_coupler_angle_1 = crank_angle_0_dot_squared * w_2
+            - cos_coupler_angle_1 * self.k_5
+            + minus_rhs_crank_angle_0 * l_coupler_angle_1_crank_angle_0
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned
+                * rhs_lambda_loop_1_y_turned;
+        let w_12 = k_coupler_angle_1_lambda_loop_1_y_turned
+            * minus_l_coupler_angle_1_lambda_loop_1_y_turned;
         let coupler_angle_2_dot_squared = coupler_angle_2_dot * coupler_angle_2_dot;
-        let w_10 = sin_coupler_angle_2 * coupler_angle_2_dot_squared;
-        let w_11 = cos_coupler_angle_2 * coupler_angle_2_dot_squared;
-        let w_12 = sin_crank_angle_1 * sin_coupler_angle_2
+        let w_10 = sin_crank_angle_0 * sin_crank_angle_1
+            + cos_crank_angle_0 * cos_crank_angle_1;
+        let minus_k_crank_angle_1_lambda_loop_1_y_turned = self.l * w_10;
+        let l_crank_angle_1_lambda_loop_1_y_turned = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * self.minus_inverse_lambda_loop_1_y_turned;
+        let w_11 = sin_crank_angle_1 * sin_coupler_angle_2
             + cos_crank_angle_1 * cos_coupler_angle_2;
-        let mass_coupler_angle_2_crank_angle_1 = self.k * w_12;
+        let mass_coupler_angle_2_crank_angle_1 = self.k * w_11;
         let l_crank_angle_1_coupler_angle_2 = mass_coupler_angle_2_crank_angle_1
             * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_1 = cos_crank_angle_1 * (self.k * w_10 - self.k_4)
-            - self.k * sin_crank_angle_1 * w_11
-            - rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2;
-        let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
-        let w_13 = sin_coupler_angle_3 * coupler_angle_3_dot_squared;
-        let w_14 = cos_coupler_angle_3 * coupler_angle_3_dot_squared;
-        let w_15 = sin_crank_angle_2 * sin_coupler_angle_3
-            + cos_crank_angle_2 * cos_coupler_angle_3;
-        let mass_coupler_angle_3_crank_angle_2 = self.k * w_15;
-        let l_crank_angle_2_coupler_angle_3 = mass_coupler_angle_3_crank_angle_2
-            * self.inverse_coupler_angle_2;
-        let rhs_crank_angle_2 = cos_crank_angle_2 * (self.k * w_13 - self.k_4)
-            - self.k * sin_crank_angle_2 * w_14
-            - rhs_coupler_angle_3 * l_crank_angle_2_coupler_angle_3;
-        let minus_loop_1_x_by_crank_angle_0 = self.l * sin_crank_angle_0;
-        let minus_l_lambda_loop_1_x_crank_angle_0 = minus_loop_1_x_by_crank_angle_0
-            * self.inverse_crank_angle_0;
+        let k_crank_angle_1_lambda_loop_2_y_turned = w_11 * self.k_8;
+        let minus_l_crank_angle_1_lambda_loop_2_y_turned = self
+            .minus_inverse_lambda_loop_2_y_turned
+            * k_crank_angle_1_lambda_loop_2_y_turned;
+        let minus_k_crank_angle_1_coupler_angle_1 = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * minus_l_coupler_angle_1_lambda_loop_1_y_turned;
         let pivot_coupler_angle_1 = self.mass_crank_angle_3_crank_angle_3
-            - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0;
+            - mass_coupler_angle_1_crank_angle_0 * l_coupler_angle_1_crank_angle_0
+            + w_12;
         let inverse_coupler_angle_1 = S::from_f64(1.0) / pivot_coupler_angle_1;
-        let k_lambda_loop_1_x_coupler_angle_1 = mass_coupler_angle_1_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * sin_coupler_angle_1;
-        let l_lambda_loop_1_x_coupler_angle_1 = inverse_coupler_angle_1
-            * k_lambda_loop_1_x_coupler_angle_1;
-        let crank_1_tip_y = self.l * sin_crank_angle_1;
-        let pivot_crank_angle_1 = self.mass_crank_angle_0_crank_angle_0
-            - mass_coupler_angle_2_crank_angle_1 * l_crank_angle_1_coupler_angle_2;
+        let minus_l_crank_angle_1_coupler_angle_1 = minus_k_crank_angle_1_coupler_angle_1
+            * inverse_coupler_angle_1;
+        let rhs_crank_angle_1 = coupler_angle_2_dot_squared * w_6
+            - cos_crank_angle_1 * self.k_4
+            - l_crank_angle_1_lambda_loop_1_y_turned * rhs_lambda_loop_1_y_turned
+            + minus_rhs_coupler_angle_2 * l_crank_angle_1_coupler_angle_2
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            + minus_l_crank_angle_1_coupler_angle_1 * rhs_coupler_angle_1;
+        let w_13 = self.k * sin_crank_angle_2;
+        let w_14 = cos_crank_angle_2 * crank_angle_2_dot_squared;
+        let w_15 = self.k * sin_coupler_angle_3;
+        let w_16 = cos_coupler_angle_3 * cos_crank_angle_3
+            + sin_coupler_angle_3 * sin_crank_angle_3;
+        let k_coupler_angle_3_lambda_loop_3_y_turned = self.l * w_16;
+        let minus_l_coupler_angle_3_lambda_loop_3_y_turned = k_coupler_angle_3_lambda_loop_3_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let w_17 = cos_crank_angle_2 * sin_crank_angle_3
+            - sin_crank_angle_2 * cos_crank_angle_3;
+        let w_18 = cos_coupler_angle_3 * sin_crank_angle_3
+            - sin_coupler_angle_3 * cos_crank_angle_3;
+        let coupler_angle_3_dot_squared = coupler_angle_3_dot * coupler_angle_3_dot;
+        let w_19 = self.l
+            * (w_17 * crank_angle_2_dot_squared + w_18 * coupler_angle_3_dot_squared);
+        let minus_rhs_lambda_loop_3_y_turned = w_19
+            + cos_crank_angle_3 * self.k_5
+                * self.l_lambda_loop_2_y_turned_coupler_angle_2;
+        let rhs_coupler_angle_3 = cos_coupler_angle_3
+            * (crank_angle_2_dot_squared * w_13 - self.k_5) - w_14 * w_15
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned
+                * minus_rhs_lambda_loop_3_y_turned;
+        let w_20 = cos_coupler_angle_2 * cos_crank_angle_2
+            + sin_coupler_angle_2 * sin_crank_angle_2;
+        let minus_k_crank_angle_2_lambda_loop_2_y_turned = self.l * w_20;
+        let l_crank_angle_2_lambda_loop_2_y_turned = minus_k_crank_angle_2_lambda_loop_2_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let w_21 = sin_crank_angle_2 * sin_crank_angle_3
+            + cos_crank_angle_2 * cos_crank_angle_3;
+        let k_crank_angle_2_lambda_loop_3_y_turned = self.l * w_21;
+        let minus_l_crank_angle_2_lambda_loop_3_y_turned = k_crank_angle_2_lambda_loop_3_y_turned
+            * self.minus_inverse_lambda_loop_2_y_turned;
+        let minus_k_crank_angle_2_crank_angle_1 = k_crank_angle_1_lambda_loop_2_y_turned
+            * l_crank_angle_2_lambda_loop_2_y_turned;
+        let w_23 = k_crank_angle_1_lambda_loop_2_y_turned
+            * minus_l_crank_angle_1_lambda_loop_2_y_turned;
+        let w_22 = minus_k_crank_angle_1_lambda_loop_1_y_turned
+            * l_crank_angle_1_lambda_loop_1_y_turned;
+        let pivot_crank_angle_1 = self.mass_crank_angle_0_crank_angle_0 + w_22
+            - mass_coupler_angle_2_crank_angle_1 * l_crank_angle_1_coupler_angle_2 + w_23
+            - minus_k_crank_angle_1_coupler_angle_1
+                * minus_l_crank_angle_1_coupler_angle_1;
         let inverse_crank_angle_1 = S::from_f64(1.0) / pivot_crank_angle_1;
-        let l_lambda_loop_1_x_crank_angle_1 = crank_1_tip_y * inverse_crank_angle_1;
-        let rhs_lambda_loop_1_x = rhs_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0 - self.l * (w_4 - w_8 - w_2)
-            - l_lambda_loop_1_x_coupler_angle_1 * rhs_coupler_angle_1
-            - l_lambda_loop_1_x_crank_angle_1 * rhs_crank_angle_1;
-        let minus_loop_3_x_by_coupler_angle_3 = self.l * sin_coupler_angle_3;
-        let minus_l_lambda_loop_3_x_coupler_angle_3 = minus_loop_3_x_by_coupler_angle_3
-            * self.inverse_coupler_angle_2;
-        let crank_angle_3_dot_squared = crank_angle_3_dot * crank_angle_3_dot;
-        let w_16 = cos_crank_angle_3 * crank_angle_3_dot_squared;
-        let minus_rhs_crank_angle_3 = cos_crank_angle_3 * self.k_5;
-        let crank_3_tip_y = self.l * sin_crank_angle_3;
-        let l_lambda_loop_3_x_crank_angle_3 = crank_3_tip_y
-            * self.inverse_coupler_angle_2;
-        let pivot_crank_angle_2 = self.mass_crank_angle_0_crank_angle_0
-            - mass_coupler_angle_3_crank_angle_2 * l_crank_angle_2_coupler_angle_3;
-        let inverse_crank_angle_2 = S::from_f64(1.0) / pivot_crank_angle_2;
-        let crank_2_tip_y = self.l * sin_crank_angle_2;
-        let k_lambda_loop_3_x_crank_angle_2 = mass_coupler_angle_3_crank_angle_2
-            * minus_l_lambda_loop_3_x_coupler_angle_3 - crank_2_tip_y;
-        let l_lambda_loop_3_x_crank_angle_2 = inverse_crank_angle_2
-            * k_lambda_loop_3_x_crank_angle_2;
-        let rhs_lambda_loop_3_x = rhs_coupler_angle_3
-            * minus_l_lambda_loop_3_x_coupler_angle_3 - self.l * (w_16 - w_6 - w_14)
-            + minus_rhs_crank_angle_3 * l_lambda_loop_3_x_crank_angle_3
-            - l_lambda_loop_3_x_crank_angle_2 * rhs_crank_angle_2;
-        let minus_loop_1_y_by_crank_angle_1 = self.l * cos_crank_angle_1;
-        let minus_l_lambda_loop_1_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
+        let minus_l_crank_angle_2_crank_angle_1 = minus_k_crank_angle_2_crank_angle_1
             * inverse_crank_angle_1;
-        let crank_0_tip_x = self.l * cos_crank_angle_0;
-        let l_lambda_loop_1_y_crank_angle_0 = crank_0_tip_x * self.inverse_crank_angle_0;
-        let k_lambda_loop_1_y_coupler_angle_1 = self.l * cos_coupler_angle_1
-            - mass_coupler_angle_1_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0;
-        let l_lambda_loop_1_y_coupler_angle_1 = inverse_coupler_angle_1
-            * k_lambda_loop_1_y_coupler_angle_1;
-        let minus_pivot_lambda_loop_1_x = minus_loop_1_x_by_crank_angle_0
-            * minus_l_lambda_loop_1_x_crank_angle_0
-            + k_lambda_loop_1_x_coupler_angle_1 * l_lambda_loop_1_x_coupler_angle_1
-            + crank_1_tip_y * l_lambda_loop_1_x_crank_angle_1;
-        let minus_inverse_lambda_loop_1_x = S::from_f64(1.0)
-            / minus_pivot_lambda_loop_1_x;
-        let k_lambda_loop_1_y_lambda_loop_1_x = minus_loop_1_x_by_crank_angle_0
-            * l_lambda_loop_1_y_crank_angle_0
-            - k_lambda_loop_1_x_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
-            + crank_1_tip_y * minus_l_lambda_loop_1_y_crank_angle_1;
-        let minus_l_lambda_loop_1_y_lambda_loop_1_x = minus_inverse_lambda_loop_1_x
-            * k_lambda_loop_1_y_lambda_loop_1_x;
-        let rhs_lambda_loop_1_y = minus_l_lambda_loop_1_y_crank_angle_1
-            * rhs_crank_angle_1 - self.l * (w_3 - w_7 - w)
-            - rhs_crank_angle_0 * l_lambda_loop_1_y_crank_angle_0
-            - l_lambda_loop_1_y_coupler_angle_1 * rhs_coupler_angle_1
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * rhs_lambda_loop_1_x;
-        let minus_pivot_lambda_loop_3_x = minus_loop_3_x_by_coupler_angle_3
-            * minus_l_lambda_loop_3_x_coupler_angle_3
-            + crank_3_tip_y * l_lambda_loop_3_x_crank_angle_3
-            + k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_x_crank_angle_2;
-        let minus_inverse_lambda_loop_3_x = S::from_f64(1.0)
-            / minus_pivot_lambda_loop_3_x;
-        let loop_3_y_by_coupler_angle_3 = self.l * cos_coupler_angle_3;
-        let l_lambda_loop_3_y_coupler_angle_3 = loop_3_y_by_coupler_angle_3
-            * self.inverse_coupler_angle_2;
-        let minus_loop_3_y_by_crank_angle_3 = self.l * cos_crank_angle_3;
-        let minus_l_lambda_loop_3_y_crank_angle_3 = minus_loop_3_y_by_crank_angle_3
-            * self.inverse_coupler_angle_2;
-        let minus_loop_2_y_by_crank_angle_2 = self.l * cos_crank_angle_2;
-        let k_lambda_loop_3_y_crank_angle_2 = minus_loop_2_y_by_crank_angle_2
-            - mass_coupler_angle_3_crank_angle_2 * l_lambda_loop_3_y_coupler_angle_3;
-        let l_lambda_loop_3_y_crank_angle_2 = inverse_crank_angle_2
-            * k_lambda_loop_3_y_crank_angle_2;
-        let k_lambda_loop_3_y_lambda_loop_3_x = minus_loop_3_x_by_coupler_angle_3
-            * l_lambda_loop_3_y_coupler_angle_3
-            + crank_3_tip_y * minus_l_lambda_loop_3_y_crank_angle_3
-            - k_lambda_loop_3_x_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
-        let minus_l_lambda_loop_3_y_lambda_loop_3_x = minus_inverse_lambda_loop_3_x
-            * k_lambda_loop_3_y_lambda_loop_3_x;
-        let w_17 = sin_crank_angle_3 * crank_angle_3_dot_squared;
-        let rhs_lambda_loop_3_y = minus_l_lambda_loop_3_y_lambda_loop_3_x
-            * rhs_lambda_loop_3_x - self.l * (w_17 - w_5 - w_13)
-            - rhs_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
-            - minus_rhs_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
-            - l_lambda_loop_3_y_crank_angle_2 * rhs_crank_angle_2;
-        let minus_loop_2_x_by_coupler_angle_2 = self.l * sin_coupler_angle_2;
-        let minus_l_lambda_loop_2_x_coupler_angle_2 = minus_loop_2_x_by_coupler_angle_2
-            * self.inverse_coupler_angle_2;
-        let k_lambda_loop_2_x_crank_angle_1 = mass_coupler_angle_2_crank_angle_1
-            * minus_l_lambda_loop_2_x_coupler_angle_2 - crank_1_tip_y;
-        let l_lambda_loop_2_x_crank_angle_1 = inverse_crank_angle_1
-            * k_lambda_loop_2_x_crank_angle_1;
-        let l_lambda_loop_2_x_crank_angle_2 = crank_2_tip_y * inverse_crank_angle_2;
-        let minus_k_lambda_loop_2_x_lambda_loop_1_x = crank_1_tip_y
-            * l_lambda_loop_2_x_crank_angle_1;
-        let l_lambda_loop_2_x_lambda_loop_1_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * minus_inverse_lambda_loop_1_x;
-        let minus_k_lambda_loop_2_x_lambda_loop_3_x = crank_2_tip_y
-            * l_lambda_loop_3_x_crank_angle_2;
-        let l_lambda_loop_2_x_lambda_loop_3_x = minus_k_lambda_loop_2_x_lambda_loop_3_x
-            * minus_inverse_lambda_loop_3_x;
-        let w_18 = crank_0_tip_x * l_lambda_loop_1_y_crank_angle_0
-            + k_lambda_loop_1_y_coupler_angle_1 * l_lambda_loop_1_y_coupler_angle_1
-            + minus_loop_1_y_by_crank_angle_1 * minus_l_lambda_loop_1_y_crank_angle_1;
-        let pivot_lambda_loop_1_y = k_lambda_loop_1_y_lambda_loop_1_x
-            * minus_l_lambda_loop_1_y_lambda_loop_1_x - w_18;
-        let inverse_lambda_loop_1_y = S::from_f64(1.0) / pivot_lambda_loop_1_y;
-        let k_lambda_loop_2_x_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
-            * l_lambda_loop_2_x_crank_angle_1
-            - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_x_lambda_loop_1_x;
-        let l_lambda_loop_2_x_lambda_loop_1_y = inverse_lambda_loop_1_y
-            * k_lambda_loop_2_x_lambda_loop_1_y;
-        let w_19 = loop_3_y_by_coupler_angle_3 * l_lambda_loop_3_y_coupler_angle_3
-            + minus_loop_3_y_by_crank_angle_3 * minus_l_lambda_loop_3_y_crank_angle_3
-            + k_lambda_loop_3_y_crank_angle_2 * l_lambda_loop_3_y_crank_angle_2;
-        let pivot_lambda_loop_3_y = k_lambda_loop_3_y_lambda_loop_3_x
-            * minus_l_lambda_loop_3_y_lambda_loop_3_x - w_19;
-        let inverse_lambda_loop_3_y = S::from_f64(1.0) / pivot_lambda_loop_3_y;
-        let minus_k_lambda_loop_2_x_lambda_loop_3_y = crank_2_tip_y
-            * l_lambda_loop_3_y_crank_angle_2
-            + minus_k_lambda_loop_2_x_lambda_loop_3_x
-                * minus_l_lambda_loop_3_y_lambda_loop_3_x;
-        let minus_l_lambda_loop_2_x_lambda_loop_3_y = inverse_lambda_loop_3_y
-            * minus_k_lambda_loop_2_x_lambda_loop_3_y;
-        let rhs_lambda_loop_2_x = rhs_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2 - self.l * (w_6 - w_4 - w_11)
-            - l_lambda_loop_2_x_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_2_x_crank_angle_2 * rhs_crank_angle_2
-            - l_lambda_loop_2_x_lambda_loop_1_x * rhs_lambda_loop_1_x
-            - l_lambda_loop_2_x_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_x_lambda_loop_1_y * rhs_lambda_loop_1_y
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * rhs_lambda_loop_3_y;
-        let minus_l_lambda_loop_2_y_crank_angle_2 = minus_loop_2_y_by_crank_angle_2
-            * inverse_crank_angle_2;
-        let loop_2_y_by_coupler_angle_2 = self.l * cos_coupler_angle_2;
-        let l_lambda_loop_2_y_coupler_angle_2 = loop_2_y_by_coupler_angle_2
-            * self.inverse_coupler_angle_2;
-        let k_lambda_loop_2_y_crank_angle_1 = minus_loop_1_y_by_crank_angle_1
-            - mass_coupler_angle_2_crank_angle_1 * l_lambda_loop_2_y_coupler_angle_2;
-        let l_lambda_loop_2_y_crank_angle_1 = inverse_crank_angle_1
-            * k_lambda_loop_2_y_crank_angle_1;
-        let minus_k_lambda_loop_2_y_lambda_loop_1_x = crank_1_tip_y
-            * l_lambda_loop_2_y_crank_angle_1;
-        let l_lambda_loop_2_y_lambda_loop_1_x = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * minus_inverse_lambda_loop_1_x;
-        let k_lambda_loop_2_y_lambda_loop_3_x = minus_loop_2_y_by_crank_angle_2
-            * l_lambda_loop_3_x_crank_angle_2;
-        let minus_l_lambda_loop_2_y_lambda_loop_3_x = k_lambda_loop_2_y_lambda_loop_3_x
-            * minus_inverse_lambda_loop_3_x;
-        let k_lambda_loop_2_y_lambda_loop_1_y = minus_loop_1_y_by_crank_angle_1
-            * l_lambda_loop_2_y_crank_angle_1
-            - k_lambda_loop_1_y_lambda_loop_1_x * l_lambda_loop_2_y_lambda_loop_1_x;
-        let l_lambda_loop_2_y_lambda_loop_1_y = inverse_lambda_loop_1_y
-            * k_lambda_loop_2_y_lambda_loop_1_y;
-        let k_lambda_loop_2_y_lambda_loop_3_y = minus_loop_2_y_by_crank_angle_2
-            * l_lambda_loop_3_y_crank_angle_2
-            + k_lambda_loop_2_y_lambda_loop_3_x
-                * minus_l_lambda_loop_3_y_lambda_loop_3_x;
-        let l_lambda_loop_2_y_lambda_loop_3_y = inverse_lambda_loop_3_y
-            * k_lambda_loop_2_y_lambda_loop_3_y;
-        let w_20 = minus_loop_2_x_by_coupler_angle_2
-            * minus_l_lambda_loop_2_x_coupler_angle_2
-            + k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_x_crank_angle_1
-            + crank_2_tip_y * l_lambda_loop_2_x_crank_angle_2;
-        let pivot_lambda_loop_2_x = minus_k_lambda_loop_2_x_lambda_loop_1_x
-            * l_lambda_loop_2_x_lambda_loop_1_x - w_20
-            + minus_k_lambda_loop_2_x_lambda_loop_3_x * l_lambda_loop_2_x_lambda_loop_3_x
-            - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_x_lambda_loop_1_y
-            - minus_k_lambda_loop_2_x_lambda_loop_3_y
-                * minus_l_lambda_loop_2_x_lambda_loop_3_y;
-        let inverse_lambda_loop_2_x = S::from_f64(1.0) / pivot_lambda_loop_2_x;
-        let k_lambda_loop_2_y_lambda_loop_2_x = minus_loop_2_x_by_coupler_angle_2
-            * l_lambda_loop_2_y_coupler_angle_2
-            - k_lambda_loop_2_x_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
-            + crank_2_tip_y * minus_l_lambda_loop_2_y_crank_angle_2
-            + minus_k_lambda_loop_2_x_lambda_loop_1_x * l_lambda_loop_2_y_lambda_loop_1_x
-            - minus_k_lambda_loop_2_x_lambda_loop_3_x
-                * minus_l_lambda_loop_2_y_lambda_loop_3_x
-            - k_lambda_loop_2_x_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
-            + minus_k_lambda_loop_2_x_lambda_loop_3_y
-                * l_lambda_loop_2_y_lambda_loop_3_y;
-        let l_lambda_loop_2_y_lambda_loop_2_x = inverse_lambda_loop_2_x
-            * k_lambda_loop_2_y_lambda_loop_2_x;
-        let rhs_lambda_loop_2_y = minus_l_lambda_loop_2_y_crank_angle_2
-            * rhs_crank_angle_2 - self.l * (w_5 - w_3 - w_10)
-            - rhs_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
-            - l_lambda_loop_2_y_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_2_y_lambda_loop_1_x * rhs_lambda_loop_1_x
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_y_lambda_loop_1_y * rhs_lambda_loop_1_y
-            - l_lambda_loop_2_y_lambda_loop_3_y * rhs_lambda_loop_3_y
-            - l_lambda_loop_2_y_lambda_loop_2_x * rhs_lambda_loop_2_x;
-        let w_21 = self.k_2 * w_7 + self.l * w;
-        let w_22 = loop_2_y_by_coupler_angle_2 * l_lambda_loop_2_y_coupler_angle_2
-            + k_lambda_loop_2_y_crank_angle_1 * l_lambda_loop_2_y_crank_angle_1
-            + minus_loop_2_y_by_crank_angle_2 * minus_l_lambda_loop_2_y_crank_angle_2;
-        let pivot_lambda_loop_2_y = minus_k_lambda_loop_2_y_lambda_loop_1_x
-            * l_lambda_loop_2_y_lambda_loop_1_x - w_22
-            + k_lambda_loop_2_y_lambda_loop_3_x * minus_l_lambda_loop_2_y_lambda_loop_3_x
-            - k_lambda_loop_2_y_lambda_loop_1_y * l_lambda_loop_2_y_lambda_loop_1_y
-            - k_lambda_loop_2_y_lambda_loop_3_y * l_lambda_loop_2_y_lambda_loop_3_y
-            - k_lambda_loop_2_y_lambda_loop_2_x * l_lambda_loop_2_y_lambda_loop_2_x;
-        let inverse_lambda_loop_2_y = S::from_f64(1.0) / pivot_lambda_loop_2_y;
-        let lambda_loop_2_y = inverse_lambda_loop_2_y * rhs_lambda_loop_2_y;
-        let lambda_loop_2_x = inverse_lambda_loop_2_x * rhs_lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_2_x * lambda_loop_2_y;
-        let lambda_loop_1_y = inverse_lambda_loop_1_y * rhs_lambda_loop_1_y
-            - l_lambda_loop_2_x_lambda_loop_1_y * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_1_y * lambda_loop_2_y;
-        let w_23 = self.l * lambda_loop_1_y;
-        let lambda_loop_1_x = minus_l_lambda_loop_1_y_lambda_loop_1_x * lambda_loop_1_y
-            - minus_inverse_lambda_loop_1_x * rhs_lambda_loop_1_x
-            - l_lambda_loop_2_x_lambda_loop_1_x * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_1_x * lambda_loop_2_y;
-        let w_24 = self.l * lambda_loop_1_x;
-        let w_25 = self.k_2 * w_8 + self.l * w_2;
-        let coupler_angle_1_ddot = inverse_coupler_angle_1 * rhs_coupler_angle_1
-            - l_lambda_loop_1_x_coupler_angle_1 * lambda_loop_1_x
-            - l_lambda_loop_1_y_coupler_angle_1 * lambda_loop_1_y;
-        let w_26 = sin_coupler_angle_1 * cos_crank_angle_0;
-        let w_27 = sin_crank_angle_0 * cos_coupler_angle_1;
-        let w_28 = w_26 - w_27;
-        let w_29 = S::from_f64(0.5) * self.k_8 * w_28;
-        let w_30 = coupler_angle_1_ddot * w_29;
-        let w_31 = sin_crank_angle_0 * (self.k_4 - w_21 * self.k_3 + w_23)
-            + cos_crank_angle_0 * (w_24 - w_25 * self.k_3)
-            + crank_angle_0_dot_squared * self.k_8 - w_30;
-        let crank_angle_0_ddot = rhs_crank_angle_0 * self.inverse_crank_angle_0
-            - l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
-            + minus_l_lambda_loop_1_x_crank_angle_0 * lambda_loop_1_x
-            - l_lambda_loop_1_y_crank_angle_0 * lambda_loop_1_y;
-        let w_32 = crank_angle_0_ddot * w_29;
-        let w_33 = self.k * w_9 * crank_angle_0_dot_squared - w_32
-            - l_coupler_angle_1_crank_angle_0 * w_31;
-        let w_34 = self.l * (cos_crank_angle_0 * crank_angle_0_ddot - w_7)
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_31
-            - l_lambda_loop_1_x_coupler_angle_1 * w_33;
-        let w_35 = self.l * (w_8 + sin_crank_angle_0 * crank_angle_0_ddot)
-            - l_lambda_loop_1_y_crank_angle_0 * w_31
-            - l_lambda_loop_1_y_coupler_angle_1 * w_33
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_34;
-        let w_36 = l_lambda_loop_2_x_lambda_loop_1_x * w_34
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_35;
-        let w_37 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_36
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_34
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_35);
-        let w_38 = inverse_lambda_loop_2_x * w_36
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_37;
-        let w_39 = inverse_lambda_loop_1_y * w_35
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_38
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_37;
-        let w_40 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_39
-            - minus_inverse_lambda_loop_1_x * w_34
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_38
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_37;
-        let w_41 = inverse_coupler_angle_1 * w_33
-            - l_lambda_loop_1_x_coupler_angle_1 * w_40
-            - l_lambda_loop_1_y_coupler_angle_1 * w_39;
-        let w_42 = self.k_2 * w_3 + self.l * w_10;
-        let w_43 = self.k_2 * w_4 + self.l * w_11;
-        let crank_angle_1_ddot = inverse_crank_angle_1 * rhs_crank_angle_1
-            - l_lambda_loop_1_x_crank_angle_1 * lambda_loop_1_x
-            + minus_l_lambda_loop_1_y_crank_angle_1 * lambda_loop_1_y
-            - l_lambda_loop_2_x_crank_angle_1 * lambda_loop_2_x
-            - l_lambda_loop_2_y_crank_angle_1 * lambda_loop_2_y;
-        let coupler_angle_2_ddot = rhs_coupler_angle_2 * self.inverse_coupler_angle_2
-            - l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
-            + minus_l_lambda_loop_2_x_coupler_angle_2 * lambda_loop_2_x
-            - l_lambda_loop_2_y_coupler_angle_2 * lambda_loop_2_y;
-        let w_44 = sin_coupler_angle_2 * cos_crank_angle_1;
-        let w_45 = sin_crank_angle_1 * cos_coupler_angle_2;
-        let w_46 = w_44 - w_45;
-        let w_47 = S::from_f64(0.5) * self.k_8 * w_46;
-        let w_48 = coupler_angle_2_ddot * w_47;
-        let w_49 = sin_crank_angle_1
-            * (self.l * (lambda_loop_2_y - lambda_loop_1_y) - self.k_3 * w_42 + self.k_4)
-            + cos_crank_angle_1
-                * (self.l * (lambda_loop_2_x - lambda_loop_1_x) - self.k_3 * w_43)
-            + crank_angle_1_dot_squared * self.k_8 - w_48;
-        let w_50 = crank_angle_1_ddot * w_47;
-        let w_51 = self.k * w_12 * crank_angle_1_dot_squared - w_50;
-        let w_52 = w_49 - l_crank_angle_1_coupler_angle_2 * w_51;
-        let w_53 = self.l * (w_4 + sin_crank_angle_1 * crank_angle_1_ddot);
-        let w_54 = cos_crank_angle_1 * crank_angle_1_ddot;
-        let w_55 = self.l * (w_3 - w_54) - l_lambda_loop_1_x_crank_angle_1 * w_52;
-        let w_56 = minus_l_lambda_loop_1_y_crank_angle_1 * w_52 - w_53
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_55;
-        let w_57 = self.l * (w_54 - w_3) + minus_l_lambda_loop_2_x_coupler_angle_2 * w_51
-            - l_lambda_loop_2_x_crank_angle_1 * w_52
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_55
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_56;
-        let w_58 = inverse_lambda_loop_2_y
-            * (w_53 - l_lambda_loop_2_y_coupler_angle_2 * w_51
-                - l_lambda_loop_2_y_crank_angle_1 * w_52
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_55
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_56
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_57);
-        let w_59 = inverse_lambda_loop_2_x * w_57
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_58;
-        let w_60 = inverse_lambda_loop_1_y * w_56
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_59
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_58;
-        let w_61 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_60
-            - minus_inverse_lambda_loop_1_x * w_55
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_59
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_58;
-        let w_62 = l_lambda_loop_1_x_coupler_angle_1 * w_61
-            + l_lambda_loop_1_y_coupler_angle_1 * w_60;
-        let lambda_loop_3_y = inverse_lambda_loop_3_y * rhs_lambda_loop_3_y
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * lambda_loop_2_x
-            - l_lambda_loop_2_y_lambda_loop_3_y * lambda_loop_2_y;
-        let lambda_loop_3_x = minus_l_lambda_loop_2_y_lambda_loop_3_x * lambda_loop_2_y
-            - minus_inverse_lambda_loop_3_x * rhs_lambda_loop_3_x
-            - l_lambda_loop_2_x_lambda_loop_3_x * lambda_loop_2_x
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * lambda_loop_3_y;
+        let pivot_coupler_angle_3 = self.mass_crank_angle_3_crank_angle_3
+            + k_coupler_angle_3_lambda_loop_3_y_turned
+                * minus_l_coupler_angle_3_lambda_loop_3_y_turned;
+        let inverse_coupler_angle_3 = S::from_f64(1.0) / pivot_coupler_angle_3;
+        let mass_coupler_angle_3_crank_angle_2 = self.k
+            * (sin_crank_angle_2 * sin_coupler_angle_3
+                + cos_crank_angle_2 * cos_coupler_angle_3);
+        let k_crank_angle_2_coupler_angle_3 = mass_coupler_angle_3_crank_angle_2
+            + k_crank_angle_2_lambda_loop_3_y_turned
+                * minus_l_coupler_angle_3_lambda_loop_3_y_turned;
+        let l_crank_angle_2_coupler_angle_3 = inverse_coupler_angle_3
+            * k_crank_angle_2_coupler_angle_3;
+        let w_24 = self.l * w_3;
+        let k_lambda_loop_1_x_turned_coupler_angle_1 = self.l * w;
+        let l_lambda_loop_1_x_turned_coupler_angle_1 = k_lambda_loop_1_x_turned_coupler_angle_1
+            * inverse_coupler_angle_1;
+        let k_lambda_loop_1_x_turned_crank_angle_1 = w_24
+            + minus_k_crank_angle_1_coupler_angle_1
+                * l_lambda_loop_1_x_turned_coupler_angle_1;
+        let l_lambda_loop_1_x_turned_crank_angle_1 = inverse_crank_angle_1
+            * k_lambda_loop_1_x_turned_crank_angle_1;
+        let k_crank_angle_2_lambda_loop_1_x_turned = minus_k_crank_angle_2_crank_angle_1
+            * l_lambda_loop_1_x_turned_crank_angle_1;
+        let minus_pivot_lambda_loop_1_x_turned = k_lambda_loop_1_x_turned_coupler_angle_1
+            * l_lambda_loop_1_x_turned_coupler_angle_1
+            + k_lambda_loop_1_x_turned_crank_angle_1
+                * l_lambda_loop_1_x_turned_crank_angle_1;
+        let minus_inverse_lambda_loop_1_x_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_loop_1_x_turned;
+        let minus_l_crank_angle_2_lambda_loop_1_x_turned = k_crank_angle_2_lambda_loop_1_x_turned
+            * minus_inverse_lambda_loop_1_x_turned;
+        let w_25 = w_10 * crank_angle_1_dot_squared;
+        let w_26 = w_9 * coupler_angle_1_dot_squared;
+        let minus_rhs_lambda_loop_1_x_turned = self.l
+            * (w_25 - crank_angle_0_dot_squared - w_26)
+            + l_lambda_loop_1_x_turned_coupler_angle_1 * rhs_coupler_angle_1
+            + l_lambda_loop_1_x_turned_crank_angle_1 * rhs_crank_angle_1;
+        let rhs_crank_angle_2 = cos_crank_angle_2
+            * (coupler_angle_3_dot_squared * w_15 - self.k_4)
+            - cos_coupler_angle_3 * coupler_angle_3_dot_squared * w_13
+            - l_crank_angle_2_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            - minus_l_crank_angle_2_lambda_loop_3_y_turned
+                * minus_rhs_lambda_loop_3_y_turned
+            + minus_l_crank_angle_2_crank_angle_1 * rhs_crank_angle_1
+            - l_crank_angle_2_coupler_angle_3 * rhs_coupler_angle_3
+            - minus_l_crank_angle_2_lambda_loop_1_x_turned
+                * minus_rhs_lambda_loop_1_x_turned;
+        let k_lambda_loop_2_x_turned_crank_angle_1 = self.l * w_5;
+        let l_lambda_loop_2_x_turned_crank_angle_1 = k_lambda_loop_2_x_turned_crank_angle_1
+            * inverse_crank_angle_1;
+        let minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned = k_lambda_loop_1_x_turned_crank_angle_1
+            * l_lambda_loop_2_x_turned_crank_angle_1;
+        let l_lambda_loop_2_x_turned_lambda_loop_1_x_turned = minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * minus_inverse_lambda_loop_1_x_turned;
+        let w_27 = w_20 * crank_angle_2_dot_squared;
+        let w_28 = w_11 * crank_angle_1_dot_squared;
+        let w_29 = minus_k_crank_angle_2_lambda_loop_2_y_turned
+            * l_crank_angle_2_lambda_loop_2_y_turned;
+        let w_30 = k_crank_angle_2_lambda_loop_3_y_turned
+            * minus_l_crank_angle_2_lambda_loop_3_y_turned;
+        let w_31 = k_crank_angle_2_lambda_loop_1_x_turned
+            * minus_l_crank_angle_2_lambda_loop_1_x_turned;
+        let pivot_crank_angle_2 = self.mass_crank_angle_0_crank_angle_0 + w_29 + w_30
+            - minus_k_crank_angle_2_crank_angle_1 * minus_l_crank_angle_2_crank_angle_1
+            - k_crank_angle_2_coupler_angle_3 * l_crank_angle_2_coupler_angle_3 + w_31;
+        let inverse_crank_angle_2 = S::from_f64(1.0) / pivot_crank_angle_2;
+        let w_32 = self.l * w_7;
+        let k_lambda_loop_2_x_turned_crank_angle_2 = w_32
+            + minus_k_crank_angle_2_crank_angle_1
+                * l_lambda_loop_2_x_turned_crank_angle_1
+            - k_crank_angle_2_lambda_loop_1_x_turned
+                * l_lambda_loop_2_x_turned_lambda_loop_1_x_turned;
+        let l_lambda_loop_2_x_turned_crank_angle_2 = inverse_crank_angle_2
+            * k_lambda_loop_2_x_turned_crank_angle_2;
+        let rhs_lambda_loop_2_x_turned = l_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * minus_rhs_lambda_loop_1_x_turned
+            - self.l * (w_27 - coupler_angle_2_dot_squared - w_28)
+            - l_lambda_loop_2_x_turned_crank_angle_1 * rhs_crank_angle_1
+            - l_lambda_loop_2_x_turned_crank_angle_2 * rhs_crank_angle_2;
+        let w_33 = self.l * w_17;
+        let k_lambda_loop_3_x_turned_coupler_angle_3 = self.l * w_18;
+        let l_lambda_loop_3_x_turned_coupler_angle_3 = k_lambda_loop_3_x_turned_coupler_angle_3
+            * inverse_coupler_angle_3;
+        let k_lambda_loop_3_x_turned_crank_angle_2 = w_33
+            - k_crank_angle_2_coupler_angle_3 * l_lambda_loop_3_x_turned_coupler_angle_3;
+        let l_lambda_loop_3_x_turned_crank_angle_2 = inverse_crank_angle_2
+            * k_lambda_loop_3_x_turned_crank_angle_2;
+        let w_41 = k_lambda_loop_3_x_turned_coupler_angle_3
+            * l_lambda_loop_3_x_turned_coupler_angle_3
+            + k_lambda_loop_3_x_turned_crank_angle_2
+                * l_lambda_loop_3_x_turned_crank_angle_2;
+        let minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned = k_lambda_loop_2_x_turned_crank_angle_2
+            * l_lambda_loop_3_x_turned_crank_angle_2;
+        let w_34 = k_lambda_loop_2_x_turned_crank_angle_1
+            * l_lambda_loop_2_x_turned_crank_angle_1
+            + k_lambda_loop_2_x_turned_crank_angle_2
+                * l_lambda_loop_2_x_turned_crank_angle_2;
+        let pivot_lambda_loop_2_x_turned = minus_k_lambda_loop_2_x_turned_lambda_loop_1_x_turned
+            * l_lambda_loop_2_x_turned_lambda_loop_1_x_turned - w_34;
+        let inverse_lambda_loop_2_x_turned = S::from_f64(1.0)
+            / pivot_lambda_loop_2_x_turned;
+        let minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned = minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+            * inverse_lambda_loop_2_x_turned;
+        let minus_pivot_lambda_loop_3_x_turned = w_41
+            + minus_k_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+                * minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned;
+        let w_35 = w_21 * crank_angle_2_dot_squared;
+        let w_36 = w_16 * coupler_angle_3_dot_squared;
+        let w_37 = crank_angle_0_dot_squared * self.k_2;
+        let w_38 = self.l * coupler_angle_1_dot_squared;
+        let w_39 = cos_crank_angle_0 * w_37 + cos_coupler_angle_1 * w_38;
+        let w_40 = sin_crank_angle_0 * w_37 + sin_coupler_angle_1 * w_38;
+        let minus_inverse_lambda_loop_3_x_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_loop_3_x_turned;
+        let w_42 = minus_inverse_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned
+                * rhs_lambda_loop_2_x_turned
+                - self.l * (crank_angle_3_dot * crank_angle_3_dot - w_35 - w_36)
+                - l_lambda_loop_3_x_turned_coupler_angle_3 * rhs_coupler_angle_3
+                - l_lambda_loop_3_x_turned_crank_angle_2 * rhs_crank_angle_2);
+        let w_43 = inverse_lambda_loop_2_x_turned * rhs_lambda_loop_2_x_turned
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_42;
         let crank_angle_2_ddot = inverse_crank_angle_2 * rhs_crank_angle_2
-            - l_lambda_loop_2_x_crank_angle_2 * lambda_loop_2_x
-            + minus_l_lambda_loop_2_y_crank_angle_2 * lambda_loop_2_y
-            - l_lambda_loop_3_x_crank_angle_2 * lambda_loop_3_x
-            - l_lambda_loop_3_y_crank_angle_2 * lambda_loop_3_y;
-        let w_63 = cos_crank_angle_2 * crank_angle_2_ddot;
-        let w_64 = self.k_2 * w_5 + self.l * w_13;
-        let w_65 = self.k_2 * w_6 + self.l * w_14;
-        let coupler_angle_3_ddot = rhs_coupler_angle_3 * self.inverse_coupler_angle_2
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_43
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_42;
+        let w_44 = minus_inverse_lambda_loop_1_x_turned
+            * minus_rhs_lambda_loop_1_x_turned
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * crank_angle_2_ddot
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_43;
+        let crank_angle_1_ddot = inverse_crank_angle_1 * rhs_crank_angle_1
+            + minus_l_crank_angle_2_crank_angle_1 * crank_angle_2_ddot
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_44
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_43;
+        let coupler_angle_1_ddot = inverse_coupler_angle_1 * rhs_coupler_angle_1
+            + minus_l_crank_angle_1_coupler_angle_1 * crank_angle_1_ddot
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_44;
+        let w_49 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * coupler_angle_1_ddot
+            - self.minus_inverse_lambda_loop_1_y_turned * rhs_lambda_loop_1_y_turned
+            - l_crank_angle_1_lambda_loop_1_y_turned * crank_angle_1_ddot;
+        let w_77 = minus_l_crank_angle_1_lambda_loop_2_y_turned * crank_angle_1_ddot
+            - self.minus_inverse_lambda_loop_2_y_turned * rhs_lambda_loop_2_y_turned
+            - l_crank_angle_2_lambda_loop_2_y_turned * crank_angle_2_ddot;
+        let coupler_angle_3_ddot = inverse_coupler_angle_3 * rhs_coupler_angle_3
             - l_crank_angle_2_coupler_angle_3 * crank_angle_2_ddot
-            + minus_l_lambda_loop_3_x_coupler_angle_3 * lambda_loop_3_x
-            - l_lambda_loop_3_y_coupler_angle_3 * lambda_loop_3_y;
-        let w_66 = sin_coupler_angle_3 * cos_crank_angle_2;
-        let w_67 = sin_crank_angle_2 * cos_coupler_angle_3;
-        let w_68 = w_66 - w_67;
-        let w_69 = S::from_f64(0.5) * self.k_8 * w_68;
-        let w_70 = coupler_angle_3_ddot * w_69;
-        let w_71 = sin_crank_angle_2
-            * (self.l * (lambda_loop_3_y - lambda_loop_2_y) - self.k_3 * w_64 + self.k_4)
-            + cos_crank_angle_2
-                * (self.l * (lambda_loop_3_x - lambda_loop_2_x) - self.k_3 * w_65)
-            + crank_angle_2_dot_squared * self.k_8 - w_70;
-        let w_72 = crank_angle_2_ddot * w_69;
-        let w_73 = self.k * w_15 * crank_angle_2_dot_squared - w_72;
-        let w_74 = w_71 - l_crank_angle_2_coupler_angle_3 * w_73;
-        let w_75 = self.l * (w_63 - w_5) + minus_l_lambda_loop_3_x_coupler_angle_3 * w_73
-            - l_lambda_loop_3_x_crank_angle_2 * w_74;
-        let w_76 = self.l * (w_6 + sin_crank_angle_2 * crank_angle_2_ddot);
-        let w_77 = w_76 - l_lambda_loop_3_y_coupler_angle_3 * w_73
-            - l_lambda_loop_3_y_crank_angle_2 * w_74
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_75;
-        let w_78 = self.l * (w_5 - w_63) - l_lambda_loop_2_x_crank_angle_2 * w_74
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_75
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_77;
-        let w_79 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_74 - w_76
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_75
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_77
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_78);
-        let w_80 = inverse_lambda_loop_2_x * w_78
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_79;
-        let w_81 = l_lambda_loop_2_x_lambda_loop_1_y * w_80
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_79;
-        let w_82 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_81
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_80
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_79;
-        let w_83 = l_lambda_loop_1_x_coupler_angle_1 * w_82
-            + l_lambda_loop_1_y_coupler_angle_1 * w_81;
-        let w_84 = self.l * lambda_loop_3_y;
-        let w_85 = sin_crank_angle_3 * (self.k_5 - w_84)
-            - minus_loop_3_y_by_crank_angle_3 * lambda_loop_3_x;
-        let crank_angle_3_ddot = minus_l_lambda_loop_3_y_crank_angle_3 * lambda_loop_3_y
-            - minus_rhs_crank_angle_3 * self.inverse_coupler_angle_2
-            - l_lambda_loop_3_x_crank_angle_3 * lambda_loop_3_x;
-        let w_86 = self.l * (w_17 - cos_crank_angle_3 * crank_angle_3_ddot)
-            - l_lambda_loop_3_x_crank_angle_3 * w_85;
-        let w_87 = minus_l_lambda_loop_3_y_crank_angle_3 * w_85
-            - self.l * (w_16 + sin_crank_angle_3 * crank_angle_3_ddot)
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_86;
-        let w_88 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_87
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_86;
-        let w_89 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_86
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_87
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_88);
-        let w_90 = inverse_lambda_loop_2_x * w_88
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_89;
-        let w_91 = l_lambda_loop_2_x_lambda_loop_1_y * w_90
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_89;
-        let w_92 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_91
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_90
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_89;
-        let w_93 = l_lambda_loop_1_x_coupler_angle_1 * w_92
-            + l_lambda_loop_1_y_coupler_angle_1 * w_91;
-        let w_94 = self.k * w_9 * coupler_angle_1_dot_squared + w_30;
-        let w_95 = sin_coupler_angle_1 * (self.k_5 - w_21 * self.k_6 + w_23)
-            + cos_coupler_angle_1 * (w_24 - w_25 * self.k_6)
-            + coupler_angle_1_dot_squared * self.k_9 + w_32
-            - l_coupler_angle_1_crank_angle_0 * w_94;
-        let w_96 = self.l * (cos_coupler_angle_1 * coupler_angle_1_ddot - w)
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_94
-            - l_lambda_loop_1_x_coupler_angle_1 * w_95;
-        let w_97 = self.l * (w_2 + sin_coupler_angle_1 * coupler_angle_1_ddot)
-            - l_lambda_loop_1_y_crank_angle_0 * w_94
-            - l_lambda_loop_1_y_coupler_angle_1 * w_95
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_96;
-        let w_98 = l_lambda_loop_2_x_lambda_loop_1_x * w_96
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_97;
-        let w_99 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_98
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_96
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_97);
-        let w_100 = inverse_lambda_loop_2_x * w_98
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_99;
-        let w_101 = inverse_lambda_loop_1_y * w_97
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_100
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_99;
-        let w_102 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_101
-            - minus_inverse_lambda_loop_1_x * w_96
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_100
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_99;
-        let w_103 = inverse_coupler_angle_1 * w_95
-            - l_lambda_loop_1_x_coupler_angle_1 * w_102
-            - l_lambda_loop_1_y_coupler_angle_1 * w_101;
-        let w_104 = sin_coupler_angle_2
-            * (self.k_5 - w_42 * self.k_6 + self.l * lambda_loop_2_y)
-            + cos_coupler_angle_2 * (self.l * lambda_loop_2_x - w_43 * self.k_6)
-            + coupler_angle_2_dot_squared * self.k_9 + w_50;
-        let w_105 = self.k * w_12 * coupler_angle_2_dot_squared + w_48
-            - l_crank_angle_1_coupler_angle_2 * w_104;
-        let w_106 = l_lambda_loop_1_x_crank_angle_1 * w_105;
-        let w_107 = minus_l_lambda_loop_1_y_crank_angle_1 * w_105
-            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_106;
-        let w_108 = self.l * (cos_coupler_angle_2 * coupler_angle_2_ddot - w_10)
-            + minus_l_lambda_loop_2_x_coupler_angle_2 * w_104
-            - l_lambda_loop_2_x_crank_angle_1 * w_105
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_106
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_107;
-        let w_109 = inverse_lambda_loop_2_y
-            * (self.l * (w_11 + sin_coupler_angle_2 * coupler_angle_2_ddot)
-                - l_lambda_loop_2_y_coupler_angle_2 * w_104
-                - l_lambda_loop_2_y_crank_angle_1 * w_105
-                + l_lambda_loop_2_y_lambda_loop_1_x * w_106
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_107
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_108);
-        let w_110 = inverse_lambda_loop_2_x * w_108
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_109;
-        let w_111 = inverse_lambda_loop_1_y * w_107
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_110
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_109;
-        let w_112 = minus_inverse_lambda_loop_1_x * w_106
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_111
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_110
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_109;
-        let w_113 = l_lambda_loop_1_x_coupler_angle_1 * w_112
-            + l_lambda_loop_1_y_coupler_angle_1 * w_111;
-        let w_114 = sin_coupler_angle_3 * (self.k_5 - w_64 * self.k_6 + w_84)
-            + cos_coupler_angle_3 * (self.l * lambda_loop_3_x - w_65 * self.k_6)
-            + coupler_angle_3_dot_squared * self.k_9 + w_72;
-        let w_115 = self.k * w_15 * coupler_angle_3_dot_squared + w_70
-            - l_crank_angle_2_coupler_angle_3 * w_114;
-        let w_116 = self.l * (cos_coupler_angle_3 * coupler_angle_3_ddot - w_13)
-            + minus_l_lambda_loop_3_x_coupler_angle_3 * w_114
-            - l_lambda_loop_3_x_crank_angle_2 * w_115;
-        let w_117 = self.l * (w_14 + sin_coupler_angle_3 * coupler_angle_3_ddot)
-            - l_lambda_loop_3_y_coupler_angle_3 * w_114
-            - l_lambda_loop_3_y_crank_angle_2 * w_115
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_116;
-        let w_118 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_117
-            - l_lambda_loop_2_x_crank_angle_2 * w_115
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_116;
-        let w_119 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_115
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_116
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_117
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_118);
-        let w_120 = inverse_lambda_loop_2_x * w_118
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_119;
-        let w_121 = l_lambda_loop_2_x_lambda_loop_1_y * w_120
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_119;
-        let w_122 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_121
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_120
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_119;
-        let w_123 = l_lambda_loop_1_x_coupler_angle_1 * w_122
-            + l_lambda_loop_1_y_coupler_angle_1 * w_121;
-        let w_124 = minus_l_lambda_loop_1_y_crank_angle_1 * w_39
-            - l_lambda_loop_1_x_crank_angle_1 * w_40
-            + l_lambda_loop_2_x_crank_angle_1 * w_38
-            - l_lambda_loop_2_y_crank_angle_1 * w_37;
-        let w_125 = inverse_crank_angle_1 * w_52 - l_lambda_loop_1_x_crank_angle_1 * w_61
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_60
-            - l_lambda_loop_2_x_crank_angle_1 * w_59
-            - l_lambda_loop_2_y_crank_angle_1 * w_58;
-        let w_126 = l_lambda_loop_1_x_crank_angle_1 * w_82
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_81
-            - l_lambda_loop_2_x_crank_angle_1 * w_80
-            - l_lambda_loop_2_y_crank_angle_1 * w_79;
-        let w_127 = l_lambda_loop_1_x_crank_angle_1 * w_92
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_91
-            - l_lambda_loop_2_x_crank_angle_1 * w_90
-            - l_lambda_loop_2_y_crank_angle_1 * w_89;
-        let w_128 = minus_l_lambda_loop_1_y_crank_angle_1 * w_101
-            - l_lambda_loop_1_x_crank_angle_1 * w_102
-            + l_lambda_loop_2_x_crank_angle_1 * w_100
-            - l_lambda_loop_2_y_crank_angle_1 * w_99;
-        let w_129 = inverse_crank_angle_1 * w_105
-            - l_lambda_loop_1_x_crank_angle_1 * w_112
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_111
-            - l_lambda_loop_2_x_crank_angle_1 * w_110
-            - l_lambda_loop_2_y_crank_angle_1 * w_109;
-        let w_130 = l_lambda_loop_1_x_crank_angle_1 * w_122
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_121
-            - l_lambda_loop_2_x_crank_angle_1 * w_120
-            - l_lambda_loop_2_y_crank_angle_1 * w_119;
-        let w_131 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_38
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_37;
-        let w_132 = l_lambda_loop_2_x_lambda_loop_3_x * w_38
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_37
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_131;
-        let w_133 = l_lambda_loop_2_x_crank_angle_2 * w_38
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_37
-            - l_lambda_loop_3_x_crank_angle_2 * w_132
-            + l_lambda_loop_3_y_crank_angle_2 * w_131;
-        let w_134 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_59
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_58;
-        let w_135 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_58
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_59
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_134;
-        let w_136 = minus_l_lambda_loop_2_y_crank_angle_2 * w_58
-            - l_lambda_loop_2_x_crank_angle_2 * w_59
-            - l_lambda_loop_3_x_crank_angle_2 * w_135
-            - l_lambda_loop_3_y_crank_angle_2 * w_134;
-        let w_137 = inverse_lambda_loop_3_y * w_77
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_80
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_79;
-        let w_138 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_79
-            - minus_inverse_lambda_loop_3_x * w_75
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_80
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_137;
-        let w_139 = inverse_crank_angle_2 * w_74 - l_lambda_loop_2_x_crank_angle_2 * w_80
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_79
-            - l_lambda_loop_3_x_crank_angle_2 * w_138
-            - l_lambda_loop_3_y_crank_angle_2 * w_137;
-        let w_140 = inverse_lambda_loop_3_y * w_87
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_90
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_89;
-        let w_141 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_89
-            - minus_inverse_lambda_loop_3_x * w_86
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_90
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_140;
-        let w_142 = minus_l_lambda_loop_2_y_crank_angle_2 * w_89
-            - l_lambda_loop_2_x_crank_angle_2 * w_90
-            - l_lambda_loop_3_x_crank_angle_2 * w_141
-            - l_lambda_loop_3_y_crank_angle_2 * w_140;
-        let w_143 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_100
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_99;
-        let w_144 = l_lambda_loop_2_x_lambda_loop_3_x * w_100
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_99
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_143;
-        let w_145 = l_lambda_loop_2_x_crank_angle_2 * w_100
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_99
-            - l_lambda_loop_3_x_crank_angle_2 * w_144
-            + l_lambda_loop_3_y_crank_angle_2 * w_143;
-        let w_146 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_110
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_109;
-        let w_147 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_109
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_110
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_146;
-        let w_148 = minus_l_lambda_loop_2_y_crank_angle_2 * w_109
-            - l_lambda_loop_2_x_crank_angle_2 * w_110
-            - l_lambda_loop_3_x_crank_angle_2 * w_147
-            - l_lambda_loop_3_y_crank_angle_2 * w_146;
-        let w_149 = inverse_lambda_loop_3_y * w_117
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_120
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_119;
-        let w_150 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_119
-            - minus_inverse_lambda_loop_3_x * w_116
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_120
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_149;
-        let w_151 = inverse_crank_angle_2 * w_115
-            - l_lambda_loop_2_x_crank_angle_2 * w_120
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_119
-            - l_lambda_loop_3_x_crank_angle_2 * w_150
-            - l_lambda_loop_3_y_crank_angle_2 * w_149;
-        let w_152 = crank_angle_0_dot * self.k_2;
-        let w_153 = self.k_8 * crank_angle_0_dot * (w_27 - w_26);
-        let w_154 = cos_crank_angle_0 * w_152
-            - l_lambda_loop_1_x_coupler_angle_1 * w_153;
-        let w_155 = sin_crank_angle_0 * w_152 - l_lambda_loop_1_y_coupler_angle_1 * w_153
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_154;
-        let w_156 = l_lambda_loop_2_x_lambda_loop_1_x * w_154
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_155;
-        let w_157 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_156
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_154
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_155);
-        let w_158 = inverse_lambda_loop_2_x * w_156
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_157;
-        let w_159 = inverse_lambda_loop_1_y * w_155
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_158
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_157;
-        let w_160 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_159
-            - minus_inverse_lambda_loop_1_x * w_154
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_158
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_157;
-        let w_161 = inverse_coupler_angle_1 * w_153
-            - l_lambda_loop_1_x_coupler_angle_1 * w_160
-            - l_lambda_loop_1_y_coupler_angle_1 * w_159;
-        let w_162 = self.k_8 * crank_angle_1_dot * (w_45 - w_44);
-        let w_163 = l_crank_angle_1_coupler_angle_2 * w_162;
-        let w_164 = self.k_2 * crank_angle_1_dot;
-        let w_165 = cos_crank_angle_1 * w_164;
-        let w_166 = l_lambda_loop_1_x_crank_angle_1 * w_163 - w_165;
-        let w_167 = sin_crank_angle_1 * w_164;
-        let w_168 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_166 - w_167
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_163;
-        let w_169 = w_165 + minus_l_lambda_loop_2_x_coupler_angle_2 * w_162
-            + l_lambda_loop_2_x_crank_angle_1 * w_163
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_166
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_168;
-        let w_170 = inverse_lambda_loop_2_y
-            * (w_167 - l_lambda_loop_2_y_coupler_angle_2 * w_162
-                + l_lambda_loop_2_y_crank_angle_1 * w_163
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_166
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_168
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_169);
-        let w_171 = inverse_lambda_loop_2_x * w_169
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_170;
-        let w_172 = inverse_lambda_loop_1_y * w_168
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_171
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_170;
-        let w_173 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_172
-            - minus_inverse_lambda_loop_1_x * w_166
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_171
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_170;
-        let w_174 = l_lambda_loop_1_x_coupler_angle_1 * w_173
-            + l_lambda_loop_1_y_coupler_angle_1 * w_172;
-        let w_175 = self.k_8 * crank_angle_2_dot * (w_67 - w_66);
-        let w_176 = l_crank_angle_2_coupler_angle_3 * w_175;
-        let w_177 = self.k_2 * crank_angle_2_dot;
-        let w_178 = cos_crank_angle_2 * w_177;
-        let w_179 = w_178 + minus_l_lambda_loop_3_x_coupler_angle_3 * w_175
-            + l_lambda_loop_3_x_crank_angle_2 * w_176;
-        let w_180 = sin_crank_angle_2 * w_177;
-        let w_181 = w_180 - l_lambda_loop_3_y_coupler_angle_3 * w_175
-            + l_lambda_loop_3_y_crank_angle_2 * w_176
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_179;
-        let w_182 = l_lambda_loop_2_x_crank_angle_2 * w_176 - w_178
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_179
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_181;
-        let w_183 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_lambda_loop_3_x * w_179 - w_180
-                - minus_l_lambda_loop_2_y_crank_angle_2 * w_176
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_181
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_182);
-        let w_184 = inverse_lambda_loop_2_x * w_182
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_183;
-        let w_185 = l_lambda_loop_2_x_lambda_loop_1_y * w_184
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_183;
-        let w_186 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_185
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_184
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_183;
-        let w_187 = l_lambda_loop_1_x_coupler_angle_1 * w_186
-            + l_lambda_loop_1_y_coupler_angle_1 * w_185;
-        let w_188 = self.k_2 * crank_angle_3_dot;
-        let w_189 = cos_crank_angle_3 * w_188;
-        let w_190 = sin_crank_angle_3 * w_188
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_189;
-        let w_191 = l_lambda_loop_2_x_lambda_loop_3_x * w_189
-            - minus_l_lambda_loop_2_x_lambda_loop_3_y * w_190;
-        let w_192 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_3_y * w_190
-                - minus_l_lambda_loop_2_y_lambda_loop_3_x * w_189
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_191);
-        let w_193 = inverse_lambda_loop_2_x * w_191
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_192;
-        let w_194 = l_lambda_loop_2_x_lambda_loop_1_y * w_193
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_192;
-        let w_195 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_194
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_193
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_192;
-        let w_196 = l_lambda_loop_1_x_coupler_angle_1 * w_195
-            + l_lambda_loop_1_y_coupler_angle_1 * w_194;
-        let w_197 = self.k_8 * coupler_angle_1_dot * w_28;
-        let w_198 = l_coupler_angle_1_crank_angle_0 * w_197;
-        let w_199 = coupler_angle_1_dot * self.k_2;
-        let w_200 = cos_coupler_angle_1 * w_199
-            + minus_l_lambda_loop_1_x_crank_angle_0 * w_197
-            + l_lambda_loop_1_x_coupler_angle_1 * w_198;
-        let w_201 = sin_coupler_angle_1 * w_199 - l_lambda_loop_1_y_crank_angle_0 * w_197
-            + l_lambda_loop_1_y_coupler_angle_1 * w_198
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_200;
-        let w_202 = l_lambda_loop_2_x_lambda_loop_1_x * w_200
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_201;
-        let w_203 = inverse_lambda_loop_2_y
-            * (l_lambda_loop_2_y_lambda_loop_2_x * w_202
-                - l_lambda_loop_2_y_lambda_loop_1_x * w_200
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_201);
-        let w_204 = inverse_lambda_loop_2_x * w_202
-            + l_lambda_loop_2_y_lambda_loop_2_x * w_203;
-        let w_205 = inverse_lambda_loop_1_y * w_201
-            + l_lambda_loop_2_x_lambda_loop_1_y * w_204
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_203;
-        let w_206 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_205
-            - minus_inverse_lambda_loop_1_x * w_200
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_204
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_203;
-        let w_207 = inverse_coupler_angle_1 * w_198
-            + l_lambda_loop_1_x_coupler_angle_1 * w_206
-            + l_lambda_loop_1_y_coupler_angle_1 * w_205;
-        let w_208 = self.k_8 * coupler_angle_2_dot * w_46;
-        let w_209 = l_lambda_loop_1_x_crank_angle_1 * w_208;
-        let w_210 = minus_l_lambda_loop_1_y_crank_angle_1 * w_208
-            - minus_l_lambda_loop_1_y_lambda_loop_1_x * w_209;
-        let w_211 = self.k_2 * coupler_angle_2_dot;
-        let w_212 = cos_coupler_angle_2 * w_211 - l_lambda_loop_2_x_crank_angle_1 * w_208
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_209
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_210;
-        let w_213 = inverse_lambda_loop_2_y
-            * (sin_coupler_angle_2 * w_211 - l_lambda_loop_2_y_crank_angle_1 * w_208
-                + l_lambda_loop_2_y_lambda_loop_1_x * w_209
-                - l_lambda_loop_2_y_lambda_loop_1_y * w_210
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_212);
-        let w_214 = inverse_lambda_loop_2_x * w_212
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_213;
-        let w_215 = inverse_lambda_loop_1_y * w_210
-            - l_lambda_loop_2_x_lambda_loop_1_y * w_214
-            - l_lambda_loop_2_y_lambda_loop_1_y * w_213;
-        let w_216 = minus_inverse_lambda_loop_1_x * w_209
-            + minus_l_lambda_loop_1_y_lambda_loop_1_x * w_215
-            - l_lambda_loop_2_x_lambda_loop_1_x * w_214
-            - l_lambda_loop_2_y_lambda_loop_1_x * w_213;
-        let w_217 = l_lambda_loop_1_x_coupler_angle_1 * w_216
-            + l_lambda_loop_1_y_coupler_angle_1 * w_215;
-        let w_218 = self.k_2 * coupler_angle_3_dot;
-        let w_219 = self.k_8 * coupler_angle_3_dot * w_68;
-        let w_220 = cos_coupler_angle_3 * w_218
-            - l_lambda_loop_3_x_crank_angle_2 * w_219;
-        let w_221 = sin_coupler_angle_3 * w_218 - l_lambda_loop_3_y_crank_angle_2 * w_219
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_220;
-        let w_222 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_221
-            - l_lambda_loop_2_x_crank_angle_2 * w_219
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_220;
-        let w_223 = inverse_lambda_loop_2_y
-            * (minus_l_lambda_loop_2_y_crank_angle_2 * w_219
-                + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_220
-                - l_lambda_loop_2_y_lambda_loop_3_y * w_221
-                - l_lambda_loop_2_y_lambda_loop_2_x * w_222);
-        let w_224 = inverse_lambda_loop_2_x * w_222
-            - l_lambda_loop_2_y_lambda_loop_2_x * w_223;
-        let w_225 = l_lambda_loop_2_x_lambda_loop_1_y * w_224
-            + l_lambda_loop_2_y_lambda_loop_1_y * w_223;
-        let w_226 = minus_l_lambda_loop_1_y_lambda_loop_1_x * w_225
-            + l_lambda_loop_2_x_lambda_loop_1_x * w_224
-            + l_lambda_loop_2_y_lambda_loop_1_x * w_223;
-        let w_227 = l_lambda_loop_1_x_coupler_angle_1 * w_226
-            + l_lambda_loop_1_y_coupler_angle_1 * w_225;
-        let w_228 = minus_l_lambda_loop_1_y_crank_angle_1 * w_159
-            - l_lambda_loop_1_x_crank_angle_1 * w_160
-            + l_lambda_loop_2_x_crank_angle_1 * w_158
-            - l_lambda_loop_2_y_crank_angle_1 * w_157;
-        let w_229 = minus_l_lambda_loop_1_y_crank_angle_1 * w_172
-            - inverse_crank_angle_1 * w_163 - l_lambda_loop_1_x_crank_angle_1 * w_173
-            - l_lambda_loop_2_x_crank_angle_1 * w_171
-            - l_lambda_loop_2_y_crank_angle_1 * w_170;
-        let w_230 = l_lambda_loop_1_x_crank_angle_1 * w_186
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_185
-            - l_lambda_loop_2_x_crank_angle_1 * w_184
-            - l_lambda_loop_2_y_crank_angle_1 * w_183;
-        let w_231 = l_lambda_loop_1_x_crank_angle_1 * w_195
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_194
-            - l_lambda_loop_2_x_crank_angle_1 * w_193
-            - l_lambda_loop_2_y_crank_angle_1 * w_192;
-        let w_232 = minus_l_lambda_loop_1_y_crank_angle_1 * w_205
-            - l_lambda_loop_1_x_crank_angle_1 * w_206
-            + l_lambda_loop_2_x_crank_angle_1 * w_204
-            - l_lambda_loop_2_y_crank_angle_1 * w_203;
-        let w_233 = inverse_crank_angle_1 * w_208
-            - l_lambda_loop_1_x_crank_angle_1 * w_216
-            + minus_l_lambda_loop_1_y_crank_angle_1 * w_215
-            - l_lambda_loop_2_x_crank_angle_1 * w_214
-            - l_lambda_loop_2_y_crank_angle_1 * w_213;
-        let w_234 = l_lambda_loop_1_x_crank_angle_1 * w_226
-            - minus_l_lambda_loop_1_y_crank_angle_1 * w_225
-            - l_lambda_loop_2_x_crank_angle_1 * w_224
-            - l_lambda_loop_2_y_crank_angle_1 * w_223;
-        let w_235 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_158
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_157;
-        let w_236 = l_lambda_loop_2_x_lambda_loop_3_x * w_158
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_157
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_235;
-        let w_237 = l_lambda_loop_2_x_crank_angle_2 * w_158
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_157
-            - l_lambda_loop_3_x_crank_angle_2 * w_236
-            + l_lambda_loop_3_y_crank_angle_2 * w_235;
-        let w_238 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_171
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_170;
-        let w_239 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_170
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_171
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_238;
-        let w_240 = minus_l_lambda_loop_2_y_crank_angle_2 * w_170
-            - l_lambda_loop_2_x_crank_angle_2 * w_171
-            - l_lambda_loop_3_x_crank_angle_2 * w_239
-            - l_lambda_loop_3_y_crank_angle_2 * w_238;
-        let w_241 = inverse_lambda_loop_3_y * w_181
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_184
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_183;
-        let w_242 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_183
-            - minus_inverse_lambda_loop_3_x * w_179
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_184
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_241;
-        let w_243 = minus_l_lambda_loop_2_y_crank_angle_2 * w_183
-            - inverse_crank_angle_2 * w_176 - l_lambda_loop_2_x_crank_angle_2 * w_184
-            - l_lambda_loop_3_x_crank_angle_2 * w_242
-            - l_lambda_loop_3_y_crank_angle_2 * w_241;
-        let w_244 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_193
-            - inverse_lambda_loop_3_y * w_190
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_192;
-        let w_245 = minus_inverse_lambda_loop_3_x * w_189
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_193
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_192
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_244;
-        let w_246 = minus_l_lambda_loop_2_y_crank_angle_2 * w_192
-            - l_lambda_loop_2_x_crank_angle_2 * w_193
-            - l_lambda_loop_3_x_crank_angle_2 * w_245
-            - l_lambda_loop_3_y_crank_angle_2 * w_244;
-        let w_247 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_204
-            + l_lambda_loop_2_y_lambda_loop_3_y * w_203;
-        let w_248 = l_lambda_loop_2_x_lambda_loop_3_x * w_204
-            + minus_l_lambda_loop_2_y_lambda_loop_3_x * w_203
-            - minus_l_lambda_loop_3_y_lambda_loop_3_x * w_247;
-        let w_249 = l_lambda_loop_2_x_crank_angle_2 * w_204
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_203
-            - l_lambda_loop_3_x_crank_angle_2 * w_248
-            + l_lambda_loop_3_y_crank_angle_2 * w_247;
-        let w_250 = minus_l_lambda_loop_2_x_lambda_loop_3_y * w_214
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_213;
-        let w_251 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_213
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_214
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_250;
-        let w_252 = minus_l_lambda_loop_2_y_crank_angle_2 * w_213
-            - l_lambda_loop_2_x_crank_angle_2 * w_214
-            - l_lambda_loop_3_x_crank_angle_2 * w_251
-            - l_lambda_loop_3_y_crank_angle_2 * w_250;
-        let w_253 = inverse_lambda_loop_3_y * w_221
-            + minus_l_lambda_loop_2_x_lambda_loop_3_y * w_224
-            - l_lambda_loop_2_y_lambda_loop_3_y * w_223;
-        let w_254 = minus_l_lambda_loop_2_y_lambda_loop_3_x * w_223
-            - minus_inverse_lambda_loop_3_x * w_220
-            - l_lambda_loop_2_x_lambda_loop_3_x * w_224
-            + minus_l_lambda_loop_3_y_lambda_loop_3_x * w_253;
-        let w_255 = inverse_crank_angle_2 * w_219
-            - l_lambda_loop_2_x_crank_angle_2 * w_224
-            + minus_l_lambda_loop_2_y_crank_angle_2 * w_223
-            - l_lambda_loop_3_x_crank_angle_2 * w_254
-            - l_lambda_loop_3_y_crank_angle_2 * w_253;
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_42;
+        let w_112 = self.minus_inverse_lambda_loop_2_y_turned
+            * minus_rhs_lambda_loop_3_y_turned
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * crank_angle_2_ddot
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * coupler_angle_3_ddot;
+        let w_45 = w * self.k_10;
+        let w_46 = S::from_f64(0.5) * w_45;
+        let w_50 = (minus_rhs_crank_angle_0 * self.inverse_crank_angle_0
+            + l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
+            + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_49) * w_46;
+        let w_47 = coupler_angle_1_ddot * w_46;
+        let w_48 = crank_angle_0_dot_squared * self.k_10
+            - self.k_3 * (cos_crank_angle_0 * w_39 + sin_crank_angle_0 * w_40)
+            + sin_crank_angle_0 * self.k_4 + w_47;
+        let w_152 = mass_coupler_angle_1_crank_angle_0 * coupler_angle_1_dot_squared
+            - w_47;
+        let w_51 = self.l * w_9;
+        let w_52 = w_51 * w_44;
+        let w_62 = w_51 * coupler_angle_1_ddot;
+        let w_55 = k_lambda_loop_1_x_turned_coupler_angle_1 * coupler_angle_1_ddot;
+        let w_53 = k_lambda_loop_1_x_turned_coupler_angle_1 * w_49;
+        let w_54 = w_24 * crank_angle_1_ddot;
+        let w_56 = self.l * (w_25 - w_26) + w_54 + w_55
+            - self.l_lambda_loop_1_y_turned_crank_angle_0 * w_48;
+        let w_57 = mass_coupler_angle_1_crank_angle_0 * crank_angle_0_dot_squared - w_50
+            - w_52 + w_53 - l_coupler_angle_1_crank_angle_0 * w_48
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_56;
+        let w_153 = w_9 * w_38 - w_55
+            - self.l_lambda_loop_1_y_turned_crank_angle_0 * w_152;
+        let w_154 = w_50 + w_52 - w_53
+            - self.k_6 * (cos_coupler_angle_1 * w_39 + sin_coupler_angle_1 * w_40)
+            + coupler_angle_1_dot_squared * self.k_11 + sin_coupler_angle_1 * self.k_5
+            - l_coupler_angle_1_crank_angle_0 * w_152
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_153;
+        let w_59 = w_24 * w_49;
+        let w_58 = minus_k_crank_angle_1_lambda_loop_1_y_turned * w_44;
+        let w_61 = minus_k_crank_angle_1_lambda_loop_1_y_turned * crank_angle_1_ddot;
+        let w_60 = w_58 + w_59 - l_crank_angle_1_lambda_loop_1_y_turned * w_56
+            + minus_l_crank_angle_1_coupler_angle_1 * w_57;
+        let w_63 = w_61 - w_4 - w_62 - l_lambda_loop_1_x_turned_coupler_angle_1 * w_57
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_60;
+        let w_64 = minus_l_crank_angle_2_crank_angle_1 * w_60
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_63;
+        let w_65 = l_lambda_loop_2_x_turned_crank_angle_1 * w_60
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_63
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_64;
+        let w_66 = minus_inverse_lambda_loop_3_x_turned
+            * (l_lambda_loop_3_x_turned_crank_angle_2 * w_64
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_65);
+        let w_67 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_66
+            - inverse_lambda_loop_2_x_turned * w_65;
+        let w_68 = inverse_crank_angle_2 * w_64
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_67
+            - l_lambda_loop_3_x_turned_crank_angle_2 * w_66;
+        let w_69 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_68
+            - minus_inverse_lambda_loop_1_x_turned * w_63
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_67;
+        let w_70 = inverse_crank_angle_1 * w_60
+            + minus_l_crank_angle_2_crank_angle_1 * w_68
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_69
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_67;
+        let w_71 = inverse_coupler_angle_1 * w_57
+            + minus_l_crank_angle_1_coupler_angle_1 * w_70
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_69;
+        let w_72 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_71
+            - self.minus_inverse_lambda_loop_1_y_turned * w_56
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_70;
+        let w_73 = self.k_2 * crank_angle_1_dot_squared;
+        let w_74 = self.l * coupler_angle_2_dot_squared;
+        let w_75 = cos_crank_angle_1 * w_73 + cos_coupler_angle_2 * w_74;
+        let w_76 = sin_crank_angle_1 * w_73 + sin_coupler_angle_2 * w_74;
+        let w_78 = w_5 * self.k_10;
+        let w_79 = S::from_f64(0.5) * w_78;
+        let w_80 = (minus_rhs_coupler_angle_2 * self.inverse_coupler_angle_2
+            + l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
+            + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_77) * w_79;
+        let w_87 = crank_angle_1_ddot * w_79;
+        let w_81 = k_lambda_loop_2_x_turned_crank_angle_1 * w_77;
+        let w_89 = k_lambda_loop_2_x_turned_crank_angle_1 * crank_angle_1_ddot;
+        let w_82 = self.l * w_11;
+        let w_95 = w_82 * crank_angle_1_ddot;
+        let w_83 = w_82 * w_43;
+        let w_84 = crank_angle_1_dot_squared * self.k_10 - w_58 - w_59
+            - self.k_3 * (cos_crank_angle_1 * w_75 + sin_crank_angle_1 * w_76)
+            + sin_crank_angle_1 * self.k_4 + w_80 - w_81 + w_83;
+        let w_166 = w_87
+            - self.k_6 * (cos_coupler_angle_2 * w_75 + sin_coupler_angle_2 * w_76)
+            + coupler_angle_2_dot_squared * self.k_11 + sin_coupler_angle_2 * self.k_5;
+        let w_88 = mass_coupler_angle_2_crank_angle_1 * crank_angle_1_dot_squared - w_87;
+        let w_85 = self.l * crank_angle_1_dot_squared;
+        let w_86 = w_54 + w_10 * w_85;
+        let w_90 = w_11 * w_85 - w_89
+            - self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_88;
+        let w_91 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_86;
+        let w_92 = w_84 + l_crank_angle_1_lambda_loop_1_y_turned * w_86
+            - l_crank_angle_1_coupler_angle_2 * w_88
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_90
+            - minus_l_crank_angle_1_coupler_angle_1 * w_91;
+        let w_93 = w_3 * w_85 - w_61 + l_lambda_loop_1_x_turned_coupler_angle_1 * w_91
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_92;
+        let w_94 = minus_l_crank_angle_2_crank_angle_1 * w_92
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_90
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_93;
+        let w_96 = w_5 * w_85 + w_95 - l_lambda_loop_2_x_turned_crank_angle_1 * w_92
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_93
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_94;
+        let w_97 = minus_inverse_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_96
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_94);
+        let w_98 = inverse_lambda_loop_2_x_turned * w_96
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_97;
+        let w_99 = inverse_crank_angle_2 * w_94
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_98
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_97;
+        let w_100 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_99
+            - minus_inverse_lambda_loop_1_x_turned * w_93
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_98;
+        let w_101 = inverse_crank_angle_1 * w_92
+            + minus_l_crank_angle_2_crank_angle_1 * w_99
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_100
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_98;
+        let w_102 = minus_l_crank_angle_1_coupler_angle_1 * w_101
+            - inverse_coupler_angle_1 * w_91
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_100;
+        let w_103 = self.minus_inverse_lambda_loop_1_y_turned * w_86
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_101
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_102;
+        let w_205 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_101
+            - self.minus_inverse_lambda_loop_2_y_turned * w_90
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_99;
+        let w_104 = self.l * coupler_angle_3_dot_squared;
+        let w_105 = self.k_2 * w_14 + cos_coupler_angle_3 * w_104;
+        let w_106 = sin_crank_angle_2 * self.k_2 * crank_angle_2_dot_squared
+            + sin_coupler_angle_3 * w_104;
+        let w_107 = self.k_10
+            * (sin_coupler_angle_3 * cos_crank_angle_2
+                - sin_crank_angle_2 * cos_coupler_angle_3);
+        let w_108 = S::from_f64(0.5) * w_107;
+        let w_109 = coupler_angle_3_ddot * w_108;
+        let w_122 = crank_angle_2_ddot * w_108;
+        let w_110 = minus_k_crank_angle_2_lambda_loop_2_y_turned * w_43;
+        let w_126 = minus_k_crank_angle_2_lambda_loop_2_y_turned * crank_angle_2_ddot;
+        let w_111 = k_crank_angle_2_lambda_loop_3_y_turned * w_42;
+        let w_128 = k_crank_angle_2_lambda_loop_3_y_turned * crank_angle_2_ddot;
+        let w_113 = w_33 * w_112;
+        let w_119 = w_33 * crank_angle_2_ddot;
+        let w_117 = w_32 * crank_angle_2_ddot;
+        let w_114 = w_32 * w_77;
+        let w_167 = w_89 + w_117 + self.l * (w_27 - w_28)
+            - self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_166;
+        let w_168 = w_81 - w_80 - w_83
+            + mass_coupler_angle_2_crank_angle_1 * coupler_angle_2_dot_squared
+            - l_crank_angle_1_coupler_angle_2 * w_166
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_167;
+        let w_115 = crank_angle_2_dot_squared * self.k_10
+            - self.k_3 * (cos_crank_angle_2 * w_105 + sin_crank_angle_2 * w_106)
+            + sin_crank_angle_2 * self.k_4 - w_109 - w_110 - w_111 - w_113 - w_114;
+        let w_116 = self.l * crank_angle_2_dot_squared;
+        let w_118 = w_20 * w_116 + w_117;
+        let w_120 = w_21 * w_116 - w_119;
+        let w_123 = mass_coupler_angle_3_crank_angle_2 * crank_angle_2_dot_squared
+            - w_122 + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_120;
+        let w_121 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_118;
+        let w_124 = l_lambda_loop_1_x_turned_crank_angle_1 * w_121;
+        let w_125 = w_115 + l_crank_angle_2_lambda_loop_2_y_turned * w_118
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * w_120
+            - minus_l_crank_angle_2_crank_angle_1 * w_121
+            - l_crank_angle_2_coupler_angle_3 * w_123
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_124;
+        let w_127 = w_7 * w_116 - w_126 + l_lambda_loop_2_x_turned_crank_angle_1 * w_121
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_124
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_125;
+        let w_129 = minus_inverse_lambda_loop_3_x_turned
+            * (w_17 * w_116 + w_128 - l_lambda_loop_3_x_turned_coupler_angle_3 * w_123
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_125
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_127);
+        let w_130 = inverse_lambda_loop_2_x_turned * w_127
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_129;
+        let w_131 = inverse_crank_angle_2 * w_125
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_130
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_129;
+        let w_132 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_131
+            - minus_inverse_lambda_loop_1_x_turned * w_124
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_130;
+        let w_133 = minus_l_crank_angle_2_crank_angle_1 * w_131
+            - inverse_crank_angle_1 * w_121
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_132
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_130;
+        let w_206 = self.minus_inverse_lambda_loop_2_y_turned * w_118
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_133
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_131;
+        let w_194 = inverse_coupler_angle_3 * w_123
+            - l_crank_angle_2_coupler_angle_3 * w_131
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_129;
+        let w_195 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_131
+            - self.minus_inverse_lambda_loop_2_y_turned * w_120
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_194;
+        let w_134 = minus_l_crank_angle_1_coupler_angle_1 * w_133
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_132;
+        let w_135 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_134
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_133;
+        let w_136 = k_lambda_loop_3_x_turned_coupler_angle_3 * coupler_angle_3_ddot;
+        let w_140 = k_lambda_loop_3_x_turned_coupler_angle_3 * w_112;
+        let w_143 = k_coupler_angle_3_lambda_loop_3_y_turned * coupler_angle_3_ddot;
+        let w_139 = k_coupler_angle_3_lambda_loop_3_y_turned * w_42;
+        let w_137 = sin_crank_angle_3 * self.k_5;
+        let w_138 = w_119 - self.l * (w_35 + w_36) + w_136
+            + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_137;
+        let w_179 = w_16 * w_104 - w_136;
+        let w_180 = w_122 - w_139 - w_140
+            - self.k_6 * (cos_coupler_angle_3 * w_105 + sin_coupler_angle_3 * w_106)
+            + coupler_angle_3_dot_squared * self.k_11 + sin_coupler_angle_3 * self.k_5
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_179;
+        let w_141 = w_139 + w_140
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_138;
+        let w_142 = w_111 + w_113 + minus_l_crank_angle_2_lambda_loop_3_y_turned * w_138
+            - l_crank_angle_2_coupler_angle_3 * w_141;
+        let w_181 = w_109
+            + mass_coupler_angle_3_crank_angle_2 * coupler_angle_3_dot_squared
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * w_179
+            - l_crank_angle_2_coupler_angle_3 * w_180;
+        let w_144 = l_lambda_loop_2_x_turned_crank_angle_2 * w_142;
+        let w_145 = minus_inverse_lambda_loop_3_x_turned
+            * (w_19 + w_128 + w_143 + l_lambda_loop_3_x_turned_coupler_angle_3 * w_141
+                + l_lambda_loop_3_x_turned_crank_angle_2 * w_142
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_144);
+        let w_146 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_145
+            - inverse_lambda_loop_2_x_turned * w_144;
+        let w_147 = inverse_crank_angle_2 * w_142
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_146
+            - l_lambda_loop_3_x_turned_crank_angle_2 * w_145;
+        let w_196 = inverse_coupler_angle_3 * w_141
+            - l_crank_angle_2_coupler_angle_3 * w_147
+            - l_lambda_loop_3_x_turned_coupler_angle_3 * w_145;
+        let w_197 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_147
+            - self.minus_inverse_lambda_loop_2_y_turned * w_138
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_196;
+        let w_148 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_147
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_146;
+        let w_149 = minus_l_crank_angle_2_crank_angle_1 * w_147
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_148
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_146;
+        let w_150 = minus_l_crank_angle_1_coupler_angle_1 * w_149
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_148;
+        let w_151 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_150
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_149;
+        let w_155 = minus_l_crank_angle_1_coupler_angle_1 * w_154
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_153;
+        let w_156 = w_62 + w * w_38 - l_lambda_loop_1_x_turned_coupler_angle_1 * w_154
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_155;
+        let w_157 = minus_l_crank_angle_2_crank_angle_1 * w_155
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_156;
+        let w_158 = l_lambda_loop_2_x_turned_crank_angle_1 * w_155
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_156
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_157;
+        let w_159 = minus_inverse_lambda_loop_3_x_turned
+            * (l_lambda_loop_3_x_turned_crank_angle_2 * w_157
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_158);
+        let w_160 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_159
+            - inverse_lambda_loop_2_x_turned * w_158;
+        let w_161 = inverse_crank_angle_2 * w_157
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_160
+            - l_lambda_loop_3_x_turned_crank_angle_2 * w_159;
+        let w_162 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_161
+            - minus_inverse_lambda_loop_1_x_turned * w_156
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_160;
+        let w_163 = inverse_crank_angle_1 * w_155
+            + minus_l_crank_angle_2_crank_angle_1 * w_161
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_162
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_160;
+        let w_164 = inverse_coupler_angle_1 * w_154
+            + minus_l_crank_angle_1_coupler_angle_1 * w_163
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_162;
+        let w_165 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_164
+            - self.minus_inverse_lambda_loop_1_y_turned * w_153
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_163;
+        let w_169 = l_lambda_loop_1_x_turned_crank_angle_1 * w_168;
+        let w_170 = w_110 + w_114 - l_crank_angle_2_lambda_loop_2_y_turned * w_167
+            + minus_l_crank_angle_2_crank_angle_1 * w_168
+            - minus_l_crank_angle_2_lambda_loop_1_x_turned * w_169;
+        let w_171 = w_126 - w_8 - w_95 - l_lambda_loop_2_x_turned_crank_angle_1 * w_168
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_169
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_170;
+        let w_172 = minus_inverse_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_171
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_170);
+        let w_173 = inverse_lambda_loop_2_x_turned * w_171
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_172;
+        let w_174 = inverse_crank_angle_2 * w_170
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_173
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_172;
+        let w_175 = minus_inverse_lambda_loop_1_x_turned * w_169
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_174
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_173;
+        let w_176 = inverse_crank_angle_1 * w_168
+            + minus_l_crank_angle_2_crank_angle_1 * w_174
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_175
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_173;
+        let w_209 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_176
+            - self.minus_inverse_lambda_loop_2_y_turned * w_167
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_174;
+        let w_177 = minus_l_crank_angle_1_coupler_angle_1 * w_176
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_175;
+        let w_178 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_177
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_176;
+        let w_182 = l_lambda_loop_2_x_turned_crank_angle_2 * w_181;
+        let w_183 = minus_inverse_lambda_loop_3_x_turned
+            * (w_143 + w_18 * w_104 - l_lambda_loop_3_x_turned_coupler_angle_3 * w_180
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_181
+                - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_182);
+        let w_184 = inverse_lambda_loop_2_x_turned * w_182
+            + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_183;
+        let w_185 = inverse_crank_angle_2 * w_181
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_184
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_183;
+        let w_202 = inverse_coupler_angle_3 * w_180
+            - l_crank_angle_2_coupler_angle_3 * w_185
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_183;
+        let w_203 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_185
+            - self.minus_inverse_lambda_loop_2_y_turned * w_179
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_202;
+        let w_186 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_185
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_184;
+        let w_187 = minus_l_crank_angle_2_crank_angle_1 * w_185
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_186
+            + l_lambda_loop_2_x_turned_crank_angle_1 * w_184;
+        let w_188 = minus_l_crank_angle_1_coupler_angle_1 * w_187
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_186;
+        let w_189 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_188
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_187;
+        let w_190 = l_crank_angle_2_coupler_angle_3 * w_68
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_66;
+        let w_191 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_68
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_190;
+        let w_192 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_97
+            - l_crank_angle_2_coupler_angle_3 * w_99;
+        let w_193 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_99
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_192;
+        let w_198 = l_crank_angle_2_coupler_angle_3 * w_161
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_159;
+        let w_199 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_161
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_198;
+        let w_200 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_172
+            - l_crank_angle_2_coupler_angle_3 * w_174;
+        let w_201 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_174
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_200;
+        let w_204 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_70
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_68;
+        let w_207 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_149
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_147;
+        let w_208 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_163
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_161;
+        let w_210 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_187
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_185;
+        let w_211 = crank_angle_0_dot * w_45;
+        let w_261 = coupler_angle_1_dot * w_45;
+        let w_212 = minus_l_crank_angle_1_coupler_angle_1 * w_211;
+        let w_213 = crank_angle_0_dot * self.k_2
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_211
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_212;
+        let w_214 = minus_l_crank_angle_2_crank_angle_1 * w_212
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_213;
+        let w_215 = l_lambda_loop_2_x_turned_crank_angle_1 * w_212
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_213
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_214;
+        let w_216 = minus_inverse_lambda_loop_3_x_turned
+            * (l_lambda_loop_3_x_turned_crank_angle_2 * w_214
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_215);
+        let w_217 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_216
+            - inverse_lambda_loop_2_x_turned * w_215;
+        let w_218 = inverse_crank_angle_2 * w_214
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_217
+            - l_lambda_loop_3_x_turned_crank_angle_2 * w_216;
+        let w_219 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_218
+            - minus_inverse_lambda_loop_1_x_turned * w_213
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_217;
+        let w_220 = inverse_crank_angle_1 * w_212
+            + minus_l_crank_angle_2_crank_angle_1 * w_218
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_219
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_217;
+        let w_221 = inverse_coupler_angle_1 * w_211
+            + minus_l_crank_angle_1_coupler_angle_1 * w_220
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_219;
+        let w_222 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_221
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_220;
+        let w_223 = self.k_2 * crank_angle_1_dot;
+        let w_224 = w_3 * w_223;
+        let w_225 = crank_angle_1_dot * w_78;
+        let w_226 = self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_225 - w_5 * w_223;
+        let w_276 = coupler_angle_2_dot * w_78;
+        let w_227 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_224;
+        let w_228 = l_crank_angle_1_lambda_loop_1_y_turned * w_224
+            + l_crank_angle_1_coupler_angle_2 * w_225
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_226
+            - minus_l_crank_angle_1_coupler_angle_1 * w_227;
+        let w_229 = l_lambda_loop_1_x_turned_coupler_angle_1 * w_227 - w_10 * w_223
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_228;
+        let w_230 = minus_l_crank_angle_2_crank_angle_1 * w_228
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_226
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_229;
+        let w_231 = w_11 * w_223 - l_lambda_loop_2_x_turned_crank_angle_1 * w_228
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_229
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_230;
+        let w_232 = minus_inverse_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_231
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_230);
+        let w_233 = inverse_lambda_loop_2_x_turned * w_231
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_232;
+        let w_234 = inverse_crank_angle_2 * w_230
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_233
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_232;
+        let w_235 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_234
+            - minus_inverse_lambda_loop_1_x_turned * w_229
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_233;
+        let w_236 = inverse_crank_angle_1 * w_228
+            + minus_l_crank_angle_2_crank_angle_1 * w_234
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_235
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_233;
+        let w_237 = minus_l_crank_angle_1_coupler_angle_1 * w_236
+            - inverse_coupler_angle_1 * w_227
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_235;
+        let w_238 = self.minus_inverse_lambda_loop_1_y_turned * w_224
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_236
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_237;
+        let w_314 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_236
+            - self.minus_inverse_lambda_loop_2_y_turned * w_226
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_234;
+        let w_239 = self.k_2 * crank_angle_2_dot;
+        let w_240 = w_7 * w_239;
+        let w_241 = w_17 * w_239;
+        let w_242 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_240;
+        let w_243 = crank_angle_2_dot * w_107
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_241;
+        let w_244 = l_lambda_loop_1_x_turned_crank_angle_1 * w_242;
+        let w_245 = l_crank_angle_2_lambda_loop_2_y_turned * w_240
+            - minus_l_crank_angle_2_lambda_loop_3_y_turned * w_241
+            - minus_l_crank_angle_2_crank_angle_1 * w_242
+            + l_crank_angle_2_coupler_angle_3 * w_243
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_244;
+        let w_246 = l_lambda_loop_2_x_turned_crank_angle_1 * w_242 - w_20 * w_239
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_244
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_245;
+        let w_247 = minus_inverse_lambda_loop_3_x_turned
+            * (w_21 * w_239 + l_lambda_loop_3_x_turned_coupler_angle_3 * w_243
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_245
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_246);
+        let w_248 = inverse_lambda_loop_2_x_turned * w_246
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_247;
+        let w_249 = inverse_crank_angle_2 * w_245
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_248
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_247;
+        let w_250 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_249
+            - minus_inverse_lambda_loop_1_x_turned * w_244
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_248;
+        let w_251 = minus_l_crank_angle_2_crank_angle_1 * w_249
+            - inverse_crank_angle_1 * w_242
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_250
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_248;
+        let w_315 = self.minus_inverse_lambda_loop_2_y_turned * w_240
+            + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_251
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_249;
+        let w_303 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_247
+            - inverse_coupler_angle_3 * w_243 - l_crank_angle_2_coupler_angle_3 * w_249;
+        let w_304 = self.minus_inverse_lambda_loop_2_y_turned * w_241
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * w_249
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_303;
+        let w_252 = minus_l_crank_angle_1_coupler_angle_1 * w_251
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_250;
+        let w_253 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_252
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_251;
+        let w_254 = minus_inverse_lambda_loop_3_x_turned * self.k_2 * crank_angle_3_dot;
+        let w_255 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_254;
+        let w_256 = l_lambda_loop_2_x_turned_crank_angle_2 * w_255
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_254;
+        let w_257 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_256
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_255;
+        let w_258 = l_lambda_loop_1_x_turned_crank_angle_1 * w_257
+            - minus_l_crank_angle_2_crank_angle_1 * w_256
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_255;
+        let w_259 = minus_l_crank_angle_1_coupler_angle_1 * w_258
+            + l_lambda_loop_1_x_turned_coupler_angle_1 * w_257;
+        let w_260 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_259
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_258;
+        let w_262 = coupler_angle_1_dot * self.k_2;
+        let w_263 = self.l_lambda_loop_1_y_turned_crank_angle_0 * w_261 - w * w_262;
+        let w_264 = l_coupler_angle_1_crank_angle_0 * w_261
+            + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_263;
+        let w_265 = minus_l_crank_angle_1_coupler_angle_1 * w_264
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_263;
+        let w_266 = w_9 * w_262 - l_lambda_loop_1_x_turned_coupler_angle_1 * w_264
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_265;
+        let w_267 = minus_l_crank_angle_2_crank_angle_1 * w_265
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_266;
+        let w_268 = l_lambda_loop_2_x_turned_crank_angle_1 * w_265
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_266
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_267;
+        let w_269 = minus_inverse_lambda_loop_3_x_turned
+            * (l_lambda_loop_3_x_turned_crank_angle_2 * w_267
+                + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_268);
+        let w_270 = minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_269
+            - inverse_lambda_loop_2_x_turned * w_268;
+        let w_271 = inverse_crank_angle_2 * w_267
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_270
+            - l_lambda_loop_3_x_turned_crank_angle_2 * w_269;
+        let w_272 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_271
+            - minus_inverse_lambda_loop_1_x_turned * w_266
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_270;
+        let w_273 = inverse_crank_angle_1 * w_265
+            + minus_l_crank_angle_2_crank_angle_1 * w_271
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_272
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_270;
+        let w_274 = inverse_coupler_angle_1 * w_264
+            + minus_l_crank_angle_1_coupler_angle_1 * w_273
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_272;
+        let w_275 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_274
+            - self.minus_inverse_lambda_loop_1_y_turned * w_263
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_273;
+        let w_277 = l_lambda_loop_1_x_turned_crank_angle_1 * w_276;
+        let w_278 = minus_l_crank_angle_2_crank_angle_1 * w_276
+            - minus_l_crank_angle_2_lambda_loop_1_x_turned * w_277;
+        let w_279 = self.k_2 * coupler_angle_2_dot
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_276
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_277
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_278;
+        let w_280 = minus_inverse_lambda_loop_3_x_turned
+            * (minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_279
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_278);
+        let w_281 = inverse_lambda_loop_2_x_turned * w_279
+            - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_280;
+        let w_282 = inverse_crank_angle_2 * w_278
+            - l_lambda_loop_2_x_turned_crank_angle_2 * w_281
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_280;
+        let w_283 = minus_inverse_lambda_loop_1_x_turned * w_277
+            + minus_l_crank_angle_2_lambda_loop_1_x_turned * w_282
+            - l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_281;
+        let w_284 = inverse_crank_angle_1 * w_276
+            + minus_l_crank_angle_2_crank_angle_1 * w_282
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_283
+            - l_lambda_loop_2_x_turned_crank_angle_1 * w_281;
+        let w_285 = minus_l_crank_angle_1_coupler_angle_1 * w_284
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_283;
+        let w_286 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_285
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_284;
+        let w_287 = self.k_2 * coupler_angle_3_dot;
+        let w_288 = w_18 * w_287;
+        let w_289 = minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_288;
+        let w_290 = coupler_angle_3_dot * w_107
+            - minus_l_crank_angle_2_lambda_loop_3_y_turned * w_288
+            + l_crank_angle_2_coupler_angle_3 * w_289;
+        let w_291 = l_lambda_loop_2_x_turned_crank_angle_2 * w_290;
+        let w_292 = minus_inverse_lambda_loop_3_x_turned
+            * (w_16 * w_287 + l_lambda_loop_3_x_turned_coupler_angle_3 * w_289
+                - l_lambda_loop_3_x_turned_crank_angle_2 * w_290
+                - minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_291);
+        let w_293 = inverse_lambda_loop_2_x_turned * w_291
+            + minus_l_lambda_loop_3_x_turned_lambda_loop_2_x_turned * w_292;
+        let w_294 = inverse_crank_angle_2 * w_290
+            + l_lambda_loop_2_x_turned_crank_angle_2 * w_293
+            + l_lambda_loop_3_x_turned_crank_angle_2 * w_292;
+        let w_295 = minus_l_crank_angle_2_lambda_loop_1_x_turned * w_294
+            + l_lambda_loop_2_x_turned_lambda_loop_1_x_turned * w_293;
+        let w_296 = minus_l_crank_angle_2_crank_angle_1 * w_294
+            - l_lambda_loop_1_x_turned_crank_angle_1 * w_295
+            + l_lambda_loop_2_x_turned_crank_angle_1 * w_293;
+        let w_297 = minus_l_crank_angle_1_coupler_angle_1 * w_296
+            - l_lambda_loop_1_x_turned_coupler_angle_1 * w_295;
+        let w_298 = minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_297
+            - l_crank_angle_1_lambda_loop_1_y_turned * w_296;
+        let w_311 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_292
+            - inverse_coupler_angle_3 * w_289 - l_crank_angle_2_coupler_angle_3 * w_294;
+        let w_312 = self.minus_inverse_lambda_loop_2_y_turned * w_288
+            + minus_l_crank_angle_2_lambda_loop_3_y_turned * w_294
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_311;
+        let w_299 = l_crank_angle_2_coupler_angle_3 * w_218
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_216;
+        let w_300 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_218
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_299;
+        let w_301 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_232
+            - l_crank_angle_2_coupler_angle_3 * w_234;
+        let w_302 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_234
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_301;
+        let w_305 = l_crank_angle_2_coupler_angle_3 * w_256
+            - l_lambda_loop_3_x_turned_coupler_angle_3 * w_254;
+        let w_306 = minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_305
+            - minus_l_crank_angle_2_lambda_loop_3_y_turned * w_256;
+        let w_307 = l_crank_angle_2_coupler_angle_3 * w_271
+            + l_lambda_loop_3_x_turned_coupler_angle_3 * w_269;
+        let w_309 = l_lambda_loop_3_x_turned_coupler_angle_3 * w_280
+            - l_crank_angle_2_coupler_angle_3 * w_282;
+        let w_308 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_271
+            - minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_307;
+        let w_310 = minus_l_crank_angle_2_lambda_loop_3_y_turned * w_282
+            + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_309;
+        let w_313 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_220
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_218;
+        let w_316 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_258
+            + l_crank_angle_2_lambda_loop_2_y_turned * w_256;
+        let w_317 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_273
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_271;
+        let w_318 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_284
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_282;
+        let w_319 = minus_l_crank_angle_1_lambda_loop_2_y_turned * w_296
+            - l_crank_angle_2_lambda_loop_2_y_turned * w_294;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_crank_angle_0 * w_31
-                        - l_coupler_angle_1_crank_angle_0 * w_41
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_40
-                        - l_lambda_loop_1_y_crank_angle_0 * w_39,
-                    l_coupler_angle_1_crank_angle_0 * w_62
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_61
-                        - l_lambda_loop_1_y_crank_angle_0 * w_60,
-                    l_lambda_loop_1_y_crank_angle_0 * w_81
-                        - l_coupler_angle_1_crank_angle_0 * w_83
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_82,
-                    l_lambda_loop_1_y_crank_angle_0 * w_91
-                        - l_coupler_angle_1_crank_angle_0 * w_93
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_92,
-                    self.inverse_crank_angle_0 * w_94
-                        - l_coupler_angle_1_crank_angle_0 * w_103
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_102
-                        - l_lambda_loop_1_y_crank_angle_0 * w_101,
-                    l_coupler_angle_1_crank_angle_0 * w_113
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_112
-                        - l_lambda_loop_1_y_crank_angle_0 * w_111,
-                    l_lambda_loop_1_y_crank_angle_0 * w_121
-                        - l_coupler_angle_1_crank_angle_0 * w_123
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_122,
+                    self.inverse_crank_angle_0 * w_48
+                        - l_coupler_angle_1_crank_angle_0 * w_71
+                        - self.l_lambda_loop_1_y_turned_crank_angle_0 * w_72,
+                    -(l_coupler_angle_1_crank_angle_0 * w_102
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_103),
+                    -(l_coupler_angle_1_crank_angle_0 * w_134
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_135),
+                    -(l_coupler_angle_1_crank_angle_0 * w_150
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_151),
+                    self.inverse_crank_angle_0 * w_152
+                        - l_coupler_angle_1_crank_angle_0 * w_164
+                        - self.l_lambda_loop_1_y_turned_crank_angle_0 * w_165,
+                    -(l_coupler_angle_1_crank_angle_0 * w_177
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_178),
+                    -(l_coupler_angle_1_crank_angle_0 * w_188
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_189),
                 ],
-                [w_124, w_125, w_126, w_127, w_128, w_129, w_130],
-                [w_133, w_136, w_139, w_142, w_145, w_148, w_151],
+                [w_70, w_101, w_133, w_149, w_163, w_176, w_187],
+                [w_68, w_99, w_131, w_147, w_161, w_174, w_185],
                 [
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_132
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_131),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_134
-                        - l_lambda_loop_3_x_crank_angle_3 * w_135,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_137
-                        - l_lambda_loop_3_x_crank_angle_3 * w_138,
-                    self.inverse_coupler_angle_2 * w_85
-                        - l_lambda_loop_3_x_crank_angle_3 * w_141
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_140,
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_144
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_143),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_146
-                        - l_lambda_loop_3_x_crank_angle_3 * w_147,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_149
-                        - l_lambda_loop_3_x_crank_angle_3 * w_150,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_191,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_193,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_195,
+                    self.inverse_coupler_angle_2 * w_137
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_197,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_199,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_201,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_203,
                 ],
-                [w_41, -w_62, w_83, w_93, w_103, -w_113, w_123],
+                [w_71, w_102, w_134, w_150, w_164, w_177, w_188],
                 [
-                    -(l_crank_angle_1_coupler_angle_2 * w_124
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_38
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_37),
-                    self.inverse_coupler_angle_2 * w_51
-                        - l_crank_angle_1_coupler_angle_2 * w_125
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_59
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_58,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_80
-                        - l_crank_angle_1_coupler_angle_2 * w_126
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_79,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_90
-                        - l_crank_angle_1_coupler_angle_2 * w_127
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_89,
-                    -(l_crank_angle_1_coupler_angle_2 * w_128
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_100
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_99),
-                    self.inverse_coupler_angle_2 * w_104
-                        - l_crank_angle_1_coupler_angle_2 * w_129
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_110
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_109,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_120
-                        - l_crank_angle_1_coupler_angle_2 * w_130
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_119,
+                    -(l_crank_angle_1_coupler_angle_2 * w_70
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_204),
+                    self.inverse_coupler_angle_2 * w_88
+                        - l_crank_angle_1_coupler_angle_2 * w_101
+                        - self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_205,
+                    -(l_crank_angle_1_coupler_angle_2 * w_133
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_206),
+                    -(l_crank_angle_1_coupler_angle_2 * w_149
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_207),
+                    -(l_crank_angle_1_coupler_angle_2 * w_163
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_208),
+                    self.inverse_coupler_angle_2 * w_166
+                        - l_crank_angle_1_coupler_angle_2 * w_176
+                        - self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_209,
+                    -(l_crank_angle_1_coupler_angle_2 * w_187
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_210),
                 ],
-                [
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_132
-                        - l_crank_angle_2_coupler_angle_3 * w_133
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_131,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_135
-                        - l_crank_angle_2_coupler_angle_3 * w_136
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_134,
-                    self.inverse_coupler_angle_2 * w_73
-                        - l_crank_angle_2_coupler_angle_3 * w_139
-                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_138
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_137,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_141
-                        - l_crank_angle_2_coupler_angle_3 * w_142
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_140,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_144
-                        - l_crank_angle_2_coupler_angle_3 * w_145
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_143,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_147
-                        - l_crank_angle_2_coupler_angle_3 * w_148
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_146,
-                    self.inverse_coupler_angle_2 * w_114
-                        - l_crank_angle_2_coupler_angle_3 * w_151
-                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_150
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_149,
-                ],
+                [-w_190, w_192, w_194, w_196, -w_198, w_200, w_202],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_loop_1_x_crank_angle_0 * w_160
-                        - l_coupler_angle_1_crank_angle_0 * w_161
-                        - l_lambda_loop_1_y_crank_angle_0 * w_159,
-                    l_coupler_angle_1_crank_angle_0 * w_174
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_173
-                        - l_lambda_loop_1_y_crank_angle_0 * w_172,
-                    l_lambda_loop_1_y_crank_angle_0 * w_185
-                        - l_coupler_angle_1_crank_angle_0 * w_187
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_186,
-                    l_lambda_loop_1_y_crank_angle_0 * w_194
-                        - l_coupler_angle_1_crank_angle_0 * w_196
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_195,
-                    self.inverse_crank_angle_0 * w_197
-                        + l_coupler_angle_1_crank_angle_0 * w_207
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_206
-                        - l_lambda_loop_1_y_crank_angle_0 * w_205,
-                    l_coupler_angle_1_crank_angle_0 * w_217
-                        + minus_l_lambda_loop_1_x_crank_angle_0 * w_216
-                        - l_lambda_loop_1_y_crank_angle_0 * w_215,
-                    l_lambda_loop_1_y_crank_angle_0 * w_225
-                        - l_coupler_angle_1_crank_angle_0 * w_227
-                        - minus_l_lambda_loop_1_x_crank_angle_0 * w_226,
+                    -(l_coupler_angle_1_crank_angle_0 * w_221
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_222),
+                    -(l_coupler_angle_1_crank_angle_0 * w_237
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_238),
+                    -(l_coupler_angle_1_crank_angle_0 * w_252
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_253),
+                    -(l_coupler_angle_1_crank_angle_0 * w_259
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_260),
+                    -(self.inverse_crank_angle_0 * w_261
+                        + l_coupler_angle_1_crank_angle_0 * w_274
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_275),
+                    -(l_coupler_angle_1_crank_angle_0 * w_285
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_286),
+                    -(l_coupler_angle_1_crank_angle_0 * w_297
+                        + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_298),
                 ],
-                [w_228, w_229, w_230, w_231, w_232, w_233, w_234],
-                [w_237, w_240, w_243, w_246, w_249, w_252, w_255],
+                [w_220, w_236, w_251, w_258, w_273, w_284, w_296],
+                [w_218, w_234, w_249, -w_256, w_271, w_282, w_294],
                 [
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_236
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_235),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_238
-                        - l_lambda_loop_3_x_crank_angle_3 * w_239,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_241
-                        - l_lambda_loop_3_x_crank_angle_3 * w_242,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_244
-                        - l_lambda_loop_3_x_crank_angle_3 * w_245,
-                    -(l_lambda_loop_3_x_crank_angle_3 * w_248
-                        + minus_l_lambda_loop_3_y_crank_angle_3 * w_247),
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_250
-                        - l_lambda_loop_3_x_crank_angle_3 * w_251,
-                    minus_l_lambda_loop_3_y_crank_angle_3 * w_253
-                        - l_lambda_loop_3_x_crank_angle_3 * w_254,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_300,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_302,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_304,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_306,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_308,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_310,
+                    self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_312,
                 ],
-                [w_161, -w_174, w_187, w_196, -w_207, -w_217, w_227],
+                [w_221, w_237, w_252, w_259, w_274, w_285, w_297],
                 [
-                    -(l_crank_angle_1_coupler_angle_2 * w_228
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_158
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_157),
-                    self.inverse_coupler_angle_2 * w_162
-                        - l_crank_angle_1_coupler_angle_2 * w_229
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_171
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_170,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_184
-                        - l_crank_angle_1_coupler_angle_2 * w_230
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_183,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_193
-                        - l_crank_angle_1_coupler_angle_2 * w_231
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_192,
-                    -(l_crank_angle_1_coupler_angle_2 * w_232
-                        + minus_l_lambda_loop_2_x_coupler_angle_2 * w_204
-                        + l_lambda_loop_2_y_coupler_angle_2 * w_203),
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_214
-                        - l_crank_angle_1_coupler_angle_2 * w_233
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_213,
-                    minus_l_lambda_loop_2_x_coupler_angle_2 * w_224
-                        - l_crank_angle_1_coupler_angle_2 * w_234
-                        - l_lambda_loop_2_y_coupler_angle_2 * w_223,
+                    -(l_crank_angle_1_coupler_angle_2 * w_220
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_313),
+                    -(self.inverse_coupler_angle_2 * w_225
+                        + l_crank_angle_1_coupler_angle_2 * w_236
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_314),
+                    -(l_crank_angle_1_coupler_angle_2 * w_251
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_315),
+                    -(l_crank_angle_1_coupler_angle_2 * w_258
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_316),
+                    -(l_crank_angle_1_coupler_angle_2 * w_273
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_317),
+                    -(l_crank_angle_1_coupler_angle_2 * w_284
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_318),
+                    -(l_crank_angle_1_coupler_angle_2 * w_296
+                        + self.l_lambda_loop_2_y_turned_coupler_angle_2 * w_319),
                 ],
-                [
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_236
-                        - l_crank_angle_2_coupler_angle_3 * w_237
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_235,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_239
-                        - l_crank_angle_2_coupler_angle_3 * w_240
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_238,
-                    self.inverse_coupler_angle_2 * w_175
-                        - l_crank_angle_2_coupler_angle_3 * w_243
-                        + minus_l_lambda_loop_3_x_coupler_angle_3 * w_242
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_241,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_245
-                        - l_crank_angle_2_coupler_angle_3 * w_246
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_244,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_248
-                        - l_crank_angle_2_coupler_angle_3 * w_249
-                        + l_lambda_loop_3_y_coupler_angle_3 * w_247,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_251
-                        - l_crank_angle_2_coupler_angle_3 * w_252
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_250,
-                    minus_l_lambda_loop_3_x_coupler_angle_3 * w_254
-                        - l_crank_angle_2_coupler_angle_3 * w_255
-                        - l_lambda_loop_3_y_coupler_angle_3 * w_253,
-                ],
+                [-w_299, w_301, w_303, w_305, -w_307, w_309, w_311],
             ],
             multipliers_by_positions: [
-                [w_40, w_61, -w_82, -w_92, w_102, w_112, -w_122],
-                [w_39, w_60, -w_81, -w_91, w_101, w_111, -w_121],
-                [-w_38, w_59, w_80, w_90, -w_100, w_110, w_120],
-                [w_37, w_58, w_79, w_89, w_99, w_109, w_119],
-                [w_132, w_135, w_138, w_141, w_144, w_147, w_150],
-                [-w_131, w_134, w_137, w_140, -w_143, w_146, w_149],
+                [
+                    cos_crank_angle_0 * w_69 - sin_crank_angle_0 * w_72
+                        - (sin_crank_angle_0 * w_44 + cos_crank_angle_0 * w_49),
+                    cos_crank_angle_0 * w_100 - sin_crank_angle_0 * w_103,
+                    cos_crank_angle_0 * w_132 - sin_crank_angle_0 * w_135,
+                    cos_crank_angle_0 * w_148 - sin_crank_angle_0 * w_151,
+                    cos_crank_angle_0 * w_162 - sin_crank_angle_0 * w_165,
+                    cos_crank_angle_0 * w_175 - sin_crank_angle_0 * w_178,
+                    cos_crank_angle_0 * w_186 - sin_crank_angle_0 * w_189,
+                ],
+                [
+                    sin_crank_angle_0 * w_69 + cos_crank_angle_0 * w_72
+                        + (cos_crank_angle_0 * w_44 - sin_crank_angle_0 * w_49),
+                    sin_crank_angle_0 * w_100 + cos_crank_angle_0 * w_103,
+                    sin_crank_angle_0 * w_132 + cos_crank_angle_0 * w_135,
+                    sin_crank_angle_0 * w_148 + cos_crank_angle_0 * w_151,
+                    sin_crank_angle_0 * w_162 + cos_crank_angle_0 * w_165,
+                    sin_crank_angle_0 * w_175 + cos_crank_angle_0 * w_178,
+                    sin_crank_angle_0 * w_186 + cos_crank_angle_0 * w_189,
+                ],
+                [
+                    cos_coupler_angle_2 * w_67 - sin_coupler_angle_2 * w_204,
+                    cos_coupler_angle_2 * w_98 - sin_coupler_angle_2 * w_205,
+                    cos_coupler_angle_2 * w_130 - sin_coupler_angle_2 * w_206,
+                    cos_coupler_angle_2 * w_146 - sin_coupler_angle_2 * w_207,
+                    cos_coupler_angle_2 * w_160 - sin_coupler_angle_2 * w_208,
+                    cos_coupler_angle_2 * w_173 - sin_coupler_angle_2 * w_209
+                        - (sin_coupler_angle_2 * w_43 + cos_coupler_angle_2 * w_77),
+                    -(cos_coupler_angle_2 * w_184 + sin_coupler_angle_2 * w_210),
+                ],
+                [
+                    sin_coupler_angle_2 * w_67 + cos_coupler_angle_2 * w_204,
+                    sin_coupler_angle_2 * w_98 + cos_coupler_angle_2 * w_205,
+                    sin_coupler_angle_2 * w_130 + cos_coupler_angle_2 * w_206,
+                    sin_coupler_angle_2 * w_146 + cos_coupler_angle_2 * w_207,
+                    sin_coupler_angle_2 * w_160 + cos_coupler_angle_2 * w_208,
+                    sin_coupler_angle_2 * w_173 + cos_coupler_angle_2 * w_209
+                        + (cos_coupler_angle_2 * w_43 - sin_coupler_angle_2 * w_77),
+                    cos_coupler_angle_2 * w_210 - sin_coupler_angle_2 * w_184,
+                ],
+                [
+                    cos_crank_angle_3 * w_66 - sin_crank_angle_3 * w_191,
+                    -(cos_crank_angle_3 * w_97 + sin_crank_angle_3 * w_193),
+                    -(cos_crank_angle_3 * w_129 + sin_crank_angle_3 * w_195),
+                    cos_crank_angle_3 * w_145 - sin_crank_angle_3 * w_197
+                        - (cos_crank_angle_3 * w_112 - sin_crank_angle_3 * w_42),
+                    cos_crank_angle_3 * w_159 - sin_crank_angle_3 * w_199,
+                    -(cos_crank_angle_3 * w_172 + sin_crank_angle_3 * w_201),
+                    -(cos_crank_angle_3 * w_183 + sin_crank_angle_3 * w_203),
+                ],
+                [
+                    sin_crank_angle_3 * w_66 + cos_crank_angle_3 * w_191,
+                    cos_crank_angle_3 * w_193 - sin_crank_angle_3 * w_97,
+                    cos_crank_angle_3 * w_195 - sin_crank_angle_3 * w_129,
+                    sin_crank_angle_3 * w_145 + cos_crank_angle_3 * w_197
+                        - (cos_crank_angle_3 * w_42 + sin_crank_angle_3 * w_112),
+                    sin_crank_angle_3 * w_159 + cos_crank_angle_3 * w_199,
+                    cos_crank_angle_3 * w_201 - sin_crank_angle_3 * w_172,
+                    cos_crank_angle_3 * w_203 - sin_crank_angle_3 * w_183,
+                ],
             ],
             multipliers_by_speeds: [
-                [w_160, w_173, -w_186, -w_195, w_206, w_216, -w_226],
-                [w_159, w_172, -w_185, -w_194, w_205, w_215, -w_225],
-                [-w_158, w_171, w_184, w_193, -w_204, w_214, w_224],
-                [w_157, w_170, w_183, w_192, w_203, w_213, w_223],
-                [w_236, w_239, w_242, w_245, w_248, w_251, w_254],
-                [-w_235, w_238, w_241, w_244, -w_247, w_250, w_253],
+                [
+                    cos_crank_angle_0 * w_219 - sin_crank_angle_0 * w_222,
+                    cos_crank_angle_0 * w_235 - sin_crank_angle_0 * w_238,
+                    cos_crank_angle_0 * w_250 - sin_crank_angle_0 * w_253,
+                    -(cos_crank_angle_0 * w_257 + sin_crank_angle_0 * w_260),
+                    cos_crank_angle_0 * w_272 - sin_crank_angle_0 * w_275,
+                    cos_crank_angle_0 * w_283 - sin_crank_angle_0 * w_286,
+                    cos_crank_angle_0 * w_295 - sin_crank_angle_0 * w_298,
+                ],
+                [
+                    sin_crank_angle_0 * w_219 + cos_crank_angle_0 * w_222,
+                    sin_crank_angle_0 * w_235 + cos_crank_angle_0 * w_238,
+                    sin_crank_angle_0 * w_250 + cos_crank_angle_0 * w_253,
+                    cos_crank_angle_0 * w_260 - sin_crank_angle_0 * w_257,
+                    sin_crank_angle_0 * w_272 + cos_crank_angle_0 * w_275,
+                    sin_crank_angle_0 * w_283 + cos_crank_angle_0 * w_286,
+                    sin_crank_angle_0 * w_295 + cos_crank_angle_0 * w_298,
+                ],
+                [
+                    cos_coupler_angle_2 * w_217 - sin_coupler_angle_2 * w_313,
+                    cos_coupler_angle_2 * w_233 - sin_coupler_angle_2 * w_314,
+                    cos_coupler_angle_2 * w_248 - sin_coupler_angle_2 * w_315,
+                    cos_coupler_angle_2 * w_255 - sin_coupler_angle_2 * w_316,
+                    cos_coupler_angle_2 * w_270 - sin_coupler_angle_2 * w_317,
+                    cos_coupler_angle_2 * w_281 - sin_coupler_angle_2 * w_318,
+                    -(cos_coupler_angle_2 * w_293 + sin_coupler_angle_2 * w_319),
+                ],
+                [
+                    sin_coupler_angle_2 * w_217 + cos_coupler_angle_2 * w_313,
+                    sin_coupler_angle_2 * w_233 + cos_coupler_angle_2 * w_314,
+                    sin_coupler_angle_2 * w_248 + cos_coupler_angle_2 * w_315,
+                    sin_coupler_angle_2 * w_255 + cos_coupler_angle_2 * w_316,
+                    sin_coupler_angle_2 * w_270 + cos_coupler_angle_2 * w_317,
+                    sin_coupler_angle_2 * w_281 + cos_coupler_angle_2 * w_318,
+                    cos_coupler_angle_2 * w_319 - sin_coupler_angle_2 * w_293,
+                ],
+                [
+                    cos_crank_angle_3 * w_216 - sin_crank_angle_3 * w_300,
+                    -(cos_crank_angle_3 * w_232 + sin_crank_angle_3 * w_302),
+                    -(cos_crank_angle_3 * w_247 + sin_crank_angle_3 * w_304),
+                    cos_crank_angle_3 * w_254 - sin_crank_angle_3 * w_306,
+                    cos_crank_angle_3 * w_269 - sin_crank_angle_3 * w_308,
+                    -(cos_crank_angle_3 * w_280 + sin_crank_angle_3 * w_310),
+                    -(cos_crank_angle_3 * w_292 + sin_crank_angle_3 * w_312),
+                ],
+                [
+                    sin_crank_angle_3 * w_216 + cos_crank_angle_3 * w_300,
+                    cos_crank_angle_3 * w_302 - sin_crank_angle_3 * w_232,
+                    cos_crank_angle_3 * w_304 - sin_crank_angle_3 * w_247,
+                    sin_crank_angle_3 * w_254 + cos_crank_angle_3 * w_306,
+                    sin_crank_angle_3 * w_269 + cos_crank_angle_3 * w_308,
+                    cos_crank_angle_3 * w_310 - sin_crank_angle_3 * w_280,
+                    cos_crank_angle_3 * w_312 - sin_crank_angle_3 * w_292,
+                ],
             ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_crank_angle_0_crank_angle_0,
                 self.mass_crank_angle_0_crank_angle_0,
             )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_crank_angle_3_crank_angle_3,
-                    self.mass_crank_angle_3_crank_angle_3,
+                    self.pivot_lambda_loop_1_y_turned,
+                    self.minus_pivot_lambda_loop_1_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     self.mass_crank_angle_3_crank_angle_3,
@@ -2820,30 +2771,36 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     self.mass_crank_angle_3_crank_angle_3,
                     self.mass_crank_angle_3_crank_angle_3,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_loop_2_y_turned,
+                    self.minus_pivot_lambda_loop_2_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_coupler_angle_1,
-                    self.mass_crank_angle_3_crank_angle_3,
+                    self.mass_crank_angle_3_crank_angle_3 + w_12,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.pivot_lambda_loop_2_y_turned,
+                    self.minus_pivot_lambda_loop_2_y_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_crank_angle_1,
-                    self.mass_crank_angle_0_crank_angle_0,
+                    self.mass_crank_angle_0_crank_angle_0 + w_22 + w_23,
+                )
+                | sim_kernel::pivot_is_refused(
+                    pivot_coupler_angle_3,
+                    pivot_coupler_angle_3,
+                )
+                | sim_kernel::pivot_is_refused(
+                    -minus_pivot_lambda_loop_1_x_turned,
+                    minus_pivot_lambda_loop_1_x_turned,
                 )
                 | sim_kernel::pivot_is_refused(
                     pivot_crank_angle_2,
-                    self.mass_crank_angle_0_crank_angle_0,
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_loop_1_x,
-                    minus_pivot_lambda_loop_1_x,
-                )
-                | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_loop_3_x,
-                    minus_pivot_lambda_loop_3_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_1_y, w_18)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_3_y, w_19)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x, w_20)
-                | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_y, w_22),
+                    self.mass_crank_angle_0_crank_angle_0 + w_29 + w_30 + w_31,
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_loop_2_x_turned, w_34)
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_loop_3_x_turned, w_41),
         }
     }
 }

@@ -406,7 +406,7 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
         let inner_radius_squared = self.inner_radius * self.inner_radius;
         let w_6 = S::from_f64(0.25) * self.inner_mass * inner_radius_squared;
         let w_7 = rise_dot * rise_dot
-            * (cos_rise * cos_rise * self.l * self.l * w + w_6);
+            * (w_6 + cos_rise * cos_rise * self.l * self.l * w);
         let w_8 = turn_dot * turn_dot
             * (S::from_f64(0.25) * self.outer_mass * self.outer_radius
                 * self.outer_radius
@@ -439,7 +439,7 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
     }
     /// Outputs, 5, in SI units.
     ///
-    /// Operations: 16 additions, 33 multiplications, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 14 additions, 32 multiplications, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn outputs(
         &self,
@@ -457,14 +457,14 @@ impl<S: sim_kernel::Scalar> Gyroscope<S> {
         let w_y = spin_dot + w;
         let r_squared = self.r * self.r;
         let w_2 = self.M * r_squared;
-        let w_3 = turn_ddot * cos_rise;
+        let w_3 = rise_dot * (w - spin_dot) - turn_ddot * cos_rise;
         let w_4 = rise_ddot - turn_dot * spin_dot * cos_rise;
         let w_5 = turn_dot * cos_rise;
         let w_6 = w_2
-            * (sin_spin * (rise_dot * (w - spin_dot) - w_3) + cos_spin * w_4
+            * (sin_spin * w_3 + cos_spin * w_4
                 - w_y * (rise_dot * sin_spin + cos_spin * w_5));
         let w_7 = w_2
-            * (cos_spin * (rise_dot * (spin_dot - w) + w_3) + sin_spin * w_4
+            * (sin_spin * w_4 - cos_spin * w_3
                 + w_y * (cos_spin * rise_dot - sin_spin * w_5));
         let w_8 = spin_ddot + turn_dot * rise_dot * cos_rise + sin_rise * turn_ddot;
         [
@@ -699,7 +699,7 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 89 additions, 198 multiplications, 2 divisions, 3 sine-cosine pairs.
+    /// Operations: 87 additions, 196 multiplications, 2 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -722,111 +722,114 @@ impl<S: sim_kernel::Scalar> GyroscopePrepared<S> {
         let inverse_turn = S::from_f64(1.0) / mass_turn_turn;
         let turn_dot_squared = turn_dot * turn_dot;
         let rise_dot_squared = rise_dot * rise_dot;
-        let w_3 = cos_turn * (turn_dot_squared + rise_dot_squared);
-        let w_4 = sin_turn * self.k_6;
-        let w_5 = cos_rise * turn_dot;
-        let w_6 = rise_dot * w_5;
-        let w_7 = self.l * sin_rise * w_3 + w_4 * w_6;
-        let w_8 = cos_turn * self.k_6;
-        let w_9 = sin_turn * (rise_dot_squared + turn_dot_squared);
-        let w_10 = w_8 * w_6 - self.l * sin_rise * w_9;
-        let w_z = rise_dot * sin_spin + cos_spin * w_5;
+        let w_3 = turn_dot_squared + rise_dot_squared;
+        let w_4 = cos_turn * w_3;
+        let w_11 = sin_turn * w_3;
+        let w_5 = self.l * sin_rise;
+        let w_6 = sin_turn * self.k_6;
+        let w_7 = cos_rise * turn_dot;
+        let w_8 = rise_dot * w_7;
+        let w_9 = w_4 * w_5 + w_6 * w_8;
+        let w_10 = cos_turn * self.k_6;
+        let w_12 = w_10 * w_8 - w_11 * w_5;
+        let w_z = rise_dot * sin_spin + cos_spin * w_7;
         let w_y = spin_dot + w;
-        let w_11 = cos_spin * w_y;
-        let w_12 = sin_rise * spin_dot;
-        let w_13 = cos_rise * rise_dot;
-        let w_14 = self.k_7
-            * (turn_dot * (cos_rise * w_z - sin_rise * w_11)
-                - turn_dot * (cos_spin * w_12 + sin_spin * w_13));
-        let w_15 = sin_spin * w_y;
-        let w_x = rise_dot * cos_spin - sin_spin * w_5;
+        let w_13 = cos_spin * w_y;
+        let w_14 = sin_rise * spin_dot;
+        let w_15 = cos_rise * rise_dot;
         let w_16 = self.k_7
-            * (turn_dot * (sin_rise * w_15 + cos_rise * w_x)
-                + turn_dot * (sin_spin * w_12 - cos_spin * w_13));
+            * (turn_dot * (cos_rise * w_z - sin_rise * w_13)
+                - turn_dot * (cos_spin * w_14 + sin_spin * w_15));
+        let w_17 = sin_spin * w_y;
+        let w_x = rise_dot * cos_spin - sin_spin * w_7;
+        let w_18 = self.k_7
+            * (turn_dot * (sin_spin * w_14 - cos_spin * w_15)
+                + turn_dot * (sin_rise * w_17 + cos_rise * w_x));
         let mass_spin_turn = sin_rise * self.C_;
         let l_spin_turn = mass_spin_turn * inverse_turn;
         let pivot_spin = self.C_ - mass_spin_turn * l_spin_turn;
         let inverse_spin = S::from_f64(1.0) / pivot_spin;
-        let minus_spin_ddot = inverse_spin * (self.C_ * w_6 + rhs_turn * l_spin_turn);
-        let w_17 = cos_rise
-            * (self.k_8 * (sin_turn * w_7 + cos_turn * w_10)
-                - S::from_f64(0.25) * (sin_spin * w_14 + cos_spin * w_16)
-                + self.C_ * minus_spin_ddot);
-        let w_18 = rise_dot * w;
-        let w_19 = self.l * cos_rise * w_3 - w_18 * w_4;
-        let w_20 = self.l * cos_rise * w_9 + w_18 * w_8;
-        let w_21 = sin_spin * self.k_7 * (w_z * w_y + (w_z * spin_dot - w_18 * sin_spin))
-            + cos_spin * self.k_7 * (w_y * w_x + (spin_dot * w_x - w_18 * cos_spin));
-        let w_22 = sin_rise
-            * (self.k_8 * (sin_turn * w_19 - cos_turn * w_20)
-                + S::from_f64(0.25) * w_21);
+        let minus_spin_ddot = inverse_spin * (self.C_ * w_8 + rhs_turn * l_spin_turn);
         let turn_ddot = rhs_turn * inverse_turn + l_spin_turn * minus_spin_ddot;
-        let w_23 = w_17 + w_22
-            + turn_dot * rise_dot * (sin_rise_squared * self.k_16 + self.k_9)
+        let w_19 = cos_rise
+            * (self.k_8 * (sin_turn * w_9 + cos_turn * w_12)
+                - S::from_f64(0.25) * (sin_spin * w_16 + cos_spin * w_18)
+                + self.C_ * minus_spin_ddot);
+        let w_20 = rise_dot * w;
+        let w_21 = sin_spin * self.k_7 * (w_z * spin_dot - w_20 * sin_spin + w_z * w_y)
+            + cos_spin * self.k_7 * (spin_dot * w_x - w_20 * cos_spin + w_y * w_x);
+        let w_22 = w_20 * w_10 + self.l * cos_rise * w_11;
+        let w_23 = self.l * cos_rise * w_4 - w_20 * w_6;
+        let w_24 = sin_rise
+            * (S::from_f64(0.25) * w_21
+                - self.k_8 * (cos_turn * w_22 - sin_turn * w_23));
+        let w_25 = w_19 + w_24
+            + turn_dot * rise_dot * (self.k_9 + sin_rise_squared * self.k_16)
             + S::from_f64(0.5) * turn_ddot * cos_rise * sin_rise * self.k_15;
-        let w_24 = inverse_spin
-            * (self.C_ * (w_18 - cos_rise * turn_ddot) - l_spin_turn * w_23);
-        let w_25 = self.k_8
-            * (sin_rise * (cos_turn * w_7 - sin_turn * w_10)
-                - cos_rise * (cos_turn * w_19 + sin_turn * w_20));
-        let w_26 = w_25 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
-            + S::from_f64(0.25) * (cos_spin * w_14 - sin_spin * w_16)
+        let w_26 = inverse_spin
+            * (self.C_ * (w_20 - cos_rise * turn_ddot) - l_spin_turn * w_25);
+        let w_27 = self.k_8
+            * (sin_rise * (cos_turn * w_9 - sin_turn * w_12)
+                - cos_rise * (sin_turn * w_22 + cos_turn * w_23));
+        let w_28 = w_27 + turn_dot_squared * (sin_rise_squared * self.k - self.k_3)
+            + S::from_f64(0.25) * (cos_spin * w_16 - sin_spin * w_18)
             + w_2 * rise_dot_squared
-            + self.l * sin_rise * (self.k_12 - sin_rise * rise_dot_squared * self.k_8);
-        let w_27 = sin_rise * rise_dot;
-        let w_28 = self.l * (sin_turn * w_27 - cos_turn * w_5);
-        let w_29 = self.l * (sin_turn * w_5 + cos_turn * w_27);
-        let w_30 = cos_rise * spin_dot;
-        let w_31 = self.k_7
-            * (cos_rise * w_11 + sin_rise * w_z + (cos_spin * w_30 - sin_spin * w_27));
-        let w_32 = self.k_7
-            * (sin_rise * w_x - cos_rise * w_15 - (sin_spin * w_30 + cos_spin * w_27));
-        let w_33 = cos_rise
-            * (self.k_17 * (sin_turn * w_28 + cos_turn * w_29)
-                - S::from_f64(0.25) * (sin_spin * w_31 + cos_spin * w_32)
-                + self.k_9 * w_27);
-        let w_34 = inverse_spin * (self.C_ * w_13 + l_spin_turn * w_33);
-        let w_35 = self.l * (sin_turn * w - cos_turn * w_13);
-        let w_36 = self.l * (cos_turn * w + sin_turn * w_13);
-        let w_37 = self.k_7 * (w_15 - sin_spin * (w - spin_dot));
-        let w_38 = self.k_7 * (w_11 + cos_spin * (spin_dot - w));
-        let w_39 = cos_rise
-            * (self.k_17 * (sin_turn * w_35 + cos_turn * w_36)
-                - S::from_f64(0.25) * (sin_spin * w_37 + cos_spin * w_38)
+            + (self.k_12 - sin_rise * rise_dot_squared * self.k_8) * w_5;
+        let w_29 = sin_rise * rise_dot;
+        let w_30 = self.l * (sin_turn * w_29 - cos_turn * w_7);
+        let w_31 = self.l * (sin_turn * w_7 + cos_turn * w_29);
+        let w_32 = cos_rise * spin_dot;
+        let w_33 = self.k_7
+            * (cos_spin * w_32 - sin_spin * w_29 + cos_rise * w_13 + sin_rise * w_z);
+        let w_34 = self.k_7
+            * (sin_rise * w_x - (sin_spin * w_32 + cos_spin * w_29) - cos_rise * w_17);
+        let w_35 = cos_rise
+            * (self.k_17 * (sin_turn * w_30 + cos_turn * w_31)
+                - S::from_f64(0.25) * (sin_spin * w_33 + cos_spin * w_34)
+                + self.k_9 * w_29);
+        let w_36 = inverse_spin * (self.C_ * w_15 + l_spin_turn * w_35);
+        let w_37 = self.l * (sin_turn * w - cos_turn * w_15);
+        let w_38 = self.l * (cos_turn * w + sin_turn * w_15);
+        let w_39 = w - spin_dot;
+        let w_40 = self.k_7 * (w_17 - sin_spin * w_39);
+        let w_41 = self.k_7 * (w_13 - cos_spin * w_39);
+        let w_42 = cos_rise
+            * (self.k_17 * (sin_turn * w_37 + cos_turn * w_38)
+                - S::from_f64(0.25) * (sin_spin * w_40 + cos_spin * w_41)
                 + w * self.k_9);
-        let w_40 = inverse_spin * (self.C_ * w_5 + l_spin_turn * w_39);
-        let w_41 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
-        let w_42 = inverse_spin * l_spin_turn * w_41;
+        let w_43 = inverse_spin * (self.C_ * w_7 + l_spin_turn * w_42);
+        let w_44 = self.C_ * cos_rise * (sin_spin * w_z + cos_spin * w_x);
+        let w_45 = inverse_spin * l_spin_turn * w_44;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
-                    inverse_turn * w_23 - l_spin_turn * w_24,
+                    inverse_turn * w_25 - l_spin_turn * w_26,
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), self.inverse_rise * w_26, S::from_f64(0.0)],
-                [S::from_f64(0.0), w_24, S::from_f64(0.0)],
+                [S::from_f64(0.0), self.inverse_rise * w_28, S::from_f64(0.0)],
+                [S::from_f64(0.0), w_26, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
-                    inverse_turn * w_33 + l_spin_turn * w_34,
-                    inverse_turn * w_39 + l_spin_turn * w_40,
-                    -(inverse_turn * w_41 + l_spin_turn * w_42),
+                    inverse_turn * w_35 + l_spin_turn * w_36,
+                    inverse_turn * w_42 + l_spin_turn * w_43,
+                    -(inverse_turn * w_44 + l_spin_turn * w_45),
                 ],
                 [
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_28 - sin_turn * w_29)
-                                - self.k * w_5)
-                            + S::from_f64(0.25) * (cos_spin * w_31 - sin_spin * w_32)),
+                            * (self.k_17 * (cos_turn * w_30 - sin_turn * w_31)
+                                - self.k * w_7)
+                            + S::from_f64(0.25) * (cos_spin * w_33 - sin_spin * w_34)),
                     self.inverse_rise
                         * (sin_rise
-                            * (self.k_17 * (cos_turn * w_35 - sin_turn * w_36)
-                                + self.k_10 * w_13)
-                            + S::from_f64(0.25) * (cos_spin * w_37 - sin_spin * w_38)),
+                            * (self.k_17 * (cos_turn * w_37 - sin_turn * w_38)
+                                + self.k_10 * w_15)
+                            + S::from_f64(0.25) * (cos_spin * w_40 - sin_spin * w_41)),
                     self.inverse_rise * self.C_ * (cos_spin * w_z - sin_spin * w_x),
                 ],
-                [-w_34, -w_40, w_42],
+                [-w_36, -w_43, w_45],
             ],
             multipliers_by_positions: [],
             multipliers_by_speeds: [],

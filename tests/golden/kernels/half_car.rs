@@ -374,7 +374,7 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_10 = w_3 * w_5 * w_8 * w_9;
         let w_11 = y_dot - w_10 - phi_dot * self.lr;
         let w_12 = (self.kr * (y - self.H * w_9 - phi * self.lr) + w_11 * self.cr)
-            * (w_11 + w_10);
+            * (w_10 + w_11);
         (self.kf * (y - self.H * w_4 + self.lf * phi) + w_7 * self.cf) * (w_6 - w_7)
             - w_12
     }
@@ -430,6 +430,7 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let inverse_w_squared = S::from_f64(1.0) / w_squared;
         let w = self.v * t;
         let w_2 = self.lf - self.s0 + w;
+        let w_10 = self.lr + self.s0 - w;
         let w_2_squared = w_2 * w_2;
         let w_3 = (-(w_2_squared * inverse_w_squared)).exp();
         let w_4 = S::from_f64(2.0) * self.H;
@@ -439,18 +440,17 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_7 = w_4 * v_squared / w_squared;
         let w_8 = self.H * v_squared * S::from_f64(4.0);
         let w_9 = S::from_f64(1.0) / (w_squared * w_squared);
-        let w_10 = self.lr + self.s0 - w;
         let w_10_squared = w_10 * w_10;
         let w_11 = (-(inverse_w_squared * w_10_squared)).exp();
         let w_12 = self.cr
-            * (w_11 * (w_7 - w_9 * w_8 * w_10_squared) + y_ddot - phi_ddot * self.lr);
+            * (y_ddot + w_11 * (w_7 - w_9 * w_8 * w_10_squared) - phi_ddot * self.lr);
         [
             y_dot,
             -w_6,
             phi_dot,
             -(self.kf * (y_dot + w_6 + self.lf * phi_dot)
                 + self.cf
-                    * (w_3 * (w_7 - w_2_squared * w_8 * w_9) + y_ddot
+                    * (y_ddot + w_3 * (w_7 - w_2_squared * w_8 * w_9)
                         + self.lf * phi_ddot)),
             -(self.kr
                 * (y_dot - inverse_w_squared * w_5 * w_10 * w_11 - phi_dot * self.lr)
@@ -486,6 +486,7 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_3 = S::from_f64(3.0) * self.s0;
         let w_4 = t * S::from_f64(3.0) * self.v;
         let w_5 = w + w_2 + w_3 - w_4;
+        let w_59 = w_4 + (w + w_2 - w_3);
         let w_6 = S::from_f64(1.0) / (self.w * self.w);
         let minus_x_1 = self.lf * S::from_f64(1.25) + self.lr * S::from_f64(1.25);
         let x_1 = -minus_x_1;
@@ -515,6 +516,9 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_21 = w_17 + w_18 + w_19 - w_20;
         let road_3_y = self.H
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_21 * w_21)).exp();
+        let w_56 = w_20 + (w_17 + w_18 - w_19);
+        let road_29_y = self.H
+            * (-(w_6 * S::from_f64(0.006944444444444444) * w_56 * w_56)).exp();
         let minus_x_4 = self.lf + self.lr;
         let x_4 = -minus_x_4;
         let w_22 = t * self.v;
@@ -528,6 +532,9 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_26 = w_24 + w_25 + w_19 - w_20;
         let road_5_y = self.H
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_26 * w_26)).exp();
+        let w_54 = w_20 + (w_24 + w_25 - w_19);
+        let road_27_y = self.H
+            * (-(w_6 * S::from_f64(0.006944444444444444) * w_54 * w_54)).exp();
         let minus_x_6 = self.lf * S::from_f64(0.8333333333333334)
             + self.lr * S::from_f64(0.8333333333333334);
         let x_6 = -minus_x_6;
@@ -540,6 +547,8 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_29 = self.lr * S::from_f64(3.0);
         let w_30 = w_28 + w_29 + w_9 - w_10;
         let road_7_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_30 * w_30)).exp();
+        let w_52 = w_10 + (w_28 + w_29 - w_9);
+        let road_25_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_52 * w_52)).exp();
         let minus_x_8 = self.lf * S::from_f64(0.6666666666666666)
             + self.lr * S::from_f64(0.6666666666666666);
         let x_8 = -minus_x_8;
@@ -548,6 +557,9 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_33 = w_31 + w_32 + w_3 - w_4;
         let road_8_y = self.H
             * (-(w_6 * S::from_f64(0.1111111111111111) * w_33 * w_33)).exp();
+        let w_51 = w_4 + (w_31 + w_32 - w_3);
+        let road_24_y = self.H
+            * (-(w_6 * S::from_f64(0.1111111111111111) * w_51 * w_51)).exp();
         let minus_x_9 = self.lf * S::from_f64(0.5833333333333334)
             + self.lr * S::from_f64(0.5833333333333334);
         let x_9 = -minus_x_9;
@@ -560,6 +572,8 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_36 = t * self.v * S::from_f64(2.0);
         let w_37 = self.lf + self.lr + w_35 - w_36;
         let road_10_y = self.H * (-(w_6 * S::from_f64(0.25) * w_37 * w_37)).exp();
+        let w_49 = w_36 + (self.lf + self.lr - w_35);
+        let road_22_y = self.H * (-(w_6 * S::from_f64(0.25) * w_49 * w_49)).exp();
         let minus_x_11 = self.lf * S::from_f64(0.4166666666666667)
             + self.lr * S::from_f64(0.4166666666666667);
         let x_11 = -minus_x_11;
@@ -572,6 +586,9 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
         let w_39 = self.lf + self.lr + w_3 - w_4;
         let road_12_y = self.H
             * (-(w_6 * S::from_f64(0.1111111111111111) * w_39 * w_39)).exp();
+        let w_47 = w_4 + (self.lf + self.lr - w_3);
+        let road_20_y = self.H
+            * (-(w_6 * S::from_f64(0.1111111111111111) * w_47 * w_47)).exp();
         let minus_x_13 = self.lf * S::from_f64(0.25) + self.lr * S::from_f64(0.25);
         let x_13 = -minus_x_13;
         let w_40 = self.lf + self.lr + w_9 - w_10;
@@ -590,48 +607,31 @@ impl<S: sim_kernel::Scalar> HalfCar<S> {
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_42 * w_42)).exp();
         let w_43 = self.s0 - w_22;
         let road_16_y = self.H * (-(w_6 * w_43 * w_43)).exp();
-        let w_44 = self.lf + self.lr - w_19 + w_20;
+        let w_44 = w_20 + (self.lf + self.lr - w_19);
         let road_17_y = self.H
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_44 * w_44)).exp();
-        let w_45 = self.lf + self.lr - w_14 + w_15;
+        let w_45 = w_15 + (self.lf + self.lr - w_14);
         let road_18_y = self.H
             * (-(w_6 * S::from_f64(0.027777777777777776) * w_45 * w_45)).exp();
-        let w_46 = self.lf + self.lr - w_9 + w_10;
+        let w_46 = w_10 + (self.lf + self.lr - w_9);
         let road_19_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_46 * w_46)).exp();
-        let w_47 = self.lf + self.lr - w_3 + w_4;
-        let road_20_y = self.H
-            * (-(w_6 * S::from_f64(0.1111111111111111) * w_47 * w_47)).exp();
-        let w_48 = w_7 + w_8 - w_19 + w_20;
+        let w_58 = w_10 + (w_7 + w_8 - w_9);
+        let road_31_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_58 * w_58)).exp();
+        let w_48 = w_20 + (w_7 + w_8 - w_19);
         let road_21_y = self.H
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_48 * w_48)).exp();
-        let w_49 = self.lf + self.lr - w_35 + w_36;
-        let road_22_y = self.H * (-(w_6 * S::from_f64(0.25) * w_49 * w_49)).exp();
-        let w_50 = w_12 + w_13 - w_19 + w_20;
+        let w_50 = w_20 + (w_12 + w_13 - w_19);
         let road_23_y = self.H
             * (-(w_6 * S::from_f64(0.006944444444444444) * w_50 * w_50)).exp();
-        let w_51 = w_31 + w_32 - w_3 + w_4;
-        let road_24_y = self.H
-            * (-(w_6 * S::from_f64(0.1111111111111111) * w_51 * w_51)).exp();
-        let w_52 = w_28 + w_29 - w_9 + w_10;
-        let road_25_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_52 * w_52)).exp();
-        let w_53 = w_7 + w_8 - w_14 + w_15;
+        let w_57 = w_15 + (w_12 + w_13 - w_14);
+        let w_53 = w_15 + (w_7 + w_8 - w_14);
         let road_26_y = self.H
             * (-(w_6 * S::from_f64(0.027777777777777776) * w_53 * w_53)).exp();
-        let w_54 = w_24 + w_25 - w_19 + w_20;
-        let road_27_y = self.H
-            * (-(w_6 * S::from_f64(0.006944444444444444) * w_54 * w_54)).exp();
-        let w_55 = self.lf + self.lr - self.s0 + w_22;
-        let road_28_y = self.H * (-(w_6 * w_55 * w_55)).exp();
-        let w_56 = w_17 + w_18 - w_19 + w_20;
-        let road_29_y = self.H
-            * (-(w_6 * S::from_f64(0.006944444444444444) * w_56 * w_56)).exp();
-        let w_57 = w_12 + w_13 - w_14 + w_15;
         let road_30_y = self.H
             * (-(w_6 * S::from_f64(0.027777777777777776) * w_57 * w_57)).exp();
-        let w_58 = w_7 + w_8 - w_9 + w_10;
-        let road_31_y = self.H * (-(w_6 * S::from_f64(0.0625) * w_58 * w_58)).exp();
-        let w_59 = w + w_2 - w_3 + w_4;
-        let w_60 = self.lf - self.s0 + w_22;
+        let w_55 = w_22 + (self.lf + self.lr - self.s0);
+        let road_28_y = self.H * (-(w_6 * w_55 * w_55)).exp();
+        let w_60 = w_22 + (self.lf - self.s0);
         let front_wheel_y = self.R + self.H * (-(w_6 * w_60 * w_60)).exp();
         let w_61 = self.lr + self.s0 - w_22;
         let rear_wheel_y = self.R + self.H * (-(w_6 * w_61 * w_61)).exp();
@@ -875,7 +875,7 @@ impl<S: sim_kernel::Scalar> HalfCarPrepared<S> {
                 (self.lr * w_8 - self.lf * w_15) * self.inverse_phi,
             ],
             multipliers: [],
-            power: w_15 * (w_12 - w_13) - w_8 * (w_6 + w_5),
+            power: w_15 * (w_12 - w_13) - w_8 * (w_5 + w_6),
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(self.J, self.J),
         }

@@ -217,7 +217,7 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
     ///
-    /// Operations: 26 additions, 60 multiplications, 5 sine-cosine pairs.
+    /// Operations: 24 additions, 62 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 5]) -> [[S; 5]; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -237,7 +237,7 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let P_1_x = self.l * u_1_x;
-        let w_2 = self.m + self.m;
+        let w_2 = self.m * (S::from_f64(1.0) + S::from_f64(1.0));
         let w_3 = self.m + w_2;
         let w_4 = self.l * cos_phi_1;
         let w_5 = self.l * u_2_x;
@@ -246,55 +246,67 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w_8 = w_7 * w_3;
         let w_9 = w * S::from_f64(0.5) * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x)
             + P_1_x * w_6 + w_4 * w_8;
-        let w_10 = self.l * self.m * S::from_f64(0.5);
-        let w_11 = self.l * u_3_x;
-        let w_12 = w_11 * w_2;
-        let w_13 = w_10 * u_3_x + w_12;
-        let w_14 = self.l * cos_phi_3;
-        let w_15 = w_14 * w_2;
-        let w_16 = cos_phi_3 * w_10 + w_15;
-        let w_17 = P_1_x * w_13 + w_4 * w_16;
-        let w_18 = self.l * u_4_x;
-        let w_19 = self.m * w_18;
-        let w_20 = w_10 * u_4_x + w_19;
-        let w_21 = self.l * cos_phi_4;
-        let w_22 = self.m * w_21;
-        let w_23 = w_10 * cos_phi_4 + w_22;
-        let w_24 = P_1_x * w_20 + w_4 * w_23;
-        let mass_P_4_y_phi_5 = w_10 * u_5_x;
-        let mass_P_4_x_phi_5 = w_10 * cos_phi_5;
-        let w_25 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_4;
+        let w_10 = self.l * self.m;
+        let w_11 = S::from_f64(0.5) * w_10;
+        let w_16 = w_11 + w_10;
+        let w_12 = w_11 + self.l * w_2;
+        let w_13 = u_3_x * w_12;
+        let w_14 = cos_phi_3 * w_12;
+        let w_15 = P_1_x * w_13 + w_4 * w_14;
+        let w_21 = w_5 * w_13 + w_7 * w_14;
+        let w_17 = u_4_x * w_16;
+        let w_18 = cos_phi_4 * w_16;
+        let w_19 = P_1_x * w_17 + w_4 * w_18;
+        let mass_P_4_y_phi_5 = w_11 * u_5_x;
+        let mass_P_4_x_phi_5 = w_11 * cos_phi_5;
+        let w_20 = mass_P_4_y_phi_5 * P_1_x + mass_P_4_x_phi_5 * w_4;
         let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
-        let w_26 = w_5 * w_13 + w_7 * w_16;
-        let w_27 = w_5 * w_20 + w_7 * w_23;
-        let w_28 = mass_P_4_y_phi_5 * w_5 + mass_P_4_x_phi_5 * w_7;
-        let w_29 = w_11 * w_20 + w_14 * w_23;
-        let w_30 = mass_P_4_y_phi_5 * w_11 + mass_P_4_x_phi_5 * w_14;
-        let w_31 = mass_P_4_y_phi_5 * w_18 + mass_P_4_x_phi_5 * w_21;
+        let w_22 = w_5 * w_17 + w_7 * w_18;
+        let w_23 = mass_P_4_y_phi_5 * w_5 + mass_P_4_x_phi_5 * w_7;
+        let w_24 = self.l * u_3_x;
+        let w_25 = self.l * cos_phi_3;
+        let w_26 = w_24 * w_17 + w_25 * w_18;
+        let w_27 = mass_P_4_y_phi_5 * w_24 + mass_P_4_x_phi_5 * w_25;
+        let w_28 = self.l * u_4_x;
+        let w_29 = self.l * cos_phi_4;
+        let w_30 = mass_P_4_y_phi_5 * w_28 + mass_P_4_x_phi_5 * w_29;
         [
             [
                 S::from_f64(1.3333333333333333) * w + P_1_x * P_1_x * w_3
                     + w_4 * w_4 * w_3,
                 w_9,
-                w_17,
-                w_24,
-                w_25,
+                w_15,
+                w_19,
+                w_20,
             ],
-            [w_9, mass_phi_2_phi_2 + w_5 * w_6 + w_7 * w_8, w_26, w_27, w_28],
-            [w_17, w_26, mass_phi_2_phi_2 + w_11 * w_12 + w_14 * w_15, w_29, w_30],
-            [w_24, w_27, w_29, mass_phi_2_phi_2 + w_18 * w_19 + w_21 * w_22, w_31],
-            [w_25, w_28, w_30, w_31, mass_phi_2_phi_2],
+            [w_9, mass_phi_2_phi_2 + w_5 * w_6 + w_7 * w_8, w_21, w_22, w_23],
+            [
+                w_15,
+                w_21,
+                mass_phi_2_phi_2 + w_24 * w_24 * w_2 + w_25 * w_25 * w_2,
+                w_26,
+                w_27,
+            ],
+            [
+                w_19,
+                w_22,
+                w_26,
+                mass_phi_2_phi_2 + w_28 * self.m * w_28 + w_29 * self.m * w_29,
+                w_30,
+            ],
+            [w_20, w_23, w_27, w_30, mass_phi_2_phi_2],
         ]
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 29 additions, 70 multiplications, 5 sine-cosine pairs.
+    /// Operations: 28 additions, 70 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
         let w = S::from_f64(0.5) * self.m;
         let w_2 = w * self.l * self.l;
+        let w_4 = self.l * w;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
         let (
             [u_1_x,
@@ -310,41 +322,39 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             cos_phi_5,
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
-        let w_3 = u_1_x * cos_phi_2;
-        let w_4 = cos_phi_1 * u_2_x;
-        let w_5 = self.l * w;
+        let w_3 = u_1_x * cos_phi_2 - cos_phi_1 * u_2_x;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
-        let w_6 = w_5 * phi_3_dot_squared;
+        let w_5 = w_4 * phi_3_dot_squared;
+        let w_7 = self.l * phi_3_dot_squared;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P_2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + phi_2_dot_squared * cos_phi_2);
         let phi_4_dot_squared = phi_4_dot * phi_4_dot;
-        let w_7 = w_5 * phi_4_dot_squared;
-        let w_8 = self.l * phi_3_dot_squared;
-        let w_9 = cos_phi_3 * w_8 + P_2_y_convective;
-        let w_10 = w_5 * phi_5_dot * phi_5_dot;
-        let w_11 = self.l * phi_4_dot_squared;
-        let w_12 = cos_phi_4 * w_11 + w_9;
-        let w_13 = w_10 * cos_phi_5 + self.m * w_12;
-        let w_14 = w_7 * cos_phi_4 + self.m * w_9 + w_13;
-        let w_15 = w_6 * cos_phi_3 + self.m * P_2_y_convective + w_14;
+        let w_6 = w_4 * phi_4_dot_squared;
+        let w_10 = self.l * phi_4_dot_squared;
+        let w_8 = cos_phi_3 * w_7 + P_2_y_convective;
+        let w_9 = w_4 * phi_5_dot * phi_5_dot;
+        let w_11 = cos_phi_4 * w_10 + w_8;
+        let w_12 = w_9 * cos_phi_5 + self.m * w_11;
+        let w_13 = w_6 * cos_phi_4 + self.m * w_8 + w_12;
+        let w_14 = w_5 * cos_phi_3 + self.m * P_2_y_convective + w_13;
         let minus_P_2_x_convective = self.l
             * (phi_1_dot_squared * u_1_x + phi_2_dot_squared * u_2_x);
-        let w_16 = u_3_x * w_8 + minus_P_2_x_convective;
-        let w_17 = u_4_x * w_11 + w_16;
-        let w_18 = u_5_x * w_10 + self.m * w_17;
-        let w_19 = u_4_x * w_7 + self.m * w_16 + w_18;
-        let w_20 = u_3_x * w_6 + self.m * minus_P_2_x_convective + w_19;
+        let w_15 = u_3_x * w_7 + minus_P_2_x_convective;
+        let w_16 = u_4_x * w_10 + w_15;
+        let w_17 = u_5_x * w_9 + self.m * w_16;
+        let w_18 = u_4_x * w_6 + self.m * w_15 + w_17;
+        let w_19 = u_3_x * w_5 + self.m * minus_P_2_x_convective + w_18;
         [
-            w_2 * phi_2_dot_squared * (w_3 - w_4) + w_15 * self.l * u_1_x
-                - w_20 * self.l * cos_phi_1,
-            w_2 * phi_1_dot_squared * (w_4 - w_3) + w_15 * self.l * u_2_x
-                - w_20 * self.l * cos_phi_2,
-            P_2_y_convective * w_5 * u_3_x - minus_P_2_x_convective * w_5 * cos_phi_3
-                + w_14 * self.l * u_3_x - w_19 * self.l * cos_phi_3,
-            w_9 * w_5 * u_4_x - w_16 * w_5 * cos_phi_4 + w_13 * self.l * u_4_x
-                - w_18 * self.l * cos_phi_4,
-            w_12 * w_5 * u_5_x - w_17 * w_5 * cos_phi_5,
+            w_2 * phi_2_dot_squared * w_3 + w_14 * self.l * u_1_x
+                - w_19 * self.l * cos_phi_1,
+            w_14 * self.l * u_2_x - phi_1_dot_squared * w_2 * w_3
+                - w_19 * self.l * cos_phi_2,
+            P_2_y_convective * w_4 * u_3_x - minus_P_2_x_convective * w_4 * cos_phi_3
+                + w_13 * self.l * u_3_x - w_18 * self.l * cos_phi_3,
+            w_8 * w_4 * u_4_x - w_15 * w_4 * cos_phi_4 + w_12 * self.l * u_4_x
+                - w_17 * self.l * cos_phi_4,
+            w_11 * w_4 * u_5_x - w_16 * w_4 * cos_phi_5,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
@@ -449,21 +459,21 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w_4 = w * u_1_x + w_2 * u_2_x;
         let w_5 = self.l * phi_3_dot;
         let w_6 = cos_phi_3 * w_5;
+        let w_8 = w_5 * u_3_x;
         let P_2_x_dot = self.l * (phi_1_dot * cos_phi_1 + phi_2_dot * cos_phi_2);
         let w_7 = w_6 + S::from_f64(2.0) * P_2_x_dot;
-        let w_8 = w_5 * u_3_x;
+        let P_3_x_dot = P_2_x_dot + w_6;
         let P_2_y_dot = self.l * (phi_1_dot * u_1_x + phi_2_dot * u_2_x);
         let w_9 = w_8 + S::from_f64(2.0) * P_2_y_dot;
+        let P_3_y_dot = P_2_y_dot + w_8;
         let w_10 = self.l * phi_4_dot;
         let w_11 = cos_phi_4 * w_10;
-        let P_3_x_dot = w_6 + P_2_x_dot;
-        let w_12 = w_11 + S::from_f64(2.0) * P_3_x_dot;
         let w_13 = w_10 * u_4_x;
-        let P_3_y_dot = w_8 + P_2_y_dot;
+        let w_12 = w_11 + S::from_f64(2.0) * P_3_x_dot;
         let w_14 = w_13 + S::from_f64(2.0) * P_3_y_dot;
         let w_15 = self.l * phi_5_dot;
-        let w_16 = cos_phi_5 * w_15 + S::from_f64(2.0) * (w_11 + P_3_x_dot);
-        let w_17 = w_15 * u_5_x + S::from_f64(2.0) * (w_13 + P_3_y_dot);
+        let w_16 = cos_phi_5 * w_15 + S::from_f64(2.0) * (P_3_x_dot + w_11);
+        let w_17 = w_15 * u_5_x + S::from_f64(2.0) * (P_3_y_dot + w_13);
         let w_18 = w_3 * w_3 + w_4 * w_4 + w_7 * w_7 + w_9 * w_9 + w_12 * w_12
             + w_14 * w_14 + w_16 * w_16 + w_17 * w_17;
         let l_squared = self.l * self.l;
@@ -501,11 +511,11 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         let w_3 = self.l * phi_3_dot * u_3_x;
         let P_2_y_dot = self.l * (phi_1_dot * u_1_x + phi_2_dot * u_2_x);
         let w_4 = self.l * phi_4_dot * u_4_x;
-        let P_3_y_dot = w_3 + P_2_y_dot;
+        let P_3_y_dot = P_2_y_dot + w_3;
         let w_5 = self.g * w
             * (w_2 + (w_3 + S::from_f64(2.0) * P_2_y_dot)
                 + (w_4 + S::from_f64(2.0) * P_3_y_dot)
-                + (self.l * phi_5_dot * u_5_x + S::from_f64(2.0) * (w_4 + P_3_y_dot)));
+                + (self.l * phi_5_dot * u_5_x + S::from_f64(2.0) * (P_3_y_dot + w_4)));
         -(w_5 + phi_1_dot * u_1_x * self.l * self.g * w)
     }
     /// Outputs, 7, in SI units.
@@ -636,7 +646,7 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 25 additions, 10 multiplications, 5 sine-cosine pairs.
+    /// Operations: 13 additions, 10 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 5]) -> [S; 30] {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
@@ -656,12 +666,18 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let P_1_x = self.l * u_1_x;
         let P_1_y = -(self.l * cos_phi_1);
-        let P_2_x = self.l * (u_1_x + u_2_x);
-        let P_2_y = -(self.l * (cos_phi_1 + cos_phi_2));
-        let P_3_x = self.l * (u_1_x + u_2_x + u_3_x);
-        let P_3_y = -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3));
-        let P_4_x = self.l * (u_1_x + u_2_x + u_3_x + u_4_x);
-        let P_4_y = -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4));
+        let w = u_1_x + u_2_x;
+        let P_2_x = self.l * w;
+        let w_2 = cos_phi_1 + cos_phi_2;
+        let P_2_y = -(self.l * w_2);
+        let w_3 = w + u_3_x;
+        let P_3_x = self.l * w_3;
+        let w_4 = w_2 + cos_phi_3;
+        let P_3_y = -(self.l * w_4);
+        let w_5 = w_3 + u_4_x;
+        let P_4_x = self.l * w_5;
+        let w_6 = w_4 + cos_phi_4;
+        let P_4_y = -(self.l * w_6);
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -683,8 +699,8 @@ impl<S: sim_kernel::Scalar> HangingChain<S> {
             P_4_y,
             P_4_x,
             P_4_y,
-            self.l * (u_1_x + u_2_x + u_3_x + u_4_x + u_5_x),
-            -(self.l * (cos_phi_1 + cos_phi_2 + cos_phi_3 + cos_phi_4 + cos_phi_5)),
+            self.l * (w_5 + u_5_x),
+            -(self.l * (w_6 + cos_phi_5)),
             P_1_x,
             P_1_y,
             P_2_x,
@@ -784,22 +800,23 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
         let w_11 = w * w_10;
         let w_12 = w_2 * w_6;
         let w_13 = w_2 * w_7;
+        let k_P_3_x_phi_4 = mass_P_3_x_phi_4 - w_6 + w_13;
         let w_14 = w_2 * w_13;
         let pivot_phi_4 = self.mass_phi_2_phi_2 + w_11 - w_12 - w_12 + w_14;
+        let abs_w_12 = w_12.abs();
         let inverse_phi_4 = S::from_f64(1.0) / pivot_phi_4;
         let mass_P_3_y_phi_4 = self.k_2 * u_4_x;
         let k_P_3_y_phi_4 = mass_P_3_y_phi_4 + w_10 - w_2 * w_5;
         let l_P_3_y_phi_4 = inverse_phi_4 * k_P_3_y_phi_4;
+        let w_16 = self.m + w_3 - k_P_3_y_phi_4 * l_P_3_y_phi_4;
         let w_15 = self.l * cos_phi_3;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
         let P_3_y_convective = w_15 * phi_3_dot_squared;
-        let w_16 = self.m + w_3 - k_P_3_y_phi_4 * l_P_3_y_phi_4;
         let w_17 = w_4 - (self.k_6 + mass_P_3_x_phi_4 * phi_4_dot_squared)
             - minus_P_4_x_convective * w_5 - l_P_3_y_phi_4 * rhs_phi_4
             - P_3_y_convective * w_16;
-        let minus_P_3_x_convective = w_9 * phi_3_dot_squared;
-        let k_P_3_x_phi_4 = mass_P_3_x_phi_4 - w_6 + w_13;
         let w_18 = w_5 + k_P_3_x_phi_4 * l_P_3_y_phi_4;
+        let minus_P_3_x_convective = w_9 * phi_3_dot_squared;
         let w_19 = w_9 * w_18;
         let l_P_3_x_phi_4 = inverse_phi_4 * k_P_3_x_phi_4;
         let w_20 = self.m + w_7 - k_P_3_x_phi_4 * l_P_3_x_phi_4;
@@ -817,23 +834,24 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
         let w_26 = w_9 * w_25;
         let w_27 = w_15 * w_19;
         let w_28 = w_15 * w_20;
+        let k_P_2_x_phi_3 = mass_P_2_x_phi_3 - w_19 + w_28;
         let w_29 = w_15 * w_28;
         let pivot_phi_3 = self.mass_phi_2_phi_2 + w_26 - w_27 - w_27 + w_29;
+        let abs_w_27 = w_27.abs();
         let inverse_phi_3 = S::from_f64(1.0) / pivot_phi_3;
         let mass_P_2_y_phi_3 = self.k_2 * u_3_x;
         let k_P_2_y_phi_3 = mass_P_2_y_phi_3 + w_25 - w_15 * w_18;
         let l_P_2_y_phi_3 = inverse_phi_3 * k_P_2_y_phi_3;
+        let w_30 = self.m + w_16 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P_2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_30 = self.m + w_16 - k_P_2_y_phi_3 * l_P_2_y_phi_3;
         let w_31 = w_17 - (self.k_6 + mass_P_2_x_phi_3 * phi_3_dot_squared)
             - minus_P_3_x_convective * w_18 - l_P_2_y_phi_3 * rhs_phi_3
             - P_2_y_convective * w_30;
+        let w_33 = w_18 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
         let w_32 = u_1_x * phi_1_dot_squared;
         let minus_P_2_x_convective = self.l * (w_32 + w_23);
-        let k_P_2_x_phi_3 = mass_P_2_x_phi_3 - w_19 + w_28;
-        let w_33 = w_18 + k_P_2_x_phi_3 * l_P_2_y_phi_3;
         let w_34 = P_1_x * w_33;
         let w_35 = self.l * cos_phi_1;
         let l_P_2_x_phi_3 = inverse_phi_3 * k_P_2_x_phi_3;
@@ -847,18 +865,19 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
         let w_39 = w_38 * w_33;
         let w_40 = self.l * cos_phi_2;
         let w_41 = P_1_x * P_1_x * w_30;
+        let w_44 = w_38 * w_30;
         let w_42 = w_35 * w_34;
         let w_43 = w_35 * w_35 * w_36;
-        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_41 - w_42 - w_42 + w_43;
-        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
-        let w_44 = w_38 * w_30;
         let w_45 = w_40 * w_36;
         let k_phi_2_phi_1 = self.k * (cos_phi_1 * cos_phi_2 + u_1_x * u_2_x)
             + P_1_x * w_44 - w_40 * w_34 - w_35 * w_39 + w_35 * w_45;
-        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
         let w_46 = w_38 * w_44;
-        let w_47 = w_40 * w_39;
         let w_48 = w_40 * w_45;
+        let pivot_phi_1 = self.mass_phi_1_phi_1 + w_41 - w_42 - w_42 + w_43;
+        let abs_w_42 = w_42.abs();
+        let inverse_phi_1 = S::from_f64(1.0) / pivot_phi_1;
+        let l_phi_2_phi_1 = inverse_phi_1 * k_phi_2_phi_1;
+        let w_47 = w_40 * w_39;
         let pivot_phi_2 = self.mass_phi_2_phi_2 + w_46 - w_47 - w_47 + w_48
             - k_phi_2_phi_1 * l_phi_2_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2
@@ -874,19 +893,16 @@ impl<S: sim_kernel::Scalar> HangingChainPrepared<S> {
         let P_3_y_ddot = P_3_y_convective + w_9 * phi_3_ddot + P_2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P_3_x_phi_4 * P_3_x_ddot
             - l_P_3_y_phi_4 * P_3_y_ddot;
-        let w_49 = u_1_x * phi_1_dot;
         let w_50 = w_9 * phi_3_dot;
+        let abs_w_47 = w_47.abs();
+        let w_49 = u_1_x * phi_1_dot;
         let P_2_y_dot = self.l * (w_49 + u_2_x * phi_2_dot);
         let w_51 = w * phi_4_dot;
-        let P_3_y_dot = w_50 + P_2_y_dot;
+        let P_3_y_dot = P_2_y_dot + w_50;
         let w_52 = self.k_3 * w_49 + w_38 * phi_2_dot
             + (w_50 + S::from_f64(2.0) * P_2_y_dot)
             + (w_51 + S::from_f64(2.0) * P_3_y_dot)
-            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (w_51 + P_3_y_dot));
-        let abs_w_12 = w_12.abs();
-        let abs_w_27 = w_27.abs();
-        let abs_w_42 = w_42.abs();
-        let abs_w_47 = w_47.abs();
+            + (self.l * u_5_x * phi_5_dot + S::from_f64(2.0) * (P_3_y_dot + w_51));
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,

@@ -307,12 +307,13 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     k_12: S,
     k_13: S,
     k_14: S,
+    k_15: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 11 additions, 25 multiplications, 2 divisions.
+    /// Operations: 12 additions, 25 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
         let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
@@ -354,7 +355,8 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             k_11: w_6 + w_7,
             k_12: w_4 * S::from_f64(2.0) + w_5 * w_8,
             k_13: self.O4B * S::from_f64(2.0),
-            k_14: w_8,
+            k_14: S::from_f64(1.0) + S::from_f64(1.0),
+            k_15: w_8,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -402,12 +404,11 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             beta,
             gamma,
         ]);
-        let w_2 = sin_beta * cos_gamma;
-        let w_3 = cos_beta * sin_gamma;
+        let w_2 = sin_beta * cos_gamma - cos_beta * sin_gamma;
         [
             S::from_f64(0.0),
-            w * gamma_dot * gamma_dot * (w_2 - w_3),
-            w * beta_dot * beta_dot * (w_3 - w_2),
+            w * gamma_dot * gamma_dot * w_2,
+            -(beta_dot * beta_dot * w * w_2),
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -483,7 +484,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 7 additions, 20 multiplications, 3 sine-cosine pairs.
+    /// Operations: 7 additions, 18 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
         let [alpha, beta, gamma] = *q;
@@ -494,13 +495,14 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             gamma,
             alpha,
         ]);
-        let w = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_2 = self.O2A * S::from_f64(2.0) * beta_dot * alpha_dot
-            * (sin_alpha * cos_beta - sin_beta * cos_alpha);
+        let w = sin_beta * cos_alpha;
+        let w_2 = sin_alpha * cos_beta;
+        let w_3 = w - w_2;
         [
             -(beta_dot_squared * self.O4B * sin_beta
                 + gamma_dot * gamma_dot * self.BC * sin_gamma),
-            self.O2A * (sin_beta * cos_alpha * w - sin_alpha * cos_beta * w) + w_2
+            self.O2A * (beta_dot_squared * w_3 - (w_2 - w) * alpha_dot * alpha_dot)
+                - beta_dot * alpha_dot * w_3 * self.O2A * S::from_f64(2.0)
                 - beta_dot_squared * cos_beta * self.O4O2,
         ]
     }
@@ -601,14 +603,14 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let [_, beta_ddot, gamma_ddot] = *qdd;
         let [lambda_guide, lambda_slot] = *lambda;
-        let O2A_squared = self.O2A * self.O2A;
         let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
             alpha,
             beta,
             gamma,
         ]);
         let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let O2A_squared = self.O2A * self.O2A;
+        let w = A_y * A_y + O2A_squared * cos_alpha * cos_alpha;
         let beta_dot_squared = beta_dot * beta_dot;
         [
             alpha_dot,
@@ -630,7 +632,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 14 additions, 42 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    /// Operations: 13 additions, 40 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
     pub fn output_rates(
         &self,
@@ -642,21 +644,18 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let [alpha_ddot, beta_ddot, gamma_ddot] = *qdd;
-        let O2A_squared = self.O2A * self.O2A;
         let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
             alpha,
             beta,
             gamma,
         ]);
-        let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let w = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w;
+        let O2A_squared = self.O2A * self.O2A;
+        let w_2 = A_y * A_y + O2A_squared * cos_alpha * cos_alpha;
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_2 = alpha_ddot * cos_alpha;
-        let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
-        let w_4 = (O2A_squared
-            * (alpha_dot_squared * sin_alpha * sin_alpha - sin_alpha * w_2)
-            + self.O2A * A_y * (w_2 - sin_alpha * alpha_dot_squared)) / w
-            - w_3 * w_3 / (w * w);
+        let w_3 = O2A_squared * sin_alpha - self.O2A * A_y;
+        let w_4 = cos_alpha * alpha_dot * w_3;
         let w_5 = O2A_squared * alpha_dot_squared;
         let O4G4_squared = self.O4G4 * self.O4G4;
         let beta_dot_squared = beta_dot * beta_dot;
@@ -665,7 +664,9 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * w_4,
+            w_2.sqrt()
+                * ((alpha_dot_squared * (O2A_squared * sin_alpha * sin_alpha - w * A_y)
+                    - alpha_ddot * cos_alpha * w_3) / w_2 - w_4 * w_4 / (w_2 * w_2)),
             alpha_ddot * O2A_squared * alpha_dot * w_5.sqrt() / w_5
                 - beta_ddot * beta_dot * O4G4_squared * w_6.sqrt() / w_6,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
@@ -779,7 +780,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 34 additions, 76 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 33 additions, 74 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -806,36 +807,35 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
         let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
-        let w_3 = cos_beta * cos_alpha;
-        let minus_slot_by_beta = self.O2A * w_3
-            + sin_beta * (self.O4O2 + self.O2A * sin_alpha);
-        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let w_4 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_5 = self.O2A * (sin_beta * cos_alpha * w_4 - cos_beta * sin_alpha * w_4)
-            + self.k_8 * beta_dot * alpha_dot
-                * (cos_beta * sin_alpha - sin_beta * cos_alpha)
-            - cos_beta * self.O4O2 * beta_dot_squared;
-        let slot_by_alpha = self.O2A * (w_3 + sin_beta * sin_alpha);
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
+        let w_3 = cos_beta * cos_alpha;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let minus_slot_by_beta = self.O2A * w_3 + sin_beta * A_y;
+        let slot_by_alpha = self.O2A * (w_3 + sin_beta * sin_alpha);
+        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
+        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
+        let w_4 = sin_beta * cos_alpha;
+        let w_5 = w_4 - cos_beta * sin_alpha;
+        let w_6 = self.O2A * (alpha_dot * alpha_dot * w_5 + beta_dot_squared * w_4)
+            - self.k_8 * beta_dot * alpha_dot * w_5 - cos_beta * A_y * beta_dot_squared;
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
+        let w_7 = minus_slot_by_beta * minus_l_lambda_slot_beta
+            + slot_by_alpha * l_lambda_slot_alpha;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_6 = minus_slot_by_beta * minus_l_lambda_slot_beta
-            + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w_6;
+            * minus_l_lambda_slot_lambda_guide - w_7;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_5 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_6 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
@@ -863,12 +863,12 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_6),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_7),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 128 additions, 217 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 119 additions, 201 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -888,16 +888,17 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let w_2 = cos_beta * beta_dot_squared;
         let rhs_gamma = self.k * beta_dot_squared * w
             - sin_gamma * (self.k_7 + self.k * w_2);
+        let w_24 = sin_gamma * cos_beta - w;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let w_3 = sin_gamma * gamma_dot_squared;
         let w_4 = cos_gamma * gamma_dot_squared;
-        let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w_5;
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
         let rhs_beta = cos_beta * self.k * w_3 - sin_beta * (self.k_4 + self.k * w_4)
             - rhs_gamma * l_beta_gamma;
-        let w_6 = self.O4B * sin_beta * beta_dot_squared;
-        let w_7 = w_6 + self.BC * w_3;
+        let w_5 = self.O4B * sin_beta * beta_dot_squared;
+        let w_6 = w_5 + self.BC * w_3;
+        let w_20 = w_5 + self.BG5 * w_3;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
@@ -905,160 +906,150 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let rhs_lambda_guide = w_7 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
-        let w_8 = cos_beta * cos_alpha;
-        let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let w_9 = sin_beta * A_y;
-        let minus_slot_by_beta = self.O2A * w_8 + w_9;
-        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
-        let w_10 = alpha_dot * alpha_dot + beta_dot_squared;
-        let w_11 = cos_beta * sin_alpha;
-        let w_12 = sin_beta * cos_alpha;
-        let w_13 = self.O2A * (sin_beta * cos_alpha * w_10 - cos_beta * sin_alpha * w_10)
-            + self.k_8 * beta_dot * alpha_dot * (w_11 - w_12) - self.O4O2 * w_2;
-        let w_14 = sin_beta * sin_alpha;
-        let slot_by_alpha = self.O2A * (w_8 + w_14);
-        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
+        let rhs_lambda_guide = w_6 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let w_7 = cos_beta * cos_alpha;
+        let A_y = self.O4O2 + self.O2A * sin_alpha;
+        let minus_slot_by_beta = self.O2A * w_7 + sin_beta * A_y;
+        let slot_by_alpha = self.O2A * (w_7 + sin_beta * sin_alpha);
+        let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
+        let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
+        let w_8 = sin_beta * cos_alpha;
+        let w_9 = w_8 - cos_beta * sin_alpha;
+        let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_15 = minus_slot_by_beta * minus_l_lambda_slot_beta
+        let rhs_lambda_slot = minus_l_lambda_slot_beta * rhs_beta
+            - (self.O2A * (alpha_dot * alpha_dot * w_9 + beta_dot_squared * w_8)
+                - self.k_8 * beta_dot * alpha_dot * w_9 - A_y * w_2)
+            - self.T * l_lambda_slot_alpha
+            + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide;
+        let w_11 = self.O2A * w_9;
+        let w_19 = cos_beta * A_y - self.O2A * w_8;
+        let w_10 = minus_slot_by_beta * minus_l_lambda_slot_beta
             + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w_15;
+            * minus_l_lambda_slot_lambda_guide - w_10;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let lambda_slot = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_13 - self.T * l_lambda_slot_alpha
-                + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_16 = w_12 - w_11;
-        let w_17 = self.O2A * w_16;
-        let w_18 = lambda_slot * w_17;
-        let w_19 = self.inverse_alpha * w_18;
-        let w_20 = alpha_dot - beta_dot;
-        let w_21 = cos_beta * cos_alpha * w_20;
-        let w_22 = sin_alpha * w_20;
-        let w_23 = self.O2A * (w_21 + sin_beta * w_22);
+        let lambda_slot = inverse_lambda_slot * rhs_lambda_slot;
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
         let beta_ddot = inverse_beta * rhs_beta - l_lambda_guide_beta * lambda_guide
             + minus_l_lambda_slot_beta * lambda_slot;
-        let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
-        let w_24 = l_lambda_slot_alpha * w_18;
-        let w_25 = l_lambda_guide_beta * w_18;
-        let w_26 = inverse_lambda_slot
-            * (w_20 * w_23 + w_17 * (beta_ddot - alpha_ddot)
-                + minus_l_lambda_slot_beta * w_18 + w_24
-                - minus_l_lambda_slot_lambda_guide * w_25);
-        let w_27 = cos_beta * A_y;
-        let w_28 = w_27 - self.O2A * w_12;
-        let w_29 = w_6 + self.BG5 * w_3;
-        let w_30 = self.O4B * w_2;
-        let w_31 = w_30 + self.BG5 * w_4;
-        let w_32 = w_30 + self.BC * w_4;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             - l_lambda_guide_gamma * lambda_guide;
-        let w_33 = sin_gamma * cos_beta;
-        let w_34 = w_33 - w;
-        let w_35 = self.k * w_34;
-        let w_36 = gamma_ddot * w_35;
-        let w_37 = sin_beta
-            * (self.O4B * lambda_guide - w_29 * self.k_2 - w_7 * self.k_3)
-            - cos_beta * (w_31 * self.k_2 + w_32 * self.k_3 + self.k_4) - w_36
-            + lambda_slot * w_28 + beta_dot_squared * self.k_10;
-        let w_38 = beta_ddot * w_35;
-        let w_39 = self.k * w_5 * beta_dot_squared - w_38;
-        let w_40 = w_37 - l_beta_gamma * w_39;
-        let w_41 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_39
-            - l_lambda_guide_beta * w_40;
-        let w_42 = alpha_ddot * w_17 - alpha_dot * w_23
-            + beta_dot * (self.O2A * (w_21 + w_14 * alpha_dot) - w_9 * beta_dot)
-            + beta_ddot * w_28 + minus_l_lambda_slot_beta * w_40 - w_24
-            + minus_l_lambda_slot_lambda_guide * w_41;
-        let w_43 = inverse_lambda_slot * w_42;
-        let w_44 = sin_gamma
-            * (self.BC * lambda_guide - w_29 * self.k_5 - w_7 * self.k_6)
-            - cos_gamma * (w_31 * self.k_5 + w_32 * self.k_6 + self.k_7) + w_38
+        let w_12 = lambda_slot * w_11;
+        let w_13 = self.inverse_alpha * w_12;
+        let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
+        let w_14 = alpha_dot - beta_dot;
+        let w_15 = slot_by_alpha * w_14;
+        let w_16 = l_lambda_slot_alpha * w_12;
+        let w_17 = l_lambda_guide_beta * w_12;
+        let w_18 = inverse_lambda_slot
+            * (w_11 * (beta_ddot - alpha_ddot) + w_14 * w_15
+                + minus_l_lambda_slot_beta * w_12 + w_16
+                - minus_l_lambda_slot_lambda_guide * w_17);
+        let w_38 = minus_inverse_lambda_guide * w_17
+            + minus_l_lambda_slot_lambda_guide * w_18;
+        let w_39 = inverse_beta * w_12 - l_lambda_guide_beta * w_38
+            + minus_l_lambda_slot_beta * w_18;
+        let w_21 = self.O4B * w_2;
+        let w_22 = w_21 + self.BG5 * w_4;
+        let w_23 = w_21 + self.BC * w_4;
+        let w_25 = self.k * w_24;
+        let w_46 = w_24 * self.k_12;
+        let w_26 = gamma_ddot * w_25;
+        let w_27 = sin_beta
+            * (self.O4B * lambda_guide - (w_20 * self.k_2 + w_6 * self.k_3))
+            - cos_beta * (self.k_4 + w_22 * self.k_2 + w_23 * self.k_3) - w_26
+            + lambda_slot * w_19 + beta_dot_squared * self.k_10;
+        let w_28 = beta_ddot * w_25;
+        let w_29 = mass_gamma_beta * beta_dot_squared - w_28;
+        let w_30 = w_27 - l_beta_gamma * w_29;
+        let w_31 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_29
+            - l_lambda_guide_beta * w_30;
+        let w_32 = alpha_ddot * w_11 - alpha_dot * w_15
+            + beta_dot * (slot_by_alpha * alpha_dot - minus_slot_by_beta * beta_dot)
+            + beta_ddot * w_19 + minus_l_lambda_slot_beta * w_30 - w_16
+            + minus_l_lambda_slot_lambda_guide * w_31;
+        let w_33 = inverse_lambda_slot * w_32;
+        let w_40 = minus_l_lambda_slot_lambda_guide * w_33
+            - minus_inverse_lambda_guide * w_31;
+        let w_41 = inverse_beta * w_30 - l_lambda_guide_beta * w_40
+            + minus_l_lambda_slot_beta * w_33;
+        let w_44 = w_11 + w_11;
+        let w_45 = inverse_lambda_slot * w_14 * w_44;
+        let w_34 = w_28 - cos_gamma * (self.k_7 + w_22 * self.k_5 + w_23 * self.k_6)
+            + sin_gamma * (self.BC * lambda_guide - (w_20 * self.k_5 + w_6 * self.k_6))
             + gamma_dot_squared * self.k_11;
-        let w_45 = self.k * w_5 * gamma_dot_squared + w_36 - l_beta_gamma * w_44;
-        let w_46 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_44
-            - l_lambda_guide_beta * w_45;
-        let w_47 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_45
-                + minus_l_lambda_slot_lambda_guide * w_46);
-        let w_48 = minus_inverse_lambda_guide * w_25
-            + minus_l_lambda_slot_lambda_guide * w_26;
-        let w_49 = inverse_beta * w_18 - l_lambda_guide_beta * w_48
-            + minus_l_lambda_slot_beta * w_26;
-        let w_50 = minus_l_lambda_slot_lambda_guide * w_43
-            - minus_inverse_lambda_guide * w_41;
-        let w_51 = inverse_beta * w_40 - l_lambda_guide_beta * w_50
-            + minus_l_lambda_slot_beta * w_43;
-        let w_52 = minus_l_lambda_slot_lambda_guide * w_47
-            - minus_inverse_lambda_guide * w_46;
-        let w_53 = inverse_beta * w_45 - l_lambda_guide_beta * w_52
-            + minus_l_lambda_slot_beta * w_47;
-        let w_54 = beta_dot - alpha_dot;
-        let w_55 = inverse_lambda_slot
-            * (self.O2A * (cos_beta * w_22 + sin_beta * cos_alpha * w_54) + w_54 * w_17);
-        let w_56 = self.k_12 * beta_dot * (w - w_33);
-        let w_57 = l_beta_gamma * w_56;
-        let w_58 = sin_beta * beta_dot * self.k_13 - l_lambda_guide_gamma * w_56
-            + l_lambda_guide_beta * w_57;
-        let w_59 = inverse_lambda_slot
-            * (self.O2A * (alpha_dot * w_16 - beta_dot * w_12) + beta_dot * (w_27 + w_28)
-                + alpha_dot * w_17 - minus_l_lambda_slot_beta * w_57
-                + minus_l_lambda_slot_lambda_guide * w_58);
-        let w_60 = self.k_12 * gamma_dot * w_34;
-        let w_61 = sin_gamma * gamma_dot * self.k_14 - l_lambda_guide_beta * w_60;
-        let w_62 = inverse_lambda_slot
-            * (minus_l_lambda_slot_beta * w_60
-                + minus_l_lambda_slot_lambda_guide * w_61);
-        let w_63 = minus_l_lambda_slot_lambda_guide * w_55;
-        let w_64 = minus_l_lambda_slot_beta * w_55 - l_lambda_guide_beta * w_63;
-        let w_65 = minus_l_lambda_slot_lambda_guide * w_59
-            - minus_inverse_lambda_guide * w_58;
-        let w_66 = minus_l_lambda_slot_beta * w_59 - inverse_beta * w_57
-            - l_lambda_guide_beta * w_65;
-        let w_67 = minus_l_lambda_slot_lambda_guide * w_62
-            - minus_inverse_lambda_guide * w_61;
-        let w_68 = inverse_beta * w_60 - l_lambda_guide_beta * w_67
-            + minus_l_lambda_slot_beta * w_62;
+        let w_35 = w_26 + mass_gamma_beta * gamma_dot_squared - l_beta_gamma * w_34;
+        let w_36 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_34
+            - l_lambda_guide_beta * w_35;
+        let w_37 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_35
+                + minus_l_lambda_slot_lambda_guide * w_36);
+        let w_42 = minus_l_lambda_slot_lambda_guide * w_37
+            - minus_inverse_lambda_guide * w_36;
+        let w_43 = inverse_beta * w_35 - l_lambda_guide_beta * w_42
+            + minus_l_lambda_slot_beta * w_37;
+        let w_47 = beta_dot * w_46;
+        let w_51 = gamma_dot * w_46;
+        let w_48 = l_beta_gamma * w_47;
+        let w_49 = sin_beta * beta_dot * self.k_13 + l_lambda_guide_gamma * w_47
+            - l_lambda_guide_beta * w_48;
+        let w_50 = inverse_lambda_slot
+            * (beta_dot * w_19 * self.k_14 + alpha_dot * w_44
+                + minus_l_lambda_slot_beta * w_48
+                + minus_l_lambda_slot_lambda_guide * w_49);
+        let w_56 = minus_l_lambda_slot_lambda_guide * w_50
+            - minus_inverse_lambda_guide * w_49;
+        let w_57 = inverse_beta * w_48 - l_lambda_guide_beta * w_56
+            + minus_l_lambda_slot_beta * w_50;
+        let w_52 = sin_gamma * gamma_dot * self.k_15 - l_lambda_guide_beta * w_51;
+        let w_53 = inverse_lambda_slot
+            * (minus_l_lambda_slot_beta * w_51
+                + minus_l_lambda_slot_lambda_guide * w_52);
+        let w_58 = minus_l_lambda_slot_lambda_guide * w_53
+            - minus_inverse_lambda_guide * w_52;
+        let w_54 = minus_l_lambda_slot_lambda_guide * w_45;
+        let w_59 = inverse_beta * w_51 - l_lambda_guide_beta * w_58
+            + minus_l_lambda_slot_beta * w_53;
+        let w_55 = l_lambda_guide_beta * w_54 - minus_l_lambda_slot_beta * w_45;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    -(w_19 + l_lambda_slot_alpha * w_26),
-                    w_19 - l_lambda_slot_alpha * w_43,
-                    -(l_lambda_slot_alpha * w_47),
+                    -(w_13 + l_lambda_slot_alpha * w_18),
+                    w_13 - l_lambda_slot_alpha * w_33,
+                    -(l_lambda_slot_alpha * w_37),
                 ],
-                [w_49, w_51, w_53],
+                [w_39, w_41, w_43],
                 [
-                    -(l_beta_gamma * w_49 + l_lambda_guide_gamma * w_48),
-                    self.inverse_gamma * w_39 - l_beta_gamma * w_51
-                        - l_lambda_guide_gamma * w_50,
-                    self.inverse_gamma * w_44 - l_beta_gamma * w_53
-                        - l_lambda_guide_gamma * w_52,
+                    -(l_beta_gamma * w_39 + l_lambda_guide_gamma * w_38),
+                    self.inverse_gamma * w_29 - l_beta_gamma * w_41
+                        - l_lambda_guide_gamma * w_40,
+                    self.inverse_gamma * w_34 - l_beta_gamma * w_43
+                        - l_lambda_guide_gamma * w_42,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    -(l_lambda_slot_alpha * w_55),
-                    -(l_lambda_slot_alpha * w_59),
-                    -(l_lambda_slot_alpha * w_62),
+                    l_lambda_slot_alpha * w_45,
+                    -(l_lambda_slot_alpha * w_50),
+                    -(l_lambda_slot_alpha * w_53),
                 ],
-                [w_64, w_66, w_68],
+                [w_55, w_57, w_59],
                 [
-                    -(l_beta_gamma * w_64 + l_lambda_guide_gamma * w_63),
-                    self.inverse_gamma * w_56 - l_beta_gamma * w_66
-                        - l_lambda_guide_gamma * w_65,
-                    -(l_beta_gamma * w_68 + l_lambda_guide_gamma * w_67),
+                    l_lambda_guide_gamma * w_54 - l_beta_gamma * w_55,
+                    -(self.inverse_gamma * w_47 + l_beta_gamma * w_57
+                        + l_lambda_guide_gamma * w_56),
+                    -(l_beta_gamma * w_59 + l_lambda_guide_gamma * w_58),
                 ],
             ],
-            multipliers_by_positions: [[w_48, w_50, w_52], [w_26, w_43, w_47]],
-            multipliers_by_speeds: [[w_63, w_65, w_67], [w_55, w_59, w_62]],
+            multipliers_by_positions: [[w_38, w_40, w_42], [w_18, w_33, w_37]],
+            multipliers_by_speeds: [[-w_54, w_56, w_58], [-w_45, w_50, w_53]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,
@@ -1070,7 +1061,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_15),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_10),
         }
     }
 }

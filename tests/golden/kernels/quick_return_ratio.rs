@@ -442,12 +442,11 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             beta,
             gamma,
         ]);
-        let w_2 = sin_beta * cos_gamma;
-        let w_3 = cos_beta * sin_gamma;
+        let w_2 = sin_beta * cos_gamma - cos_beta * sin_gamma;
         [
             S::from_f64(0.0),
-            w * gamma_dot * gamma_dot * (w_2 - w_3),
-            w * beta_dot * beta_dot * (w_3 - w_2),
+            w * gamma_dot * gamma_dot * w_2,
+            -(beta_dot * beta_dot * w * w_2),
         ]
     }
     /// Generalised forces `T_q' F`, 3: joules per unit of each coordinate.
@@ -658,7 +657,6 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let [_, beta_ddot, gamma_ddot] = *qdd;
         let [lambda_guide, lambda_slot] = *lambda;
-        let O2A_squared = self.O2A * self.O2A;
         let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
             alpha,
             beta,
@@ -666,7 +664,8 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         ]);
         let A_y = self.O4O2 + self.O2A * sin_alpha;
         let A_y_squared = A_y * A_y;
-        let w = O2A_squared * cos_alpha * cos_alpha + A_y_squared;
+        let O2A_squared = self.O2A * self.O2A;
+        let w = A_y_squared + O2A_squared * cos_alpha * cos_alpha;
         let sqrt_w = w.sqrt();
         let beta_dot_squared = beta_dot * beta_dot;
         [
@@ -689,7 +688,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 14 additions, 42 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
+    /// Operations: 13 additions, 40 multiplications, 4 divisions, 3 sine-cosine pairs, 3 square roots.
     #[inline]
     pub fn output_rates(
         &self,
@@ -701,21 +700,18 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let [alpha_ddot, beta_ddot, gamma_ddot] = *qdd;
-        let O2A_squared = self.O2A * self.O2A;
         let ([sin_alpha, sin_beta, sin_gamma], [cos_alpha, cos_beta, cos_gamma]) = S::sin_cos_each([
             alpha,
             beta,
             gamma,
         ]);
-        let A_y = self.O4O2 + self.O2A * sin_alpha;
-        let w = O2A_squared * cos_alpha * cos_alpha + A_y * A_y;
+        let w = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w;
+        let O2A_squared = self.O2A * self.O2A;
+        let w_2 = A_y * A_y + O2A_squared * cos_alpha * cos_alpha;
         let alpha_dot_squared = alpha_dot * alpha_dot;
-        let w_2 = alpha_ddot * cos_alpha;
-        let w_3 = cos_alpha * alpha_dot * (O2A_squared * sin_alpha - self.O2A * A_y);
-        let w_4 = (O2A_squared
-            * (alpha_dot_squared * sin_alpha * sin_alpha - sin_alpha * w_2)
-            + self.O2A * A_y * (w_2 - sin_alpha * alpha_dot_squared)) / w
-            - w_3 * w_3 / (w * w);
+        let w_3 = O2A_squared * sin_alpha - self.O2A * A_y;
+        let w_4 = cos_alpha * alpha_dot * w_3;
         let w_5 = O2A_squared * alpha_dot_squared;
         let O4G4_squared = self.O4G4 * self.O4G4;
         let beta_dot_squared = beta_dot * beta_dot;
@@ -724,7 +720,9 @@ impl<S: sim_kernel::Scalar> QuickReturnRatio<S> {
             alpha_ddot,
             beta_ddot,
             gamma_ddot,
-            w.sqrt() * w_4,
+            w_2.sqrt()
+                * ((alpha_dot_squared * (O2A_squared * sin_alpha * sin_alpha - w * A_y)
+                    - alpha_ddot * cos_alpha * w_3) / w_2 - w_4 * w_4 / (w_2 * w_2)),
             alpha_ddot * O2A_squared * alpha_dot * w_5.sqrt() / w_5
                 - beta_ddot * beta_dot * O4G4_squared * w_6.sqrt() / w_6,
             -(beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma),
@@ -865,13 +863,15 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
         let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
             + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
+        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let cos_alpha_squared = cos_alpha * cos_alpha;
         let w_3 = self.O2A * sin_alpha;
         let A_y = self.O4O2 + w_3;
@@ -893,13 +893,11 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
             * self.inverse_O4G4;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
         let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
-        let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
-            + k_lambda_guide_beta * l_lambda_guide_beta;
+        let w_6 = slot_by_beta * l_lambda_slot_beta
+            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
-        let w_6 = slot_by_beta * l_lambda_slot_beta
-            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
         let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
             * l_lambda_slot_lambda_guide - w_6;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
@@ -937,7 +935,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 123 additions, 215 multiplications, 19 divisions, 3 sine-cosine pairs.
+    /// Operations: 122 additions, 212 multiplications, 19 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -957,16 +955,17 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let w_2 = cos_beta * beta_dot_squared;
         let rhs_gamma = self.k * beta_dot_squared * w
             - sin_gamma * (self.k_7 + self.k * w_2);
+        let w_29 = sin_gamma * cos_beta - w;
         let gamma_dot_squared = gamma_dot * gamma_dot;
         let w_3 = sin_gamma * gamma_dot_squared;
         let w_4 = cos_gamma * gamma_dot_squared;
-        let w_5 = sin_beta * sin_gamma + cos_beta * cos_gamma;
-        let mass_gamma_beta = self.k * w_5;
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
         let rhs_beta = cos_beta * self.k * w_3 - sin_beta * (self.k_4 + self.k * w_4)
             - rhs_gamma * l_beta_gamma;
-        let w_6 = self.O4B * sin_beta * beta_dot_squared;
-        let w_7 = w_6 + self.BC * w_3;
+        let w_5 = self.O4B * sin_beta * beta_dot_squared;
+        let w_6 = w_5 + self.BC * w_3;
+        let w_28 = w_5 + self.BG5 * w_3;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
@@ -974,161 +973,159 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
         let k_lambda_guide_beta = self.O4B * cos_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
-        let rhs_lambda_guide = w_7 - rhs_gamma * l_lambda_guide_gamma
-            - l_lambda_guide_beta * rhs_beta;
-        let cos_alpha_squared = cos_alpha * cos_alpha;
-        let w_8 = self.O2A * sin_alpha;
-        let A_y = self.O4O2 + w_8;
-        let A_y_squared = A_y * A_y;
-        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
-            + w_8 / A_y;
-        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
-        let w_9 = sin_alpha * self.k_11 / A_y_squared;
-        let w_10 = self.O2A / A_y;
-        let w_11 = A_y * A_y_squared;
-        let w_12 = cos_alpha * cos_alpha_squared * self.k_10 / w_11;
-        let sin_beta_squared = sin_beta * sin_beta;
-        let w_13 = sin_beta * self.k_9 / sin_beta_squared;
-        let w_14 = self.O4G4 / sin_beta;
-        let cos_beta_squared = cos_beta * cos_beta;
-        let w_15 = sin_beta * sin_beta_squared;
-        let w_16 = cos_beta * cos_beta_squared * self.k_8 / w_15;
-        let w_17 = self.inverse_O4G4 * (cos_beta * (w_13 - w_14) + w_16);
-        let slot_by_beta = self.O4G4
-            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
-            * self.inverse_O4G4;
-        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
-        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
-        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
-            * minus_inverse_lambda_guide;
-        let w_18 = slot_by_beta * l_lambda_slot_beta
-            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
-        let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
-            * l_lambda_slot_lambda_guide - w_18;
-        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
-        let lambda_slot = inverse_lambda_slot
-            * (self.T * minus_l_lambda_slot_alpha
-                - (alpha_dot * alpha_dot * (cos_alpha * (w_9 - w_10) + w_12)
-                    - beta_dot * beta_dot * w_17) - l_lambda_slot_beta * rhs_beta
-                - l_lambda_slot_lambda_guide * rhs_lambda_guide);
-        let w_19 = cos_alpha * (w_10 - w_9);
-        let w_20 = w_19 - w_12;
-        let w_21 = lambda_slot * w_20;
-        let w_22 = alpha_dot
-            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_11 - w_10)
+        let rhs_lambda_guide = w_6 - rhs_gamma * l_lambda_guide_gamma
+            - l_lambda_guide_beta * rhs_beta;
+        let cos_alpha_squared = cos_alpha * cos_alpha;
+        let w_7 = self.O2A * sin_alpha;
+        let A_y = self.O4O2 + w_7;
+        let A_y_squared = A_y * A_y;
+        let minus_slot_by_alpha = self.O2A_squared * cos_alpha_squared / A_y_squared
+            + w_7 / A_y;
+        let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
+        let w_8 = sin_alpha * self.k_11 / A_y_squared;
+        let w_9 = self.O2A / A_y;
+        let w_10 = A_y * A_y_squared;
+        let w_21 = alpha_dot
+            * (sin_alpha * (cos_alpha_squared * self.k_14 / w_10 - w_9)
                 + (sin_alpha * sin_alpha * self.k_15 - self.k_16) / A_y_squared
                 + cos_alpha_squared * cos_alpha_squared * self.k_13
                     / (A_y_squared * A_y_squared));
-        let w_23 = inverse_lambda_slot
-            * (alpha_dot * w_22
-                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_20
-                + minus_l_lambda_slot_alpha * w_21);
-        let w_24 = beta_dot * self.inverse_O4G4
-            * (sin_beta * (cos_beta_squared * self.k_19 / w_15 - w_14)
+        let w_11 = cos_alpha * cos_alpha_squared * self.k_10 / w_10;
+        let sin_beta_squared = sin_beta * sin_beta;
+        let w_12 = sin_beta * self.k_9 / sin_beta_squared;
+        let w_13 = self.O4G4 / sin_beta;
+        let cos_beta_squared = cos_beta * cos_beta;
+        let w_14 = sin_beta * sin_beta_squared;
+        let w_15 = cos_beta * cos_beta_squared * self.k_8 / w_14;
+        let w_23 = beta_dot * self.inverse_O4G4
+            * (sin_beta * (cos_beta_squared * self.k_19 / w_14 - w_13)
                 + (sin_beta_squared * self.k_20 - self.k_21) / sin_beta_squared
                 + cos_beta_squared * cos_beta_squared * self.k_18
                     / (sin_beta_squared * sin_beta_squared));
+        let slot_by_beta = self.O4G4
+            * (cos_beta_squared / sin_beta_squared + sin_beta / sin_beta)
+            * self.inverse_O4G4;
+        let w_16 = self.inverse_O4G4 * (cos_beta * (w_12 - w_13) + w_15);
+        let w_24 = self.inverse_O4G4 * (cos_beta * (w_13 - w_12) - w_15);
+        let l_lambda_slot_beta = slot_by_beta * inverse_beta;
+        let minus_k_lambda_slot_lambda_guide = k_lambda_guide_beta * l_lambda_slot_beta;
+        let w_17 = slot_by_beta * l_lambda_slot_beta
+            + minus_slot_by_alpha * minus_l_lambda_slot_alpha;
+        let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
+        let l_lambda_slot_lambda_guide = minus_k_lambda_slot_lambda_guide
+            * minus_inverse_lambda_guide;
+        let pivot_lambda_slot = minus_k_lambda_slot_lambda_guide
+            * l_lambda_slot_lambda_guide - w_17;
+        let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
+        let lambda_slot = inverse_lambda_slot
+            * (self.T * minus_l_lambda_slot_alpha
+                - (alpha_dot * alpha_dot * (cos_alpha * (w_8 - w_9) + w_11)
+                    - beta_dot * beta_dot * w_16) - l_lambda_slot_beta * rhs_beta
+                - l_lambda_slot_lambda_guide * rhs_lambda_guide);
+        let w_18 = cos_alpha * (w_9 - w_8);
         let minus_lambda_guide = minus_inverse_lambda_guide * rhs_lambda_guide
             + l_lambda_slot_lambda_guide * lambda_slot;
         let beta_ddot = inverse_beta * rhs_beta
             + l_lambda_guide_beta * minus_lambda_guide
             - l_lambda_slot_beta * lambda_slot;
-        let w_25 = self.inverse_O4G4 * (cos_beta * (w_14 - w_13) - w_16);
-        let w_26 = self.O4B * w_2;
-        let w_27 = w_26 + self.BG5 * w_4;
-        let w_28 = w_26 + self.BC * w_4;
-        let w_29 = w_6 + self.BG5 * w_3;
         let gamma_ddot = rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot
             + l_lambda_guide_gamma * minus_lambda_guide;
-        let w_30 = sin_gamma * cos_beta;
-        let w_31 = w_30 - w;
-        let w_32 = self.k * w_31;
-        let w_33 = gamma_ddot * w_32;
-        let w_34 = beta_dot_squared * self.k_17
-            - cos_beta * (w_27 * self.k_2 + w_28 * self.k_3 + self.k_4)
+        let w_19 = w_18 - w_11;
+        let w_48 = inverse_lambda_slot * alpha_dot * (w_18 - w_11 + w_19);
+        let w_20 = lambda_slot * w_19;
+        let w_22 = inverse_lambda_slot
+            * (alpha_dot * w_21
+                + (self.k_12 + minus_l_lambda_slot_alpha * lambda_slot) * w_19
+                + minus_l_lambda_slot_alpha * w_20);
+        let w_25 = self.O4B * w_2;
+        let w_26 = w_25 + self.BG5 * w_4;
+        let w_27 = w_25 + self.BC * w_4;
+        let w_30 = self.k * w_29;
+        let w_49 = w_29 * self.k_23;
+        let w_31 = gamma_ddot * w_30;
+        let w_32 = beta_dot_squared * self.k_17
+            - cos_beta * (self.k_4 + w_26 * self.k_2 + w_27 * self.k_3)
             - sin_beta
-                * (w_29 * self.k_2 + w_7 * self.k_3 + self.O4B * minus_lambda_guide)
-            - w_33 - lambda_slot * w_25;
-        let w_35 = beta_ddot * w_32;
-        let w_36 = self.k * w_5 * beta_dot_squared - w_35;
-        let w_37 = w_34 - l_beta_gamma * w_36;
-        let w_38 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_36
-            - l_lambda_guide_beta * w_37;
-        let w_39 = inverse_lambda_slot
-            * (beta_dot * w_24 + beta_ddot * w_25 + l_lambda_slot_beta * w_37
-                + l_lambda_slot_lambda_guide * w_38);
-        let w_40 = w_35 - cos_gamma * (w_27 * self.k_5 + w_28 * self.k_6 + self.k_7)
+                * (w_28 * self.k_2 + w_6 * self.k_3 + self.O4B * minus_lambda_guide)
+            - w_31 - lambda_slot * w_24;
+        let w_33 = beta_ddot * w_30;
+        let w_34 = mass_gamma_beta * beta_dot_squared - w_33;
+        let w_35 = w_32 - l_beta_gamma * w_34;
+        let w_36 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_34
+            - l_lambda_guide_beta * w_35;
+        let w_37 = inverse_lambda_slot
+            * (beta_dot * w_23 + beta_ddot * w_24 + l_lambda_slot_beta * w_35
+                + l_lambda_slot_lambda_guide * w_36);
+        let w_44 = l_lambda_slot_lambda_guide * w_37 - minus_inverse_lambda_guide * w_36;
+        let w_45 = inverse_beta * w_35 - l_lambda_guide_beta * w_44
+            + l_lambda_slot_beta * w_37;
+        let w_38 = w_33 - cos_gamma * (self.k_7 + w_26 * self.k_5 + w_27 * self.k_6)
             - sin_gamma
-                * (w_29 * self.k_5 + w_7 * self.k_6 + self.BC * minus_lambda_guide)
+                * (w_28 * self.k_5 + w_6 * self.k_6 + self.BC * minus_lambda_guide)
             + gamma_dot_squared * self.k_22;
-        let w_41 = self.k * w_5 * gamma_dot_squared + w_33 - l_beta_gamma * w_40;
-        let w_42 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_40
-            - l_lambda_guide_beta * w_41;
-        let w_43 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_41 + l_lambda_slot_lambda_guide * w_42);
-        let w_44 = l_lambda_slot_lambda_guide * w_23;
-        let w_45 = l_lambda_guide_beta * w_44 - l_lambda_slot_beta * w_23;
-        let w_46 = l_lambda_slot_lambda_guide * w_39 - minus_inverse_lambda_guide * w_38;
-        let w_47 = inverse_beta * w_37 - l_lambda_guide_beta * w_46
-            + l_lambda_slot_beta * w_39;
-        let w_48 = l_lambda_slot_lambda_guide * w_43 - minus_inverse_lambda_guide * w_42;
-        let w_49 = inverse_beta * w_41 - l_lambda_guide_beta * w_48
-            + l_lambda_slot_beta * w_43;
-        let w_50 = inverse_lambda_slot * alpha_dot * (w_19 - w_12 + w_20);
-        let w_51 = self.k_23 * beta_dot * (w - w_30);
-        let w_52 = l_beta_gamma * w_51;
-        let w_53 = sin_beta * beta_dot * self.k_24 - l_lambda_guide_gamma * w_51
-            + l_lambda_guide_beta * w_52;
-        let w_54 = inverse_lambda_slot
-            * (beta_dot * (w_17 - w_25) + l_lambda_slot_beta * w_52
-                - l_lambda_slot_lambda_guide * w_53);
-        let w_55 = self.k_23 * gamma_dot * w_31;
-        let w_56 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_55;
-        let w_57 = inverse_lambda_slot
-            * (l_lambda_slot_beta * w_55 + l_lambda_slot_lambda_guide * w_56);
-        let w_58 = l_lambda_slot_lambda_guide * w_50;
-        let w_59 = l_lambda_guide_beta * w_58 - l_lambda_slot_beta * w_50;
-        let w_60 = minus_inverse_lambda_guide * w_53 + l_lambda_slot_lambda_guide * w_54;
-        let w_61 = l_lambda_guide_beta * w_60 - inverse_beta * w_52
-            - l_lambda_slot_beta * w_54;
-        let w_62 = l_lambda_slot_lambda_guide * w_57 - minus_inverse_lambda_guide * w_56;
-        let w_63 = inverse_beta * w_55 - l_lambda_guide_beta * w_62
-            + l_lambda_slot_beta * w_57;
+        let w_39 = w_31 + mass_gamma_beta * gamma_dot_squared - l_beta_gamma * w_38;
+        let w_40 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_38
+            - l_lambda_guide_beta * w_39;
+        let w_41 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_39 + l_lambda_slot_lambda_guide * w_40);
+        let w_46 = l_lambda_slot_lambda_guide * w_41 - minus_inverse_lambda_guide * w_40;
+        let w_47 = inverse_beta * w_39 - l_lambda_guide_beta * w_46
+            + l_lambda_slot_beta * w_41;
+        let w_42 = l_lambda_slot_lambda_guide * w_22;
+        let w_43 = l_lambda_guide_beta * w_42 - l_lambda_slot_beta * w_22;
+        let w_50 = beta_dot * w_49;
+        let w_54 = gamma_dot * w_49;
+        let w_51 = l_beta_gamma * w_50;
+        let w_52 = sin_beta * beta_dot * self.k_24 + l_lambda_guide_gamma * w_50
+            - l_lambda_guide_beta * w_51;
+        let w_53 = inverse_lambda_slot
+            * (beta_dot * (w_16 - w_24) - l_lambda_slot_beta * w_51
+                - l_lambda_slot_lambda_guide * w_52);
+        let w_59 = minus_inverse_lambda_guide * w_52 + l_lambda_slot_lambda_guide * w_53;
+        let w_60 = inverse_beta * w_51 + l_lambda_guide_beta * w_59
+            - l_lambda_slot_beta * w_53;
+        let w_55 = sin_gamma * gamma_dot * self.k_25 - l_lambda_guide_beta * w_54;
+        let w_56 = inverse_lambda_slot
+            * (l_lambda_slot_beta * w_54 + l_lambda_slot_lambda_guide * w_55);
+        let w_61 = l_lambda_slot_lambda_guide * w_56 - minus_inverse_lambda_guide * w_55;
+        let w_57 = l_lambda_slot_lambda_guide * w_48;
+        let w_62 = inverse_beta * w_54 - l_lambda_guide_beta * w_61
+            + l_lambda_slot_beta * w_56;
+        let w_58 = l_lambda_guide_beta * w_57 - l_lambda_slot_beta * w_48;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_alpha * w_21 + minus_l_lambda_slot_alpha * w_23,
-                    -(minus_l_lambda_slot_alpha * w_39),
-                    -(minus_l_lambda_slot_alpha * w_43),
+                    self.inverse_alpha * w_20 + minus_l_lambda_slot_alpha * w_22,
+                    -(minus_l_lambda_slot_alpha * w_37),
+                    -(minus_l_lambda_slot_alpha * w_41),
                 ],
-                [w_45, w_47, w_49],
+                [w_43, w_45, w_47],
                 [
-                    l_lambda_guide_gamma * w_44 - l_beta_gamma * w_45,
-                    self.inverse_gamma * w_36 - l_beta_gamma * w_47
+                    l_lambda_guide_gamma * w_42 - l_beta_gamma * w_43,
+                    self.inverse_gamma * w_34 - l_beta_gamma * w_45
+                        - l_lambda_guide_gamma * w_44,
+                    self.inverse_gamma * w_38 - l_beta_gamma * w_47
                         - l_lambda_guide_gamma * w_46,
-                    self.inverse_gamma * w_40 - l_beta_gamma * w_49
-                        - l_lambda_guide_gamma * w_48,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_50,
-                    minus_l_lambda_slot_alpha * w_54,
-                    -(minus_l_lambda_slot_alpha * w_57),
+                    minus_l_lambda_slot_alpha * w_48,
+                    minus_l_lambda_slot_alpha * w_53,
+                    -(minus_l_lambda_slot_alpha * w_56),
                 ],
-                [w_59, w_61, w_63],
+                [w_58, w_60, w_62],
                 [
-                    l_lambda_guide_gamma * w_58 - l_beta_gamma * w_59,
-                    self.inverse_gamma * w_51 - l_beta_gamma * w_61
-                        + l_lambda_guide_gamma * w_60,
-                    -(l_beta_gamma * w_63 + l_lambda_guide_gamma * w_62),
+                    l_lambda_guide_gamma * w_57 - l_beta_gamma * w_58,
+                    l_lambda_guide_gamma * w_59 - self.inverse_gamma * w_50
+                        - l_beta_gamma * w_60,
+                    -(l_beta_gamma * w_62 + l_lambda_guide_gamma * w_61),
                 ],
             ],
-            multipliers_by_positions: [[-w_44, w_46, w_48], [w_23, -w_39, -w_43]],
-            multipliers_by_speeds: [[-w_58, -w_60, w_62], [w_50, w_54, -w_57]],
+            multipliers_by_positions: [[-w_42, w_44, w_46], [w_22, -w_37, -w_41]],
+            multipliers_by_speeds: [[-w_57, -w_59, w_61], [w_48, w_53, -w_56]],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,
@@ -1140,7 +1137,7 @@ impl<S: sim_kernel::Scalar> QuickReturnRatioPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_18),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_17),
         }
     }
 }

@@ -611,7 +611,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Mass matrix `T_q' M T_q`, 6 x 6, symmetric, in SI units.
     ///
-    /// Operations: 145 additions, 264 multiplications, 5 sine-cosine pairs.
+    /// Operations: 141 additions, 257 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 6]) -> [[S; 6]; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -631,136 +631,134 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
         let sin_q4_squared = sin_q4 * sin_q4;
         let sin_q5_squared = sin_q5 * sin_q5;
-        let w = cos_q2 * cos_q3;
-        let w_2 = w - sin_q2 * sin_q3;
-        let w_3 = self.a1 + self.a2 * sin_q2 + self.d4 * w_2;
-        let w_4 = self.m5 + self.m6;
-        let w_2_squared = w_2 * w_2;
-        let w_5 = sin_q4_squared
-            * (sin_q5_squared * w_3 * w_3 * w_4 + w_2_squared * S::from_f64(0.006));
-        let w_6 = w_3 * cos_q4;
-        let w_7 = w_2 * cos_q4;
-        let w_8 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
-        let w_9 = cos_q5 * w_7 - sin_q5 * w_8;
-        let w_10 = self.d6 * w_9;
-        let w_11 = w_6 + w_10;
-        let w_12 = w_2 * self.d6;
-        let w_13 = w_3 * cos_q5;
-        let w_14 = sin_q4 * (w_12 + w_13);
-        let w_15 = cos_q6 * w_11 - sin_q6 * w_14;
-        let w_16 = w_11 * sin_q6 + cos_q6 * w_14;
+        let w = cos_q2 * cos_q3 - sin_q2 * sin_q3;
+        let w_2 = self.a1 + self.a2 * sin_q2 + self.d4 * w;
+        let w_3 = self.m5 + self.m6;
+        let w_squared = w * w;
+        let w_4 = sin_q4_squared
+            * (sin_q5_squared * w_2 * w_2 * w_3 + w_squared * S::from_f64(0.006));
+        let w_86 = sin_q4_squared * S::from_f64(0.001);
+        let w_5 = w_2 * cos_q4;
+        let w_6 = w * cos_q4;
+        let w_7 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_8 = cos_q5 * w_6 - sin_q5 * w_7;
+        let w_9 = self.d6 * w_8;
+        let w_10 = w_5 + w_9;
+        let w_26 = w_9 + w_5 * S::from_f64(5.0);
+        let w_11 = w * self.d6;
+        let w_12 = w_2 * cos_q5;
+        let w_13 = sin_q4 * (w_11 + w_12);
+        let w_27 = sin_q4 * (w_11 + w_12 * S::from_f64(5.0));
+        let w_14 = cos_q6 * w_10 - sin_q6 * w_13;
+        let w_15 = w_10 * sin_q6 + cos_q6 * w_13;
+        let w_16 = self.m6 * (w_14 * w_14 + w_15 * w_15);
         let w_17 = S::from_f64(0.01) * self.m4;
         let w_18 = self.d4 * S::from_f64(3.0);
-        let w_19 = w_2 * w_18 - w_3 * S::from_f64(10.0);
+        let w_19 = w * w_18 - w_2 * S::from_f64(10.0);
         let w_20 = cos_q4 * w_19;
         let w_21 = sin_q4 * w_19;
         let w_22 = w_17 * (w_20 * w_20 + w_21 * w_21);
-        let w_23 = cos_q5 * w_8 + sin_q5 * w_7;
-        let w_24 = S::from_f64(0.007) * (w_23 * w_23 + w_9 * w_9);
+        let w_23 = cos_q5 * w_7 + sin_q5 * w_6;
+        let w_24 = S::from_f64(0.007) * (w_23 * w_23 + w_8 * w_8);
         let w_25 = self.m5 * S::from_f64(0.04);
-        let w_26 = w_6 * S::from_f64(5.0) + w_10;
-        let w_27 = sin_q4 * (w_12 + w_13 * S::from_f64(5.0));
         let w_28 = w_25 * (w_26 * w_26 + w_27 * w_27);
-        let w_29 = sin_q4 * w_2;
-        let w_30 = cos_q6 * w_29 + w_9 * sin_q6;
-        let w_31 = cos_q6 * w_9 - sin_q6 * w_29;
+        let w_29 = sin_q4 * w;
+        let w_30 = cos_q6 * w_29 + w_8 * sin_q6;
+        let w_31 = cos_q6 * w_8 - sin_q6 * w_29;
+        let w_39 = cos_q5 * w_8;
         let w_32 = S::from_f64(0.0015) * (w_30 * w_30 + w_31 * w_31);
-        let w_33 = S::from_f64(0.16) * self.a1 * self.a1 * self.m1 + S::from_f64(0.8);
-        let w_34 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
-        let w_35 = self.a2 * S::from_f64(100.0);
-        let w_36 = w_8 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_35
-            + w_2 * self.d4 * S::from_f64(20.0);
-        let w_37 = S::from_f64(0.0001) * self.m3;
-        let w_38 = self.d4 - self.a2 * sin_q3;
-        let w_39 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_38;
-        let w_40 = cos_q5 * w_9;
-        let w_41 = sin_q4
-            * (sin_q5 * (w_3 * w_4 * w_39 - S::from_f64(0.007) * w_23)
-                + w_7 * S::from_f64(0.006) - S::from_f64(0.007) * w_40);
-        let w_42 = w_18 - S::from_f64(10.0) * w_38;
-        let w_43 = cos_q4 * w_42;
-        let w_44 = sin_q4 * w_42;
-        let w_45 = self.d6 * cos_q5;
-        let w_46 = sin_q4 * (S::from_f64(5.0) * w_38 + w_45);
-        let w_47 = self.a2 * S::from_f64(5.0);
-        let w_48 = sin_q5 * cos_q3;
-        let w_49 = cos_q5 * w_38;
-        let w_50 = w_47 * w_48 - cos_q4 * (self.d6 + S::from_f64(5.0) * w_49);
-        let w_51 = sin_q4 * cos_q5;
-        let w_52 = cos_q6 * cos_q4 - sin_q6 * w_51;
-        let w_53 = cos_q6 * w_51 + cos_q4 * sin_q6;
-        let w_54 = S::from_f64(0.0015) * (w_30 * w_52 - w_31 * w_53);
-        let w_55 = sin_q4 * (w_38 + w_45);
-        let w_56 = self.a2 * w_48 - cos_q4 * (self.d6 + w_49);
-        let w_57 = cos_q6 * w_55 - sin_q6 * w_56;
-        let w_58 = sin_q6 * w_55 + cos_q6 * w_56;
-        let mass_q2_q1 = w_41 + w_17 * (w_21 * w_43 - w_20 * w_44)
-            - w_25 * (w_26 * w_46 + w_27 * w_50) + w_54
-            - self.m6 * (w_15 * w_57 + w_16 * w_58);
-        let w_59 = self.m5 * self.d4 + self.d4 * self.m6;
-        let w_60 = self.d4 * self.m4 * S::from_f64(0.07);
-        let w_61 = sin_q4
-            * (cos_q4 * (sin_q5_squared * w_3 * w_59 + w_2 * S::from_f64(0.006))
-                - S::from_f64(0.007) * (sin_q5 * w_23 + w_40) + w_20 * w_60);
-        let w_62 = self.d4 * S::from_f64(5.0);
-        let w_63 = cos_q4 * (self.d6 + cos_q5 * w_62);
-        let w_64 = sin_q4 * (w_62 + w_45);
-        let w_65 = sin_q4 * (self.d4 + w_45);
-        let w_66 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_67 = cos_q6 * w_65 + sin_q6 * w_66;
-        let w_68 = sin_q6 * w_65 - cos_q6 * w_66;
-        let mass_q3_q1 = w_61 + w_54 + w_25 * (w_27 * w_63 - w_26 * w_64)
-            - self.m6 * (w_15 * w_67 + w_16 * w_68) - cos_q4 * w_21 * w_60;
-        let w_69 = S::from_f64(0.2) * self.m5 * self.d6;
-        let w_70 = self.m6 * self.d6;
-        let w_71 = self.a2 * w_69 + self.a2 * w_70;
+        let w_33 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
+        let w_34 = self.a2 * S::from_f64(100.0);
+        let w_35 = self.a1 * S::from_f64(100.0) + w_7 * S::from_f64(3.0) + sin_q2 * w_34
+            + w * self.d4 * S::from_f64(20.0);
+        let w_83 = S::from_f64(3.0) + cos_q3 * w_34;
+        let w_36 = S::from_f64(0.0001) * self.m3;
+        let w_37 = self.d4 - self.a2 * sin_q3;
+        let w_41 = w_18 - S::from_f64(10.0) * w_37;
+        let w_38 = self.a2 * cos_q3 * cos_q5 + sin_q5 * cos_q4 * w_37;
+        let w_40 = sin_q4
+            * (sin_q5 * (w_2 * w_3 * w_38 - S::from_f64(0.007) * w_23)
+                + w_6 * S::from_f64(0.006) - S::from_f64(0.007) * w_39);
+        let w_42 = cos_q4 * w_41;
+        let w_43 = sin_q4 * w_41;
+        let w_44 = self.d6 * cos_q5;
+        let w_45 = sin_q4 * (S::from_f64(5.0) * w_37 + w_44);
+        let w_46 = self.a2 * S::from_f64(5.0);
+        let w_47 = sin_q5 * cos_q3;
+        let w_48 = cos_q5 * w_37;
+        let w_54 = sin_q4 * (w_37 + w_44);
+        let w_49 = w_46 * w_47 - cos_q4 * (self.d6 + S::from_f64(5.0) * w_48);
+        let w_55 = self.a2 * w_47 - cos_q4 * (self.d6 + w_48);
+        let w_84 = self.d4 - sin_q3 * w_46;
+        let w_50 = sin_q4 * cos_q5;
+        let w_51 = cos_q6 * cos_q4 - sin_q6 * w_50;
+        let w_52 = cos_q6 * w_50 + cos_q4 * sin_q6;
+        let w_53 = S::from_f64(0.0015) * (w_30 * w_51 - w_31 * w_52);
+        let w_82 = S::from_f64(0.0015) * (w_51 * w_51 + w_52 * w_52);
+        let w_56 = cos_q6 * w_54 - sin_q6 * w_55;
+        let w_57 = sin_q6 * w_54 + cos_q6 * w_55;
+        let mass_q2_q1 = w_40 + w_17 * (w_21 * w_42 - w_20 * w_43)
+            - w_25 * (w_26 * w_45 + w_27 * w_49) + w_53
+            - self.m6 * (w_14 * w_56 + w_15 * w_57);
+        let w_80 = w_17 * (w_43 * w_43 + w_42 * w_42);
+        let w_58 = self.m5 * self.d4 + self.d4 * self.m6;
+        let w_59 = self.d4 * self.m4 * S::from_f64(0.07);
+        let w_60 = sin_q4
+            * (cos_q4 * (sin_q5_squared * w_2 * w_58 + w * S::from_f64(0.006))
+                - S::from_f64(0.007) * (sin_q5 * w_23 + w_39) + w_20 * w_59);
+        let mass_q6_q1 = -(w_23 * S::from_f64(0.002));
+        let w_87 = cos_q4 * (sin_q5 * w_38 * w_58 - w_42 * w_59);
+        let w_61 = self.d4 * S::from_f64(5.0);
+        let w_62 = cos_q4 * (self.d6 + cos_q5 * w_61);
+        let w_63 = sin_q4 * (w_44 + w_61);
+        let w_64 = sin_q4 * (self.d4 + w_44);
+        let w_65 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_66 = cos_q6 * w_64 + sin_q6 * w_65;
+        let w_67 = sin_q6 * w_64 - cos_q6 * w_65;
+        let mass_q3_q1 = w_53 + w_60 + w_25 * (w_27 * w_62 - w_26 * w_63)
+            - self.m6 * (w_14 * w_66 + w_15 * w_67) - cos_q4 * w_21 * w_59;
+        let w_68 = S::from_f64(0.2) * self.m5 * self.d6;
+        let w_69 = self.m6 * self.d6;
+        let w_70 = self.a1 * w_68 + self.a1 * w_69;
+        let w_71 = self.d4 * w_68 + self.d4 * w_69;
+        let w_76 = self.a2 * w_68 + self.a2 * w_69;
         let d6_squared = self.d6 * self.d6;
         let w_72 = w_25 * d6_squared;
         let w_73 = self.m6 * d6_squared;
         let w_74 = S::from_f64(0.0015) + w_72 + w_73;
-        let w_75 = cos_q5 * w_74;
-        let w_76 = self.d4 * w_69 + self.d4 * w_70;
-        let w_77 = w_75 + w_76;
-        let w_78 = self.a1 * w_69 + self.a1 * w_70;
-        let mass_q4_q1 = sin_q5 * cos_q4
-            * (sin_q2 * (w_71 - sin_q3 * w_77) + cos_q2 * cos_q3 * w_77 + w_78)
-            - w_8 * S::from_f64(0.027) - w_74 * sin_q5_squared * w_8;
-        let w_79 = S::from_f64(0.0075) + w_72 + w_73;
-        let mass_q5_q1 = sin_q4
-            * (cos_q5 * (sin_q2 * (w_71 - sin_q3 * w_76) + w_78 + w * w_76)
-                + w_2 * w_79);
-        let mass_q6_q1 = -(w_23 * S::from_f64(0.002));
-        let w_80 = self.m6 * (w_57 * w_57 + w_58 * w_58);
-        let w_81 = w_17 * (w_44 * w_44 + w_43 * w_43);
-        let w_82 = w_25 * (w_46 * w_46 + w_50 * w_50);
-        let w_83 = S::from_f64(0.0015) * (w_52 * w_52 + w_53 * w_53);
+        let w_75 = w_71 + cos_q5 * w_74;
+        let mass_q4_q4 = S::from_f64(0.027) + sin_q5_squared * w_74;
+        let w_77 = sin_q2 * w_76;
+        let mass_q4_q1 = sin_q5 * cos_q4 * (w_70 + w * w_75 + w_77) - w_7 * mass_q4_q4;
+        let w_78 = S::from_f64(0.0075) + w_72 + w_73;
+        let mass_q5_q1 = sin_q4 * (cos_q5 * (w_70 + w_77 + w * w_71) + w * w_78);
         let a2_squared = self.a2 * self.a2;
-        let w_84 = cos_q3 * w_35 + S::from_f64(3.0);
-        let w_85 = self.d4 - sin_q3 * w_47;
-        let w_86 = self.m3 * S::from_f64(0.04);
-        let w_87 = sin_q4_squared * S::from_f64(0.001);
-        let w_88 = cos_q4 * (sin_q5 * w_39 * w_59 - w_43 * w_60);
-        let mass_q3_q2 = w_88 + self.m6 * (w_57 * w_67 + w_58 * w_68) + w_83
-            + w_25 * (w_46 * w_64 - w_50 * w_63) + w_87
-            + w_84 * self.m3 * S::from_f64(0.0003) + w_85 * self.d4 * w_86
-            - sin_q4 * w_44 * w_60 + S::from_f64(0.316);
-        let w_89 = sin_q3 * w_71;
-        let mass_q4_q2 = sin_q4 * sin_q5 * (w_89 - w_75 - w_76);
-        let mass_q5_q2 = cos_q4 * (cos_q5 * (w_76 - w_89) + w_79) - w_48 * w_71;
-        let mass_q6_q2 = sin_q4 * sin_q5 * S::from_f64(0.002);
+        let w_79 = self.m6 * (w_56 * w_56 + w_57 * w_57);
+        let w_81 = w_25 * (w_45 * w_45 + w_49 * w_49);
+        let w_85 = self.m3 * S::from_f64(0.04);
+        let mass_q3_q2 = w_82 + w_86 + S::from_f64(0.316) + w_87
+            + self.m6 * (w_56 * w_66 + w_57 * w_67) + w_25 * (w_45 * w_63 - w_49 * w_62)
+            + w_83 * self.m3 * S::from_f64(0.0003) + w_84 * self.d4 * w_85
+            - sin_q4 * w_43 * w_59;
+        let w_88 = sin_q3 * w_76;
+        let mass_q5_q2 = cos_q4 * (w_78 + cos_q5 * (w_71 - w_88)) - w_47 * w_76;
+        let mass_q4_q2 = sin_q4 * sin_q5 * (w_88 - w_75);
+        let mass_q5_q3 = cos_q4 * (w_78 + cos_q5 * w_71);
+        let w_89 = sin_q4 * sin_q5;
+        let mass_q4_q3 = -(w_75 * w_89);
+        let mass_q6_q2 = w_89 * S::from_f64(0.002);
         let d4_squared = self.d4 * self.d4;
-        let w_90 = self.m3 * S::from_f64(0.0009) + w_86 * d4_squared
+        let w_90 = self.m3 * S::from_f64(0.0009) + w_85 * d4_squared
             + self.m4 * d4_squared * S::from_f64(0.49) + S::from_f64(0.316);
-        let mass_q4_q3 = -(sin_q4 * sin_q5 * w_77);
-        let mass_q5_q3 = cos_q4 * (w_79 + cos_q5 * w_76);
         let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
         [
             [
-                w_5 + self.m6 * (w_15 * w_15 + w_16 * w_16) + w_22 + w_24 + w_28 + w_32
-                    + w_33 + S::from_f64(0.65) * sin_q2 * sin_q2
-                    + w_34 * w_34 * S::from_f64(0.0025) * self.m2
-                    + S::from_f64(0.1) * w_8 * w_8 + S::from_f64(0.3) * w_2_squared
-                    + w_36 * w_36 * w_37,
+                S::from_f64(0.16) * self.a1 * self.a1 * self.m1 + S::from_f64(0.8) + w_4
+                    + w_16 + w_22 + w_24 + w_28 + w_32
+                    + S::from_f64(0.65) * sin_q2 * sin_q2
+                    + w_33 * w_33 * S::from_f64(0.0025) * self.m2
+                    + S::from_f64(0.1) * w_7 * w_7 + S::from_f64(0.3) * w_squared
+                    + w_35 * w_35 * w_36,
                 mass_q2_q1,
                 mass_q3_q1,
                 mass_q4_q1,
@@ -769,10 +767,9 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             ],
             [
                 mass_q2_q1,
-                w_80 + w_81 + w_82 + w_83 + cos_q3 * cos_q3 * self.m4 * a2_squared
-                    + w_4 * w_39 * w_39
-                    + (self.m2 * a2_squared * S::from_f64(0.2025) + S::from_f64(1.116))
-                    + w_37 * w_84 * w_84 + w_85 * w_85 * w_86 + w_87,
+                self.m2 * a2_squared * S::from_f64(0.2025) + S::from_f64(1.116) + w_79
+                    + w_80 + w_81 + w_82 + cos_q3 * cos_q3 * self.m4 * a2_squared
+                    + w_3 * w_38 * w_38 + w_36 * w_83 * w_83 + w_84 * w_84 * w_85 + w_86,
                 mass_q3_q2,
                 mass_q4_q2,
                 mass_q5_q2,
@@ -781,10 +778,10 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             [
                 mass_q3_q1,
                 mass_q3_q2,
-                self.m6 * (w_67 * w_67 + w_68 * w_68) + w_83
-                    + w_25 * (w_64 * w_64 + w_63 * w_63) + w_90
+                w_82 + w_86 + w_90 + self.m6 * (w_66 * w_66 + w_67 * w_67)
+                    + w_25 * (w_63 * w_63 + w_62 * w_62)
                     + sin_q5_squared * cos_q4 * cos_q4
-                        * (self.m5 * d4_squared + self.m6 * d4_squared) + w_87,
+                        * (self.m5 * d4_squared + self.m6 * d4_squared),
                 mass_q4_q3,
                 mass_q5_q3,
                 mass_q6_q2,
@@ -793,7 +790,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 mass_q4_q1,
                 mass_q4_q2,
                 mass_q4_q3,
-                sin_q5_squared * w_74 + S::from_f64(0.027),
+                mass_q4_q4,
                 S::from_f64(0.0),
                 mass_q6_q4,
             ],
@@ -817,7 +814,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Convective forces `T_q' M g`, 6, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 200 additions, 338 multiplications, 5 sine-cosine pairs.
+    /// Operations: 196 additions, 333 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -836,226 +833,221 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             cos_q5,
             ],
         ) = S::sin_cos_each([q6, q4, q2, q3, q5]);
-        let w = cos_q2 * cos_q3;
-        let w_2 = sin_q2 * sin_q3;
-        let w_3 = w - w_2;
-        let w_4 = q1_dot * w_3;
-        let w_5 = q2_dot + q3_dot;
-        let w_6 = cos_q4 * w_4 - w_5 * sin_q4;
-        let w_7 = q4_dot * w_6;
-        let w_8 = cos_q2 * sin_q3;
-        let w_9 = sin_q2 * cos_q3;
-        let w_10 = q1_dot * q2_dot * (w_8 + w_9);
-        let w_11 = w_9 + w_8;
-        let w_12 = q1_dot * w_11;
-        let w_13 = w_10 + q3_dot * w_12;
-        let w_14 = sin_q4 * w_13;
-        let w_15 = w_7 - w_14;
-        let w_16 = S::from_f64(3.0) * w_15;
-        let w_17 = q4_dot - w_12;
-        let w_18 = S::from_f64(2.0) * w_17;
-        let w_19 = w_16 - w_6 * w_18;
-        let w_20 = cos_q4 * w_5;
-        let w_21 = sin_q4 * w_4;
-        let w_22 = w_20 + w_21;
-        let w_23 = cos_q4 * w_13;
-        let w_24 = q4_dot * w_22 + w_23;
-        let w_25 = w_24 * S::from_f64(3.0) - w_22 * w_18;
-        let w_26 = w_17 * cos_q5;
-        let w_27 = w_6 * sin_q5;
-        let w_28 = w_26 - w_27;
-        let w_29 = w_17 * sin_q5 + cos_q5 * w_6;
-        let w_30 = w_28 * w_29;
-        let w_31 = S::from_f64(0.002) * (w_16 - w_30);
-        let w_32 = w_3
-            * (S::from_f64(0.02) * (sin_q4 * w_19 - cos_q4 * w_25)
+        let w = cos_q2 * cos_q3 - sin_q2 * sin_q3;
+        let w_2 = q1_dot * w;
+        let w_3 = q2_dot + q3_dot;
+        let w_4 = cos_q4 * w_2 - w_3 * sin_q4;
+        let w_5 = q4_dot * w_4;
+        let w_6 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_7 = q1_dot * q2_dot;
+        let w_8 = w_6 * w_7;
+        let w_9 = q1_dot * w_6;
+        let w_10 = w_8 + q3_dot * w_9;
+        let w_11 = sin_q4 * w_10;
+        let w_12 = w_5 - w_11;
+        let w_13 = S::from_f64(3.0) * w_12;
+        let w_14 = q4_dot - w_9;
+        let w_15 = S::from_f64(2.0) * w_14;
+        let w_16 = w_13 - w_4 * w_15;
+        let w_17 = cos_q4 * w_3;
+        let w_18 = sin_q4 * w_2;
+        let w_19 = w_17 + w_18;
+        let w_43 = q5_dot + w_17 + w_18;
+        let w_20 = cos_q4 * w_10;
+        let w_21 = q4_dot * w_19 + w_20;
+        let w_22 = w_21 * S::from_f64(3.0) - w_19 * w_15;
+        let w_23 = w_14 * cos_q5;
+        let w_24 = w_4 * sin_q5;
+        let w_25 = w_23 - w_24;
+        let w_102 = w_23 - w_24 + q6_dot;
+        let w_26 = w_14 * sin_q5 + cos_q5 * w_4;
+        let w_82 = q4_dot - w_14;
+        let w_27 = w_25 * w_26;
+        let w_28 = S::from_f64(0.002) * (w_13 - w_27);
+        let w_29 = w
+            * (S::from_f64(0.02) * (sin_q4 * w_16 - cos_q4 * w_22)
                 - S::from_f64(0.01)
-                    * (w_13 * S::from_f64(24.0) + w_12 * w_5 * S::from_f64(17.0))
-                + sin_q4 * w_31);
-        let w_33 = cos_q2 * q1_dot * q2_dot;
-        let w_34 = q3_dot + w_5;
-        let w_35 = w_12 * w_34 + w_10;
-        let w_36 = S::from_f64(2.0) * self.a2 * w_33 - self.d4 * w_35;
-        let w_37 = cos_q4 * w_36;
+                    * (w_10 * S::from_f64(24.0) + w_9 * w_3 * S::from_f64(17.0))
+                + sin_q4 * w_28);
+        let w_117 = S::from_f64(0.02) * w_22;
+        let w_128 = S::from_f64(0.02) * w_16 + w_28;
+        let w_50 = self.d6 * (w_5 - w_27 - w_11);
+        let w_30 = cos_q2 * w_7;
+        let w_44 = w_7 * w;
+        let w_31 = q3_dot + w_3;
+        let w_32 = w_9 * w_31 + w_8;
+        let w_33 = S::from_f64(2.0) * self.a2 * w_30 - self.d4 * w_32;
+        let w_34 = cos_q4 * w_33;
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_38 = sin_q2 * q1_dot_squared;
-        let w_39 = self.a2 * (q2_dot * q2_dot + q1_dot_squared * sin_q2 * sin_q2)
-            + self.a1 * w_38;
-        let w_40 = cos_q3 * w_39;
-        let w_41 = w_12 * w_4;
-        let w_42 = self.a2 * sin_q2;
-        let w_43 = cos_q2 * q1_dot_squared * (self.a1 + w_42);
-        let w_44 = sin_q3 * w_43;
-        let w_45 = w_40 + self.d4 * w_41 + w_44;
-        let w_46 = sin_q4 * w_45;
-        let w_47 = q5_dot + w_20 + w_21;
-        let w_48 = q1_dot * q2_dot * w_3;
-        let w_49 = q3_dot * w_4;
-        let w_50 = w_48 + w_49;
-        let w_51 = sin_q5 * w_50;
-        let w_52 = cos_q5 * w_24;
-        let w_53 = self.d6 * (w_28 * (q5_dot + w_47) - w_51 - w_52);
-        let w_54 = w_37 - w_46 + w_53;
-        let w_55 = self.d6 * (w_7 - w_30 - w_14);
-        let w_5_squared = w_5 * w_5;
-        let w_56 = w_5_squared + w_4 * w_4;
-        let w_57 = sin_q3 * w_39;
-        let w_58 = cos_q3 * w_43;
-        let w_59 = self.d4 * w_56 - w_57 + w_58;
-        let w_60 = sin_q5 * w_59;
-        let w_61 = w_36 * sin_q4 + cos_q4 * w_45;
-        let w_62 = cos_q5 * w_61;
-        let w_63 = w_55 + w_60 + w_62;
-        let w_64 = cos_q6 * w_54 - sin_q6 * w_63;
-        let w_65 = self.a1 + w_42 + self.d4 * w_3;
-        let w_66 = cos_q4 * w_65;
-        let w_67 = cos_q4 * w_3;
-        let w_68 = cos_q5 * w_67 - w_11 * sin_q5;
-        let w_69 = self.d6 * w_68;
-        let w_70 = w_66 + w_69;
-        let w_71 = w_3 * self.d6;
-        let w_72 = cos_q5 * w_65;
-        let w_73 = sin_q4 * (w_71 + w_72);
-        let w_74 = w_54 * sin_q6 + cos_q6 * w_63;
-        let w_75 = self.d6 * (w_47 * w_47 + w_29 * w_29);
-        let w_76 = sin_q5 * w_61;
-        let w_77 = cos_q5 * w_59;
-        let w_78 = w_75 - w_76 + w_77;
-        let w_79 = w_65 * sin_q4 * sin_q5;
-        let w_80 = self.m6
-            * (w_64 * (cos_q6 * w_70 - sin_q6 * w_73)
-                + w_74 * (sin_q6 * w_70 + cos_q6 * w_73) - w_78 * w_79);
-        let w_81 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
-        let w_82 = self.a2 * self.m2;
-        let w_83 = q1_dot * q2_dot * cos_q2
-            * (sin_q2 * S::from_f64(1.3) + w_81 * S::from_f64(0.045) * w_82);
-        let w_84 = w_11
-            * (S::from_f64(0.01) * (w_50 * S::from_f64(8.0) + w_5 * w_4)
-                + w_50 * S::from_f64(0.02));
-        let w_85 = S::from_f64(0.01) * self.m4;
-        let w_86 = self.d4 * S::from_f64(3.0);
-        let w_87 = q4_dot - w_17;
-        let w_88 = w_86 * (w_6 * w_87 - w_14) - w_61 * S::from_f64(10.0);
-        let w_89 = w_3 * w_86 - w_65 * S::from_f64(10.0);
-        let w_90 = w_37 - w_46;
-        let w_91 = S::from_f64(10.0) * w_90 + (w_22 * w_87 + w_23) * w_86;
-        let w_92 = w_11 * cos_q5 + sin_q5 * w_67;
-        let w_93 = q5_dot * w_29;
-        let w_94 = cos_q5 * w_50;
-        let w_95 = sin_q5 * w_24;
-        let w_96 = w_93 + w_94 - w_95;
-        let w_97 = S::from_f64(5.0) * w_96 - w_47 * w_29;
-        let w_98 = q5_dot * w_28 - w_51 - w_52;
-        let w_99 = S::from_f64(7.0) * w_98 + w_28 * w_47;
-        let w_100 = self.m5 * S::from_f64(0.04);
-        let w_101 = w_90 * S::from_f64(5.0) + w_53;
-        let w_102 = S::from_f64(5.0) * (w_60 + w_62) + w_55;
-        let w_103 = w_100
-            * (w_101 * (w_66 * S::from_f64(5.0) + w_69)
-                + w_102 * sin_q4 * (w_71 + w_72 * S::from_f64(5.0)));
-        let w_104 = cos_q6 * sin_q4;
-        let w_105 = cos_q6 * w_29 - w_47 * sin_q6;
-        let w_106 = q6_dot + w_26 - w_27;
-        let w_107 = S::from_f64(3.0) * (q6_dot * w_105 + cos_q6 * w_15 + sin_q6 * w_98)
-            + w_105 * w_106;
-        let w_108 = sin_q4 * sin_q6;
-        let w_109 = cos_q6 * w_47 + sin_q6 * w_29;
-        let w_110 = S::from_f64(3.0) * (q6_dot * w_109 - cos_q6 * w_98 + sin_q6 * w_15)
-            + w_106 * w_109;
-        let w_111 = S::from_f64(0.0005)
-            * ((w_3 * w_104 + sin_q6 * w_68) * w_107
-                - (cos_q6 * w_68 - w_3 * w_108) * w_110);
-        let w_112 = self.d4 * S::from_f64(20.0);
-        let w_113 = S::from_f64(3.0) * (w_34 * w_4 + w_48)
-            + w_33 * self.a2 * S::from_f64(200.0) - w_35 * w_112;
-        let w_114 = self.a2 * S::from_f64(100.0);
-        let w_115 = S::from_f64(0.0001) * self.m3;
-        let w_116 = w_113
-            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_114
-                + w_3 * w_112) * w_115;
-        let w_117 = S::from_f64(5.0) * (w_77 - w_76) + w_75;
-        let w_118 = S::from_f64(0.2) * self.m5;
-        let w_119 = w_117 * w_118;
-        let w_120 = w_96 * S::from_f64(0.002);
-        let w_121 = S::from_f64(0.02) * w_25;
-        let w_122 = S::from_f64(0.001) * (sin_q5 * w_97 + cos_q5 * w_99);
-        let w_123 = sin_q5 * w_120;
-        let w_124 = self.a2 * cos_q3;
-        let w_125 = self.d4 - self.a2 * sin_q3;
-        let w_126 = cos_q5 * w_124 + cos_q4 * sin_q5 * w_125;
-        let w_127 = self.d6 * cos_q5;
-        let w_128 = sin_q4 * (w_125 + w_127);
-        let w_129 = cos_q5 * w_125;
-        let w_130 = sin_q5 * w_124 - cos_q4 * (self.d6 + w_129);
-        let w_131 = self.m6
-            * (w_78 * w_126 + w_64 * (cos_q6 * w_128 - sin_q6 * w_130)
-                + w_74 * (sin_q6 * w_128 + cos_q6 * w_130));
-        let w_132 = S::from_f64(0.02) * w_19;
-        let w_133 = w_86 - S::from_f64(10.0) * w_125;
-        let w_134 = w_85 * (w_91 * sin_q4 * w_133 + w_88 * cos_q4 * w_133);
-        let w_135 = self.a2 * S::from_f64(5.0);
-        let w_136 = w_100
-            * (w_101 * sin_q4 * (S::from_f64(5.0) * w_125 + w_127)
-                + w_102
-                    * (cos_q3 * sin_q5 * w_135
-                        - cos_q4 * (self.d6 + S::from_f64(5.0) * w_129)));
-        let w_137 = S::from_f64(0.0005)
-            * (w_107 * (cos_q6 * cos_q4 - cos_q5 * w_108)
-                + w_110 * (cos_q5 * w_104 + cos_q4 * sin_q6));
-        let w_138 = w_41 * S::from_f64(0.16);
-        let w_139 = w_58 - w_57;
-        let w_140 = S::from_f64(100.0) * w_139 + w_41 * S::from_f64(3.0) + w_56 * w_112;
-        let w_141 = w_115 * w_140 * (cos_q3 * w_114 + S::from_f64(3.0));
-        let w_142 = S::from_f64(3.0) * (w_5_squared + w_12 * w_12)
-            + S::from_f64(100.0) * (w_40 + w_44) + w_41 * w_112;
-        let w_143 = self.m3 * S::from_f64(0.002);
-        let w_144 = w_142 * (self.d4 - sin_q3 * w_135) * w_143;
-        let w_145 = cos_q3
-            * (S::from_f64(10.0) * w_139 + w_56 * self.d4 * S::from_f64(10.0)
-                - w_86 * (w_22 * w_22 + w_6 * w_6)) * self.a2 * self.m4
+        let w_35 = self.a2 * (q2_dot * q2_dot + q1_dot_squared * sin_q2 * sin_q2)
+            + sin_q2 * q1_dot_squared * self.a1;
+        let w_36 = cos_q3 * w_35;
+        let w_52 = sin_q3 * w_35;
+        let w_37 = w_9 * w_2;
+        let w_38 = self.a2 * sin_q2;
+        let w_39 = cos_q2 * q1_dot_squared * (self.a1 + w_38);
+        let w_60 = self.a1 + w_38 + self.d4 * w;
+        let w_134 = cos_q2 * q1_dot_squared;
+        let w_40 = sin_q3 * w_39;
+        let w_53 = cos_q3 * w_39;
+        let w_41 = w_36 + self.d4 * w_37 + w_40;
+        let w_56 = w_33 * sin_q4 + cos_q4 * w_41;
+        let w_42 = sin_q4 * w_41;
+        let w_45 = q3_dot * w_2 + w_44;
+        let w_46 = sin_q5 * w_45;
+        let w_47 = cos_q5 * w_21;
+        let w_91 = sin_q5 * w_21;
+        let w_48 = self.d6 * (w_25 * (q5_dot + w_43) - w_46 - w_47);
+        let w_94 = q5_dot * w_25 - w_46 - w_47;
+        let w_95 = S::from_f64(7.0) * w_94 + w_25 * w_43;
+        let w_49 = w_34 - w_42 + w_48;
+        let w_85 = w_34 - w_42;
+        let w_97 = w_48 + w_85 * S::from_f64(5.0);
+        let w_3_squared = w_3 * w_3;
+        let w_51 = w_3_squared + w_2 * w_2;
+        let w_54 = self.d4 * w_51 - w_52 + w_53;
+        let w_136 = w_53 - w_52;
+        let w_55 = sin_q5 * w_54;
+        let w_70 = cos_q5 * w_54;
+        let w_57 = cos_q5 * w_56;
+        let w_58 = w_50 + w_55 + w_57;
+        let w_98 = w_50 + S::from_f64(5.0) * (w_55 + w_57);
+        let w_59 = cos_q6 * w_49 - sin_q6 * w_58;
+        let w_69 = w_49 * sin_q6 + cos_q6 * w_58;
+        let w_61 = cos_q4 * w_60;
+        let w_62 = cos_q4 * w;
+        let w_63 = cos_q5 * w_62 - w_6 * sin_q5;
+        let w_88 = w_6 * cos_q5 + sin_q5 * w_62;
+        let w_64 = self.d6 * w_63;
+        let w_65 = w_61 + w_64;
+        let w_66 = w * self.d6;
+        let w_67 = cos_q5 * w_60;
+        let w_68 = sin_q4 * (w_66 + w_67);
+        let w_71 = sin_q5 * w_56;
+        let w_72 = self.d6 * (w_43 * w_43 + w_26 * w_26);
+        let w_73 = w_70 - w_71 + w_72;
+        let w_113 = S::from_f64(5.0) * (w_70 - w_71) + w_72;
+        let w_74 = w_60 * sin_q4 * sin_q5;
+        let w_75 = self.m6
+            * (w_59 * (cos_q6 * w_65 - sin_q6 * w_68)
+                + w_69 * (sin_q6 * w_65 + cos_q6 * w_68) - w_73 * w_74);
+        let w_76 = self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0);
+        let w_77 = self.a2 * self.m2;
+        let w_78 = q1_dot * q2_dot * cos_q2
+            * (sin_q2 * S::from_f64(1.3) + w_76 * S::from_f64(0.045) * w_77);
+        let w_79 = w_45 * S::from_f64(0.02);
+        let w_80 = S::from_f64(0.01) * self.m4;
+        let w_81 = self.d4 * S::from_f64(3.0);
+        let w_83 = w_81 * (w_4 * w_82 - w_11) - w_56 * S::from_f64(10.0);
+        let w_86 = S::from_f64(10.0) * w_85 + (w_20 + w_19 * w_82) * w_81;
+        let w_141 = cos_q3
+            * (w_51 * self.d4 * S::from_f64(10.0) + S::from_f64(10.0) * w_136
+                - w_81 * (w_19 * w_19 + w_4 * w_4)) * self.a2 * self.m4
             * S::from_f64(0.1);
-        let w_146 = self.d4 * self.m4 * S::from_f64(0.07);
-        let w_147 = cos_q4
-            * (w_132 - sin_q5 * (w_117 * self.d4 * w_118 + w_78 * self.m6 * self.d4)
-                + w_31 - w_88 * w_146);
-        let w_148 = self.d4 * S::from_f64(5.0);
-        let w_149 = w_100
-            * (w_102 * cos_q4 * (self.d6 + cos_q5 * w_148)
-                - w_101 * sin_q4 * (w_148 + w_127));
-        let w_150 = sin_q4 * (self.d4 + w_127);
-        let w_151 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_152 = self.m6
-            * (w_64 * (cos_q6 * w_150 + sin_q6 * w_151)
-                + w_74 * (sin_q6 * w_150 - cos_q6 * w_151));
-        let w_153 = self.m6 * self.d6;
-        let w_154 = self.d6 * w_100;
-        let w_155 = sin_q5
-            * (w_153 * (cos_q6 * w_64 + sin_q6 * w_74)
-                + S::from_f64(0.0005) * (sin_q6 * w_107 - cos_q6 * w_110)
-                + S::from_f64(0.001) * w_99 + w_101 * w_154);
+        let w_84 = w * w_81 - w_60 * S::from_f64(10.0);
+        let w_87 = w_80 * (w_83 * sin_q4 * w_84 - w_86 * cos_q4 * w_84);
+        let w_89 = q5_dot * w_26;
+        let w_90 = cos_q5 * w_45;
+        let w_92 = w_89 + w_90 - w_91;
+        let w_93 = S::from_f64(5.0) * w_92 - w_43 * w_26;
+        let w_116 = w_92 * S::from_f64(0.002);
+        let w_96 = self.m5 * S::from_f64(0.04);
+        let w_99 = w_96
+            * (w_97 * (w_64 + w_61 * S::from_f64(5.0))
+                + w_98 * sin_q4 * (w_66 + w_67 * S::from_f64(5.0)));
+        let w_100 = cos_q6 * sin_q4;
+        let w_101 = cos_q6 * w_26 - w_43 * sin_q6;
+        let w_103 = S::from_f64(3.0) * (q6_dot * w_101 + cos_q6 * w_12 + sin_q6 * w_94)
+            + w_101 * w_102;
+        let w_105 = cos_q6 * w_43 + sin_q6 * w_26;
+        let w_106 = S::from_f64(3.0) * (q6_dot * w_105 - cos_q6 * w_94 + sin_q6 * w_12)
+            + w_102 * w_105;
+        let w_104 = sin_q4 * sin_q6;
+        let w_107 = S::from_f64(0.0005)
+            * ((w * w_100 + sin_q6 * w_63) * w_103
+                - (cos_q6 * w_63 - w * w_104) * w_106);
+        let w_133 = S::from_f64(0.0005)
+            * (w_103 * (cos_q6 * cos_q4 - cos_q5 * w_104)
+                + w_106 * (cos_q5 * w_100 + cos_q4 * sin_q6));
+        let w_108 = self.d4 * S::from_f64(20.0);
+        let w_109 = S::from_f64(3.0) * (w_44 + w_31 * w_2)
+            + w_30 * self.a2 * S::from_f64(200.0) - w_32 * w_108;
+        let w_137 = S::from_f64(100.0) * w_136 + w_37 * S::from_f64(3.0) + w_51 * w_108;
+        let w_138 = S::from_f64(3.0) * (w_3_squared + w_9 * w_9)
+            + S::from_f64(100.0) * (w_36 + w_40) + w_37 * w_108;
+        let w_135 = w_37 * S::from_f64(0.16);
+        let w_110 = self.a2 * S::from_f64(100.0);
+        let w_111 = S::from_f64(0.0001) * self.m3;
+        let w_112 = w_109
+            * (self.a1 * S::from_f64(100.0) + w_6 * S::from_f64(3.0) + sin_q2 * w_110
+                + w * w_108) * w_111;
+        let w_114 = S::from_f64(0.2) * self.m5;
+        let w_115 = w_113 * w_114;
+        let w_118 = S::from_f64(0.001) * (sin_q5 * w_93 + cos_q5 * w_95);
+        let w_119 = sin_q5 * w_116;
+        let w_120 = self.a2 * cos_q3;
+        let w_121 = self.d4 - self.a2 * sin_q3;
+        let w_129 = w_81 - S::from_f64(10.0) * w_121;
+        let w_130 = w_80 * (w_86 * sin_q4 * w_129 + w_83 * cos_q4 * w_129);
+        let w_122 = cos_q5 * w_120 + cos_q4 * sin_q5 * w_121;
+        let w_123 = self.d6 * cos_q5;
+        let w_124 = sin_q4 * (w_121 + w_123);
+        let w_125 = cos_q5 * w_121;
+        let w_126 = sin_q5 * w_120 - cos_q4 * (self.d6 + w_125);
+        let w_127 = self.m6
+            * (w_73 * w_122 + w_59 * (cos_q6 * w_124 - sin_q6 * w_126)
+                + w_69 * (sin_q6 * w_124 + cos_q6 * w_126));
+        let w_131 = self.a2 * S::from_f64(5.0);
+        let w_132 = w_96
+            * (w_97 * sin_q4 * (S::from_f64(5.0) * w_121 + w_123)
+                + w_98
+                    * (cos_q3 * sin_q5 * w_131
+                        - cos_q4 * (self.d6 + S::from_f64(5.0) * w_125)));
+        let w_139 = self.m3 * S::from_f64(0.002);
+        let w_140 = w_138 * (self.d4 - sin_q3 * w_131) * w_139;
+        let w_142 = self.d4 * self.m4 * S::from_f64(0.07);
+        let w_143 = cos_q4
+            * (w_128 - sin_q5 * (w_113 * self.d4 * w_114 + w_73 * self.m6 * self.d4)
+                - w_83 * w_142);
+        let w_144 = self.d4 * S::from_f64(5.0);
+        let w_145 = w_96
+            * (w_98 * cos_q4 * (self.d6 + cos_q5 * w_144)
+                - w_97 * sin_q4 * (w_123 + w_144));
+        let w_146 = sin_q4 * (self.d4 + w_123);
+        let w_150 = self.d6 * w_96;
+        let w_147 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_148 = self.m6
+            * (w_59 * (cos_q6 * w_146 + sin_q6 * w_147)
+                + w_69 * (sin_q6 * w_146 - cos_q6 * w_147));
+        let w_149 = self.m6 * self.d6;
+        let w_151 = sin_q5
+            * (w_149 * (cos_q6 * w_59 + sin_q6 * w_69)
+                + S::from_f64(0.0005) * (sin_q6 * w_103 - cos_q6 * w_106)
+                + S::from_f64(0.001) * w_95 + w_97 * w_150);
         [
-            w_32 + w_80 + w_83 + w_84
-                + w_85 * (w_88 * sin_q4 * w_89 - w_91 * cos_q4 * w_89)
-                + S::from_f64(0.001) * (w_92 * w_97 + w_68 * w_99) + w_103 + w_111
-                + w_116 - w_79 * w_119 + w_92 * w_120,
-            sin_q4 * (w_121 - w_122 - w_123) - w_131 + cos_q4 * (w_132 + w_31) + w_134
-                - w_136 + w_137 - cos_q2 * w_38 * S::from_f64(0.65) + w_138
-                - cos_q2 * q1_dot_squared * w_81 * w_82 * S::from_f64(0.0225) - w_141
-                + w_144 - w_145 - w_119 * w_126,
-            w_147 + sin_q4 * (w_121 - w_122 - w_123 - w_91 * w_146) + w_137 + w_149
-                - w_152 + w_138 - w_140 * self.m3 * S::from_f64(0.0003)
-                + w_142 * self.d4 * w_143,
-            w_155 + S::from_f64(0.02) * (q1_dot * q2_dot * (w_2 - w) - w_49)
-                - cos_q5 * (S::from_f64(0.001) * w_97 + w_120),
-            w_15 * S::from_f64(0.006) + w_153 * (cos_q6 * w_74 - sin_q6 * w_64)
-                + S::from_f64(0.0005) * (cos_q6 * w_107 + sin_q6 * w_110)
-                - w_30 * S::from_f64(0.002) + w_102 * w_154,
-            S::from_f64(0.002) * (w_95 - w_93 - w_94),
+            w_29 + w_75 + w_78
+                + w_6
+                    * (S::from_f64(0.01) * (w_45 * S::from_f64(8.0) + w_3 * w_2) + w_79)
+                + w_87 + S::from_f64(0.001) * (w_88 * w_93 + w_63 * w_95) + w_99 + w_107
+                + w_112 - w_74 * w_115 + w_88 * w_116,
+            sin_q4 * (w_117 - w_118 - w_119) - w_127 + cos_q4 * w_128 + w_130 - w_132
+                + w_133 - sin_q2 * S::from_f64(0.65) * w_134 + w_135
+                - w_76 * w_134 * w_77 * S::from_f64(0.0225)
+                - w_111 * w_137 * (S::from_f64(3.0) + cos_q3 * w_110) + w_140 - w_141
+                - w_115 * w_122,
+            w_133 + w_135 + w_143 + sin_q4 * (w_117 - w_118 - w_119 - w_86 * w_142)
+                + w_145 - w_148 - w_137 * self.m3 * S::from_f64(0.0003)
+                + w_138 * self.d4 * w_139,
+            w_151 - w_79 - cos_q5 * (S::from_f64(0.001) * w_93 + w_116),
+            w_149 * (cos_q6 * w_69 - sin_q6 * w_59)
+                + S::from_f64(0.0005) * (cos_q6 * w_103 + sin_q6 * w_106)
+                + w_12 * S::from_f64(0.006) - w_27 * S::from_f64(0.002) + w_98 * w_150,
+            S::from_f64(0.002) * (w_91 - w_89 - w_90),
         ]
     }
     /// Generalised forces `T_q' F`, 6: joules per unit of each coordinate.
     ///
-    /// Operations: 76 additions, 145 multiplications, 5 sine-cosine pairs.
+    /// Operations: 76 additions, 144 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn generalized_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -1077,37 +1069,37 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w = sin_q2 * sin_q3;
         let w_2 = cos_q3 * cos_q2;
         let w_3 = w - w_2;
-        let w_4 = self.g * w_3;
         let w_5 = w_2 - w;
-        let w_6 = self.a1 + sin_q2 * self.a2 + self.d4 * w_5;
-        let w_7 = cos_q4 * w_6;
-        let w_8 = cos_q5 * cos_q4;
-        let w_9 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
-        let w_10 = sin_q5 * w_9;
-        let w_11 = self.d6 * (w_5 * w_8 - w_10);
+        let w_4 = self.g * w_3;
+        let w_6 = cos_q5 * cos_q4;
+        let w_7 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_8 = sin_q5 * w_7;
+        let w_16 = self.g * w_7;
+        let w_9 = self.d6 * (w_5 * w_6 - w_8);
+        let w_10 = self.a1 + sin_q2 * self.a2 + self.d4 * w_5;
+        let w_11 = cos_q4 * w_10;
         let w_12 = self.m5 * S::from_f64(0.2);
         let w_13 = self.d4 * S::from_f64(3.0);
-        let w_14 = w_5 * w_13 - w_6 * S::from_f64(10.0);
+        let w_14 = w_5 * w_13 - w_10 * S::from_f64(10.0);
+        let w_25 = w_5 * self.d6;
         let w_15 = S::from_f64(0.1) * self.m4;
-        let w_16 = self.g * w_9;
         let w_17 = sin_q5 * cos_q4;
         let w_18 = cos_q5 * w_16 - w_4 * w_17;
         let w_19 = w_18 * (self.m5 + self.m6);
         let w_20 = sin_q4
-            * (w_4 * ((w_7 * S::from_f64(5.0) + w_11) * w_12 - cos_q4 * w_14 * w_15)
-                + sin_q5 * w_6 * w_19);
+            * (w_4 * ((w_9 + w_11 * S::from_f64(5.0)) * w_12 - cos_q4 * w_14 * w_15)
+                + sin_q5 * w_10 * w_19);
+        let w_24 = w_11 + w_9;
+        let w_26 = cos_q5 * w_10;
         let w_21 = sin_q4 * w_4;
-        let w_22 = sin_q5 * w_16 + w_4 * w_8;
+        let w_22 = sin_q5 * w_16 + w_4 * w_6;
         let w_23 = cos_q6 * w_21 + sin_q6 * w_22;
-        let w_24 = w_7 + w_11;
-        let w_25 = w_5 * self.d6;
-        let w_26 = cos_q5 * w_6;
-        let w_27 = sin_q4 * (w_25 + w_26);
         let w_28 = cos_q6 * w_22 - sin_q6 * w_21;
+        let w_30 = w_22 * w_12;
+        let w_27 = sin_q4 * (w_25 + w_26);
         let w_29 = self.m6
             * (w_23 * (cos_q6 * w_24 - sin_q6 * w_27)
                 - w_28 * (sin_q6 * w_24 + cos_q6 * w_27));
-        let w_30 = w_22 * w_12;
         let w_31 = self.d4 - sin_q3 * self.a2;
         let w_32 = w_13 - S::from_f64(10.0) * w_31;
         let w_33 = self.a2 * S::from_f64(5.0);
@@ -1116,19 +1108,19 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_36 = sin_q4 * w_12;
         let w_37 = w_15 * (sin_q4 * sin_q4 * w_32 + cos_q4 * cos_q4 * w_32)
             - (self.d4 - sin_q3 * w_33) * w_34
-            - sin_q4 * (S::from_f64(5.0) * w_31 + w_35) * w_36;
+            - sin_q4 * (w_35 + S::from_f64(5.0) * w_31) * w_36;
         let w_38 = w_16
             * (cos_q3 * self.a2 * self.m4
-                + (cos_q3 * self.a2 * S::from_f64(100.0) + S::from_f64(3.0))
+                + (S::from_f64(3.0) + cos_q3 * self.a2 * S::from_f64(100.0))
                     * S::from_f64(0.01) * self.m3);
         let w_39 = sin_q4 * (w_31 + w_35);
         let w_40 = sin_q5 * cos_q3;
         let w_41 = cos_q5 * w_31;
+        let w_44 = w_30 * (w_40 * w_33 - cos_q4 * (self.d6 + S::from_f64(5.0) * w_41));
         let w_42 = self.a2 * w_40 - cos_q4 * (self.d6 + w_41);
         let w_43 = self.m6
             * (w_28 * (sin_q6 * w_39 + cos_q6 * w_42)
                 - w_23 * (cos_q6 * w_39 - sin_q6 * w_42));
-        let w_44 = w_30 * (w_40 * w_33 - cos_q4 * (self.d6 + S::from_f64(5.0) * w_41));
         let w_45 = sin_q4 * (self.d4 + w_35);
         let w_46 = cos_q4 * (self.d6 + cos_q5 * self.d4);
         let w_47 = self.m6
@@ -1137,26 +1129,25 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_48 = self.d4 * S::from_f64(5.0);
         let w_49 = w_4
             * (self.d4 * w_34 + self.d4 * self.m4 * S::from_f64(0.7)
-                + w_36 * sin_q4 * (w_48 + w_35));
-        let w_50 = self.g * self.d6;
-        let w_51 = w_12 * w_50 + self.m6 * w_50;
-        let w_52 = self.c * S::from_f64(0.025);
+                + w_36 * sin_q4 * (w_35 + w_48));
+        let w_50 = self.c * S::from_f64(0.025);
+        let w_51 = self.g * self.d6;
+        let w_52 = w_12 * w_51 + self.m6 * w_51;
         [
-            w_20 + w_29 + self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c
+            self.tau1.or(S::from_f64(0.0)) + w_20 + w_29 - q1_dot * self.c
                 + cos_q4 * w_4 * sin_q4 * w_14 * w_15
                 - sin_q4 * (w_25 + w_26 * S::from_f64(5.0)) * w_30,
-            w_4 * w_37 + w_38 + w_43 + self.tau2.or(-S::from_f64(60.0)) - self.c * q2_dot
+            self.tau2.or(-S::from_f64(60.0)) + w_4 * w_37 + w_38 + w_43 - self.c * q2_dot
                 + w_19 * (cos_q5 * cos_q3 * self.a2 + w_17 * w_31)
                 + sin_q2 * self.g * self.a2 * S::from_f64(0.45) * self.m2 + w_44,
-            w_47 - w_49 + self.tau3.or(-S::from_f64(20.0)) - self.c * q3_dot
+            self.tau3.or(-S::from_f64(20.0)) + w_47 - w_49 - self.c * q3_dot
                 + w_16 * self.m3 * S::from_f64(0.03)
                 + w_17 * w_18 * (self.m5 * self.d4 + self.d4 * self.m6)
                 - w_30 * cos_q4 * (self.d6 + cos_q5 * w_48),
-            w_51 * sin_q4 * sin_q5 * w_3 + self.tau4.or(S::from_f64(0.0))
-                - q4_dot * w_52,
-            w_51 * (cos_q5 * cos_q4 * w_5 - w_10) + self.tau5.or(S::from_f64(0.0))
-                - w_52 * q5_dot,
-            self.tau6.or(S::from_f64(0.0)) - w_52 * q6_dot,
+            self.tau4.or(S::from_f64(0.0)) - q4_dot * w_50
+                + sin_q4 * sin_q5 * w_3 * w_52,
+            self.tau5.or(S::from_f64(0.0)) - w_50 * q5_dot - w_52 * (w_8 + w_3 * w_6),
+            self.tau6.or(S::from_f64(0.0)) - w_50 * q6_dot,
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -1211,7 +1202,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// Kinetic energy `v' M v / 2`, in joules.
     ///
-    /// Operations: 67 additions, 127 multiplications, 5 sine-cosine pairs.
+    /// Operations: 66 additions, 127 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> S {
         let [_, q2, q3, q4, q5, q6] = *q;
@@ -1242,9 +1233,9 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_5 = q1_dot * (cos_q2 * cos_q3 - sin_q2 * sin_q3);
         let w_6 = w_5 * sin_q4;
         let w_7 = w_4 + w_6;
+        let w_10 = w_4 + w_6 + q5_dot;
         let w_8 = w_5 * cos_q4 - w_3 * sin_q4;
         let w_9 = S::from_f64(0.03) * (w_7 * w_7 + w_8 * w_8);
-        let w_10 = q5_dot + w_4 + w_6;
         let w_11 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
         let w_12 = q1_dot * w_11;
         let w_13 = q4_dot - w_12;
@@ -1258,53 +1249,54 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_21 = w_3 * self.d4;
         let w_22 = q2_dot * sin_q3;
         let w_23 = w_21 - self.a2 * w_22;
+        let w_30 = sin_q4 * w_19 + cos_q4 * w_23;
         let w_24 = sin_q4 * w_23;
         let w_25 = w_14 * self.d6;
         let w_26 = w_20 - w_24 + w_25;
+        let w_40 = w_24 - w_20;
+        let w_45 = w_25 - S::from_f64(5.0) * w_40;
         let w_27 = w_10 * self.d6;
         let w_28 = q2_dot * cos_q3;
         let w_29 = sin_q5 * w_28;
-        let w_30 = sin_q4 * w_19 + cos_q4 * w_23;
         let w_31 = cos_q5 * w_30;
         let w_32 = w_27 - self.a2 * w_29 + w_31;
         let w_33 = cos_q6 * w_26 - sin_q6 * w_32;
         let w_34 = sin_q6 * w_26 + cos_q6 * w_32;
         let w_35 = w_18 * (w_33 * w_33 + w_34 * w_34);
         let w_36 = self.a2 * S::from_f64(100.0);
-        let w_37 = w_3 * S::from_f64(3.0) + w_28 * w_36;
         let w_38 = q1_dot
-            * (w_11 * S::from_f64(3.0) + self.a1 * S::from_f64(100.0) + sin_q2 * w_36)
+            * (self.a1 * S::from_f64(100.0) + w_11 * S::from_f64(3.0) + sin_q2 * w_36)
             + w_5 * self.d4 * S::from_f64(20.0);
+        let w_37 = w_3 * S::from_f64(3.0) + w_28 * w_36;
         let w_39 = S::from_f64(5e-5) * self.m3 * (w_37 * w_37 + w_38 * w_38);
-        let w_40 = self.d4 * S::from_f64(3.0);
-        let w_41 = S::from_f64(10.0) * (w_24 - w_20) + w_8 * w_40;
-        let w_42 = w_7 * w_40 - w_30 * S::from_f64(10.0);
-        let w_43 = self.m4 * S::from_f64(0.005) * (w_41 * w_41 + w_42 * w_42);
-        let w_44 = S::from_f64(5.0) * (w_20 - w_24) + w_25;
-        let w_45 = self.a2 * S::from_f64(5.0);
-        let w_46 = w_27 - w_29 * w_45 + w_31 * S::from_f64(5.0);
-        let w_47 = self.m5 * S::from_f64(0.02) * (w_44 * w_44 + w_46 * w_46);
-        let w_48 = w_13 * cos_q5;
-        let w_49 = w_8 * sin_q5;
-        let w_50 = w_48 - w_49;
-        let w_51 = cos_q5 * self.a2 * w_28 + sin_q5 * w_30;
-        let w_52 = w_51 * w_51 * (S::from_f64(0.5) * self.m5 + w_18);
-        let w_53 = q6_dot + w_48 - w_49;
-        let w_54 = S::from_f64(0.001) * w_53 * w_53;
-        let w_55 = q1_dot
+        let w_52 = cos_q5 * self.a2 * w_28 + sin_q5 * w_30;
+        let w_53 = w_52 * w_52 * (S::from_f64(0.5) * self.m5 + w_18);
+        let w_41 = self.d4 * S::from_f64(3.0);
+        let w_42 = S::from_f64(10.0) * w_40 + w_8 * w_41;
+        let w_43 = w_7 * w_41 - w_30 * S::from_f64(10.0);
+        let w_44 = self.m4 * S::from_f64(0.005) * (w_42 * w_42 + w_43 * w_43);
+        let w_50 = w_8 * sin_q5;
+        let w_46 = self.a2 * S::from_f64(5.0);
+        let w_47 = w_27 - w_29 * w_46 + w_31 * S::from_f64(5.0);
+        let w_48 = self.m5 * S::from_f64(0.02) * (w_45 * w_45 + w_47 * w_47);
+        let w_58 = w_21 - w_22 * w_46;
+        let w_59 = w_58 * w_58 * self.m3 * S::from_f64(0.02);
+        let w_49 = w_13 * cos_q5;
+        let w_51 = w_49 - w_50;
+        let w_54 = w_49 - w_50 + q6_dot;
+        let w_55 = S::from_f64(0.001) * w_54 * w_54;
+        let w_56 = q1_dot
             * (self.a1 * S::from_f64(20.0) + sin_q2 * self.a2 * S::from_f64(9.0));
-        let w_56 = w_55 * w_55 * self.m2 * S::from_f64(0.00125);
-        let w_57 = w_21 - w_22 * w_45;
-        let w_58 = w_57 * w_57 * self.m3 * S::from_f64(0.02);
-        w + w_2 + w_9 + w_17 + w_35 + w_39 + w_43 + w_47 + S::from_f64(0.125) * w_3 * w_3
+        let w_57 = w_56 * w_56 * self.m2 * S::from_f64(0.00125);
+        w + w_2 + w_9 + w_17 + w_35 + w_39 + w_44 + w_48 + S::from_f64(0.125) * w_3 * w_3
             + S::from_f64(0.12) * w_5 * w_5 + S::from_f64(0.04) * w_12 * w_12
             + S::from_f64(0.01) * w_13 * w_13 + S::from_f64(0.003) * w_10 * w_10
-            + S::from_f64(0.0035) * w_14 * w_14 + S::from_f64(0.0025) * w_50 * w_50
-            + w_52 + w_54 + w_56 + w_58
+            + S::from_f64(0.0035) * w_14 * w_14 + S::from_f64(0.0025) * w_51 * w_51
+            + w_53 + w_55 + w_57 + w_59
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 59 additions, 103 multiplications, 5 sine-cosine pairs.
+    /// Operations: 57 additions, 103 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -1330,36 +1322,38 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q3, q2, q5, q4, q6]);
-        let w = sin_q2 * sin_q3;
-        let w_2 = cos_q3 * cos_q2;
-        let w_3 = self.g * (w - w_2);
-        let w_4 = self.d4 * S::from_f64(3.0);
-        let w_5 = q2_dot + q3_dot;
-        let w_6 = cos_q4 * w_5;
-        let w_7 = q1_dot * (w_2 - w);
-        let w_8 = sin_q4 * w_7;
-        let w_9 = q1_dot * (self.a1 + self.a2 * sin_q2) + self.d4 * w_7;
-        let w_10 = self.d4 * w_5;
-        let w_11 = q2_dot * sin_q3;
-        let w_12 = w_10 - self.a2 * w_11;
-        let w_13 = sin_q4 * w_9 + cos_q4 * w_12;
-        let w_14 = sin_q4 * w_12;
-        let w_15 = w_9 * cos_q4;
-        let w_16 = w_7 * cos_q4 - sin_q4 * w_5;
+        let w = cos_q3 * cos_q2 - sin_q2 * sin_q3;
+        let w_2 = self.g * w;
+        let w_8 = q1_dot * w;
+        let w_3 = q2_dot + q3_dot;
+        let w_4 = self.d4 * w_3;
+        let w_5 = q2_dot * sin_q3;
+        let w_6 = w_4 - self.a2 * w_5;
+        let w_7 = sin_q4 * w_6;
+        let w_9 = q1_dot * (self.a1 + self.a2 * sin_q2) + self.d4 * w_8;
+        let w_16 = sin_q4 * w_9 + cos_q4 * w_6;
+        let w_10 = w_9 * cos_q4;
+        let w_11 = w_7 - w_10;
+        let w_12 = w_8 * cos_q4 - sin_q4 * w_3;
+        let w_15 = sin_q4 * w_8;
+        let w_13 = self.d4 * S::from_f64(3.0);
+        let w_14 = cos_q4 * w_3;
         let w_17 = self.m4 * S::from_f64(0.1)
-            * (cos_q4 * (w_4 * (w_6 + w_8) - w_13 * S::from_f64(10.0))
-                - sin_q4 * (S::from_f64(10.0) * (w_14 - w_15) + w_16 * w_4));
+            * (sin_q4 * (S::from_f64(10.0) * w_11 + w_12 * w_13)
+                - cos_q4 * (w_13 * (w_14 + w_15) - w_16 * S::from_f64(10.0)));
+        let w_28 = self.d6 * (q5_dot + w_14 + w_15);
         let w_18 = self.a2 * S::from_f64(5.0);
         let w_19 = cos_q3 * sin_q2 + cos_q2 * sin_q3;
-        let w_20 = self.d6 * (sin_q5 * (q4_dot - w_19 * q1_dot) + cos_q5 * w_16);
-        let w_21 = self.m5 * S::from_f64(0.2);
-        let w_22 = w_3
-            * (w_17 - (w_10 - w_11 * w_18) * self.m3 * S::from_f64(0.2)
-                + sin_q4 * (S::from_f64(5.0) * (w_15 - w_14) + w_20) * w_21);
+        let w_20 = self.d6 * (sin_q5 * (q4_dot - w_19 * q1_dot) + cos_q5 * w_12);
         let w_23 = self.g * w_19;
+        let w_27 = w_10 - w_7 + w_20;
+        let w_21 = self.m5 * S::from_f64(0.2);
+        let w_22 = w_2
+            * (w_17 + (w_4 - w_5 * w_18) * self.m3 * S::from_f64(0.2)
+                - sin_q4 * (w_20 - S::from_f64(5.0) * w_11) * w_21);
         let w_24 = q2_dot
-            * (cos_q3 * w_23 * self.a2 * self.m4
-                + (self.tau2.or(-S::from_f64(60.0)) - q2_dot * self.c)
+            * (self.tau2.or(-S::from_f64(60.0)) - q2_dot * self.c
+                + cos_q3 * w_23 * self.a2 * self.m4
                 + sin_q2 * self.a2 * self.g * S::from_f64(0.45) * self.m2);
         let w_25 = q6_dot
             * (S::from_f64(40.0) * self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot);
@@ -1369,29 +1363,27 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
                 + q5_dot
                     * (S::from_f64(40.0) * self.tau5.or(S::from_f64(0.0))
                         - q5_dot * self.c) + w_25);
-        let w_27 = w_15 - w_14 + w_20;
-        let w_28 = self.d6 * (q5_dot + w_6 + w_8);
         let w_29 = q2_dot * cos_q3;
-        let w_30 = self.a2 * w_29;
-        let w_31 = cos_q5 * w_13;
-        let w_32 = w_28 - sin_q5 * w_30 + w_31;
-        let w_33 = sin_q4 * w_3;
-        let w_34 = cos_q4 * w_3;
-        let w_35 = w_23 * sin_q5 + cos_q5 * w_34;
-        let w_36 = (cos_q6 * w_27 - sin_q6 * w_32) * (cos_q6 * w_33 + sin_q6 * w_35)
-            - (cos_q6 * w_35 - sin_q6 * w_33) * (w_27 * sin_q6 + cos_q6 * w_32);
-        let w_37 = (cos_q5 * w_30 + sin_q5 * w_13) * (w_23 * cos_q5 - sin_q5 * w_34)
-            * (self.m5 + self.m6);
-        let w_38 = w_23 * (w_5 * S::from_f64(3.0) + w_29 * self.a2 * S::from_f64(100.0))
+        let w_38 = w_23 * (w_3 * S::from_f64(3.0) + w_29 * self.a2 * S::from_f64(100.0))
             * S::from_f64(0.01) * self.m3;
-        let w_39 = w_35 * (w_28 - sin_q5 * w_29 * w_18 + w_31 * S::from_f64(5.0)) * w_21;
+        let w_30 = self.a2 * w_29;
+        let w_31 = cos_q5 * w_16;
+        let w_32 = w_28 - sin_q5 * w_30 + w_31;
+        let w_33 = cos_q4 * w_2;
+        let w_35 = sin_q4 * w_2;
+        let w_37 = (cos_q5 * w_30 + sin_q5 * w_16) * (w_23 * cos_q5 + sin_q5 * w_33)
+            * (self.m5 + self.m6);
+        let w_34 = w_23 * sin_q5 - cos_q5 * w_33;
+        let w_36 = (cos_q6 * w_27 - sin_q6 * w_32) * (sin_q6 * w_34 - cos_q6 * w_35)
+            - (cos_q6 * w_34 + sin_q6 * w_35) * (w_27 * sin_q6 + cos_q6 * w_32);
+        let w_39 = w_34 * (w_28 - sin_q5 * w_29 * w_18 + w_31 * S::from_f64(5.0)) * w_21;
         w_22 + w_24 + w_26 + self.m6 * w_36 + w_37
             + q1_dot * (self.tau1.or(S::from_f64(0.0)) - q1_dot * self.c)
             + q3_dot * (self.tau3.or(-S::from_f64(20.0)) - q3_dot * self.c) + w_38 - w_39
     }
     /// Outputs, 4, in SI units.
     ///
-    /// Operations: 41 additions, 72 multiplications, 5 sine-cosine pairs, 1 square root.
+    /// Operations: 39 additions, 70 multiplications, 5 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn outputs(
         &self,
@@ -1420,49 +1412,45 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w = self.a1 + self.a2 * sin_q2;
         let w_2 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
         let w_3 = cos_q1 * w_2;
-        let w_4 = cos_q2 * sin_q3;
-        let w_5 = sin_q2 * cos_q3;
-        let w_6 = w_4 + w_5;
-        let w_7 = w_2 * sin_q1;
-        let w_8 = w_5 + w_4;
-        let w_9 = w_2 * q1_dot;
-        let w_10 = q2_dot + q3_dot;
-        let w_11 = sin_q5 * (q4_dot - w_8 * q1_dot)
-            + cos_q5 * (cos_q4 * w_9 - sin_q4 * w_10);
-        let w_12 = q5_dot + cos_q4 * w_10 + sin_q4 * w_9;
-        let w_13 = w * q1_dot + self.d4 * w_9
-            + self.d6 * (cos_q4 * w_11 + cos_q5 * sin_q4 * w_12);
-        let w_14 = self.d4 * w_6 * w_10;
-        let w_15 = self.a2 * q2_dot;
-        let w_16 = cos_q2 * w_15;
-        let w_17 = self.d6 * (sin_q4 * w_11 - cos_q5 * cos_q4 * w_12);
-        let w_18 = self.d6 * sin_q5;
-        let w_19 = sin_q3 * w_17 - cos_q3 * w_12 * w_18;
-        let w_20 = sin_q3 * w_12 * w_18 + cos_q3 * w_17;
-        let w_21 = cos_q2 * w_19 + sin_q2 * w_20;
-        let w_22 = sin_q1 * w_13 + cos_q1 * (w_14 - w_16 - w_21);
-        let w_23 = cos_q1 * w_13 + sin_q1 * (w_16 - w_14 + w_21);
-        let w_24 = self.d4 * w_10;
-        let w_25 = sin_q2 * (w_15 - sin_q3 * w_24 + w_19)
-            + cos_q2 * (cos_q3 * w_24 - w_20);
+        let w_4 = cos_q2 * sin_q3 + sin_q2 * cos_q3;
+        let w_5 = w_2 * sin_q1;
+        let w_6 = w_2 * q1_dot;
+        let w_7 = q2_dot + q3_dot;
+        let w_8 = sin_q5 * (q4_dot - w_4 * q1_dot)
+            + cos_q5 * (cos_q4 * w_6 - sin_q4 * w_7);
+        let w_9 = q5_dot + cos_q4 * w_7 + sin_q4 * w_6;
+        let w_10 = self.d6 * (cos_q4 * w_8 + cos_q5 * sin_q4 * w_9) + w * q1_dot
+            + self.d4 * w_6;
+        let w_13 = self.d6 * (sin_q4 * w_8 - cos_q5 * cos_q4 * w_9);
+        let w_11 = self.d4 * w_7;
+        let w_12 = w_4 * w_11;
+        let w_14 = self.d6 * sin_q5;
+        let w_15 = sin_q3 * w_13 - cos_q3 * w_9 * w_14;
+        let w_16 = sin_q3 * w_9 * w_14 + cos_q3 * w_13;
+        let w_17 = cos_q2 * w_15 + sin_q2 * w_16;
+        let w_18 = self.a2 * q2_dot;
+        let w_22 = sin_q2 * (w_15 + w_18) + w_2 * w_11 - cos_q2 * w_16;
+        let w_19 = cos_q2 * w_18;
+        let w_20 = sin_q1 * w_10 + cos_q1 * (w_12 - w_17 - w_19);
+        let w_21 = cos_q1 * w_10 + sin_q1 * (w_17 - w_12 + w_19);
         [
             cos_q1 * w + self.d4 * w_3
                 + self.d6
                     * (w_3 * cos_q5
-                        - (sin_q1 * sin_q4 + cos_q1 * w_6 * cos_q4) * sin_q5),
-            sin_q1 * w + self.d4 * w_7
+                        - (sin_q1 * sin_q4 + cos_q1 * w_4 * cos_q4) * sin_q5),
+            sin_q1 * w + self.d4 * w_5
                 + self.d6
-                    * (cos_q5 * w_7
-                        - sin_q5 * (cos_q4 * sin_q1 * w_6 - cos_q1 * sin_q4)),
-            self.h + self.a2 * cos_q2 - self.d4 * w_8
-                - self.d6 * (cos_q5 * w_8 + w_2 * cos_q4 * sin_q5),
-            (w_22 * w_22 + w_23 * w_23 + w_25 * w_25).sqrt(),
+                    * (cos_q5 * w_5
+                        - sin_q5 * (cos_q4 * sin_q1 * w_4 - cos_q1 * sin_q4)),
+            self.h + self.a2 * cos_q2 - self.d4 * w_4
+                - self.d6 * (cos_q5 * w_4 + w_2 * cos_q4 * sin_q5),
+            (w_20 * w_20 + w_21 * w_21 + w_22 * w_22).sqrt(),
         ]
             .into()
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 4, in SI units per second.
     ///
-    /// Operations: 128 additions, 192 multiplications, 1 division, 5 sine-cosine pairs, 1 square root.
+    /// Operations: 109 additions, 170 multiplications, 1 division, 5 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn output_rates(
         &self,
@@ -1491,116 +1479,91 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w = q2_dot * self.a2;
         let w_2 = cos_q2 * w;
         let w_3 = self.a1 + self.a2 * sin_q2;
-        let w_4 = sin_q2 * cos_q3;
-        let w_5 = cos_q2 * sin_q3;
-        let w_6 = w_4 + w_5;
-        let w_7 = w_5 + w_4;
-        let w_8 = q3_dot * w_7;
-        let w_9 = q2_dot * w_6 + w_8;
-        let w_10 = cos_q2 * cos_q3;
-        let w_11 = sin_q2 * sin_q3;
-        let w_12 = w_10 - w_11;
-        let w_13 = sin_q1 * w_12;
-        let w_14 = cos_q1 * w_9 + q1_dot * w_13;
-        let w_15 = cos_q1 * w_7;
-        let w_16 = cos_q1 * w_12;
-        let w_17 = q3_dot + q2_dot;
-        let w_18 = q2_dot + q3_dot;
-        let w_19 = cos_q2 * cos_q3 * w_17 - sin_q2 * sin_q3 * w_18;
-        let w_20 = sin_q1 * w_7;
-        let w_21 = sin_q5
-            * (q5_dot * w_16
-                + (sin_q4 * (q1_dot * cos_q1 - q4_dot * w_15)
-                    + cos_q4 * (sin_q1 * q4_dot + (cos_q1 * w_19 - q1_dot * w_20))));
-        let w_22 = q1_dot * w_16 - sin_q1 * w_9;
-        let w_23 = sin_q5
-            * (w_13 * q5_dot
-                + (cos_q4 * (sin_q1 * w_19 + q1_dot * w_15 - cos_q1 * q4_dot)
-                    + sin_q4 * (q1_dot * sin_q1 - q4_dot * w_20)));
-        let w_24 = q2_dot * w_12 + q3_dot * w_12;
-        let w_25 = self.d6
-            * (cos_q5 * (w_24 + w_12 * q5_dot * cos_q4)
-                - sin_q5 * (w_6 * q5_dot + w_9 * cos_q4 + w_12 * sin_q4 * q4_dot));
-        let w_26 = q1_dot * w_12;
-        let w_27 = self.d4 * w_26;
-        let w_28 = q4_dot - q1_dot * w_6;
-        let w_29 = cos_q4 * w_26 - sin_q4 * w_18;
-        let w_30 = sin_q5 * w_28 + cos_q5 * w_29;
-        let w_31 = q5_dot + cos_q4 * w_18 + sin_q4 * w_26;
-        let w_32 = cos_q5 * w_31;
-        let w_33 = self.d6 * (cos_q4 * w_30 + sin_q4 * w_32);
-        let w_34 = q1_dot * w_3 + w_27 + w_33;
-        let w_35 = self.d4 * w_7 * w_18;
-        let w_36 = self.d6 * (sin_q4 * w_30 - cos_q4 * w_32);
-        let w_37 = sin_q5 * w_31;
-        let w_38 = self.d6 * w_37;
-        let w_39 = sin_q3 * w_36 - cos_q3 * w_38;
-        let w_40 = sin_q3 * w_38 + cos_q3 * w_36;
-        let w_41 = cos_q2 * w_39 + sin_q2 * w_40;
-        let w_42 = sin_q1 * w_34 + cos_q1 * (w_35 - w_2 - w_41);
-        let w_43 = cos_q1 * w_34 + sin_q1 * (w_2 - w_35 + w_41);
-        let w_44 = self.d4 * w_18;
-        let w_45 = sin_q2 * (w - sin_q3 * w_44 + w_39) + cos_q2 * (cos_q3 * w_44 - w_40);
-        let w_46 = w_42 * w_42 + w_43 * w_43 + w_45 * w_45;
+        let w_4 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_5 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
+        let w_6 = sin_q1 * w_5;
+        let w_7 = cos_q1 * (q2_dot * w_4 + q3_dot * w_4) + q1_dot * w_6;
+        let w_8 = cos_q1 * w_4;
+        let w_9 = q1_dot * cos_q1;
+        let w_10 = q2_dot + q3_dot;
+        let w_11 = w_5 * w_10;
+        let w_12 = q1_dot * sin_q1;
+        let w_13 = sin_q5
+            * (sin_q4 * (w_9 - q4_dot * w_8)
+                + cos_q4 * (cos_q1 * w_11 - w_4 * w_12 + sin_q1 * q4_dot)
+                + q5_dot * cos_q1 * w_5);
+        let w_14 = w_4 * w_10;
+        let w_15 = w_5 * w_9 - sin_q1 * w_14;
+        let w_16 = sin_q1 * w_4;
+        let w_17 = sin_q5
+            * (cos_q4 * (w_4 * w_9 + sin_q1 * w_11 - cos_q1 * q4_dot)
+                + sin_q4 * (w_12 - q4_dot * w_16) + w_6 * q5_dot);
+        let w_18 = self.d4 * w_11;
+        let w_19 = sin_q2 * w + w_18
+            + self.d6
+                * (cos_q5 * (w_11 + w_5 * q5_dot * cos_q4)
+                    - sin_q5 * (w_4 * q5_dot + cos_q4 * w_14 + w_5 * sin_q4 * q4_dot));
+        let w_20 = q4_dot - q1_dot * w_4;
+        let w_21 = q1_dot * w_5;
+        let w_22 = cos_q4 * w_21 - sin_q4 * w_10;
+        let w_23 = sin_q5 * w_20 + cos_q5 * w_22;
+        let w_24 = q5_dot + cos_q4 * w_10 + sin_q4 * w_21;
+        let w_25 = cos_q5 * w_24;
+        let w_33 = sin_q5 * w_24;
+        let w_26 = cos_q4 * w_23 + sin_q4 * w_25;
+        let w_31 = sin_q4 * w_23 - cos_q4 * w_25;
+        let w_27 = self.d6 * w_26;
+        let w_28 = self.d4 * w_21;
+        let w_29 = w_27 + q1_dot * w_3 + w_28;
+        let w_56 = q1_dot * (w_27 + w_28);
+        let w_30 = self.d4 * w_14;
+        let w_32 = self.d6 * w_31;
+        let w_34 = sin_q3 * w_32 - cos_q3 * self.d6 * w_33;
+        let w_35 = sin_q3 * self.d6;
+        let w_36 = w_33 * w_35 + cos_q3 * w_32;
+        let w_40 = sin_q2 * (w_34 + w) + w_18 - cos_q2 * w_36;
+        let w_37 = cos_q2 * w_34 + sin_q2 * w_36;
+        let w_38 = sin_q1 * w_29 + cos_q1 * (w_30 - w_37 - w_2);
+        let w_39 = cos_q1 * w_29 + sin_q1 * (w_37 - w_30 + w_2);
+        let w_41 = w_38 * w_38 + w_39 * w_39 + w_40 * w_40;
+        let w_42 = q2_ddot + q3_ddot;
+        let w_44 = w_42 + q4_dot * w_21;
+        let w_43 = self.d4 * (w_10 * w_11 + w_4 * w_42);
+        let w_45 = q1_dot * w_14 - w_5 * q1_ddot;
+        let w_46 = w_45 + q4_dot * w_10;
+        let w_50 = cos_q5 * (q5_dot * w_20 - (sin_q4 * w_44 + cos_q4 * w_46))
+            + sin_q5 * (q4_ddot - q1_dot * w_11 - w_4 * q1_ddot - q5_dot * w_22);
+        let w_47 = q5_ddot + cos_q4 * w_44 - sin_q4 * w_46;
+        let w_48 = q5_dot * w_25 + sin_q5 * w_47;
+        let w_49 = q5_dot * w_33 - cos_q5 * w_47;
+        let w_51 = self.d6 * (cos_q4 * w_49 + q4_dot * w_26 + sin_q4 * w_50);
+        let w_52 = q3_dot * w_36 - self.d6 * cos_q3 * w_48 + sin_q3 * w_51
+            + q2_dot * w_36;
+        let w_53 = w_35 * w_48 - q3_dot * w_34 + cos_q3 * w_51 - q2_dot * w_34;
+        let w_58 = self.d6 * (cos_q4 * w_50 - q4_dot * w_31 - sin_q4 * w_49)
+            + q1_dot * (w_37 - w_30 + q2_dot * cos_q2 * self.a2 * S::from_f64(2.0))
+            + w_3 * q1_ddot - self.d4 * w_45;
+        let w_54 = cos_q2 * w_52 + sin_q2 * w_53;
         let q2_dot_squared = q2_dot * q2_dot;
-        let q1_dot_squared = q1_dot * q1_dot;
-        let w_47 = sin_q2 * (q2_dot_squared + q1_dot_squared);
-        let w_48 = cos_q2 * q2_ddot;
-        let w_49 = q1_dot * (w_27 + w_33);
-        let w_50 = self.a1 * q1_dot_squared;
-        let w_51 = q2_ddot + q3_ddot;
-        let w_52 = self.d4 * (w_18 * w_19 + w_7 * w_51);
-        let w_53 = q3_dot * w_36;
-        let w_54 = q5_dot * w_32;
-        let w_55 = w_51 + q4_dot * w_26;
-        let w_56 = w_11 - w_10;
-        let w_57 = q1_dot * (q2_dot * w_7 + w_8) + q1_ddot * w_56;
-        let w_58 = q4_dot * w_18 + w_57;
-        let w_59 = cos_q4 * w_55 - sin_q4 * w_58 + q5_ddot;
-        let w_60 = q4_dot * w_30;
-        let w_61 = cos_q5 * w_59;
-        let w_62 = q5_dot * w_37;
-        let w_63 = sin_q5
-            * (q1_dot * (q2_dot * w_56 + q3_dot * w_56) - w_6 * q1_ddot + q4_ddot
-                - q5_dot * w_29);
-        let w_64 = cos_q5 * (q5_dot * w_28 - (sin_q4 * w_55 + cos_q4 * w_58)) + w_63
-            + q4_dot * w_32;
-        let w_65 = self.d6 * (cos_q4 * (w_60 - w_61 + w_62) + sin_q4 * w_64);
-        let w_66 = cos_q3 * (w_53 - self.d6 * (w_54 + sin_q5 * w_59))
-            + sin_q3 * (w_65 + q3_dot * w_38);
-        let w_67 = q2_dot * w_40;
-        let w_68 = self.d6
-            * (sin_q5 * (cos_q3 * q3_dot * w_31 + sin_q3 * w_59) + sin_q3 * w_54)
-            + cos_q3 * w_65 - sin_q3 * w_53;
-        let w_69 = q2_dot * w_39;
-        let w_70 = cos_q2 * (w_66 + w_67) + sin_q2 * (w_68 - w_69);
-        let w_71 = q1_dot * (q2_dot * cos_q2 * self.a2 * S::from_f64(2.0) - w_35 + w_41)
-            + w_3 * q1_ddot - self.d4 * w_57
-            + self.d6 * (sin_q4 * (w_61 - w_60 - w_62) + cos_q4 * w_64);
-        let w_72 = w_43
-            * (sin_q1 * (self.a2 * (w_48 - w_47) - w_49 - w_50 - w_52 + w_70)
-                + cos_q1 * w_71);
-        let w_73 = cos_q2
-            * (self.d4 * (cos_q3 * w_51 - sin_q3 * w_18 * w_18)
-                + self.a2 * q2_dot_squared - w_68 + w_69);
-        let w_74 = w_45
-            * (sin_q2
-                * (self.a2 * q2_ddot - self.d4 * (cos_q3 * w_17 * w_18 + sin_q3 * w_51)
-                    + w_67 + w_66) + w_73);
+        let w_60 = w_40
+            * (self.a2 * (sin_q2 * q2_ddot + cos_q2 * q2_dot_squared)
+                + self.d4 * (w_5 * w_42 - w_10 * w_14) - cos_q2 * w_53 + sin_q2 * w_52);
+        let w_55 = self.a2 * (sin_q2 * q2_dot_squared - cos_q2 * q2_ddot);
+        let w_57 = w_3 * q1_dot * q1_dot;
+        let w_59 = w_39 * (cos_q1 * w_58 + sin_q1 * (w_54 - w_43 - w_55 - w_56 - w_57));
         [
-            cos_q1 * w_2 - q1_dot * sin_q1 * w_3 - self.d4 * w_14
+            cos_q1 * w_2 - q1_dot * sin_q1 * w_3 - self.d4 * w_7
                 - self.d6
-                    * (cos_q5 * (w_14 + q5_dot * (sin_q1 * sin_q4 + cos_q4 * w_15))
-                        + w_21),
-            q1_dot * cos_q1 * w_3 + sin_q1 * w_2 + self.d4 * w_22
+                    * (cos_q5 * (w_7 + q5_dot * (sin_q1 * sin_q4 + cos_q4 * w_8))
+                        + w_13),
+            w_9 * w_3 + sin_q1 * w_2 + self.d4 * w_15
                 + self.d6
-                    * (cos_q5 * (w_22 - q5_dot * (cos_q4 * w_20 - cos_q1 * sin_q4))
-                        - w_23),
-            -(sin_q2 * w + self.d4 * w_24 + w_25),
-            w_46.sqrt()
-                * (w_42
-                    * (cos_q1 * (self.a2 * (w_47 - w_48) + w_49 + w_50 + w_52 - w_70)
-                        + sin_q1 * w_71) + w_72 + w_74) / w_46,
+                    * (cos_q5 * (w_15 - q5_dot * (cos_q4 * w_16 - cos_q1 * sin_q4))
+                        - w_17),
+            -w_19,
+            w_41.sqrt()
+                * (w_38 * (cos_q1 * (w_43 - w_54 + w_55 + w_56 + w_57) + sin_q1 * w_58)
+                    + w_59 + w_60) / w_41,
         ]
             .into()
     }
@@ -1620,7 +1583,7 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 39 additions, 52 multiplications, 6 sine-cosine pairs.
+    /// Operations: 38 additions, 52 multiplications, 6 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 6]) -> [S; 36] {
         let [q1, q2, q3, q4, q5, q6] = *q;
@@ -1654,22 +1617,19 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
         let w_6 = sin_q1 * w_3;
         let w_7 = self.d4 * w_6;
         let wrist_y = elbow_y + w_7;
-        let w_8 = sin_q2 * cos_q3;
-        let w_9 = cos_q2 * sin_q3;
-        let w_10 = w_8 + w_9;
-        let w_11 = self.d4 * w_10;
-        let wrist_z = self.h + w_2 - w_11;
-        let w_12 = w_9 + w_8;
-        let w_13 = cos_q1 * w_12;
-        let w_14 = sin_q1 * sin_q4 + w_13 * cos_q4;
-        let w_15 = self.d6 * (w_4 * cos_q5 - w_14 * sin_q5);
-        let flange_x = elbow_x + w_5 + w_15;
-        let w_16 = sin_q1 * w_12;
-        let w_17 = cos_q4 * w_16 - cos_q1 * sin_q4;
-        let w_18 = self.d6 * (w_6 * cos_q5 - sin_q5 * w_17);
-        let flange_y = elbow_y + w_7 + w_18;
-        let w_19 = self.d6 * (w_10 * cos_q5 + w_3 * cos_q4 * sin_q5);
-        let flange_z = self.h + w_2 - w_11 - w_19;
+        let w_8 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_9 = self.d4 * w_8;
+        let wrist_z = self.h + w_2 - w_9;
+        let w_10 = cos_q1 * w_8;
+        let w_11 = sin_q1 * sin_q4 + w_10 * cos_q4;
+        let w_12 = self.d6 * (w_4 * cos_q5 - w_11 * sin_q5);
+        let flange_x = elbow_x + w_5 + w_12;
+        let w_13 = sin_q1 * w_8;
+        let w_14 = cos_q4 * w_13 - cos_q1 * sin_q4;
+        let w_15 = self.d6 * (w_6 * cos_q5 - sin_q5 * w_14);
+        let flange_y = elbow_y + w_7 + w_15;
+        let w_16 = self.d6 * (w_8 * cos_q5 + w_3 * cos_q4 * sin_q5);
+        let flange_z = self.h + w_2 - w_9 - w_16;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1704,16 +1664,18 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             flange_x,
             flange_y,
             flange_z,
-            S::from_f64(0.05)
-                * ((sin_q4 * w_13 - sin_q1 * cos_q4) * cos_q6
-                    + (w_4 * sin_q5 + cos_q5 * w_14) * sin_q6) + elbow_x + w_5 + w_15,
-            S::from_f64(0.05)
-                * (cos_q6 * (cos_q1 * cos_q4 + sin_q4 * w_16)
-                    + sin_q6 * (w_6 * sin_q5 + cos_q5 * w_17)) + elbow_y + w_7 + w_18,
-            S::from_f64(0.05)
-                * (w_3 * sin_q4 * cos_q6
-                    + sin_q6 * (w_3 * cos_q5 * cos_q4 - w_10 * sin_q5)) + self.h + w_2
-                - w_11 - w_19,
+            elbow_x + w_5 + w_12
+                + S::from_f64(0.05)
+                    * ((sin_q4 * w_10 - sin_q1 * cos_q4) * cos_q6
+                        + (w_4 * sin_q5 + cos_q5 * w_11) * sin_q6),
+            elbow_y + w_7 + w_15
+                + S::from_f64(0.05)
+                    * (cos_q6 * (cos_q1 * cos_q4 + sin_q4 * w_13)
+                        + sin_q6 * (w_6 * sin_q5 + cos_q5 * w_14)),
+            self.h + w_2 - w_9 - w_16
+                + S::from_f64(0.05)
+                    * (w_3 * sin_q4 * cos_q6
+                        + sin_q6 * (w_3 * cos_q5 * cos_q4 - w_8 * sin_q5)),
         ]
     }
     /// Declared start: values or guesses of the coordinates (6), and speeds (6), in SI units; 0 where nothing is declared.
@@ -1788,7 +1750,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 398 additions, 599 multiplications, 5 divisions, 5 sine-cosine pairs.
+    /// Operations: 389 additions, 590 multiplications, 5 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1798,6 +1760,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 6], [S; 0]> {
         let [_, q2, q3, q4, q5, q6] = *q;
         let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot, q6_dot] = *qd;
+        let tau5 = self.tau5.or(S::from_f64(0.0));
         let (
             [sin_q4,
             sin_q5,
@@ -1812,354 +1775,348 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             cos_q6,
             ],
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
-        let w = cos_q2 * sin_q3;
-        let w_2 = sin_q2 * cos_q3;
-        let w_3 = q1_dot * q2_dot * (w + w_2);
-        let w_4 = w_2 + w;
+        let w = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_2 = w * q1_dot;
+        let w_3 = q4_dot - w_2;
+        let w_4 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
         let w_5 = w_4 * q1_dot;
-        let w_6 = w_3 + q3_dot * w_5;
-        let w_7 = sin_q4 * w_6;
-        let w_8 = cos_q2 * cos_q3;
-        let w_9 = sin_q2 * sin_q3;
-        let w_10 = w_8 - w_9;
-        let w_11 = w_10 * q1_dot;
-        let w_12 = q2_dot + q3_dot;
-        let w_13 = cos_q4 * w_11 - sin_q4 * w_12;
-        let w_14 = q4_dot * w_13;
-        let w_15 = q4_dot - w_5;
-        let w_16 = sin_q5 * w_15 + cos_q5 * w_13;
-        let w_17 = cos_q4 * w_12;
-        let w_18 = sin_q4 * w_11;
-        let w_19 = q5_dot + w_17 + w_18;
-        let w_20 = cos_q6 * w_16 - sin_q6 * w_19;
-        let w_21 = w_14 - w_7;
-        let w_22 = cos_q5 * w_15;
-        let w_23 = sin_q5 * w_13;
-        let w_24 = w_22 - w_23;
-        let w_25 = q1_dot * w_10 * q2_dot;
-        let w_26 = w_25 + q3_dot * w_11;
-        let w_27 = sin_q5 * w_26;
-        let w_28 = w_17 + w_18;
-        let w_29 = cos_q4 * w_6;
-        let w_30 = q4_dot * w_28 + w_29;
-        let w_31 = cos_q5 * w_30;
-        let w_32 = q5_dot * w_24 - w_27 - w_31;
-        let w_33 = q6_dot + w_22 - w_23;
-        let w_34 = S::from_f64(3.0) * (q6_dot * w_20 + cos_q6 * w_21 + sin_q6 * w_32)
-            + w_20 * w_33;
-        let w_35 = cos_q6 * w_19 + sin_q6 * w_16;
-        let w_36 = S::from_f64(3.0) * (q6_dot * w_35 - cos_q6 * w_32 + sin_q6 * w_21)
-            + w_33 * w_35;
-        let w_37 = q2_dot * cos_q2 * q1_dot;
-        let w_38 = q3_dot + w_12;
-        let w_39 = w_5 * w_38 + w_3;
-        let w_40 = w_37 * self.k_33 - self.d4 * w_39;
-        let w_41 = cos_q4 * w_40;
+        let w_6 = q2_dot + q3_dot;
+        let w_7 = cos_q4 * w_5 - sin_q4 * w_6;
+        let w_8 = sin_q5 * w_3 + cos_q5 * w_7;
+        let w_9 = cos_q4 * w_6;
+        let w_10 = sin_q4 * w_5;
+        let w_11 = w_9 + w_10 + q5_dot;
+        let w_25 = w_9 + w_10;
+        let w_12 = cos_q6 * w_8 - sin_q6 * w_11;
+        let w_13 = q4_dot * w_7;
+        let w_14 = q1_dot * q2_dot;
+        let w_15 = w * w_14;
+        let w_16 = q3_dot * w_2 + w_15;
+        let w_17 = sin_q4 * w_16;
+        let w_18 = w_13 - w_17;
+        let w_19 = cos_q5 * w_3;
+        let w_20 = sin_q5 * w_7;
+        let w_21 = w_19 - w_20;
+        let w_30 = w_19 - w_20 + q6_dot;
+        let w_22 = w_4 * w_14;
+        let w_34 = cos_q2 * w_14;
+        let w_23 = q3_dot * w_5 + w_22;
+        let w_24 = sin_q5 * w_23;
+        let w_26 = cos_q4 * w_16;
+        let w_27 = q4_dot * w_25 + w_26;
+        let w_28 = cos_q5 * w_27;
+        let w_29 = q5_dot * w_21 - w_24 - w_28;
+        let w_31 = S::from_f64(3.0) * (q6_dot * w_12 + cos_q6 * w_18 + sin_q6 * w_29)
+            + w_12 * w_30;
+        let w_49 = self.d6 * (w_21 * (q5_dot + w_11) - w_24 - w_28);
+        let w_32 = cos_q6 * w_11 + sin_q6 * w_8;
+        let w_33 = S::from_f64(3.0) * (q6_dot * w_32 - cos_q6 * w_29 + sin_q6 * w_18)
+            + w_30 * w_32;
+        let w_65 = S::from_f64(7.0) * w_29 + w_11 * w_21;
+        let w_58 = w_8 * w_21;
+        let w_59 = self.d6 * (w_13 - w_17 - w_58);
+        let w_35 = q3_dot + w_6;
+        let w_36 = w_15 + w_2 * w_35;
+        let w_37 = w_34 * self.k_33 - self.d4 * w_36;
+        let w_38 = cos_q4 * w_37;
         let sin_q2_squared = sin_q2 * sin_q2;
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_42 = sin_q2 * q1_dot_squared;
-        let w_43 = self.a2 * (q2_dot * q2_dot + sin_q2_squared * q1_dot_squared)
-            + self.a1 * w_42 - cos_q2 * self.g;
-        let w_44 = cos_q3 * w_43;
-        let w_45 = w_11 * w_5;
-        let w_46 = self.a2 * sin_q2;
-        let w_47 = self.a1 + w_46;
-        let w_48 = cos_q2 * q1_dot_squared * w_47 + sin_q2 * self.g;
-        let w_49 = sin_q3 * w_48;
-        let w_50 = w_44 + self.d4 * w_45 + w_49;
-        let w_51 = sin_q4 * w_50;
-        let w_52 = self.d6 * (w_24 * (q5_dot + w_19) - w_27 - w_31);
-        let w_53 = w_41 - w_51 + w_52;
-        let w_54 = w_16 * w_24;
-        let w_55 = self.d6 * (w_14 - w_54 - w_7);
-        let w_12_squared = w_12 * w_12;
-        let w_56 = w_12_squared + w_11 * w_11;
-        let w_57 = sin_q3 * w_43;
-        let w_58 = cos_q3 * w_48;
-        let w_59 = self.d4 * w_56 - w_57 + w_58;
-        let w_60 = sin_q5 * w_59;
-        let w_61 = sin_q4 * w_40 + cos_q4 * w_50;
-        let w_62 = cos_q5 * w_61;
-        let w_63 = w_55 + w_60 + w_62;
-        let w_64 = cos_q6 * w_53 - sin_q6 * w_63;
-        let w_65 = sin_q6 * w_53 + cos_q6 * w_63;
-        let tau5 = self.tau5.or(S::from_f64(0.0));
-        let w_66 = S::from_f64(5.0) * (w_60 + w_62) + w_55;
-        let rhs_q5 = S::from_f64(0.006) * (w_7 - w_14)
-            - S::from_f64(0.0005) * (cos_q6 * w_34 + sin_q6 * w_36)
-            + self.k_25 * (sin_q6 * w_64 - cos_q6 * w_65) + tau5
-            + S::from_f64(0.002) * w_54 - q5_dot * self.k_43 - self.k_26 * w_66;
-        let w_67 = S::from_f64(7.0) * w_32 + w_19 * w_24;
-        let w_68 = w_41 - w_51;
-        let w_69 = S::from_f64(5.0) * w_68 + w_52;
-        let w_70 = sin_q5
-            * (S::from_f64(0.0005) * (cos_q6 * w_36 - sin_q6 * w_34)
-                - self.k_25 * (cos_q6 * w_64 + sin_q6 * w_65) - S::from_f64(0.001) * w_67
-                - self.k_26 * w_69);
-        let w_71 = S::from_f64(0.02) * w_26;
-        let w_72 = q5_dot * w_16 + cos_q5 * w_26 - sin_q5 * w_30;
-        let w_73 = S::from_f64(5.0) * w_72 - w_16 * w_19;
-        let w_74 = S::from_f64(0.002) * w_72;
+        let w_39 = sin_q2 * q1_dot_squared;
+        let w_40 = self.a2 * (q2_dot * q2_dot + sin_q2_squared * q1_dot_squared)
+            + self.a1 * w_39 - cos_q2 * self.g;
+        let w_41 = cos_q3 * w_40;
+        let w_52 = sin_q3 * w_40;
+        let w_42 = w_5 * w_2;
+        let w_43 = self.a2 * sin_q2;
+        let w_44 = self.a1 + w_43;
+        let w_84 = self.a1 + w_43 + self.d4 * w_4;
+        let w_45 = cos_q2 * q1_dot_squared * w_44 + sin_q2 * self.g;
+        let w_188 = q1_dot * w_44 + self.d4 * w_5;
+        let w_46 = sin_q3 * w_45;
+        let w_53 = cos_q3 * w_45;
+        let w_47 = w_41 + self.d4 * w_42 + w_46;
+        let w_56 = sin_q4 * w_37 + cos_q4 * w_47;
+        let w_48 = sin_q4 * w_47;
+        let w_50 = w_38 - w_48 + w_49;
+        let w_66 = w_38 - w_48;
+        let w_67 = S::from_f64(5.0) * w_66 + w_49;
+        let w_6_squared = w_6 * w_6;
+        let w_155 = S::from_f64(3.0) * (w_6_squared + w_2 * w_2)
+            + S::from_f64(100.0) * (w_41 + w_46) + self.k_5 * w_42;
+        let w_51 = w_6_squared + w_5 * w_5;
+        let w_54 = self.d4 * w_51 - w_52 + w_53;
+        let w_151 = w_53 - w_52;
+        let w_55 = sin_q5 * w_54;
+        let w_82 = cos_q5 * w_54;
+        let w_57 = cos_q5 * w_56;
+        let w_60 = w_55 + w_57 + w_59;
+        let w_63 = S::from_f64(5.0) * (w_55 + w_57) + w_59;
+        let w_61 = cos_q6 * w_50 - sin_q6 * w_60;
+        let w_62 = sin_q6 * w_50 + cos_q6 * w_60;
+        let rhs_q5 = tau5 - S::from_f64(0.0005) * (cos_q6 * w_31 + sin_q6 * w_33)
+            + self.k_25 * (sin_q6 * w_61 - cos_q6 * w_62) - S::from_f64(0.006) * w_18
+            + S::from_f64(0.002) * w_58 - q5_dot * self.k_43 - self.k_26 * w_63;
+        let w_74 = S::from_f64(3.0) * w_18;
+        let w_76 = S::from_f64(0.002) * (w_74 - w_58);
+        let w_64 = S::from_f64(0.02) * w_23;
         let tau4 = self.tau4.or(S::from_f64(0.0));
-        let rhs_q4 = w_70 + w_71 + cos_q5 * (S::from_f64(0.001) * w_73 + w_74) + tau4
+        let w_68 = sin_q5
+            * (S::from_f64(0.0005) * (cos_q6 * w_33 - sin_q6 * w_31)
+                - self.k_25 * (cos_q6 * w_61 + sin_q6 * w_62) - S::from_f64(0.001) * w_65
+                - self.k_26 * w_67);
+        let w_69 = q5_dot * w_8 + cos_q5 * w_23 - sin_q5 * w_27;
+        let w_97 = w
+            * (S::from_f64(0.01) * (S::from_f64(8.0) * w_23 + w_5 * w_6) + w_64);
+        let w_70 = S::from_f64(5.0) * w_69 - w_8 * w_11;
+        let w_71 = S::from_f64(0.002) * w_69;
+        let rhs_q4 = w_64 + tau4 + w_68 + cos_q5 * (S::from_f64(0.001) * w_70 + w_71)
             - q4_dot * self.k_43;
-        let w_75 = S::from_f64(2.0) * w_15;
-        let w_76 = S::from_f64(3.0) * w_30 - w_75 * w_28;
-        let w_77 = S::from_f64(3.0) * w_21;
-        let w_78 = w_77 - w_13 * w_75;
-        let w_79 = S::from_f64(0.002) * (w_77 - w_54);
-        let w_80 = w_10
-            * (S::from_f64(0.02) * (cos_q4 * w_76 - sin_q4 * w_78)
-                + S::from_f64(0.01)
-                    * (S::from_f64(24.0) * w_6 + w_12 * w_5 * S::from_f64(17.0))
-                - sin_q4 * w_79);
-        let w_81 = self.k + sin_q2 * self.k_2;
-        let w_82 = q1_dot
-            * (cos_q2 * q2_dot * (sin_q2 * S::from_f64(1.3) + w_81 * self.k_34)
-                + self.c);
-        let w_83 = self.d6 * (w_19 * w_19 + w_16 * w_16);
-        let w_84 = sin_q5 * w_61;
-        let w_85 = cos_q5 * w_59;
-        let w_86 = w_83 - w_84 + w_85;
-        let w_87 = self.a1 + w_46 + self.d4 * w_10;
-        let w_88 = sin_q4 * sin_q5;
-        let w_89 = w_87 * w_88;
-        let w_90 = w_87 * cos_q4;
-        let w_91 = w_10 * cos_q4;
-        let w_92 = cos_q5 * w_91 - sin_q5 * w_4;
-        let w_93 = self.d6 * w_92;
-        let w_94 = w_90 + w_93;
-        let w_95 = w_10 * self.d6;
-        let w_96 = sin_q4 * (w_95 + w_87 * cos_q5);
-        let w_97 = cos_q6 * w_94 - sin_q6 * w_96;
-        let w_98 = w_94 * sin_q6 + cos_q6 * w_96;
-        let w_99 = self.m6 * (w_86 * w_89 - w_97 * w_64 - w_98 * w_65);
-        let w_100 = w_4
-            * (S::from_f64(0.01) * (S::from_f64(8.0) * w_26 + w_11 * w_12) + w_71);
-        let w_101 = sin_q5 * cos_q4;
-        let w_102 = cos_q5 * w_4 + w_10 * w_101;
-        let w_103 = sin_q4 * sin_q6;
-        let w_104 = cos_q6 * w_92 - w_10 * w_103;
-        let w_105 = sin_q4 * cos_q6;
-        let w_106 = w_10 * w_105 + w_92 * sin_q6;
-        let w_107 = w_10 * self.k_6 - w_87 * S::from_f64(10.0);
-        let w_108 = cos_q4 * w_107;
-        let w_109 = q4_dot - w_15;
-        let w_110 = S::from_f64(10.0) * w_68 + self.k_6 * (w_28 * w_109 + w_29);
-        let w_111 = sin_q4 * w_107;
-        let w_112 = self.k_6 * (w_13 * w_109 - w_7) - S::from_f64(10.0) * w_61;
-        let w_113 = w_90 * S::from_f64(5.0) + w_93;
-        let w_114 = cos_q5 * S::from_f64(5.0);
-        let w_115 = sin_q4 * (w_95 + w_87 * w_114);
-        let w_116 = self.k_10 * (w_113 * w_69 + w_115 * w_66);
         let tau1 = self.tau1.or(S::from_f64(0.0));
-        let w_117 = w_4 * S::from_f64(3.0) + self.k_3 + sin_q2 * self.k_4
-            + w_10 * self.k_5;
-        let w_118 = w_117 * self.k_8
-            * (S::from_f64(3.0) * (w_11 * w_38 + w_25) + self.k_32 * w_37
-                - self.k_5 * w_39);
-        let w_119 = S::from_f64(5.0) * (w_85 - w_84) + w_83;
-        let w_120 = w_119 * self.k_35;
-        let w_121 = w_80 - w_82 + w_99 - w_100
-            - S::from_f64(0.001) * (w_102 * w_73 + w_92 * w_67)
-            + S::from_f64(0.0005) * (w_104 * w_36 - w_106 * w_34)
-            + self.k_9 * (w_108 * w_110 - w_111 * w_112) - w_116 + tau1 - w_118
-            - w_102 * w_74 + w_89 * w_120;
+        let w_72 = S::from_f64(2.0) * w_3;
+        let w_73 = S::from_f64(3.0) * w_27 - w_72 * w_25;
+        let w_75 = w_74 - w_7 * w_72;
+        let w_77 = w_4
+            * (S::from_f64(0.02) * (cos_q4 * w_73 - sin_q4 * w_75)
+                + S::from_f64(0.01)
+                    * (S::from_f64(24.0) * w_16 + w_6 * w_2 * S::from_f64(17.0))
+                - sin_q4 * w_76);
+        let w_122 = S::from_f64(0.02) * w_73;
+        let w_134 = S::from_f64(0.02) * w_75 + w_76;
+        let w_106 = q4_dot - w_3;
+        let w_107 = S::from_f64(10.0) * w_66 + self.k_6 * (w_26 + w_25 * w_106);
+        let w_109 = self.k_6 * (w_7 * w_106 - w_17) - S::from_f64(10.0) * w_56;
+        let w_81 = sin_q5 * w_56;
+        let w_78 = self.k + sin_q2 * self.k_2;
+        let w_148 = (cos_q2 * w_78 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
+        let w_79 = q1_dot
+            * (self.c
+                + cos_q2 * q2_dot * (sin_q2 * S::from_f64(1.3) + w_78 * self.k_34));
+        let w_80 = self.d6 * (w_11 * w_11 + w_8 * w_8);
+        let w_193 = self.d6 * w_8;
+        let w_199 = self.d6 * w_11;
+        let w_83 = w_80 - w_81 + w_82;
+        let w_116 = w_80 + S::from_f64(5.0) * (w_82 - w_81);
+        let w_85 = sin_q4 * sin_q5;
+        let w_86 = w_84 * w_85;
+        let w_87 = w_84 * cos_q4;
+        let w_88 = w_4 * cos_q4;
+        let w_89 = cos_q5 * w_88 - sin_q5 * w;
+        let w_90 = self.d6 * w_89;
+        let w_91 = w_87 + w_90;
+        let w_110 = w_90 + w_87 * S::from_f64(5.0);
+        let w_92 = w_4 * self.d6;
+        let w_93 = sin_q4 * (w_92 + w_84 * cos_q5);
+        let w_94 = cos_q6 * w_91 - sin_q6 * w_93;
+        let w_95 = w_91 * sin_q6 + cos_q6 * w_93;
+        let w_96 = self.m6 * (w_83 * w_86 - w_94 * w_61 - w_95 * w_62);
+        let w_98 = sin_q5 * cos_q4;
+        let w_99 = cos_q5 * w + w_4 * w_98;
+        let w_100 = sin_q4 * sin_q6;
+        let w_101 = cos_q6 * w_89 - w_4 * w_100;
+        let w_102 = sin_q4 * cos_q6;
+        let w_103 = w_4 * w_102 + w_89 * sin_q6;
+        let w_104 = w_4 * self.k_6 - w_84 * S::from_f64(10.0);
+        let w_105 = cos_q4 * w_104;
+        let w_108 = sin_q4 * w_104;
+        let w_111 = cos_q5 * S::from_f64(5.0);
+        let w_112 = sin_q4 * (w_92 + w_84 * w_111);
+        let w_113 = self.k_10 * (w_110 * w_67 + w_112 * w_63);
+        let w_114 = self.k_3 + w * S::from_f64(3.0) + sin_q2 * self.k_4 + w_4 * self.k_5;
+        let w_115 = w_114 * self.k_8
+            * (S::from_f64(3.0) * (w_22 + w_5 * w_35) + self.k_32 * w_34
+                - self.k_5 * w_36);
+        let w_117 = w_116 * self.k_35;
+        let w_118 = tau1 + w_77 - w_79 + w_96 - w_97
+            - S::from_f64(0.001) * (w_99 * w_70 + w_89 * w_65)
+            + S::from_f64(0.0005) * (w_101 * w_33 - w_103 * w_31)
+            + self.k_9 * (w_105 * w_107 - w_108 * w_109) - w_113 - w_115 - w_99 * w_71
+            + w_86 * w_117;
+        let w_121 = S::from_f64(0.001) * (sin_q5 * w_70 + cos_q5 * w_65);
+        let w_167 = cos_q4
+            * (sin_q5 * (self.k_18 * w_83 + w_116 * self.k_42) - w_134
+                + self.k_19 * w_109);
+        let w_119 = sin_q2 * self.k_29;
         let mass_q5_q1 = sin_q4
-            * (cos_q5
-                * (sin_q2 * (self.k_29 - sin_q3 * self.k_30) + self.k_28
-                    + w_8 * self.k_30) + w_10 * self.k_31);
+            * (cos_q5 * (self.k_28 + w_119 + w_4 * self.k_30) + w_4 * self.k_31);
         let l_q1_q5 = mass_q5_q1 * self.inverse_q5;
-        let w_122 = cos_q5 * self.k_27;
-        let w_123 = w_122 + self.k_30;
+        let w_120 = self.k_30 + cos_q5 * self.k_27;
         let sin_q5_squared = sin_q5 * sin_q5;
-        let mass_q4_q1 = sin_q5 * cos_q4
-            * (sin_q2 * (self.k_29 - sin_q3 * w_123) + cos_q2 * cos_q3 * w_123
-                + self.k_28) - w_4 * S::from_f64(0.027)
-            - self.k_27 * sin_q5_squared * w_4;
-        let mass_q4_q4 = sin_q5_squared * self.k_27 + S::from_f64(0.027);
+        let mass_q4_q4 = S::from_f64(0.027) + sin_q5_squared * self.k_27;
+        let mass_q4_q1 = sin_q5 * cos_q4 * (self.k_28 + w_4 * w_120 + w_119)
+            - w * mass_q4_q4;
         let inverse_q4 = S::from_f64(1.0) / mass_q4_q4;
         let l_q1_q4 = mass_q4_q1 * inverse_q4;
-        let rhs_q1 = w_121 - rhs_q5 * l_q1_q5 - rhs_q4 * l_q1_q4;
-        let w_124 = S::from_f64(0.001) * (sin_q5 * w_73 + cos_q5 * w_67);
-        let w_125 = S::from_f64(0.02) * w_76;
-        let w_126 = sin_q5 * w_74;
-        let w_127 = cos_q3 * cos_q5;
-        let w_128 = self.d4 - self.a2 * sin_q3;
-        let w_129 = self.a2 * w_127 + w_101 * w_128;
-        let w_130 = self.d6 * cos_q5;
-        let w_131 = sin_q4 * (w_128 + w_130);
-        let w_132 = sin_q5 * cos_q3;
-        let w_133 = self.a2 * w_132 - cos_q4 * (self.d6 + cos_q5 * w_128);
-        let w_134 = cos_q6 * w_131 - sin_q6 * w_133;
-        let w_135 = sin_q6 * w_131 + cos_q6 * w_133;
-        let w_136 = self.m6 * (w_129 * w_86 + w_134 * w_64 + w_135 * w_65);
-        let w_137 = S::from_f64(0.02) * w_78;
-        let w_138 = cos_q6 * cos_q4 - cos_q5 * w_103;
-        let w_139 = cos_q5 * w_105 + cos_q4 * sin_q6;
-        let w_140 = S::from_f64(0.0005) * (w_138 * w_34 + w_139 * w_36);
-        let w_141 = self.k_6 - S::from_f64(10.0) * w_128;
-        let w_142 = sin_q4 * w_141;
-        let w_143 = cos_q4 * w_141;
-        let w_144 = self.k_9 * (w_142 * w_110 + w_143 * w_112);
-        let w_145 = sin_q4 * (S::from_f64(5.0) * w_128 + w_130);
-        let w_146 = self.k_13 * w_132;
-        let w_147 = w_146 - cos_q4 * (self.d6 + w_114 * w_128);
-        let w_148 = self.k_10 * (w_145 * w_69 + w_147 * w_66);
+        let rhs_q1 = w_118 - rhs_q5 * l_q1_q5 - rhs_q4 * l_q1_q4;
         let tau2 = self.tau2.or(-S::from_f64(60.0));
-        let w_149 = S::from_f64(0.16) * w_45;
-        let w_150 = self.c * q2_dot;
-        let w_151 = (cos_q2 * w_81 * q1_dot_squared + sin_q2 * self.k_36) * self.k_38;
-        let w_152 = cos_q3 * self.k_4;
-        let w_153 = w_152 + S::from_f64(3.0);
-        let w_154 = w_58 - w_57;
-        let w_155 = S::from_f64(100.0) * w_154 + S::from_f64(3.0) * w_45
-            + self.k_5 * w_56;
-        let w_156 = sin_q3 * self.k_13;
-        let w_157 = self.d4 - w_156;
-        let w_158 = S::from_f64(3.0) * (w_12_squared + w_5 * w_5)
-            + S::from_f64(100.0) * (w_44 + w_49) + self.k_5 * w_45;
-        let w_159 = cos_q3
-            * (S::from_f64(10.0) * w_154 + w_56 * self.k_37
-                - self.k_6 * (w_28 * w_28 + w_13 * w_13)) * self.k_40;
-        let w_160 = sin_q4 * (w_124 - w_125 + w_126) + w_136 - cos_q4 * (w_137 + w_79)
-            - w_140 - w_144 + w_148 + tau2 + cos_q2 * S::from_f64(0.65) * w_42 - w_149
-            - w_150 + w_151 + self.k_8 * w_153 * w_155 - w_157 * w_158 * self.k_39
-            + w_159 + w_129 * w_120;
-        let w_161 = sin_q3 * self.k_29;
-        let mass_q5_q2 = cos_q4 * (cos_q5 * (self.k_30 - w_161) + self.k_31)
-            - w_132 * self.k_29;
+        let w_123 = sin_q5 * w_71;
+        let w_124 = cos_q3 * cos_q5;
+        let w_125 = self.d4 - self.a2 * sin_q3;
+        let w_126 = self.a2 * w_124 + w_98 * w_125;
+        let w_127 = self.d6 * cos_q5;
+        let w_128 = sin_q4 * (w_125 + w_127);
+        let w_129 = sin_q5 * cos_q3;
+        let w_130 = self.a2 * w_129 - cos_q4 * (self.d6 + cos_q5 * w_125);
+        let w_131 = cos_q6 * w_128 - sin_q6 * w_130;
+        let w_132 = sin_q6 * w_128 + cos_q6 * w_130;
+        let w_133 = self.m6 * (w_126 * w_83 + w_131 * w_61 + w_132 * w_62);
+        let w_135 = cos_q6 * cos_q4 - cos_q5 * w_100;
+        let w_136 = cos_q5 * w_102 + cos_q4 * sin_q6;
+        let w_137 = S::from_f64(0.0005) * (w_135 * w_31 + w_136 * w_33);
+        let w_138 = self.k_6 - S::from_f64(10.0) * w_125;
+        let w_139 = sin_q4 * w_138;
+        let w_140 = cos_q4 * w_138;
+        let w_141 = self.k_9 * (w_139 * w_107 + w_140 * w_109);
+        let w_168 = sin_q4 * (w_121 - w_122 + w_123 + self.k_19 * w_107);
+        let w_142 = sin_q4 * (S::from_f64(5.0) * w_125 + w_127);
+        let w_143 = self.k_13 * w_129;
+        let w_144 = w_143 - cos_q4 * (self.d6 + w_111 * w_125);
+        let w_145 = self.k_10 * (w_142 * w_67 + w_144 * w_63);
+        let w_146 = S::from_f64(0.16) * w_42;
+        let w_152 = S::from_f64(100.0) * w_151 + S::from_f64(3.0) * w_42
+            + self.k_5 * w_51;
+        let w_156 = cos_q3
+            * (w_51 * self.k_37 - self.k_6 * (w_25 * w_25 + w_7 * w_7)
+                + S::from_f64(10.0) * w_151) * self.k_40;
+        let w_147 = self.c * q2_dot;
+        let w_149 = cos_q3 * self.k_4;
+        let w_150 = S::from_f64(3.0) + w_149;
+        let w_153 = sin_q3 * self.k_13;
+        let w_154 = self.d4 - w_153;
+        let w_157 = tau2 + sin_q4 * (w_121 - w_122 + w_123) + w_133 - cos_q4 * w_134
+            - w_137 - w_141 + w_145 + cos_q2 * S::from_f64(0.65) * w_39 - w_146 - w_147
+            + w_148 + self.k_8 * w_150 * w_152 - w_154 * w_155 * self.k_39 + w_156
+            + w_126 * w_117;
+        let w_158 = sin_q3 * self.k_29;
+        let mass_q5_q2 = cos_q4 * (self.k_31 + cos_q5 * (self.k_30 - w_158))
+            - w_129 * self.k_29;
+        let mass_q4_q2 = sin_q4 * sin_q5 * (w_158 - w_120);
+        let minus_mass_q4_q3 = w_120 * w_85;
+        let mass_q6_q2 = w_85 * S::from_f64(0.002);
         let l_q2_q5 = mass_q5_q2 * self.inverse_q5;
-        let mass_q4_q2 = sin_q4 * sin_q5 * (w_161 - w_122 - self.k_30);
         let l_q2_q4 = mass_q4_q2 * inverse_q4;
         let sin_q4_squared = sin_q4 * sin_q4;
-        let w_10_squared = w_10 * w_10;
-        let w_162 = sin_q4_squared
-            * (sin_q5_squared * w_87 * w_87 * self.k_11
-                + w_10_squared * S::from_f64(0.006));
-        let w_163 = self.k_9 * (w_108 * w_108 + w_111 * w_111);
-        let w_164 = S::from_f64(0.007) * (w_102 * w_102 + w_92 * w_92);
-        let w_165 = self.k_10 * (w_113 * w_113 + w_115 * w_115);
-        let w_166 = S::from_f64(0.0015) * (w_106 * w_106 + w_104 * w_104);
-        let mass_q1_q1 = w_162 + self.m6 * (w_97 * w_97 + w_98 * w_98) + w_163 + w_164
-            + w_165 + w_166 + self.k_12 + S::from_f64(0.65) * sin_q2_squared
-            + w_81 * w_81 * self.k_7 + S::from_f64(0.1) * w_4 * w_4
-            + S::from_f64(0.3) * w_10_squared + w_117 * w_117 * self.k_8;
+        let w_4_squared = w_4 * w_4;
+        let w_159 = sin_q4_squared
+            * (sin_q5_squared * w_84 * w_84 * self.k_11
+                + w_4_squared * S::from_f64(0.006));
+        let w_181 = sin_q4_squared * S::from_f64(0.001);
+        let w_160 = self.k_9 * (w_105 * w_105 + w_108 * w_108);
+        let w_161 = S::from_f64(0.007) * (w_99 * w_99 + w_89 * w_89);
+        let w_164 = cos_q5 * w_89;
+        let w_165 = sin_q4
+            * (sin_q5 * (w_84 * self.k_11 * w_126 - S::from_f64(0.007) * w_99)
+                + w_88 * S::from_f64(0.006) - S::from_f64(0.007) * w_164);
+        let w_177 = sin_q4
+            * (cos_q4 * (sin_q5_squared * w_84 * self.k_20 + w_4 * S::from_f64(0.006))
+                - S::from_f64(0.007) * (sin_q5 * w_99 + w_164) + w_105 * self.k_19);
+        let w_183 = w_4 * self.g;
+        let w_162 = self.k_10 * (w_110 * w_110 + w_112 * w_112);
+        let w_163 = S::from_f64(0.0015) * (w_103 * w_103 + w_101 * w_101);
+        let mass_q1_q1 = self.k_12 + w_159 + self.m6 * (w_94 * w_94 + w_95 * w_95)
+            + w_160 + w_161 + w_162 + w_163 + S::from_f64(0.65) * sin_q2_squared
+            + w_78 * w_78 * self.k_7 + S::from_f64(0.1) * w * w
+            + S::from_f64(0.3) * w_4_squared + w_114 * w_114 * self.k_8;
+        let w_195 = w * self.g;
+        let w_196 = q2_dot
+            * (tau2 - w_147 + cos_q3 * w_195 * self.k_44 + sin_q2 * self.k_45);
+        let w_166 = S::from_f64(0.0015) * (w_103 * w_135 - w_101 * w_136);
+        let mass_q2_q1 = w_165 + self.k_9 * (w_108 * w_140 - w_105 * w_139)
+            - self.k_10 * (w_110 * w_142 + w_112 * w_144) + w_166
+            - self.m6 * (w_94 * w_131 + w_95 * w_132);
+        let k_q2_q1 = mass_q2_q1 - mass_q5_q1 * l_q2_q5 - mass_q4_q1 * l_q2_q4;
+        let w_180 = S::from_f64(0.0015) * (w_135 * w_135 + w_136 * w_136);
         let pivot_q1 = mass_q1_q1 - mass_q5_q1 * l_q1_q5 - mass_q4_q1 * l_q1_q4;
         let inverse_q1 = S::from_f64(1.0) / pivot_q1;
-        let w_167 = cos_q5 * w_92;
-        let w_168 = sin_q4
-            * (sin_q5 * (w_87 * self.k_11 * w_129 - S::from_f64(0.007) * w_102)
-                + w_91 * S::from_f64(0.006) - S::from_f64(0.007) * w_167);
-        let w_169 = S::from_f64(0.0015) * (w_106 * w_138 - w_104 * w_139);
-        let mass_q2_q1 = w_168 + self.k_9 * (w_111 * w_143 - w_108 * w_142)
-            - self.k_10 * (w_113 * w_145 + w_115 * w_147) + w_169
-            - self.m6 * (w_97 * w_134 + w_98 * w_135);
-        let k_q2_q1 = mass_q2_q1 - mass_q5_q1 * l_q2_q5 - mass_q4_q1 * l_q2_q4;
         let l_q2_q1 = inverse_q1 * k_q2_q1;
-        let rhs_q2 = w_160 - rhs_q5 * l_q2_q5 - rhs_q4 * l_q2_q4 - l_q2_q1 * rhs_q1;
-        let w_170 = cos_q4
-            * (sin_q5 * (self.k_18 * w_86 + w_119 * self.k_42) - w_137 - w_79
-                + self.k_19 * w_112);
-        let w_171 = sin_q4 * (w_124 - w_125 + w_126 + self.k_19 * w_110);
-        let w_172 = sin_q4 * (self.d4 + w_130);
-        let w_173 = cos_q4 * (self.d6 + self.d4 * cos_q5);
-        let w_174 = cos_q6 * w_172 + sin_q6 * w_173;
-        let w_175 = sin_q6 * w_172 - cos_q6 * w_173;
-        let w_176 = sin_q4 * (self.k_17 + w_130);
-        let w_177 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
+        let rhs_q2 = w_157 - rhs_q5 * l_q2_q5 - rhs_q4 * l_q2_q4 - l_q2_q1 * rhs_q1;
         let tau3 = self.tau3.or(-S::from_f64(20.0));
-        let w_178 = self.c * q3_dot;
-        let w_179 = w_170 + w_171 - w_140 + self.m6 * (w_174 * w_64 + w_175 * w_65)
-            + self.k_10 * (w_176 * w_69 - w_177 * w_66) + tau3 - w_149 - w_178
-            + self.k_21 * w_155 - w_158 * self.k_41;
+        let w_169 = sin_q4 * (self.d4 + w_127);
+        let w_173 = sin_q4 * (w_127 + self.k_17);
+        let w_170 = cos_q4 * (self.d6 + self.d4 * cos_q5);
+        let w_171 = cos_q6 * w_169 + sin_q6 * w_170;
+        let w_172 = sin_q6 * w_169 - cos_q6 * w_170;
+        let w_174 = cos_q4 * (self.d6 + cos_q5 * self.k_17);
+        let mass_q3_q1 = w_166 + w_177 + self.k_10 * (w_112 * w_174 - w_110 * w_173)
+            - self.m6 * (w_94 * w_171 + w_95 * w_172) - cos_q4 * w_108 * self.k_19;
+        let mass_q3_q3 = w_180 + w_181 + self.k_23
+            + self.m6 * (w_171 * w_171 + w_172 * w_172)
+            + self.k_10 * (w_173 * w_173 + w_174 * w_174)
+            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24;
+        let w_175 = self.c * q3_dot;
+        let w_176 = tau3 - w_137 - w_146 + w_167 + w_168
+            + self.m6 * (w_171 * w_61 + w_172 * w_62)
+            + self.k_10 * (w_173 * w_67 - w_174 * w_63) - w_175 + self.k_21 * w_152
+            - w_155 * self.k_41;
         let mass_q5_q3 = cos_q4 * (self.k_31 + cos_q5 * self.k_30);
         let l_q3_q5 = mass_q5_q3 * self.inverse_q5;
-        let minus_mass_q4_q3 = sin_q4 * sin_q5 * w_123;
         let minus_l_q3_q4 = minus_mass_q4_q3 * inverse_q4;
-        let w_180 = sin_q4
-            * (cos_q4 * (sin_q5_squared * w_87 * self.k_20 + w_10 * S::from_f64(0.006))
-                - S::from_f64(0.007) * (sin_q5 * w_102 + w_167) + w_108 * self.k_19);
-        let mass_q3_q1 = w_180 + w_169 + self.k_10 * (w_115 * w_177 - w_113 * w_176)
-            - self.m6 * (w_97 * w_174 + w_98 * w_175) - cos_q4 * w_111 * self.k_19;
         let k_q3_q1 = mass_q3_q1 - mass_q5_q1 * l_q3_q5 + mass_q4_q1 * minus_l_q3_q4;
         let l_q3_q1 = inverse_q1 * k_q3_q1;
-        let w_181 = self.k_9 * (w_142 * w_142 + w_143 * w_143);
-        let w_182 = self.k_10 * (w_145 * w_145 + w_147 * w_147);
-        let w_183 = S::from_f64(0.0015) * (w_138 * w_138 + w_139 * w_139);
-        let w_184 = sin_q4_squared * S::from_f64(0.001);
-        let mass_q2_q2 = self.m6 * (w_134 * w_134 + w_135 * w_135) + w_181 + w_182
-            + w_183 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_129 * w_129 + self.k_16
-            + self.k_8 * w_153 * w_153 + w_157 * w_157 * self.k_15 + w_184;
+        let w_178 = self.k_9 * (w_139 * w_139 + w_140 * w_140);
+        let w_182 = cos_q4 * (sin_q5 * w_126 * self.k_20 - w_140 * self.k_19);
+        let mass_q3_q2 = w_180 + w_181 + S::from_f64(0.316) + w_182
+            + self.m6 * (w_131 * w_171 + w_132 * w_172)
+            + self.k_10 * (w_142 * w_173 - w_144 * w_174) + w_150 * self.k_21
+            + w_154 * self.k_22 - sin_q4 * w_139 * self.k_19;
+        let w_179 = self.k_10 * (w_142 * w_142 + w_144 * w_144);
+        let mass_q2_q2 = self.k_16 + self.m6 * (w_131 * w_131 + w_132 * w_132) + w_178
+            + w_179 + w_180 + cos_q3 * cos_q3 * self.k_14 + self.k_11 * w_126 * w_126
+            + self.k_8 * w_150 * w_150 + w_154 * w_154 * self.k_15 + w_181;
+        let k_q3_q2 = mass_q3_q2 - mass_q5_q2 * l_q3_q5 + mass_q4_q2 * minus_l_q3_q4
+            - k_q2_q1 * l_q3_q1;
         let pivot_q2 = mass_q2_q2 - mass_q5_q2 * l_q2_q5 - mass_q4_q2 * l_q2_q4
             - k_q2_q1 * l_q2_q1;
         let inverse_q2 = S::from_f64(1.0) / pivot_q2;
-        let w_185 = cos_q4 * (sin_q5 * w_129 * self.k_20 - w_143 * self.k_19);
-        let mass_q3_q2 = w_185 + self.m6 * (w_134 * w_174 + w_135 * w_175) + w_183
-            + self.k_10 * (w_145 * w_176 - w_147 * w_177) + w_184 + w_153 * self.k_21
-            + w_157 * self.k_22 - sin_q4 * w_142 * self.k_19 + S::from_f64(0.316);
-        let k_q3_q2 = mass_q3_q2 - mass_q5_q2 * l_q3_q5 + mass_q4_q2 * minus_l_q3_q4
-            - k_q2_q1 * l_q3_q1;
         let l_q3_q2 = inverse_q2 * k_q3_q2;
-        let rhs_q3 = w_179 - rhs_q5 * l_q3_q5 + rhs_q4 * minus_l_q3_q4 - l_q3_q1 * rhs_q1
+        let rhs_q3 = w_176 - rhs_q5 * l_q3_q5 + rhs_q4 * minus_l_q3_q4 - l_q3_q1 * rhs_q1
             - l_q3_q2 * rhs_q2;
-        let tau6 = self.tau6.or(S::from_f64(0.0));
-        let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
-        let l_q6_q4 = mass_q6_q4 * inverse_q4;
-        let minus_k_q6_q1 = w_102 * S::from_f64(0.002) + mass_q4_q1 * l_q6_q4;
-        let minus_l_q6_q1 = inverse_q1 * minus_k_q6_q1;
-        let mass_q6_q2 = S::from_f64(0.002) * w_88;
-        let k_q6_q2 = mass_q6_q2 - mass_q4_q2 * l_q6_q4 + k_q2_q1 * minus_l_q6_q1;
-        let l_q6_q2 = inverse_q2 * k_q6_q2;
-        let mass_q3_q3 = self.m6 * (w_174 * w_174 + w_175 * w_175) + w_183
-            + self.k_10 * (w_176 * w_176 + w_177 * w_177) + self.k_23
-            + sin_q5_squared * cos_q4 * cos_q4 * self.k_24 + w_184;
         let pivot_q3 = mass_q3_q3 - mass_q5_q3 * l_q3_q5
             - minus_mass_q4_q3 * minus_l_q3_q4 - k_q3_q1 * l_q3_q1 - k_q3_q2 * l_q3_q2;
-        let inverse_q3 = S::from_f64(1.0) / pivot_q3;
+        let tau6 = self.tau6.or(S::from_f64(0.0));
+        let w_197 = S::from_f64(0.025)
+            * (q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
+                + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot)
+                + q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot));
+        let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
+        let l_q6_q4 = mass_q6_q4 * inverse_q4;
+        let minus_k_q6_q1 = w_99 * S::from_f64(0.002) + mass_q4_q1 * l_q6_q4;
+        let minus_l_q6_q1 = inverse_q1 * minus_k_q6_q1;
+        let k_q6_q2 = mass_q6_q2 - mass_q4_q2 * l_q6_q4 + k_q2_q1 * minus_l_q6_q1;
+        let l_q6_q2 = inverse_q2 * k_q6_q2;
         let k_q6_q3 = mass_q6_q2 + minus_mass_q4_q3 * l_q6_q4 + k_q3_q1 * minus_l_q6_q1
             - k_q3_q2 * l_q6_q2;
+        let inverse_q3 = S::from_f64(1.0) / pivot_q3;
         let l_q6_q3 = inverse_q3 * k_q6_q3;
         let pivot_q6 = S::from_f64(0.002) - mass_q6_q4 * l_q6_q4
             - minus_k_q6_q1 * minus_l_q6_q1 - k_q6_q2 * l_q6_q2 - k_q6_q3 * l_q6_q3;
         let q6_ddot = S::from_f64(1.0) / pivot_q6
-            * (w_74 + tau6 - q6_dot * self.k_43 - rhs_q4 * l_q6_q4
+            * (w_71 + tau6 - q6_dot * self.k_43 - rhs_q4 * l_q6_q4
                 + minus_l_q6_q1 * rhs_q1 - l_q6_q2 * rhs_q2 - l_q6_q3 * rhs_q3);
         let q3_ddot = inverse_q3 * rhs_q3 - l_q6_q3 * q6_ddot;
         let q2_ddot = inverse_q2 * rhs_q2 - l_q3_q2 * q3_ddot - l_q6_q2 * q6_ddot;
         let q1_ddot = inverse_q1 * rhs_q1 - l_q2_q1 * q2_ddot - l_q3_q1 * q3_ddot
             + minus_l_q6_q1 * q6_ddot;
-        let w_186 = self.g * (w_9 - w_8);
-        let w_187 = q1_dot * w_47 + self.d4 * w_11;
-        let w_188 = self.d4 * w_12;
-        let w_189 = self.a2 * q2_dot;
-        let w_190 = w_188 - sin_q3 * w_189;
-        let w_191 = sin_q4 * w_187 + cos_q4 * w_190;
-        let w_192 = sin_q4 * w_190;
-        let w_193 = cos_q4 * w_187;
-        let w_194 = self.k_48
-            * (cos_q4 * (self.k_6 * w_28 - S::from_f64(10.0) * w_191)
-                - sin_q4 * (S::from_f64(10.0) * (w_192 - w_193) + self.k_6 * w_13));
-        let w_195 = self.d6 * w_16;
-        let w_196 = w_186
-            * (w_194 - (w_188 - w_156 * q2_dot) * self.k_47
-                + sin_q4 * self.k_35 * (S::from_f64(5.0) * (w_193 - w_192) + w_195));
-        let w_197 = w_4 * self.g;
-        let w_198 = q2_dot
-            * (cos_q3 * w_197 * self.k_44 + (tau2 - w_150) + sin_q2 * self.k_45);
-        let w_199 = S::from_f64(0.025)
-            * (q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
-                + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot)
-                + q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot));
-        let w_200 = w_193 - w_192 + w_195;
-        let w_201 = self.d6 * w_19;
-        let w_202 = w_201 - w_132 * w_189 + cos_q5 * w_191;
-        let w_203 = sin_q5 * w_197 + cos_q4 * cos_q5 * w_186;
-        let w_204 = (cos_q6 * w_200 - sin_q6 * w_202) * (w_105 * w_186 + sin_q6 * w_203)
-            - (cos_q6 * w_203 - w_103 * w_186) * (sin_q6 * w_200 + cos_q6 * w_202);
-        let w_205 = self.k_11 * (w_127 * w_189 + sin_q5 * w_191)
-            * (cos_q5 * w_197 - w_101 * w_186);
-        let w_206 = self.k_35 * w_203 * (w_201 - w_146 * q2_dot + w_114 * w_191);
+        let w_184 = self.d4 * w_6;
+        let w_185 = self.a2 * q2_dot;
+        let w_186 = w_184 - sin_q3 * w_185;
+        let w_187 = sin_q4 * w_186;
+        let w_191 = sin_q4 * w_188 + cos_q4 * w_186;
+        let w_189 = cos_q4 * w_188;
+        let w_200 = w_199 - w_129 * w_185 + cos_q5 * w_191;
+        let w_203 = self.k_11 * (w_124 * w_185 + sin_q5 * w_191)
+            * (cos_q5 * w_195 + w_98 * w_183);
+        let w_190 = w_187 - w_189;
+        let w_192 = self.k_48
+            * (sin_q4 * (S::from_f64(10.0) * w_190 + self.k_6 * w_7)
+                - cos_q4 * (self.k_6 * w_25 - S::from_f64(10.0) * w_191));
+        let w_194 = w_183
+            * (w_192 + (w_184 - w_153 * q2_dot) * self.k_47
+                - sin_q4 * self.k_35 * (w_193 - S::from_f64(5.0) * w_190));
+        let w_198 = w_189 - w_187 + w_193;
+        let w_201 = sin_q5 * w_195 - cos_q4 * cos_q5 * w_183;
+        let w_202 = (cos_q6 * w_198 - sin_q6 * w_200) * (sin_q6 * w_201 - w_102 * w_183)
+            - (cos_q6 * w_201 + w_100 * w_183) * (sin_q6 * w_198 + cos_q6 * w_200);
+        let w_204 = self.k_35 * w_201 * (w_199 - w_143 * q2_dot + w_111 * w_191);
         sim_kernel::Dynamics {
             accelerations: [
                 q1_ddot,
@@ -2172,9 +2129,9 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
                 q6_ddot,
             ],
             multipliers: [],
-            power: w_196 + w_198 + w_199 + self.m6 * w_204 + w_205
-                + q1_dot * (tau1 - q1_dot * self.c) + q3_dot * (tau3 - w_178)
-                + w_197 * (S::from_f64(3.0) * w_12 + w_152 * q2_dot) * self.k_46 - w_206,
+            power: w_194 + w_196 + w_197 + self.m6 * w_202 + w_203
+                + q1_dot * (tau1 - q1_dot * self.c) + q3_dot * (tau3 - w_175)
+                + w_195 * (S::from_f64(3.0) * w_6 + w_149 * q2_dot) * self.k_46 - w_204,
             refused: sim_kernel::pivot_is_refused(self.mass_q5_q5, self.mass_q5_q5)
                 | sim_kernel::pivot_is_refused(mass_q4_q4, mass_q4_q4)
                 | sim_kernel::pivot_is_refused(pivot_q1, mass_q1_q1)
@@ -2185,7 +2142,7 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
     }
     /// Inverse dynamics `T_q' (M x'' - F)`, 6: the forces along the coordinates that must be added for these accelerations where there are no constraints, joules per unit of each coordinate.
     ///
-    /// Operations: 208 additions, 250 multiplications, 5 sine-cosine pairs.
+    /// Operations: 205 additions, 248 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn inverse_dynamics(
         &self,
@@ -2213,172 +2170,174 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         ) = S::sin_cos_each([q4, q5, q2, q3, q6]);
         let w = q1_dot * q2_dot;
         let w_2 = cos_q2 * w;
+        let w_11 = sin_q2 * w;
         let w_3 = sin_q2 * q1_ddot;
         let w_4 = S::from_f64(2.0) * w_2 + w_3;
-        let w_5 = (sin_q2 * cos_q3 + cos_q2 * sin_q3) * q1_dot;
-        let w_6 = q2_dot + q3_dot;
-        let w_7 = q3_dot + w_6;
-        let w_8 = w_2 + w_3;
-        let w_9 = sin_q3 * w_8;
-        let w_10 = sin_q2 * w;
-        let w_11 = cos_q2 * q1_ddot;
-        let w_12 = w_10 - w_11;
-        let w_13 = cos_q3 * w_12;
-        let w_14 = w_5 * w_7 + w_9 + w_13;
-        let w_15 = self.a1 * q1_ddot + self.a2 * w_4 - self.d4 * w_14;
-        let w_16 = cos_q4 * w_15;
-        let w_17 = q4_dot - w_5;
-        let w_18 = cos_q5 * w_17;
-        let w_19 = (cos_q2 * cos_q3 - sin_q2 * sin_q3) * q1_dot;
-        let w_20 = cos_q4 * w_19 - sin_q4 * w_6;
-        let w_21 = sin_q5 * w_20;
-        let w_22 = w_18 - w_21;
-        let w_23 = cos_q4 * w_6;
-        let w_24 = sin_q4 * w_19;
-        let w_25 = q5_dot + w_23 + w_24;
-        let w_26 = q3_dot * w_19;
-        let w_27 = sin_q3 * w_12;
-        let w_28 = cos_q3 * w_8;
-        let w_29 = w_26 - q4_ddot - w_27 + w_28;
-        let w_30 = sin_q5 * w_29;
-        let w_31 = w_23 + w_24;
-        let w_32 = q2_ddot + q3_ddot;
-        let w_33 = sin_q4 * w_32;
-        let w_34 = q3_dot * w_5 + w_9 + w_13;
-        let w_35 = cos_q4 * w_34;
-        let w_36 = q4_dot * w_31 + w_33 + w_35;
-        let w_37 = cos_q5 * w_36;
-        let w_38 = self.d6 * (w_22 * (q5_dot + w_25) - w_30 - w_37);
+        let w_5 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+        let w_6 = w_5 * q1_dot;
+        let w_7 = q2_dot + q3_dot;
+        let w_8 = q3_dot + w_7;
+        let w_9 = w_3 + w_2;
+        let w_10 = sin_q3 * w_9;
+        let w_30 = cos_q3 * w_9;
+        let w_12 = cos_q2 * q1_ddot;
+        let w_13 = w_11 - w_12;
+        let w_14 = cos_q3 * w_13;
+        let w_29 = sin_q3 * w_13;
+        let w_15 = w_6 * w_8 + w_10 + w_14;
+        let w_36 = q3_dot * w_6 + w_10 + w_14;
+        let w_16 = self.a1 * q1_ddot + self.a2 * w_4 - self.d4 * w_15;
+        let w_17 = cos_q4 * w_16;
+        let w_18 = q4_dot - w_6;
+        let w_19 = cos_q5 * w_18;
+        let w_20 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
+        let w_21 = w_20 * q1_dot;
+        let w_86 = S::from_f64(3.0) * (w_21 * w_8 - w_29 + w_30) + self.k_3 * q1_ddot
+            + self.k_4 * w_4 - self.k_5 * w_15;
+        let w_85 = self.k * q1_ddot + self.k_2 * w_4;
+        let w_22 = cos_q4 * w_21 - sin_q4 * w_7;
+        let w_23 = sin_q5 * w_22;
+        let w_24 = w_19 - w_23;
+        let w_91 = w_19 - w_23 + q6_dot;
+        let w_25 = cos_q4 * w_7;
+        let w_26 = sin_q4 * w_21;
+        let w_27 = w_25 + w_26 + q5_dot;
+        let w_33 = w_25 + w_26;
+        let w_28 = q3_dot * w_21;
+        let w_31 = w_28 - w_29 + w_30 - q4_ddot;
+        let w_32 = sin_q5 * w_31;
+        let w_99 = cos_q5 * w_31;
+        let w_34 = q2_ddot + q3_ddot;
+        let w_35 = sin_q4 * w_34;
+        let w_37 = cos_q4 * w_36;
+        let w_38 = q4_dot * w_33 + w_35 + w_37;
+        let w_39 = cos_q5 * w_38;
+        let w_40 = self.d6 * (w_24 * (q5_dot + w_27) - w_32 - w_39);
+        let w_90 = q5_dot * w_24 - w_32 - w_39;
         let q1_dot_squared = q1_dot * q1_dot;
-        let w_39 = self.a2 * (q2_dot * q2_dot + sin_q2 * sin_q2 * q1_dot_squared)
+        let w_41 = self.a2 * (q2_dot * q2_dot + sin_q2 * sin_q2 * q1_dot_squared)
             + self.a1 * sin_q2 * q1_dot_squared - cos_q2 * self.g;
-        let w_40 = cos_q3 * w_39;
-        let w_41 = w_19 * w_5;
-        let w_42 = w_41 + q2_ddot + q3_ddot;
-        let w_43 = cos_q2 * q1_dot_squared;
-        let w_44 = sin_q2 * w_43;
-        let w_45 = w_44 - q2_ddot;
-        let w_46 = self.a1 * w_43 + sin_q2 * self.g + self.a2 * w_45;
-        let w_47 = sin_q3 * w_46;
-        let w_48 = w_40 + self.d4 * w_42 + w_47;
-        let w_49 = sin_q4 * w_48;
-        let w_50 = w_16 + w_38 - w_49;
-        let w_51 = q4_dot * w_20;
-        let w_52 = sin_q5 * w_17 + cos_q5 * w_20;
-        let w_53 = w_52 * w_22;
-        let w_54 = cos_q4 * w_32;
-        let w_55 = sin_q4 * w_34;
-        let w_56 = self.d6 * (w_51 - w_53 + q5_ddot + w_54 - w_55);
-        let w_6_squared = w_6 * w_6;
-        let w_57 = w_6_squared + w_19 * w_19;
-        let w_58 = sin_q3 * w_39;
-        let w_59 = cos_q3 * w_46;
-        let w_60 = self.d4 * w_57 - w_58 + w_59;
-        let w_61 = sin_q5 * w_60;
-        let w_62 = sin_q4 * w_15 + cos_q4 * w_48;
-        let w_63 = cos_q5 * w_62;
-        let w_64 = w_56 + w_61 + w_63;
-        let w_65 = sin_q6 * w_50 + cos_q6 * w_64;
-        let w_66 = cos_q6 * w_50 - sin_q6 * w_64;
-        let w_67 = sin_q6 * w_65 + cos_q6 * w_66;
-        let w_68 = w_16 - w_49;
-        let w_69 = q4_dot - w_17;
-        let w_70 = S::from_f64(10.0) * w_68 + self.k_6 * (w_31 * w_69 + w_33 + w_35);
-        let w_71 = S::from_f64(5.0) * w_68 + w_38;
-        let w_72 = self.k_51 * w_67 + self.m4 * w_70 + w_71 * self.k_50;
-        let w_73 = cos_q5 * w_60;
-        let w_74 = sin_q5 * w_62;
-        let w_75 = self.d6 * (w_25 * w_25 + w_52 * w_52);
-        let w_76 = self.m5 * (S::from_f64(5.0) * (w_73 - w_74) + w_75)
-            + self.k_49 * (w_75 - w_74 + w_73);
-        let w_77 = cos_q6 * w_65 - sin_q6 * w_66;
-        let w_78 = self.m5 * (S::from_f64(5.0) * (w_61 + w_63) + w_56);
-        let w_79 = self.k_49 * w_77 + w_78;
-        let w_80 = self.k_6 * (w_20 * w_69 + w_54 - w_55) - S::from_f64(10.0) * w_62;
-        let w_81 = S::from_f64(2.0) * (sin_q5 * w_76 - cos_q5 * w_79) + self.m4 * w_80;
-        let w_82 = cos_q4 * w_72 - sin_q4 * w_81;
-        let w_83 = self.k * q1_ddot + self.k_2 * w_4;
-        let w_84 = S::from_f64(3.0) * (w_19 * w_7 - w_27 + w_28) + self.k_3 * q1_ddot
-            + self.k_4 * w_4 - self.k_5 * w_14;
-        let w_85 = self.m3 * w_84;
-        let w_86 = w_17 * S::from_f64(80.0);
-        let w_87 = q5_dot * w_22 - w_30 - w_37;
-        let w_88 = cos_q6 * w_25 + sin_q6 * w_52;
-        let w_89 = w_51 + q5_ddot + w_54 - w_55;
-        let w_90 = q6_dot + w_18 - w_21;
-        let w_91 = S::from_f64(3.0) * (q6_dot * w_88 - cos_q6 * w_87 + sin_q6 * w_89)
-            + w_90 * w_88;
-        let w_92 = cos_q6 * w_52 - sin_q6 * w_25;
-        let w_93 = S::from_f64(3.0) * (q6_dot * w_92 + cos_q6 * w_89 + sin_q6 * w_87)
-            + w_92 * w_90;
-        let w_94 = S::from_f64(14.0) * w_87 + S::from_f64(2.0) * w_25 * w_22
-            + (w_67 * self.k_55 + self.m5 * w_71) * self.k_56 - cos_q6 * w_91
-            + sin_q6 * w_93;
-        let w_95 = q5_dot * w_52;
-        let w_96 = cos_q5 * w_29;
-        let w_97 = sin_q5 * w_36;
-        let w_98 = S::from_f64(7.0) * (w_95 + w_96 - w_97) - w_52 * w_25
+        let w_45 = cos_q2 * q1_dot_squared;
+        let w_42 = cos_q3 * w_41;
+        let w_54 = sin_q3 * w_41;
+        let w_43 = w_21 * w_6;
+        let w_44 = q2_ddot + q3_ddot + w_43;
+        let w_46 = sin_q2 * w_45;
+        let w_47 = w_46 - q2_ddot;
+        let w_48 = sin_q2 * self.g + self.a1 * w_45 + self.a2 * w_47;
+        let w_121 = self.k_38 * (sin_q2 * self.k_36 + self.k * w_45 + self.k_2 * w_47);
+        let w_49 = sin_q3 * w_48;
+        let w_55 = cos_q3 * w_48;
+        let w_50 = w_42 + self.d4 * w_44 + w_49;
+        let w_58 = sin_q4 * w_16 + cos_q4 * w_50;
+        let w_51 = sin_q4 * w_50;
+        let w_52 = w_17 + w_40 - w_51;
+        let w_70 = w_17 - w_51;
+        let w_73 = w_40 + S::from_f64(5.0) * w_70;
+        let w_7_squared = w_7 * w_7;
+        let w_118 = self.m3
+            * (S::from_f64(3.0) * (w_7_squared + w_6 * w_6)
+                + S::from_f64(100.0) * (w_42 + w_49) + self.k_5 * w_44);
+        let w_53 = w_7_squared + w_21 * w_21;
+        let w_56 = self.d4 * w_53 - w_54 + w_55;
+        let w_112 = w_55 - w_54;
+        let w_57 = sin_q5 * w_56;
+        let w_76 = cos_q5 * w_56;
+        let w_59 = cos_q5 * w_58;
+        let w_60 = q4_dot * w_22;
+        let w_61 = sin_q5 * w_18 + cos_q5 * w_22;
+        let w_62 = w_61 * w_24;
+        let w_63 = cos_q4 * w_34;
+        let w_64 = sin_q4 * w_36;
+        let w_65 = self.d6 * (w_60 - w_62 + w_63 - w_64 + q5_ddot);
+        let w_66 = w_57 + w_59 + w_65;
+        let w_80 = self.m5 * (S::from_f64(5.0) * (w_57 + w_59) + w_65);
+        let w_67 = sin_q6 * w_52 + cos_q6 * w_66;
+        let w_68 = cos_q6 * w_52 - sin_q6 * w_66;
+        let w_69 = sin_q6 * w_67 + cos_q6 * w_68;
+        let w_79 = cos_q6 * w_67 - sin_q6 * w_68;
+        let w_71 = q4_dot - w_18;
+        let w_72 = S::from_f64(10.0) * w_70 + self.k_6 * (w_33 * w_71 + w_35 + w_37);
+        let w_82 = self.k_6 * (w_22 * w_71 + w_63 - w_64) - S::from_f64(10.0) * w_58;
+        let w_77 = sin_q5 * w_58;
+        let w_89 = w_18 * S::from_f64(80.0);
+        let w_74 = self.k_51 * w_69 + self.m4 * w_72 + w_73 * self.k_50;
+        let w_75 = self.d6 * (w_27 * w_27 + w_61 * w_61);
+        let w_78 = self.m5 * (w_75 + S::from_f64(5.0) * (w_76 - w_77))
+            + self.k_49 * (w_75 - w_77 + w_76);
+        let w_81 = self.k_49 * w_79 + w_80;
+        let w_103 = w_80 + w_79 * self.k_55;
+        let w_83 = S::from_f64(2.0) * (sin_q5 * w_78 - cos_q5 * w_81) + self.m4 * w_82;
+        let w_84 = cos_q4 * w_74 - sin_q4 * w_83;
+        let w_87 = sin_q2
+            * ((S::from_f64(40.0) * w_84 + w_85 * self.k_52 + w_86 * self.k_53)
+                * self.k_60
+                + S::from_f64(0.05)
+                    * (w_2 * S::from_f64(29.0) + w_3 * S::from_f64(15.0)));
+        let w_119 = cos_q4 * w_83 + sin_q4 * w_74;
+        let w_88 = self.m3 * w_86;
+        let w_92 = cos_q6 * w_27 + sin_q6 * w_61;
+        let w_93 = w_60 + w_63 - w_64 + q5_ddot;
+        let w_94 = w_91 * w_92
+            + S::from_f64(3.0) * (q6_dot * w_92 - cos_q6 * w_90 + sin_q6 * w_93);
+        let w_95 = cos_q6 * w_61 - sin_q6 * w_27;
+        let w_96 = w_95 * w_91
+            + S::from_f64(3.0) * (q6_dot * w_95 + cos_q6 * w_93 + sin_q6 * w_90);
+        let w_97 = S::from_f64(14.0) * w_90 + S::from_f64(2.0) * w_27 * w_24
+            + (self.m5 * w_73 + w_69 * self.k_55) * self.k_56 - cos_q6 * w_94
+            + sin_q6 * w_96;
+        let w_104 = sin_q6 * w_94;
+        let w_105 = cos_q6 * w_96;
+        let w_106 = S::from_f64(132.0) * (w_60 + w_63 - w_64) - w_22 * w_89
+            - w_62 * S::from_f64(4.0) + q5_ddot * S::from_f64(12.0) + self.k_56 * w_103
+            + w_104 + w_105 + w_82 * self.k_57;
+        let w_98 = q5_dot * w_61;
+        let w_100 = sin_q5 * w_38;
+        let w_101 = S::from_f64(7.0) * (w_98 + w_99 - w_100) - w_61 * w_27
             - S::from_f64(2.0) * q6_ddot;
-        let w_99 = w_36 * S::from_f64(120.0) - w_31 * w_86 + w_70 * self.k_57
-            - cos_q5 * w_94 - sin_q5 * S::from_f64(2.0) * w_98;
-        let w_100 = w_77 * self.k_55 + w_78;
-        let w_101 = sin_q6 * w_91;
-        let w_102 = cos_q6 * w_93;
-        let w_103 = S::from_f64(132.0) * (w_51 + w_54 - w_55) - w_20 * w_86
-            - w_53 * S::from_f64(4.0) + q5_ddot * S::from_f64(12.0) + self.k_56 * w_100
-            + w_101 + w_102 + w_80 * self.k_57;
-        let w_104 = S::from_f64(0.0005)
-            * (w_34 * S::from_f64(480.0) + w_6 * w_5 * S::from_f64(340.0)
-                - (w_82 * S::from_f64(50.0) + w_85) * self.k_58 + cos_q4 * w_99
-                - sin_q4 * w_103);
-        let w_105 = sin_q5 * w_94;
-        let w_106 = cos_q5 * w_98;
-        let w_107 = S::from_f64(0.0001)
-            * (S::from_f64(1000.0) * (w_26 - w_27 + w_28)
-                + S::from_f64(100.0) * w_19 * w_6 - S::from_f64(200.0) * q4_ddot
-                + w_84 * self.k_59 - S::from_f64(5.0) * w_105
-                + S::from_f64(10.0) * w_106);
-        let w_108 = (S::from_f64(40.0) * w_82 + w_83 * self.k_52 + w_84 * self.k_53)
-            * self.k_60 + sin_q3 * w_104 + cos_q3 * w_107
-            + S::from_f64(0.05) * (w_2 * S::from_f64(29.0) + w_3 * S::from_f64(15.0));
-        let w_109 = cos_q2
-            * (sin_q3 * w_107 - cos_q3 * w_104
-                - S::from_f64(0.05)
-                    * (S::from_f64(3.0) * w_10 - S::from_f64(2.0) * w_11));
-        let w_110 = S::from_f64(0.0005) * (sin_q4 * w_99 + cos_q4 * w_103);
-        let w_111 = w_59 - w_58;
-        let w_112 = S::from_f64(3.0) * (w_41 - q2_ddot - q3_ddot)
-            + S::from_f64(100.0) * w_111 + self.k_5 * w_57;
-        let w_113 = (self.m3 * w_112
-            + (S::from_f64(10.0) * w_111 + w_57 * self.k_37
-                - self.k_6 * (w_31 * w_31 + w_20 * w_20)) * self.k_63) * self.k_66;
-        let w_114 = cos_q3 * (self.k_65 * (sin_q5 * w_79 + cos_q5 * w_76) + w_113);
-        let w_115 = S::from_f64(0.16) * w_41;
-        let w_116 = self.k_21 * w_112;
-        let w_117 = self.m3
-            * (S::from_f64(3.0) * (w_6_squared + w_5 * w_5)
-                + S::from_f64(100.0) * (w_40 + w_47) + self.k_5 * w_42);
-        let w_118 = cos_q4 * w_81 + sin_q4 * w_72;
-        let w_119 = (w_117 - S::from_f64(50.0) * w_118) * self.k_64;
-        let w_120 = self.k_38 * (self.k * w_43 + sin_q2 * self.k_36 + self.k_2 * w_45);
+        let w_102 = w_38 * S::from_f64(120.0) - w_33 * w_89 + w_72 * self.k_57
+            - cos_q5 * w_97 - sin_q5 * S::from_f64(2.0) * w_101;
+        let w_107 = w_20 * S::from_f64(0.0005)
+            * (w_36 * S::from_f64(480.0) + w_7 * w_6 * S::from_f64(340.0)
+                - (w_88 + w_84 * S::from_f64(50.0)) * self.k_58 + cos_q4 * w_102
+                - sin_q4 * w_106);
+        let w_116 = S::from_f64(0.0005) * (sin_q4 * w_102 + cos_q4 * w_106);
+        let w_108 = sin_q5 * w_97;
+        let w_109 = cos_q5 * w_101;
+        let w_110 = w_5 * S::from_f64(0.0001)
+            * (S::from_f64(1000.0) * (w_28 - w_29 + w_30)
+                + S::from_f64(100.0) * w_21 * w_7 - S::from_f64(200.0) * q4_ddot
+                + w_86 * self.k_59 - S::from_f64(5.0) * w_108
+                + S::from_f64(10.0) * w_109);
+        let w_111 = S::from_f64(0.16) * w_43;
+        let w_113 = self.k_5 * w_53 + S::from_f64(3.0) * (w_43 - w_34)
+            + S::from_f64(100.0) * w_112;
+        let w_114 = (self.m3 * w_113
+            + (w_53 * self.k_37 - self.k_6 * (w_33 * w_33 + w_22 * w_22)
+                + S::from_f64(10.0) * w_112) * self.k_63) * self.k_66;
+        let w_115 = cos_q3 * (self.k_65 * (sin_q5 * w_81 + cos_q5 * w_78) + w_114);
+        let w_117 = self.k_21 * w_113;
+        let w_120 = (w_118 - S::from_f64(50.0) * w_119) * self.k_64;
         [
-            sin_q2 * w_108 + w_109 - self.tau1.or(S::from_f64(0.0)) + q1_dot * self.c
-                + q1_ddot * self.k_62
-                + (S::from_f64(10.0) * w_82 + w_83 * self.k_54 + w_85) * self.k_61,
-            w_110 - w_114 - self.tau2.or(-S::from_f64(60.0)) - S::from_f64(0.65) * w_44
-                + w_115 + self.c * q2_dot + q2_ddot * S::from_f64(1.05)
-                + q3_ddot * S::from_f64(0.25) - w_116 + w_119
-                - sin_q3 * (w_117 - S::from_f64(10.0) * w_118) * self.k_66 - w_120,
-            w_32 * S::from_f64(0.25) + w_110 - self.tau3.or(-S::from_f64(20.0)) + w_115
-                + self.c * q3_dot - w_116 + w_119,
-            S::from_f64(0.02) * (q4_ddot - w_26 + w_27 - w_28)
-                - self.tau4.or(S::from_f64(0.0)) + q4_dot * self.k_43
-                + S::from_f64(0.0005) * w_105 - S::from_f64(0.001) * w_106,
-            S::from_f64(0.006) * w_89 + S::from_f64(0.0005) * (w_101 + w_102)
-                - self.tau5.or(S::from_f64(0.0)) - S::from_f64(0.002) * w_53
-                + q5_dot * self.k_43 + w_100 * self.k_67,
-            S::from_f64(0.002) * (q6_ddot - w_95 - w_96 + w_97)
-                - self.tau6.or(S::from_f64(0.0)) + q6_dot * self.k_43,
+            q1_dot * self.c - self.tau1.or(S::from_f64(0.0)) + w_87 + q1_ddot * self.k_62
+                + (w_85 * self.k_54 + w_88 + S::from_f64(10.0) * w_84) * self.k_61
+                - w_107 + w_110
+                - cos_q2 * S::from_f64(0.05)
+                    * (S::from_f64(3.0) * w_11 - S::from_f64(2.0) * w_12),
+            w_111 - self.tau2.or(-S::from_f64(60.0)) - S::from_f64(0.65) * w_46
+                + self.c * q2_dot - w_115 + w_116 + q2_ddot * S::from_f64(1.05)
+                + q3_ddot * S::from_f64(0.25) - w_117 + w_120
+                - sin_q3 * (w_118 - S::from_f64(10.0) * w_119) * self.k_66 - w_121,
+            w_111 - self.tau3.or(-S::from_f64(20.0)) + self.c * q3_dot + w_116 - w_117
+                + w_120 + w_34 * S::from_f64(0.25),
+            q4_dot * self.k_43 - self.tau4.or(S::from_f64(0.0))
+                + S::from_f64(0.02) * (w_29 - w_28 - w_30 + q4_ddot)
+                + S::from_f64(0.0005) * w_108 - S::from_f64(0.001) * w_109,
+            q5_dot * self.k_43 - self.tau5.or(S::from_f64(0.0))
+                - S::from_f64(0.002) * w_62 + S::from_f64(0.006) * w_93
+                + S::from_f64(0.0005) * (w_104 + w_105) + w_103 * self.k_67,
+            q6_dot * self.k_43 - self.tau6.or(S::from_f64(0.0))
+                + S::from_f64(0.002) * (q6_ddot - w_98 - w_99 + w_100),
         ]
     }
 }

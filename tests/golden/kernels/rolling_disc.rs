@@ -248,7 +248,8 @@ pub struct RollingDiscPrepared<S = ::core::primitive::f64> {
     k: S,
     k_2: S,
     inverse_z: S,
-    inverse_lean: S,
+    pivot_lambda_ground: S,
+    minus_inverse_lambda_ground: S,
     k_3: S,
     k_4: S,
     k_5: S,
@@ -261,29 +262,29 @@ pub struct RollingDiscPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> RollingDisc<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 15 multiplications, 2 divisions.
+    /// Operations: 1 addition, 15 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> RollingDiscPrepared<S> {
         let r_squared = self.r * self.r;
-        let A_ = self.m * S::from_f64(0.25) * r_squared;
         let w = self.m * self.g;
         let inverse_m = S::from_f64(1.0) / self.m;
         RollingDiscPrepared {
             m: self.m,
             r: self.r,
-            A_: A_,
+            A_: self.m * S::from_f64(0.25) * r_squared,
             C_: self.m * r_squared * S::from_f64(0.5),
             minus_rhs_z: w,
             k: self.m * r_squared,
             k_2: self.r * S::from_f64(2.0),
             inverse_z: inverse_m,
-            inverse_lean: S::from_f64(1.0) / A_,
+            pivot_lambda_ground: -inverse_m,
+            minus_inverse_lambda_ground: S::from_f64(1.0) / inverse_m,
             k_3: w * inverse_m,
-            k_4: self.r * S::from_f64(3.0),
-            k_5: self.r * S::from_f64(4.0),
-            k_6: self.r * S::from_f64(10.0),
-            k_7: self.r * S::from_f64(12.0),
-            k_8: self.r * S::from_f64(6.0),
+            k_4: self.r * S::from_f64(4.0),
+            k_5: self.r * S::from_f64(10.0),
+            k_6: self.r * S::from_f64(12.0),
+            k_7: self.r * S::from_f64(6.0),
+            k_8: self.r * S::from_f64(3.0),
             k_9: self.r * S::from_f64(7.0),
         }
     }
@@ -327,7 +328,7 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                A_ * (S::from_f64(1.0) + sin_lean * sin_lean),
+                A_ * (sin_lean * sin_lean + S::from_f64(1.0)),
                 S::from_f64(0.0),
                 mass_phi_psi,
             ],
@@ -351,24 +352,25 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
     }
     /// Convective forces `T_q' M g`, 6, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 3 additions, 18 multiplications, 1 sine-cosine pair.
+    /// Operations: 3 additions, 17 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 6] {
         let [_, _, _, _, lean, _] = *q;
         let [_, _, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
         let r_squared = self.r * self.r;
         let w = self.m * r_squared * S::from_f64(0.5);
-        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
+        let w_2 = lean_dot * w;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
-            w * cos_lean * lean_dot * (psi_dot * sin_lean + phi_dot),
+            cos_lean * (phi_dot + psi_dot * sin_lean) * w_2,
             -(cos_lean
                 * (psi_dot * phi_dot * w
                     + sin_lean * psi_dot * psi_dot * S::from_f64(0.25) * self.m
                         * r_squared)),
-            cos_lean * lean_dot * psi_dot * w,
+            cos_lean * psi_dot * w_2,
         ]
     }
     /// Generalised forces `T_q' F`, 6: joules per unit of each coordinate.
@@ -455,7 +457,7 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 3, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 46 additions, 90 multiplications, 16 divisions, 3 sine-cosine pairs, 1 square root.
+    /// Operations: 41 additions, 85 multiplications, 16 divisions, 3 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 6], qd: &[S; 6]) -> [S; 3] {
         let [_, _, _, psi, lean, phi] = *q;
@@ -471,54 +473,47 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
         let w = S::from_f64(2.0) * self.r;
         let w_2 = sin_lean * psi_dot;
         let w_3 = phi_dot + w_2;
-        let w_4 = sin_lean * w_3;
+        let w_4 = lean_dot * sin_phi;
         let w_5 = cos_lean * psi_dot;
-        let w_6 = lean_dot * sin_phi + cos_phi * w_5;
-        let w_7 = lean_dot * cos_phi - sin_phi * w_5;
-        let w_8 = cos_phi * w_6 - sin_phi * w_7;
-        let w_9 = cos_lean * w_8;
-        let w_10 = w_4 + w_9;
-        let w_11 = sin_lean * w_5;
-        let w_12 = sin_lean * w_8;
-        let w_13 = sin_phi * w_6;
-        let w_14 = cos_phi * w_7;
-        let w_15 = w_2 - phi_dot;
-        let w_16 = phi_dot * w_5;
-        let w_17 = lean_dot * cos_phi * w_15 + sin_phi * w_16;
-        let w_18 = lean_dot * sin_phi * w_15 - cos_phi * w_16;
-        let w_19 = phi_dot * (w_13 + w_14) + cos_phi * w_17 + sin_phi * w_18;
-        let w_20 = (lean_dot * (cos_lean * (w_3 + w_2) - w_12) - cos_lean * w_19)
-            * sin_lean * cos_lean;
-        let w_21 = lean_dot * sin_lean_squared;
-        let w_22 = w_10 * w_21;
-        let w_23 = cos_lean_squared * sqrt_cos_lean_squared;
+        let w_6 = w_4 + cos_phi * w_5;
+        let w_15 = w_2 * w_4 - phi_dot * w_6;
+        let w_7 = lean_dot * cos_phi;
+        let w_8 = w_7 - sin_phi * w_5;
+        let w_14 = w_2 * w_7 - phi_dot * w_8;
+        let w_9 = cos_phi * w_6 - sin_phi * w_8;
+        let w_13 = sin_phi * w_6 + cos_phi * w_8;
+        let w_10 = sin_lean * w_3 + cos_lean * w_9;
+        let w_11 = cos_lean * w_2;
+        let w_12 = sin_lean * w_9;
+        let w_16 = phi_dot * w_13 + cos_phi * w_14 + sin_phi * w_15;
+        let w_17 = sin_lean * cos_lean
+            * (lean_dot * (cos_lean * (w_2 + w_3) - w_12) - cos_lean * w_16)
+            + lean_dot * w_10;
+        let w_25 = lean_dot * (cos_lean_squared * psi_dot - w_10) + sin_lean * w_16
+            + psi_dot * w_13;
+        let w_26 = cos_lean * w_3 - w_12;
+        let w_27 = cos_phi * w_15 + phi_dot * w_9 - sin_phi * w_14 - psi_dot * w_26;
+        let w_18 = lean_dot * sin_lean_squared;
+        let w_19 = w_10 * w_18;
+        let w_20 = cos_lean_squared * sqrt_cos_lean_squared;
         let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
             * sqrt_cos_lean_squared;
-        let w_24 = cos_lean_squared * sqrt_cos_lean_squared_squared;
-        let w_25 = self.r
-            * (sin_psi * w_10 * w_11 / sqrt_cos_lean_squared
-                - cos_psi
-                    * ((w_20 + lean_dot * w_10) / sqrt_cos_lean_squared
-                        + w_22 * w_23 / w_24));
-        let w_26 = w * w_22;
-        let w_27 = self.r
-            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
-        let w_28 = w_14 + w_13;
-        let w_29 = psi_dot * w_28
-            + (lean_dot * (cos_lean_squared * psi_dot - w_4 - w_9) + sin_lean * w_19);
-        let w_30 = cos_lean * w_3 - w_12;
-        let w_31 = cos_phi * (w_18 + phi_dot * w_6) - sin_phi * (phi_dot * w_7 + w_17)
-            - psi_dot * w_30;
-        let w_32 = lean_dot * cos_lean
+        let w_21 = cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_28 = lean_dot * cos_lean
             * (self.r * sqrt_cos_lean_squared
                 * ((sin_lean - sin_lean * sin_lean_squared)
                     / sqrt_cos_lean_squared_squared / cos_lean_squared)
                 - sin_lean * w / sqrt_cos_lean_squared);
-        let w_33 = self.r
+        let w_29 = self.r
             * (w_10
-                * ((cos_psi * w_11 + lean_dot * sin_psi) / sqrt_cos_lean_squared
-                    + sin_psi * w_21 * w_23 / w_24)
-                + sin_psi * w_20 / sqrt_cos_lean_squared);
+                * (cos_psi * w_11 / sqrt_cos_lean_squared + sin_psi * w_18 * w_20 / w_21)
+                + sin_psi * w_17 / sqrt_cos_lean_squared);
+        let w_22 = self.r
+            * (sin_psi * w_10 * w_11 / sqrt_cos_lean_squared
+                - cos_psi * (w_17 / sqrt_cos_lean_squared + w_19 * w_20 / w_21));
+        let w_23 = w * w_19;
+        let w_24 = self.r
+            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
         [
             lean_dot * lean_dot * sqrt_cos_lean_squared
                 * (sin_lean_squared
@@ -528,12 +523,12 @@ impl<S: sim_kernel::Scalar> RollingDisc<S> {
                         - self.r * cos_lean_squared
                             / (cos_lean_squared * cos_lean_squared))
                     + self.r / cos_lean_squared),
-            w_25 + cos_psi * w_26 / sqrt_cos_lean_squared
-                - w_27 * (cos_psi * w_29 + sin_psi * w_31)
-                - (sin_psi * w_28 + cos_psi * w_30) * w_32,
-            sin_psi * w_26 / sqrt_cos_lean_squared - w_33
-                + w_27 * (cos_psi * w_31 - sin_psi * w_29)
-                + w_32 * (cos_psi * w_28 - sin_psi * w_30),
+            w_22 + cos_psi * w_23 / sqrt_cos_lean_squared
+                - w_24 * (cos_psi * w_25 + sin_psi * w_27)
+                - (w_13 * sin_psi + cos_psi * w_26) * w_28,
+            sin_psi * w_23 / sqrt_cos_lean_squared - w_29
+                + w_24 * (cos_psi * w_27 - sin_psi * w_25)
+                + w_28 * (cos_psi * w_13 - sin_psi * w_26),
         ]
     }
     /// `C` (3), `C_q` (3 x 6) and `C_t` (3) together, in SI units, for projection.
@@ -775,9 +770,9 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
     /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
     /// ```
     ///
-    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    /// by an elimination planned from the structure of the system, with two constraint rows turned along and across a link. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 94 additions, 172 multiplications, 26 divisions, 3 sine-cosine pairs, 1 square root.
+    /// Operations: 77 additions, 149 multiplications, 24 divisions, 3 sine-cosine pairs, 1 square root.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -787,183 +782,188 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 6], [S; 3]> {
         let [_, _, _, psi, lean, phi] = *q;
         let [_, _, z_dot, psi_dot, lean_dot, phi_dot] = *qd;
-        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
-            lean,
-            psi,
-            phi,
-        ]);
-        let rhs_lean = cos_lean
-            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot);
-        let w = sin_lean * psi_dot;
-        let minus_rhs_psi = self.C_ * cos_lean * lean_dot * (w + phi_dot);
-        let mass_phi_psi = sin_lean * self.C_;
-        let sin_lean_squared = sin_lean * sin_lean;
-        let mass_psi_psi = self.A_ * (S::from_f64(1.0) + sin_lean_squared);
-        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
-        let l_phi_psi = mass_phi_psi * inverse_psi;
-        let w_2 = cos_lean * psi_dot;
-        let rhs_phi = minus_rhs_psi * l_phi_psi - self.C_ * lean_dot * w_2;
+        let (
+            [sin_lean,
+            minus_k_lambda_ground_f2_turned_x,
+            sin_phi,
+            ],
+            [cos_lean,
+            k_lambda_ground_f1_turned_x,
+            cos_phi,
+            ],
+        ) = S::sin_cos_each([lean, psi, phi]);
         let cos_lean_squared = cos_lean * cos_lean;
         let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
-        let w_3 = sqrt_cos_lean_squared * lean_dot * lean_dot
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = sqrt_cos_lean_squared * lean_dot * lean_dot
             * (sin_lean_squared
                 * (self.k_2
                     * (cos_lean / (cos_lean * cos_lean_squared)
                         - S::from_f64(1.0) / cos_lean_squared)
                     - self.r * cos_lean_squared / (cos_lean_squared * cos_lean_squared))
                 + self.r / cos_lean_squared);
-        let w_4 = sin_lean * cos_lean;
-        let w_5 = self.r * w_4;
-        let ground_by_lean = sqrt_cos_lean_squared * w_5 / cos_lean_squared;
-        let l_lambda_ground_lean = ground_by_lean * self.inverse_lean;
-        let rhs_lambda_ground = self.k_3 - w_3 - rhs_lean * l_lambda_ground_lean;
-        let w_6 = self.r
-            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
-        let minus_ground_f1_by_lean = sin_psi * w_6;
-        let minus_l_lambda_ground_f1_lean = minus_ground_f1_by_lean * self.inverse_lean;
-        let w_7 = phi_dot + w;
-        let w_8 = sin_lean * w_7;
-        let w_9 = cos_phi * w_2;
-        let w_10 = sin_phi * lean_dot + w_9;
-        let w_11 = sin_phi * w_2;
-        let w_12 = lean_dot * cos_phi - w_11;
-        let w_13 = cos_phi * w_10 - sin_phi * w_12;
-        let w_14 = cos_lean * w_13;
-        let w_15 = w_8 + w_14;
-        let w_16 = w_4 * sin_psi;
-        let w_17 = w_10 * phi_dot;
-        let w_18 = w - phi_dot;
-        let w_19 = sin_phi * lean_dot * w_18 - w_9 * phi_dot;
-        let w_20 = lean_dot * cos_phi * w_18 + phi_dot * w_11;
-        let w_21 = phi_dot * w_12;
-        let w_22 = sin_phi * (w_17 + w_19) + cos_phi * (w_20 + w_21);
-        let w_23 = sin_lean * w_13;
-        let w_24 = cos_lean * (lean_dot * (w_7 + w) - w_22) - lean_dot * w_23;
-        let w_25 = sin_lean_squared * lean_dot;
-        let w_26 = w_15 * w_25;
-        let w_27 = cos_lean_squared * sqrt_cos_lean_squared;
+        let rhs_lambda_ground = self.k_3 - w;
+        let w_2 = sin_lean * cos_lean;
+        let w_3 = self.r * w_2;
+        let ground_by_lean = sqrt_cos_lean_squared * w_3 / cos_lean_squared;
+        let minus_k_lambda_ground_f1_turned_psi = w_3 / sqrt_cos_lean_squared;
+        let minus_l_lean_lambda_ground = ground_by_lean
+            * self.minus_inverse_lambda_ground;
+        let pivot_lean = self.A_ + ground_by_lean * minus_l_lean_lambda_ground;
+        let rhs_lean = cos_lean
+            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot)
+            + minus_l_lean_lambda_ground * rhs_lambda_ground;
+        let w_4 = self.C_ * lean_dot;
+        let w_5 = sin_lean * psi_dot;
+        let w_6 = phi_dot + w_5;
+        let w_7 = cos_lean * w_6;
+        let minus_rhs_psi = w_4 * w_7;
+        let mass_phi_psi = sin_lean * self.C_;
+        let mass_psi_psi = self.A_ * (sin_lean_squared + S::from_f64(1.0));
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let w_8 = cos_lean * psi_dot;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - w_8 * w_4;
+        let w_9 = sin_phi * lean_dot + cos_phi * w_8;
+        let w_14 = lean_dot * cos_phi - sin_phi * w_8;
+        let w_10 = w_9 * phi_dot;
+        let w_11 = sin_lean * lean_dot;
+        let w_12 = psi_dot * w_11;
+        let w_13 = w_10 + (sin_phi * w_12 - w_10);
+        let w_15 = phi_dot * w_14;
+        let w_16 = w_15 + (cos_phi * w_12 - w_15);
+        let w_17 = sin_phi * w_13 + cos_phi * w_16;
+        let w_18 = cos_phi * w_9 - sin_phi * w_14;
+        let w_28 = cos_phi * w_14 + sin_phi * w_9;
+        let w_30 = w_7 - sin_lean * w_18;
+        let w_31 = cos_phi * w_13 - sin_phi * w_16 - psi_dot * w_30;
+        let w_19 = sin_lean * w_6 + cos_lean * w_18;
+        let w_20 = w_2 * (cos_lean * (lean_dot * (w_5 + w_6) - w_17) - w_11 * w_18)
+            + lean_dot * w_19;
+        let w_25 = w_2 * psi_dot;
+        let w_29 = lean_dot * (cos_lean_squared * psi_dot - w_19) + sin_lean * w_17
+            + psi_dot * w_28;
+        let w_21 = sin_lean_squared * lean_dot;
+        let w_22 = w_19 * w_21;
+        let w_23 = cos_lean_squared * sqrt_cos_lean_squared;
         let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
             * sqrt_cos_lean_squared;
-        let w_28 = cos_lean_squared * sqrt_cos_lean_squared_squared;
-        let w_29 = self.r
-            * (psi_dot * w_15 * w_16 / sqrt_cos_lean_squared
-                - cos_psi
-                    * ((w_4 * w_24 + lean_dot * w_15) / sqrt_cos_lean_squared
-                        + w_26 * w_27 / w_28));
-        let w_30 = self.k_2 * w_26;
-        let w_31 = cos_phi * w_12 + sin_phi * w_10;
-        let w_32 = psi_dot * w_31
-            + (lean_dot * (cos_lean_squared * psi_dot - w_8 - w_14) + sin_lean * w_22);
-        let w_33 = cos_lean * w_7 - w_23;
-        let w_34 = cos_phi * (w_19 + w_17) - sin_phi * (w_21 + w_20) - psi_dot * w_33;
-        let w_35 = cos_lean * lean_dot
+        let w_24 = cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_32 = cos_lean * lean_dot
             * (self.r * sqrt_cos_lean_squared
                 * ((sin_lean - sin_lean * sin_lean_squared)
                     / sqrt_cos_lean_squared_squared / cos_lean_squared)
                 - sin_lean * self.k_2 / sqrt_cos_lean_squared);
-        let w_36 = w_29 + cos_psi * w_30 / sqrt_cos_lean_squared
-            - w_6 * (cos_psi * w_32 + sin_psi * w_34)
-            - (sin_psi * w_31 + cos_psi * w_33) * w_35;
-        let minus_ground_f1_by_psi = w_5 * cos_psi / sqrt_cos_lean_squared;
-        let minus_l_lambda_ground_f1_psi = minus_ground_f1_by_psi * inverse_psi;
+        let k_lambda_ground_f2_turned_lean = self.r
+            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
+        let w_34 = self.r
+            * (w_19
+                * (k_lambda_ground_f1_turned_x * w_25 / sqrt_cos_lean_squared
+                    + minus_k_lambda_ground_f2_turned_x * w_21 * w_23 / w_24)
+                + minus_k_lambda_ground_f2_turned_x * w_20 / sqrt_cos_lean_squared);
+        let w_26 = self.r
+            * (k_lambda_ground_f1_turned_x
+                * (w_20 / sqrt_cos_lean_squared + w_22 * w_23 / w_24)
+                - minus_k_lambda_ground_f2_turned_x * w_19 * w_25
+                    / sqrt_cos_lean_squared);
+        let w_27 = self.k_2 * w_22;
+        let w_33 = w_26 - k_lambda_ground_f1_turned_x * w_27 / sqrt_cos_lean_squared
+            + k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_29
+                    + minus_k_lambda_ground_f2_turned_x * w_31)
+            + (minus_k_lambda_ground_f2_turned_x * w_28
+                + k_lambda_ground_f1_turned_x * w_30) * w_32;
+        let w_35 = w_34
+            - minus_k_lambda_ground_f2_turned_x * w_27 / sqrt_cos_lean_squared
+            - k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_31
+                    - minus_k_lambda_ground_f2_turned_x * w_29)
+            - w_32
+                * (k_lambda_ground_f1_turned_x * w_28
+                    - minus_k_lambda_ground_f2_turned_x * w_30);
+        let minus_l_lambda_ground_f1_turned_psi = minus_k_lambda_ground_f1_turned_psi
+            * inverse_psi;
+        let k_lambda_ground_f1_turned_phi = mass_phi_psi
+            * minus_l_lambda_ground_f1_turned_psi
+            - self.r * cos_lean / sqrt_cos_lean_squared;
         let pivot_phi = self.C_ - mass_phi_psi * l_phi_psi;
+        let inverse_lean = S::from_f64(1.0) / pivot_lean;
+        let l_lambda_ground_f2_turned_lean = k_lambda_ground_f2_turned_lean
+            * inverse_lean;
+        let minus_l_lambda_ground_f2_turned_x = minus_k_lambda_ground_f2_turned_x
+            * self.inverse_z;
+        let w_36 = minus_k_lambda_ground_f2_turned_x * minus_l_lambda_ground_f2_turned_x;
+        let l_lambda_ground_f1_turned_x = k_lambda_ground_f1_turned_x * self.inverse_z;
+        let w_37 = k_lambda_ground_f1_turned_x * l_lambda_ground_f1_turned_x;
+        let minus_pivot_lambda_ground_f2_turned = k_lambda_ground_f2_turned_lean
+            * l_lambda_ground_f2_turned_lean + w_36 + w_37;
+        let minus_inverse_lambda_ground_f2_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_ground_f2_turned;
+        let k_lambda_ground_f1_turned_lambda_ground_f2_turned = k_lambda_ground_f1_turned_x
+            * minus_l_lambda_ground_f2_turned_x
+            - minus_k_lambda_ground_f2_turned_x * l_lambda_ground_f1_turned_x;
+        let minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned = minus_inverse_lambda_ground_f2_turned
+            * k_lambda_ground_f1_turned_lambda_ground_f2_turned;
+        let minus_rhs_lambda_ground_f2_turned = minus_k_lambda_ground_f2_turned_x * w_33
+            - k_lambda_ground_f1_turned_x * w_35
+            + l_lambda_ground_f2_turned_lean * rhs_lean;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let w_37 = self.r * cos_lean;
-        let k_lambda_ground_f1_phi = mass_phi_psi * minus_l_lambda_ground_f1_psi
-            - cos_psi * w_37 / sqrt_cos_lean_squared;
-        let l_lambda_ground_f1_phi = inverse_phi * k_lambda_ground_f1_phi;
-        let k_lambda_ground_f1_lambda_ground = ground_by_lean
-            * minus_l_lambda_ground_f1_lean;
-        let minus_pivot_lambda_ground = self.inverse_z
-            + ground_by_lean * l_lambda_ground_lean;
-        let minus_inverse_lambda_ground = S::from_f64(1.0) / minus_pivot_lambda_ground;
-        let minus_l_lambda_ground_f1_lambda_ground = k_lambda_ground_f1_lambda_ground
-            * minus_inverse_lambda_ground;
-        let rhs_lambda_ground_f1 = rhs_lean * minus_l_lambda_ground_f1_lean - w_36
-            - minus_rhs_psi * minus_l_lambda_ground_f1_psi
-            - l_lambda_ground_f1_phi * rhs_phi
-            + minus_l_lambda_ground_f1_lambda_ground * rhs_lambda_ground;
-        let w_38 = minus_ground_f1_by_psi * minus_l_lambda_ground_f1_psi
-            + minus_ground_f1_by_lean * minus_l_lambda_ground_f1_lean + self.inverse_z
-            + k_lambda_ground_f1_phi * l_lambda_ground_f1_phi;
-        let pivot_lambda_ground_f1 = k_lambda_ground_f1_lambda_ground
-            * minus_l_lambda_ground_f1_lambda_ground - w_38;
-        let inverse_lambda_ground_f1 = S::from_f64(1.0) / pivot_lambda_ground_f1;
-        let ground_f2_by_lean = cos_psi * w_6;
-        let l_lambda_ground_f2_lean = ground_f2_by_lean * self.inverse_lean;
-        let minus_ground_f2_by_psi = w_5 * sin_psi / sqrt_cos_lean_squared;
-        let minus_l_lambda_ground_f2_psi = minus_ground_f2_by_psi * inverse_psi;
-        let k_lambda_ground_f2_phi = mass_phi_psi * minus_l_lambda_ground_f2_psi
-            - sin_psi * w_37 / sqrt_cos_lean_squared;
-        let l_lambda_ground_f2_phi = inverse_phi * k_lambda_ground_f2_phi;
-        let minus_k_lambda_ground_f2_lambda_ground = ground_by_lean
-            * l_lambda_ground_f2_lean;
-        let l_lambda_ground_f2_lambda_ground = minus_k_lambda_ground_f2_lambda_ground
-            * minus_inverse_lambda_ground;
-        let k_lambda_ground_f2_lambda_ground_f1 = minus_ground_f1_by_lean
-            * l_lambda_ground_f2_lean
-            - minus_ground_f1_by_psi * minus_l_lambda_ground_f2_psi
-            - k_lambda_ground_f1_phi * l_lambda_ground_f2_phi
-            - k_lambda_ground_f1_lambda_ground * l_lambda_ground_f2_lambda_ground;
-        let l_lambda_ground_f2_lambda_ground_f1 = inverse_lambda_ground_f1
-            * k_lambda_ground_f2_lambda_ground_f1;
-        let w_39 = minus_ground_f2_by_psi * minus_l_lambda_ground_f2_psi
-            + ground_f2_by_lean * l_lambda_ground_f2_lean
-            + k_lambda_ground_f2_phi * l_lambda_ground_f2_phi + self.inverse_z;
-        let pivot_lambda_ground_f2 = minus_k_lambda_ground_f2_lambda_ground
-            * l_lambda_ground_f2_lambda_ground - w_39
-            - k_lambda_ground_f2_lambda_ground_f1 * l_lambda_ground_f2_lambda_ground_f1;
-        let w_40 = self.r
-            * (w_15
-                * ((w_4 * cos_psi * psi_dot + sin_psi * lean_dot) / sqrt_cos_lean_squared
-                    + sin_psi * w_25 * w_27 / w_28)
-                + w_24 * w_16 / sqrt_cos_lean_squared);
-        let w_41 = sin_psi * w_30 / sqrt_cos_lean_squared - w_40
-            + w_6 * (cos_psi * w_34 - sin_psi * w_32)
-            + w_35 * (cos_psi * w_31 - sin_psi * w_33);
-        let minus_lambda_ground_f2 = S::from_f64(1.0) / pivot_lambda_ground_f2
-            * (w_41 + minus_rhs_psi * minus_l_lambda_ground_f2_psi
-                + rhs_lean * l_lambda_ground_f2_lean + l_lambda_ground_f2_phi * rhs_phi
-                + l_lambda_ground_f2_lambda_ground * rhs_lambda_ground
-                + l_lambda_ground_f2_lambda_ground_f1 * rhs_lambda_ground_f1);
-        let lambda_ground_f1 = inverse_lambda_ground_f1 * rhs_lambda_ground_f1
-            + l_lambda_ground_f2_lambda_ground_f1 * minus_lambda_ground_f2;
-        let lambda_ground = minus_l_lambda_ground_f1_lambda_ground * lambda_ground_f1
-            - minus_inverse_lambda_ground * rhs_lambda_ground
-            + l_lambda_ground_f2_lambda_ground * minus_lambda_ground_f2;
-        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_phi * lambda_ground_f1
-            + l_lambda_ground_f2_phi * minus_lambda_ground_f2;
+        let l_lambda_ground_f1_turned_phi = inverse_phi * k_lambda_ground_f1_turned_phi;
+        let w_38 = w_37 + w_36
+            + minus_k_lambda_ground_f1_turned_psi * minus_l_lambda_ground_f1_turned_psi
+            + k_lambda_ground_f1_turned_phi * l_lambda_ground_f1_turned_phi;
+        let pivot_lambda_ground_f1_turned = k_lambda_ground_f1_turned_lambda_ground_f2_turned
+            * minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned - w_38;
+        let w_39 = S::from_f64(1.0) / pivot_lambda_ground_f1_turned
+            * (k_lambda_ground_f1_turned_x * w_33
+                + minus_k_lambda_ground_f2_turned_x * w_35
+                - minus_rhs_psi * minus_l_lambda_ground_f1_turned_psi
+                - minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned
+                    * minus_rhs_lambda_ground_f2_turned
+                - l_lambda_ground_f1_turned_phi * rhs_phi);
+        let w_40 = minus_inverse_lambda_ground_f2_turned
+            * minus_rhs_lambda_ground_f2_turned
+            + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_39;
+        let lean_ddot = inverse_lean * rhs_lean - l_lambda_ground_f2_turned_lean * w_40;
+        let lambda_ground = minus_l_lean_lambda_ground * lean_ddot
+            - self.minus_inverse_lambda_ground * rhs_lambda_ground;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_turned_phi * w_39;
         sim_kernel::Dynamics {
             accelerations: [
-                -(self.inverse_z * lambda_ground_f1),
-                self.inverse_z * minus_lambda_ground_f2,
+                minus_l_lambda_ground_f2_turned_x * w_40
+                    - l_lambda_ground_f1_turned_x * w_39,
+                -(minus_l_lambda_ground_f2_turned_x * w_39
+                    + l_lambda_ground_f1_turned_x * w_40),
                 -(self.k_3 + self.inverse_z * lambda_ground),
-                minus_l_lambda_ground_f1_psi * lambda_ground_f1
-                    - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
-                    - minus_l_lambda_ground_f2_psi * minus_lambda_ground_f2,
-                rhs_lean * self.inverse_lean - l_lambda_ground_lean * lambda_ground
-                    + minus_l_lambda_ground_f1_lean * lambda_ground_f1
-                    + l_lambda_ground_f2_lean * minus_lambda_ground_f2,
+                minus_l_lambda_ground_f1_turned_psi * w_39 - minus_rhs_psi * inverse_psi
+                    - l_phi_psi * phi_ddot,
+                lean_ddot,
                 phi_ddot,
             ],
-            multipliers: [lambda_ground, lambda_ground_f1, -minus_lambda_ground_f2],
+            multipliers: [
+                lambda_ground,
+                k_lambda_ground_f1_turned_x * w_39
+                    - minus_k_lambda_ground_f2_turned_x * w_40,
+                minus_k_lambda_ground_f2_turned_x * w_39
+                    + k_lambda_ground_f1_turned_x * w_40,
+            ],
             power: -(self.minus_rhs_z * z_dot),
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(self.A_, self.A_)
+                | sim_kernel::pivot_is_refused(self.pivot_lambda_ground, self.inverse_z)
+                | sim_kernel::pivot_is_refused(pivot_lean, pivot_lean)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_ground,
-                    minus_pivot_lambda_ground,
-                ) | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1, w_38)
-                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f2, w_39),
+                    -minus_pivot_lambda_ground_f2_turned,
+                    minus_pivot_lambda_ground_f2_turned,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1_turned, w_38),
         }
     }
     /// The derivatives of accelerations (6 rows) and multipliers (3 rows) with respect to coordinates and speeds (6 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 401 additions, 604 multiplications, 79 divisions, 3 sine-cosine pairs, 1 square root.
+    /// Operations: 338 additions, 539 multiplications, 72 divisions, 3 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -973,493 +973,501 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 6]; 6], [[S; 6]; 3]> {
         let [_, _, _, psi, lean, phi] = *q;
         let [_, _, _, psi_dot, lean_dot, phi_dot] = *qd;
-        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
-            lean,
-            psi,
-            phi,
-        ]);
-        let rhs_lean = cos_lean
-            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot);
-        let w = sin_lean * psi_dot;
-        let minus_rhs_psi = self.C_ * cos_lean * lean_dot * (w + phi_dot);
-        let mass_phi_psi = sin_lean * self.C_;
-        let sin_lean_squared = sin_lean * sin_lean;
-        let mass_psi_psi = self.A_ * (S::from_f64(1.0) + sin_lean_squared);
-        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
-        let l_phi_psi = mass_phi_psi * inverse_psi;
-        let w_2 = cos_lean * psi_dot;
-        let w_3 = self.C_ * lean_dot;
-        let rhs_phi = minus_rhs_psi * l_phi_psi - w_2 * w_3;
+        let (
+            [sin_lean,
+            minus_k_lambda_ground_f2_turned_x,
+            sin_phi,
+            ],
+            [cos_lean,
+            k_lambda_ground_f1_turned_x,
+            cos_phi,
+            ],
+        ) = S::sin_cos_each([lean, psi, phi]);
         let cos_lean_squared = cos_lean * cos_lean;
         let sqrt_cos_lean_squared = cos_lean_squared.sqrt();
         let lean_dot_squared = lean_dot * lean_dot;
-        let w_4 = cos_lean * cos_lean_squared;
-        let w_5 = cos_lean / w_4;
+        let sin_lean_squared = sin_lean * sin_lean;
+        let w = cos_lean * cos_lean_squared;
+        let w_2 = cos_lean / w;
         let inverse_cos_lean_squared = S::from_f64(1.0) / cos_lean_squared;
         let cos_lean_squared_squared = cos_lean_squared * cos_lean_squared;
-        let w_6 = self.r * cos_lean_squared / cos_lean_squared_squared;
-        let w_7 = self.r / cos_lean_squared;
-        let w_8 = sin_lean * cos_lean;
-        let w_9 = self.r * sqrt_cos_lean_squared;
-        let ground_by_lean = w_8 * w_9 / cos_lean_squared;
-        let l_lambda_ground_lean = ground_by_lean * self.inverse_lean;
+        let w_3 = self.r * cos_lean_squared / cos_lean_squared_squared;
+        let w_4 = self.r / cos_lean_squared;
         let rhs_lambda_ground = self.k_3
             - sqrt_cos_lean_squared * lean_dot_squared
-                * (sin_lean_squared * (self.k_2 * (w_5 - inverse_cos_lean_squared) - w_6)
-                    + w_7) - rhs_lean * l_lambda_ground_lean;
-        let w_10 = self.r
-            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
-        let minus_ground_f1_by_lean = sin_psi * w_10;
-        let minus_l_lambda_ground_f1_lean = minus_ground_f1_by_lean * self.inverse_lean;
-        let w_11 = phi_dot + w;
-        let w_12 = sin_lean * w_11;
-        let w_13 = cos_phi * w_2;
-        let w_14 = sin_phi * lean_dot + w_13;
-        let w_15 = sin_phi * w_2;
-        let w_16 = lean_dot * cos_phi - w_15;
-        let w_17 = cos_phi * w_14 - sin_phi * w_16;
-        let w_18 = cos_lean * w_17;
-        let w_19 = w_12 + w_18;
-        let w_20 = sin_psi * w_19;
-        let w_21 = w_8 * psi_dot * w_20 / sqrt_cos_lean_squared;
-        let w_22 = w_14 * phi_dot;
-        let w_23 = w - phi_dot;
-        let w_24 = sin_phi * lean_dot * w_23 - w_13 * phi_dot;
-        let w_25 = lean_dot * cos_phi * w_23 + phi_dot * w_15;
-        let w_26 = phi_dot * w_16;
-        let w_27 = sin_phi * (w_22 + w_24) + cos_phi * (w_25 + w_26);
-        let w_28 = sin_lean * lean_dot;
-        let w_29 = cos_lean * (lean_dot * (w_11 + w) - w_27) - w_28 * w_17;
-        let w_30 = w_8 * w_29;
-        let w_31 = lean_dot * w_19;
+                * (sin_lean_squared * (self.k_2 * (w_2 - inverse_cos_lean_squared) - w_3)
+                    + w_4);
+        let w_115 = inverse_cos_lean_squared - w_2;
+        let w_5 = sin_lean * cos_lean;
+        let w_6 = self.r * w_5;
+        let ground_by_lean = sqrt_cos_lean_squared * w_6 / cos_lean_squared;
+        let minus_l_lean_lambda_ground = ground_by_lean
+            * self.minus_inverse_lambda_ground;
+        let pivot_lean = self.A_ + ground_by_lean * minus_l_lean_lambda_ground;
+        let rhs_lean = cos_lean
+            * (self.C_ * psi_dot * phi_dot + sin_lean * self.A_ * psi_dot * psi_dot)
+            + minus_l_lean_lambda_ground * rhs_lambda_ground;
+        let w_7 = sin_lean * psi_dot;
+        let w_8 = phi_dot + w_7;
+        let w_9 = self.C_ * cos_lean;
+        let w_10 = lean_dot * w_9;
+        let minus_rhs_psi = w_8 * w_10;
+        let mass_phi_psi = sin_lean * self.C_;
+        let mass_psi_psi = self.A_ * (sin_lean_squared + S::from_f64(1.0));
+        let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
+        let l_phi_psi = mass_phi_psi * inverse_psi;
+        let w_11 = cos_lean * psi_dot;
+        let w_12 = self.C_ * lean_dot;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - w_11 * w_12;
+        let w_113 = psi_dot * w_12;
+        let w_13 = w_7 + w_8;
+        let w_14 = sin_phi * lean_dot + cos_phi * w_11;
+        let w_15 = w_14 * phi_dot;
+        let w_16 = sin_lean * lean_dot;
+        let w_17 = sin_phi * w_16;
+        let w_18 = psi_dot * w_17;
+        let w_19 = w_15 + (w_18 - w_15);
+        let w_20 = lean_dot * cos_phi - sin_phi * w_11;
+        let w_21 = phi_dot * w_20;
+        let w_22 = cos_phi * w_16;
+        let w_23 = psi_dot * w_22;
+        let w_112 = S::from_f64(0.25) * sin_lean
+            * (sin_phi * self.k * (w_15 - w_18 + w_14 * w_8)
+                + cos_phi * self.k * (w_21 - w_23 + w_8 * w_20));
+        let w_24 = w_21 + (w_23 - w_21);
+        let w_25 = sin_phi * w_19 + cos_phi * w_24;
+        let w_26 = cos_phi * w_14 - sin_phi * w_20;
+        let w_27 = cos_lean * (lean_dot * w_13 - w_25) - w_16 * w_26;
+        let w_28 = sin_lean * w_8;
+        let w_29 = cos_lean * w_26;
+        let w_30 = w_28 + w_29;
+        let w_31 = w_5 * w_27 + lean_dot * w_30;
         let w_32 = sin_lean_squared * lean_dot;
         let w_33 = cos_lean_squared * sqrt_cos_lean_squared;
         let w_34 = w_32 * w_33;
         let sqrt_cos_lean_squared_squared = sqrt_cos_lean_squared
             * sqrt_cos_lean_squared;
         let w_35 = cos_lean_squared * sqrt_cos_lean_squared_squared;
-        let w_36 = w_19 * w_34 / w_35;
-        let w_37 = self.k_2 * w_32;
-        let w_38 = cos_psi * w_37;
-        let w_39 = w_19 * w_38 / sqrt_cos_lean_squared;
-        let w_40 = cos_phi * w_16;
-        let w_41 = sin_phi * w_14;
-        let w_42 = w_40 + w_41;
-        let w_43 = cos_lean_squared * psi_dot;
-        let w_44 = sin_lean * w_27;
-        let w_45 = psi_dot * w_42 + (lean_dot * (w_43 - w_12 - w_18) + w_44);
-        let w_46 = sin_lean * w_17;
-        let w_47 = cos_lean * w_11 - w_46;
-        let w_48 = cos_phi * (w_24 + w_22) - sin_phi * (w_26 + w_25) - psi_dot * w_47;
-        let w_49 = cos_psi * w_45 + sin_psi * w_48;
-        let w_50 = sin_psi * w_42 + cos_psi * w_47;
-        let w_51 = sin_lean * sin_lean_squared;
-        let w_52 = sin_lean * self.k_2 / sqrt_cos_lean_squared;
-        let w_53 = cos_lean * lean_dot
+        let w_36 = w_5 * psi_dot;
+        let w_37 = minus_k_lambda_ground_f2_turned_x * w_30;
+        let w_38 = self.k_2 * w_32;
+        let w_39 = k_lambda_ground_f1_turned_x * w_38;
+        let k_lambda_ground_f2_turned_lean = self.r
+            * ((S::from_f64(1.0) - sin_lean_squared) / sqrt_cos_lean_squared);
+        let w_40 = cos_lean_squared * psi_dot;
+        let w_41 = sin_lean * w_25;
+        let w_42 = cos_phi * w_20 + sin_phi * w_14;
+        let w_43 = lean_dot * (w_40 - w_30) + w_41 + psi_dot * w_42;
+        let w_44 = sin_lean * w_26;
+        let w_175 = self.C_ * w_26;
+        let w_45 = cos_lean * w_8 - w_44;
+        let w_46 = cos_phi * w_19 - sin_phi * w_24 - psi_dot * w_45;
+        let w_47 = k_lambda_ground_f1_turned_x * w_43
+            + minus_k_lambda_ground_f2_turned_x * w_46;
+        let w_55 = k_lambda_ground_f1_turned_x * w_46
+            - minus_k_lambda_ground_f2_turned_x * w_43;
+        let w_48 = minus_k_lambda_ground_f2_turned_x * w_42
+            + k_lambda_ground_f1_turned_x * w_45;
+        let w_49 = sin_lean * sin_lean_squared;
+        let w_50 = sin_lean - w_49;
+        let w_51 = sin_lean * self.k_2 / sqrt_cos_lean_squared;
+        let w_52 = cos_lean * lean_dot
             * (self.r * sqrt_cos_lean_squared
-                * ((sin_lean - w_51) / sqrt_cos_lean_squared_squared / cos_lean_squared)
-                - w_52);
-        let w_54 = w_50 * w_53;
-        let w_55 = self.r * w_8;
-        let minus_ground_f1_by_psi = cos_psi * w_55 / sqrt_cos_lean_squared;
-        let minus_l_lambda_ground_f1_psi = minus_ground_f1_by_psi * inverse_psi;
+                * (w_50 / sqrt_cos_lean_squared_squared / cos_lean_squared) - w_51);
+        let w_99 = cos_lean * (w_51 - self.r * sqrt_cos_lean_squared * w_50 / w_35);
+        let w_53 = self.r
+            * (k_lambda_ground_f1_turned_x
+                * (w_31 / sqrt_cos_lean_squared + w_30 * w_34 / w_35)
+                - w_36 * w_37 / sqrt_cos_lean_squared)
+            - w_30 * w_39 / sqrt_cos_lean_squared + k_lambda_ground_f2_turned_lean * w_47
+            + w_48 * w_52;
+        let w_54 = minus_k_lambda_ground_f2_turned_x * w_34 / w_35;
+        let w_56 = k_lambda_ground_f1_turned_x * w_42
+            - minus_k_lambda_ground_f2_turned_x * w_45;
+        let w_57 = self.r
+            * (w_30 * (k_lambda_ground_f1_turned_x * w_36 / sqrt_cos_lean_squared + w_54)
+                + minus_k_lambda_ground_f2_turned_x * w_31 / sqrt_cos_lean_squared)
+            - w_37 * w_38 / sqrt_cos_lean_squared - k_lambda_ground_f2_turned_lean * w_55
+            - w_52 * w_56;
+        let minus_k_lambda_ground_f1_turned_psi = w_6 / sqrt_cos_lean_squared;
+        let minus_l_lambda_ground_f1_turned_psi = minus_k_lambda_ground_f1_turned_psi
+            * inverse_psi;
+        let inverse_lean = S::from_f64(1.0) / pivot_lean;
+        let l_lambda_ground_f2_turned_lean = k_lambda_ground_f2_turned_lean
+            * inverse_lean;
+        let minus_l_lambda_ground_f2_turned_x = minus_k_lambda_ground_f2_turned_x
+            * self.inverse_z;
+        let w_58 = minus_k_lambda_ground_f2_turned_x * minus_l_lambda_ground_f2_turned_x;
+        let l_lambda_ground_f1_turned_x = k_lambda_ground_f1_turned_x * self.inverse_z;
+        let w_59 = k_lambda_ground_f1_turned_x * l_lambda_ground_f1_turned_x;
+        let minus_pivot_lambda_ground_f2_turned = k_lambda_ground_f2_turned_lean
+            * l_lambda_ground_f2_turned_lean + w_58 + w_59;
+        let minus_inverse_lambda_ground_f2_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_ground_f2_turned;
+        let k_lambda_ground_f1_turned_lambda_ground_f2_turned = k_lambda_ground_f1_turned_x
+            * minus_l_lambda_ground_f2_turned_x
+            - minus_k_lambda_ground_f2_turned_x * l_lambda_ground_f1_turned_x;
+        let minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned = minus_inverse_lambda_ground_f2_turned
+            * k_lambda_ground_f1_turned_lambda_ground_f2_turned;
+        let minus_rhs_lambda_ground_f2_turned = minus_k_lambda_ground_f2_turned_x * w_53
+            - k_lambda_ground_f1_turned_x * w_57
+            + l_lambda_ground_f2_turned_lean * rhs_lean;
         let pivot_phi = self.C_ - mass_phi_psi * l_phi_psi;
+        let k_lambda_ground_f1_turned_phi = mass_phi_psi
+            * minus_l_lambda_ground_f1_turned_psi
+            - self.r * cos_lean / sqrt_cos_lean_squared;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let w_56 = self.r * cos_lean;
-        let k_lambda_ground_f1_phi = mass_phi_psi * minus_l_lambda_ground_f1_psi
-            - cos_psi * w_56 / sqrt_cos_lean_squared;
-        let l_lambda_ground_f1_phi = inverse_phi * k_lambda_ground_f1_phi;
-        let k_lambda_ground_f1_lambda_ground = ground_by_lean
-            * minus_l_lambda_ground_f1_lean;
-        let minus_pivot_lambda_ground = self.inverse_z
-            + ground_by_lean * l_lambda_ground_lean;
-        let minus_inverse_lambda_ground = S::from_f64(1.0) / minus_pivot_lambda_ground;
-        let minus_l_lambda_ground_f1_lambda_ground = k_lambda_ground_f1_lambda_ground
-            * minus_inverse_lambda_ground;
-        let rhs_lambda_ground_f1 = rhs_lean * minus_l_lambda_ground_f1_lean
-            - (self.r * (w_21 - cos_psi * ((w_30 + w_31) / sqrt_cos_lean_squared + w_36))
-                + w_39 - w_10 * w_49 - w_54)
-            - minus_rhs_psi * minus_l_lambda_ground_f1_psi
-            - l_lambda_ground_f1_phi * rhs_phi
-            + minus_l_lambda_ground_f1_lambda_ground * rhs_lambda_ground;
-        let w_57 = minus_ground_f1_by_psi * minus_l_lambda_ground_f1_psi
-            + minus_ground_f1_by_lean * minus_l_lambda_ground_f1_lean + self.inverse_z
-            + k_lambda_ground_f1_phi * l_lambda_ground_f1_phi;
-        let pivot_lambda_ground_f1 = k_lambda_ground_f1_lambda_ground
-            * minus_l_lambda_ground_f1_lambda_ground - w_57;
-        let inverse_lambda_ground_f1 = S::from_f64(1.0) / pivot_lambda_ground_f1;
-        let w_58 = cos_psi * w_48 - sin_psi * w_45;
-        let ground_f2_by_lean = cos_psi * w_10;
-        let l_lambda_ground_f2_lean = ground_f2_by_lean * self.inverse_lean;
-        let minus_ground_f2_by_psi = w_55 * sin_psi / sqrt_cos_lean_squared;
-        let minus_l_lambda_ground_f2_psi = minus_ground_f2_by_psi * inverse_psi;
-        let k_lambda_ground_f2_phi = mass_phi_psi * minus_l_lambda_ground_f2_psi
-            - sin_psi * w_56 / sqrt_cos_lean_squared;
-        let l_lambda_ground_f2_phi = inverse_phi * k_lambda_ground_f2_phi;
-        let minus_k_lambda_ground_f2_lambda_ground = ground_by_lean
-            * l_lambda_ground_f2_lean;
-        let l_lambda_ground_f2_lambda_ground = minus_k_lambda_ground_f2_lambda_ground
-            * minus_inverse_lambda_ground;
-        let k_lambda_ground_f2_lambda_ground_f1 = minus_ground_f1_by_lean
-            * l_lambda_ground_f2_lean
-            - minus_ground_f1_by_psi * minus_l_lambda_ground_f2_psi
-            - k_lambda_ground_f1_phi * l_lambda_ground_f2_phi
-            - k_lambda_ground_f1_lambda_ground * l_lambda_ground_f2_lambda_ground;
-        let l_lambda_ground_f2_lambda_ground_f1 = inverse_lambda_ground_f1
-            * k_lambda_ground_f2_lambda_ground_f1;
-        let w_59 = minus_ground_f2_by_psi * minus_l_lambda_ground_f2_psi
-            + ground_f2_by_lean * l_lambda_ground_f2_lean
-            + k_lambda_ground_f2_phi * l_lambda_ground_f2_phi + self.inverse_z;
-        let pivot_lambda_ground_f2 = minus_k_lambda_ground_f2_lambda_ground
-            * l_lambda_ground_f2_lambda_ground - w_59
-            - k_lambda_ground_f2_lambda_ground_f1 * l_lambda_ground_f2_lambda_ground_f1;
-        let inverse_lambda_ground_f2 = S::from_f64(1.0) / pivot_lambda_ground_f2;
-        let w_60 = w_20 * w_37 / sqrt_cos_lean_squared;
-        let w_61 = cos_psi * psi_dot;
-        let w_62 = sin_psi * lean_dot;
-        let w_63 = sin_psi * w_34 / w_35;
-        let w_64 = cos_psi * w_42 - sin_psi * w_47;
-        let w_65 = w_53 * w_64;
-        let w_66 = w_60
-            - self.r
-                * (w_19 * ((w_8 * w_61 + w_62) / sqrt_cos_lean_squared + w_63)
-                    + sin_psi * w_30 / sqrt_cos_lean_squared) + w_10 * w_58 + w_65;
-        let minus_lambda_ground_f2 = inverse_lambda_ground_f2
-            * (w_66 + minus_rhs_psi * minus_l_lambda_ground_f2_psi
-                + rhs_lean * l_lambda_ground_f2_lean + l_lambda_ground_f2_phi * rhs_phi
-                + l_lambda_ground_f2_lambda_ground * rhs_lambda_ground
-                + l_lambda_ground_f2_lambda_ground_f1 * rhs_lambda_ground_f1);
-        let lambda_ground_f1 = inverse_lambda_ground_f1 * rhs_lambda_ground_f1
-            + l_lambda_ground_f2_lambda_ground_f1 * minus_lambda_ground_f2;
-        let lambda_ground = minus_l_lambda_ground_f1_lambda_ground * lambda_ground_f1
-            - minus_inverse_lambda_ground * rhs_lambda_ground
-            + l_lambda_ground_f2_lambda_ground * minus_lambda_ground_f2;
-        let lean_ddot = rhs_lean * self.inverse_lean
-            - l_lambda_ground_lean * lambda_ground
-            + minus_l_lambda_ground_f1_lean * lambda_ground_f1
-            + l_lambda_ground_f2_lean * minus_lambda_ground_f2;
-        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_phi * lambda_ground_f1
-            + l_lambda_ground_f2_phi * minus_lambda_ground_f2;
-        let psi_ddot = minus_l_lambda_ground_f1_psi * lambda_ground_f1
-            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
-            - minus_l_lambda_ground_f2_psi * minus_lambda_ground_f2;
-        let w_67 = w_29 + psi_ddot;
-        let w_68 = self.r
-            * ((sin_lean * cos_lean * (sin_psi * w_67 + w_19 * w_61) + lean_dot * w_20)
-                / sqrt_cos_lean_squared + w_34 * w_20 / w_35);
-        let w_69 = self.r * sin_lean_squared;
-        let w_70 = w_69 / sqrt_cos_lean_squared + w_10;
-        let w_71 = cos_lean * sin_psi * w_70;
-        let w_72 = sin_psi * lambda_ground_f1;
-        let w_73 = cos_psi * minus_lambda_ground_f2;
-        let w_74 = self.r * sin_lean * cos_lean
-            * ((w_72 + w_73) / sqrt_cos_lean_squared);
-        let w_75 = cos_psi * lambda_ground_f1;
-        let w_76 = sin_psi * minus_lambda_ground_f2;
-        let w_77 = w_75 - w_76;
-        let w_78 = w_10 * w_77;
-        let w_79 = cos_lean * cos_psi * w_70;
-        let w_80 = l_phi_psi * w_74
-            - (w_71 * lambda_ground_f1 + w_79 * minus_lambda_ground_f2);
-        let w_81 = l_lambda_ground_lean * w_78;
-        let w_82 = w_10 * (w_58 + cos_psi * lean_ddot) - w_68 + w_60 + w_65
-            - w_71 * phi_ddot - minus_l_lambda_ground_f1_psi * w_74
-            + minus_l_lambda_ground_f1_lean * w_78 - l_lambda_ground_f1_phi * w_80
-            - minus_l_lambda_ground_f1_lambda_ground * w_81;
-        let w_83 = self.r
-            * (cos_psi
-                * ((sin_lean * cos_lean * w_67 + w_31) / sqrt_cos_lean_squared + w_36)
-                - w_21) + w_10 * (w_49 + sin_psi * lean_ddot) - w_39 + w_54
-            + w_79 * phi_ddot;
-        let w_84 = inverse_lambda_ground_f2
-            * (w_83 - minus_l_lambda_ground_f2_psi * w_74
-                - l_lambda_ground_f2_lean * w_78 - l_lambda_ground_f2_phi * w_80
-                + l_lambda_ground_f2_lambda_ground * w_81
-                - l_lambda_ground_f2_lambda_ground_f1 * w_82);
-        let w_85 = inverse_lambda_ground_f1 * w_82
-            - l_lambda_ground_f2_lambda_ground_f1 * w_84;
-        let w_86 = cos_lean_squared * self.k_2;
-        let w_87 = self.r * w_4;
-        let w_88 = sqrt_cos_lean_squared
-            * ((w_51
-                * (w_86 / w_4 - cos_lean * self.k_8 / cos_lean_squared
-                    - w_87 / cos_lean_squared_squared)
-                + w_8 * self.k_4 / cos_lean_squared) / sqrt_cos_lean_squared_squared);
-        let w_89 = sqrt_cos_lean_squared * sqrt_cos_lean_squared_squared;
-        let w_90 = w_19
-            * (w_88 - w_8 * self.k_5 / sqrt_cos_lean_squared
-                + w_4 * self.k_2 * sqrt_cos_lean_squared_squared * w_51
-                    / (cos_lean_squared_squared * w_89));
-        let w_91 = self.r * w_33 / w_35;
-        let w_92 = self.k_2 / sqrt_cos_lean_squared;
-        let w_93 = lean_dot
-            * (w_90
-                + w_47
-                    * (sin_lean_squared * (w_91 - w_92)
-                        + self.r / sqrt_cos_lean_squared));
-        let w_94 = sin_lean * phi_dot;
-        let w_95 = cos_lean * cos_phi;
-        let w_96 = psi_dot * (sin_phi * w_94 - lean_dot * w_95);
-        let w_97 = cos_lean * sin_phi;
-        let w_98 = psi_dot * (cos_phi * w_94 + lean_dot * w_97);
-        let w_99 = cos_phi * w_96 - sin_phi * w_98;
-        let w_100 = self.r
-            * (w_29
-                - w_8
-                    * (lean_dot
-                        * (S::from_f64(2.0) * psi_dot
-                            * (sin_lean_squared - S::from_f64(1.0)) + w_12 + w_18) - w_44
-                        - cos_lean * w_99) + psi_ddot);
-        let w_101 = psi_dot - w_12 - w_18;
-        let w_102 = w_93
-            + (w_100 - self.k_2 * sin_lean_squared * w_67) / sqrt_cos_lean_squared
-            + self.r * sin_lean_squared * cos_lean_squared * sqrt_cos_lean_squared
-                * (w_67 / sqrt_cos_lean_squared_squared / cos_lean_squared)
-            + w_53 * w_101;
-        let w_103 = sin_lean_squared * w_19;
-        let w_104 = self.k_2 * w_103 / sqrt_cos_lean_squared;
-        let w_105 = w_33 * w_103 / w_35;
-        let w_106 = self.r * ((w_8 * w_47 + w_19) / sqrt_cos_lean_squared + w_105);
-        let w_107 = cos_lean * (sin_lean * (w_92 - w_9 / w_35) + w_9 * w_51 / w_35);
-        let w_108 = lean_ddot * w_107;
-        let w_109 = cos_phi * w_98 + sin_phi * w_96 - phi_dot * w - psi_dot * w_101;
-        let w_110 = cos_lean * (lean_dot * (w_11 + w * S::from_f64(2.0)) - w_27)
-            + sin_lean * (w_99 - lean_dot * w_17);
-        let w_111 = cos_lean * self.k_2 / w_4;
-        let sin_lean_squared_squared = sin_lean_squared * sin_lean_squared;
-        let w_112 = sqrt_cos_lean_squared
-            * ((sin_lean_squared * (self.k_9 / cos_lean_squared - w_111 + w_6)
-                + sin_lean_squared_squared * (w_111 - self.k_8 / cos_lean_squared - w_6)
-                - w_7) / sqrt_cos_lean_squared_squared);
-        let w_113 = lean_dot
-            * (w_112
-                + self.k_2
-                    * (cos_lean_squared * sqrt_cos_lean_squared_squared
-                        * ((sin_lean_squared_squared - sin_lean_squared) / w_89
-                            / cos_lean_squared_squared)
-                        + S::from_f64(1.0) / sqrt_cos_lean_squared)
-                - sin_lean_squared * self.k_5 / sqrt_cos_lean_squared);
-        let w_114 = self.k_4 / sqrt_cos_lean_squared;
-        let w_115 = w_51 * (w_114 - w_91) + sin_lean * (w_10 - w_92) + cos_lean * w_107;
-        let w_116 = cos_psi * w_115;
-        let w_117 = cos_psi * w_102 + sin_psi * (psi_dot * (w_104 - w_106) - w_108)
-            + w_10 * (sin_psi * w_109 - cos_psi * w_110) - w_49 * w_107 - w_50 * w_113
-            - phi_ddot * w_116;
-        let w_118 = lean_dot * psi_dot;
-        let w_119 = sin_lean_squared
-            * (self.k_2 * ((w_76 - w_75) / sqrt_cos_lean_squared)
-                + self.r * cos_lean_squared * sqrt_cos_lean_squared
-                    * (w_77 / sqrt_cos_lean_squared_squared / cos_lean_squared)
-                + self.k * w_118);
-        let w_120 = psi_dot * w_28;
-        let w_121 = sin_lean
-            * (sin_phi * self.k * (w_14 * w_11 + (w_22 - sin_phi * w_120))
-                + cos_phi * self.k * (w_11 * w_16 + (w_26 - cos_phi * w_120)));
-        let w_122 = self.k * (psi_dot * (cos_lean * w_14 - cos_phi * w_12) - w_98);
-        let w_123 = self.k * (psi_dot * (sin_phi * w_12 + cos_lean * w_16) + w_96);
-        let w_124 = w_119
-            + S::from_f64(0.25)
-                * (w_121 - cos_lean * (sin_phi * w_122 + cos_phi * w_123))
-            - self.C_ * (cos_lean * (sin_lean * psi_ddot + phi_ddot) + w_118)
-            + self.r * (w_77 / sqrt_cos_lean_squared);
-        let w_125 = inverse_cos_lean_squared - w_5;
-        let w_126 = sin_lean_squared * (self.k_2 * w_125 + w_6) - w_7;
-        let w_127 = sqrt_cos_lean_squared * lambda_ground * w_126
-            + S::from_f64(0.25) * (cos_phi * w_122 - sin_phi * w_123)
-            - w_107 * (w_73 + w_72);
-        let w_128 = sin_psi * w_115;
-        let w_129 = self.C_ * (w_120 - cos_lean * psi_ddot) - lambda_ground_f1 * w_116
-            + minus_lambda_ground_f2 * w_128 - l_phi_psi * w_124;
-        let w_130 = w_51
-            * (self.k_6 / w_4 - cos_lean * self.k_7 / cos_lean_squared_squared
-                + cos_lean_squared * self.k_8 / (cos_lean * cos_lean_squared_squared)
-                - w_87 / (w_4 * w_4));
-        let w_131 = sqrt_cos_lean_squared
+        let l_lambda_ground_f1_turned_phi = inverse_phi * k_lambda_ground_f1_turned_phi;
+        let w_60 = w_59 + w_58
+            + minus_k_lambda_ground_f1_turned_psi * minus_l_lambda_ground_f1_turned_psi
+            + k_lambda_ground_f1_turned_phi * l_lambda_ground_f1_turned_phi;
+        let pivot_lambda_ground_f1_turned = k_lambda_ground_f1_turned_lambda_ground_f2_turned
+            * minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned - w_60;
+        let inverse_lambda_ground_f1_turned = S::from_f64(1.0)
+            / pivot_lambda_ground_f1_turned;
+        let w_61 = inverse_lambda_ground_f1_turned
+            * (k_lambda_ground_f1_turned_x * w_53
+                + minus_k_lambda_ground_f2_turned_x * w_57
+                - minus_rhs_psi * minus_l_lambda_ground_f1_turned_psi
+                - minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned
+                    * minus_rhs_lambda_ground_f2_turned
+                - l_lambda_ground_f1_turned_phi * rhs_phi);
+        let w_62 = minus_inverse_lambda_ground_f2_turned
+            * minus_rhs_lambda_ground_f2_turned
+            + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_61;
+        let lean_ddot = inverse_lean * rhs_lean - l_lambda_ground_f2_turned_lean * w_62;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_ground_f1_turned_phi * w_61;
+        let psi_ddot = minus_l_lambda_ground_f1_turned_psi * w_61
+            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot;
+        let lambda_ground_f2 = minus_k_lambda_ground_f2_turned_x * w_61
+            + k_lambda_ground_f1_turned_x * w_62;
+        let minus_y_ddot = minus_l_lambda_ground_f2_turned_x * w_61
+            + l_lambda_ground_f1_turned_x * w_62;
+        let x_ddot = minus_l_lambda_ground_f2_turned_x * w_62
+            - l_lambda_ground_f1_turned_x * w_61;
+        let w_63 = minus_k_lambda_ground_f2_turned_x * w_62;
+        let w_64 = k_lambda_ground_f1_turned_x * w_61;
+        let w_65 = w_63 - w_64;
+        let w_66 = k_lambda_ground_f1_turned_x * x_ddot
+            - minus_k_lambda_ground_f2_turned_x * minus_y_ddot
+            + minus_l_lambda_ground_f2_turned_x * lambda_ground_f2
+            - l_lambda_ground_f1_turned_x * w_65;
+        let w_67 = inverse_lambda_ground_f1_turned
+            * (k_lambda_ground_f1_turned_x * minus_y_ddot
+                + minus_k_lambda_ground_f2_turned_x * x_ddot
+                - l_lambda_ground_f1_turned_x * lambda_ground_f2
+                - minus_l_lambda_ground_f2_turned_x * w_65
+                + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_66);
+        let w_68 = minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_67
+            - minus_inverse_lambda_ground_f2_turned * w_66;
+        let w_69 = sin_lean * phi_ddot;
+        let w_70 = cos_lean * self.k_7 / cos_lean_squared;
+        let w_71 = cos_lean_squared * self.k_2;
+        let w_72 = w_71 / w;
+        let w_161 = sqrt_cos_lean_squared * lean_dot
+            * (sin_lean_squared * (w_115 * self.k_4 + w_71 / cos_lean_squared_squared)
+                - self.k_2 / cos_lean_squared);
+        let w_116 = sin_lean_squared * (w_3 + self.k_2 * w_115) - w_4;
+        let w_73 = self.r * w;
+        let w_74 = w_73 / cos_lean_squared_squared;
+        let w_117 = w_49
+            * (self.k_5 / w - cos_lean * self.k_6 / cos_lean_squared_squared
+                + cos_lean_squared * self.k_7 / (cos_lean * cos_lean_squared_squared)
+                - w_73 / (w * w));
+        let w_118 = sqrt_cos_lean_squared
             * (lean_dot_squared
-                * (w_130
+                * (w_117
                     + sin_lean
                         * (cos_lean
-                            * (self.k_5 / cos_lean_squared
-                                + self.k_4 / cos_lean_squared_squared) - self.k_8 / w_4))
-                + lean_ddot * w_126) - l_lambda_ground_lean * w_127;
-        let w_132 = w_117 + minus_l_lambda_ground_f1_psi * w_124
-            + minus_l_lambda_ground_f1_lean * w_127 - l_lambda_ground_f1_phi * w_129
-            + minus_l_lambda_ground_f1_lambda_ground * w_131;
-        let w_133 = sin_psi * w_102 + cos_psi * (psi_dot * (w_106 - w_104) + w_108)
-            - w_10 * (cos_psi * w_109 + sin_psi * w_110) + w_58 * w_107 + w_64 * w_113
-            - phi_ddot * w_128;
-        let w_134 = inverse_lambda_ground_f2
-            * (w_133 + minus_l_lambda_ground_f2_psi * w_124
-                - l_lambda_ground_f2_lean * w_127 - l_lambda_ground_f2_phi * w_129
-                - l_lambda_ground_f2_lambda_ground * w_131
-                - l_lambda_ground_f2_lambda_ground_f1 * w_132);
-        let w_135 = inverse_lambda_ground_f1 * w_132
-            - l_lambda_ground_f2_lambda_ground_f1 * w_134;
-        let w_136 = minus_inverse_lambda_ground * w_81
-            + minus_l_lambda_ground_f1_lambda_ground * w_85
-            - l_lambda_ground_f2_lambda_ground * w_84;
-        let w_137 = minus_l_lambda_ground_f1_lambda_ground * w_135
-            - minus_inverse_lambda_ground * w_131
-            - l_lambda_ground_f2_lambda_ground * w_134;
-        let w_138 = inverse_phi * w_80 - l_lambda_ground_f1_phi * w_85
-            - l_lambda_ground_f2_phi * w_84;
-        let w_139 = inverse_phi * w_129 - l_lambda_ground_f1_phi * w_135
-            - l_lambda_ground_f2_phi * w_134;
-        let w_140 = phi_dot * w_97 + cos_phi * w_28;
-        let w_141 = phi_dot * w_95 - sin_phi * w_28;
-        let w_142 = cos_phi * w_140 - sin_phi * w_141;
-        let w_143 = cos_lean * (w_28 - w_142);
-        let w_144 = w_19 + psi_dot;
-        let w_145 = self.r
-            * ((sin_lean * cos_lean * (cos_psi * w_143 - sin_psi * w_144)
-                + cos_psi * lean_dot) / sqrt_cos_lean_squared + cos_psi * w_34 / w_35);
-        let w_146 = w_42 - (w_32 - sin_lean * w_142);
-        let w_147 = w_47 + (cos_phi * w_141 + sin_phi * w_140 - cos_lean * phi_dot);
-        let w_148 = self.k * (w_11 * w_95 + sin_lean * w_14 + w_141);
-        let w_149 = self.k * (sin_lean * w_16 - w_11 * w_97 - w_140);
-        let w_150 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_148 + cos_phi * w_149) + self.C_ * w_28);
-        let w_151 = S::from_f64(0.25) * (cos_phi * w_148 - sin_phi * w_149);
-        let w_152 = l_phi_psi * w_150 - cos_lean * w_3;
-        let w_153 = l_lambda_ground_lean * w_151;
-        let w_154 = w_145 - w_38 / sqrt_cos_lean_squared
-            + w_10 * (cos_psi * w_146 - sin_psi * w_147)
-            - minus_l_lambda_ground_f1_psi * w_150
-            + minus_l_lambda_ground_f1_lean * w_151 - l_lambda_ground_f1_phi * w_152
-            - minus_l_lambda_ground_f1_lambda_ground * w_153;
-        let w_155 = self.r
-            * ((sin_lean * cos_lean * (cos_psi * w_144 + sin_psi * w_143) + w_62)
-                / sqrt_cos_lean_squared + w_63);
-        let w_156 = w_155 - sin_psi * w_37 / sqrt_cos_lean_squared
-            + w_10 * (sin_psi * w_146 + cos_psi * w_147)
-            - minus_l_lambda_ground_f2_psi * w_150 - l_lambda_ground_f2_lean * w_151
-            - l_lambda_ground_f2_phi * w_152 + l_lambda_ground_f2_lambda_ground * w_153
-            - l_lambda_ground_f2_lambda_ground_f1 * w_154;
-        let w_157 = inverse_lambda_ground_f2 * w_156;
-        let w_158 = inverse_lambda_ground_f1 * w_154
-            - l_lambda_ground_f2_lambda_ground_f1 * w_157;
-        let w_159 = cos_phi * (phi_dot - w);
-        let w_160 = sin_phi * w_23;
-        let w_161 = phi_dot - cos_phi * w_159 + sin_phi * w_160;
-        let w_162 = self.r
-            * ((w_8 * (cos_lean * (w_11 + w - w_161) - w_46) + w_19)
-                / sqrt_cos_lean_squared + w_105) - w_104;
-        let w_163 = sin_lean * (w_11 - w_161) + w_18 - w_43;
-        let w_164 = cos_phi * w_160 + sin_phi * w_159;
-        let w_165 = cos_psi * w_162
-            + w_10 * (cos_psi * (psi_dot - w_163) + sin_psi * w_164) + sin_psi * w_53
-            - w_50 * w_107;
-        let w_166 = self.k * (sin_phi * w_11 - w_160);
-        let w_167 = self.k * (cos_phi * w_11 + w_159);
-        let w_168 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_166 + cos_phi * w_167) + self.C_ * w);
-        let w_169 = S::from_f64(0.25) * (cos_phi * w_166 - sin_phi * w_167);
-        let w_170 = l_phi_psi * w_168 - self.C_ * w_2;
-        let w_171 = sqrt_cos_lean_squared * lean_dot
-            * (sin_lean_squared * (w_125 * self.k_5 + w_86 / cos_lean_squared_squared)
-                - self.k_2 / cos_lean_squared) - l_lambda_ground_lean * w_169;
-        let w_172 = w_165 - minus_l_lambda_ground_f1_psi * w_168
-            + minus_l_lambda_ground_f1_lean * w_169 - l_lambda_ground_f1_phi * w_170
-            + minus_l_lambda_ground_f1_lambda_ground * w_171;
-        let w_173 = sin_psi * w_162
-            - w_10 * (sin_psi * (w_163 - psi_dot) + cos_psi * w_164) - cos_psi * w_53
-            + w_64 * w_107;
-        let w_174 = inverse_lambda_ground_f2
-            * (w_173 - minus_l_lambda_ground_f2_psi * w_168
-                - l_lambda_ground_f2_lean * w_169 - l_lambda_ground_f2_phi * w_170
-                - l_lambda_ground_f2_lambda_ground * w_171
-                - l_lambda_ground_f2_lambda_ground_f1 * w_172);
-        let w_175 = inverse_lambda_ground_f1 * w_172
-            - l_lambda_ground_f2_lambda_ground_f1 * w_174;
-        let w_176 = lean_dot * (w_51 * (w_91 - w_114) + w_52) + cos_lean * w_53;
-        let w_177 = sin_psi * w_2;
-        let w_178 = self.C_ * cos_lean * (w_41 + w_40);
-        let w_179 = self.C_ * w_17;
-        let w_180 = l_phi_psi * w_178;
-        let w_181 = l_lambda_ground_lean * w_179;
-        let w_182 = cos_psi * w_176 - w_69 * w_177 / sqrt_cos_lean_squared
-            - w_10 * (cos_psi * w_28 + w_177) - minus_l_lambda_ground_f1_psi * w_178
-            + minus_l_lambda_ground_f1_lean * w_179 - l_lambda_ground_f1_phi * w_180
-            - minus_l_lambda_ground_f1_lambda_ground * w_181;
-        let w_183 = cos_psi * w_2;
-        let w_184 = sin_psi * w_176 + w_69 * w_183 / sqrt_cos_lean_squared
-            + w_10 * (w_183 - sin_psi * w_28) - minus_l_lambda_ground_f2_psi * w_178
-            - l_lambda_ground_f2_lean * w_179 - l_lambda_ground_f2_phi * w_180
-            + l_lambda_ground_f2_lambda_ground * w_181
-            - l_lambda_ground_f2_lambda_ground_f1 * w_182;
-        let w_185 = inverse_lambda_ground_f2 * w_184;
-        let w_186 = inverse_lambda_ground_f1 * w_182
-            - l_lambda_ground_f2_lambda_ground_f1 * w_185;
-        let w_187 = minus_inverse_lambda_ground * w_153
-            + minus_l_lambda_ground_f1_lambda_ground * w_158
-            - l_lambda_ground_f2_lambda_ground * w_157;
-        let w_188 = minus_l_lambda_ground_f1_lambda_ground * w_175
-            - minus_inverse_lambda_ground * w_171
-            - l_lambda_ground_f2_lambda_ground * w_174;
-        let w_189 = minus_inverse_lambda_ground * w_181
-            + minus_l_lambda_ground_f1_lambda_ground * w_186
-            - l_lambda_ground_f2_lambda_ground * w_185;
-        let w_190 = inverse_phi * w_152 - l_lambda_ground_f1_phi * w_158
-            - l_lambda_ground_f2_phi * w_157;
-        let w_191 = inverse_phi * w_170 - l_lambda_ground_f1_phi * w_175
-            - l_lambda_ground_f2_phi * w_174;
-        let w_192 = inverse_phi * w_180 - l_lambda_ground_f1_phi * w_186
-            - l_lambda_ground_f2_phi * w_185;
+                            * (self.k_4 / cos_lean_squared
+                                + self.k_8 / cos_lean_squared_squared) - self.k_7 / w))
+                + lean_ddot * w_116);
+        let w_75 = w_5 * self.k_8 / cos_lean_squared;
+        let w_76 = w_5 * self.k_4 / sqrt_cos_lean_squared;
+        let w_77 = sqrt_cos_lean_squared * sqrt_cos_lean_squared_squared;
+        let w_78 = w * self.k_2 * sqrt_cos_lean_squared_squared * w_49
+            / (cos_lean_squared_squared * w_77);
+        let w_100 = cos_lean * self.k_2 / w;
+        let w_79 = self.k_2 / sqrt_cos_lean_squared;
+        let w_80 = self.r * w_33 / w_35;
+        let w_81 = self.r / sqrt_cos_lean_squared;
+        let w_82 = sin_lean_squared * (w_79 - w_80) - w_81;
+        let w_104 = w_80 - w_79;
+        let w_105 = w_81 + sin_lean_squared * w_104;
+        let w_83 = sin_lean * phi_dot;
+        let w_84 = cos_lean * cos_phi;
+        let w_132 = phi_dot * w_84 - w_17;
+        let w_85 = psi_dot * (sin_phi * w_83 - lean_dot * w_84);
+        let w_141 = self.k * (w_132 + w_8 * w_84 + sin_lean * w_14);
+        let w_86 = cos_lean * sin_phi;
+        let w_87 = psi_dot * (cos_phi * w_83 + lean_dot * w_86);
+        let w_109 = self.k * (psi_dot * (cos_lean * w_14 - cos_phi * w_28) - w_87);
+        let w_131 = phi_dot * w_86 + w_22;
+        let w_142 = self.k * (sin_lean * w_20 - w_131 - w_8 * w_86);
+        let w_110 = self.k * (w_85 + psi_dot * (sin_phi * w_28 + cos_lean * w_20));
+        let w_90 = psi_dot - w_28 - w_29;
+        let w_111 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_109 + cos_phi * w_110)
+                + self.C_ * (phi_ddot + sin_lean * psi_ddot));
+        let w_114 = sin_lean_squared * (w_61 * w_104 + lean_dot * psi_dot * self.k)
+            - w_111 + w_112 - w_113 + self.r * w_61 / sqrt_cos_lean_squared;
+        let w_119 = sqrt_cos_lean_squared
+            * (minus_l_lean_lambda_ground * lean_ddot
+                - self.minus_inverse_lambda_ground * rhs_lambda_ground) * w_116
+            + S::from_f64(0.25) * (cos_phi * w_109 - sin_phi * w_110) + w_62 * w_99
+            + minus_l_lean_lambda_ground * w_118;
+        let w_88 = cos_phi * w_85 - sin_phi * w_87;
+        let w_89 = w_6
+            * (lean_dot
+                * (w_30
+                    + S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0)))
+                - w_41 - cos_lean * w_88) / sqrt_cos_lean_squared;
+        let w_98 = lean_dot * (w_45 + S::from_f64(2.0) * w_36) - cos_lean * w_25
+            + sin_lean * w_88;
+        let w_97 = cos_phi * w_87 + sin_phi * w_85 - phi_dot * w_7 - psi_dot * w_90;
+        let w_91 = w_52 * w_90;
+        let w_92 = lean_dot
+            * (w_30
+                * (sqrt_cos_lean_squared
+                    * ((w_49 * (w_70 - w_72 + w_74) - w_75)
+                        / sqrt_cos_lean_squared_squared) + w_76 - w_78) + w_45 * w_82)
+            + w_27 * w_82 + w_89 - w_91;
+        let w_106 = w_91 - w_89
+            + lean_dot
+                * (w_30
+                    * (w_78 - w_76
+                        + sqrt_cos_lean_squared
+                            * ((w_75 + w_49 * (w_72 - w_70 - w_74))
+                                / sqrt_cos_lean_squared_squared)) + w_45 * w_105)
+            + w_27 * w_105;
+        let w_93 = sin_lean_squared * w_30 * w_33 / w_35;
+        let w_94 = sin_lean_squared * self.k_2;
+        let w_95 = w_30 * w_94 / sqrt_cos_lean_squared;
+        let w_96 = psi_dot
+            * (self.r * ((w_30 + w_5 * w_45) / sqrt_cos_lean_squared + w_93) - w_95);
+        let w_137 = w_45 + (cos_phi * w_132 + sin_phi * w_131 - cos_lean * phi_dot);
+        let w_133 = cos_phi * w_131 - sin_phi * w_132;
+        let w_136 = w_42 - (w_32 - sin_lean * w_133);
+        let w_134 = cos_lean * (w_16 - w_133);
+        let w_174 = w_9 * w_42;
+        let sin_lean_squared_squared = sin_lean_squared * sin_lean_squared;
+        let w_101 = sqrt_cos_lean_squared
+            * ((sin_lean_squared * (w_3 + self.k_9 / cos_lean_squared - w_100) - w_4
+                + sin_lean_squared_squared * (w_100 - w_3 - self.k_7 / cos_lean_squared))
+                / sqrt_cos_lean_squared_squared);
+        let inverse_sqrt_cos_lean_squared = S::from_f64(1.0) / sqrt_cos_lean_squared;
+        let w_102 = lean_dot
+            * (w_101
+                + self.k_2
+                    * (inverse_sqrt_cos_lean_squared
+                        + cos_lean_squared * sqrt_cos_lean_squared_squared
+                            * ((sin_lean_squared_squared - sin_lean_squared) / w_77
+                                / cos_lean_squared_squared))
+                - sin_lean_squared * self.k_4 / sqrt_cos_lean_squared);
+        let w_103 = k_lambda_ground_f1_turned_x * w_92
+            + minus_k_lambda_ground_f2_turned_x * w_96
+            - k_lambda_ground_f2_turned_lean
+                * (minus_k_lambda_ground_f2_turned_x * w_97
+                    - k_lambda_ground_f1_turned_x * w_98) + w_47 * w_99 + w_48 * w_102;
+        let w_107 = minus_k_lambda_ground_f2_turned_x * w_106
+            + k_lambda_ground_f1_turned_x * w_96
+            - k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_97
+                    + minus_k_lambda_ground_f2_turned_x * w_98) + w_55 * w_99
+            + w_56 * w_102;
+        let w_108 = self.r
+            * (cos_lean_squared * sqrt_cos_lean_squared
+                * ((sin_lean_squared * psi_ddot + w_69) / sqrt_cos_lean_squared_squared
+                    / cos_lean_squared) + (psi_ddot - w_69) / sqrt_cos_lean_squared)
+            - k_lambda_ground_f1_turned_x * w_103
+            + minus_k_lambda_ground_f2_turned_x * w_107
+            - psi_ddot * w_94 / sqrt_cos_lean_squared;
+        let w_120 = k_lambda_ground_f1_turned_x * w_107
+            + minus_k_lambda_ground_f2_turned_x * w_103 + lean_ddot * w_99
+            - l_lambda_ground_f2_turned_lean * w_119;
+        let w_121 = sin_lean
+            * (w_113 + self.r * w_61 * (w_33 / w_35 - inverse_sqrt_cos_lean_squared))
+            - w_9 * psi_ddot - l_phi_psi * w_114;
+        let w_122 = inverse_lambda_ground_f1_turned
+            * (w_108 + minus_l_lambda_ground_f1_turned_psi * w_114
+                + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_120
+                - l_lambda_ground_f1_turned_phi * w_121);
+        let w_123 = minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_122
+            - minus_inverse_lambda_ground_f2_turned * w_120;
+        let w_126 = inverse_lean * w_119 - l_lambda_ground_f2_turned_lean * w_123;
+        let w_127 = minus_l_lean_lambda_ground * w_126
+            - self.minus_inverse_lambda_ground * w_118;
+        let w_129 = inverse_phi * w_121 - l_lambda_ground_f1_turned_phi * w_122;
+        let w_169 = self.r * sin_lean_squared;
+        let w_124 = l_lambda_ground_f2_turned_lean * w_68;
+        let w_125 = minus_l_lean_lambda_ground * w_124;
+        let w_128 = l_lambda_ground_f1_turned_phi * w_67;
+        let w_130 = psi_dot + w_30;
+        let w_135 = self.r
+            * (w_54
+                + (sin_lean * cos_lean
+                    * (k_lambda_ground_f1_turned_x * w_130
+                        + minus_k_lambda_ground_f2_turned_x * w_134)
+                    + minus_k_lambda_ground_f2_turned_x * lean_dot)
+                    / sqrt_cos_lean_squared);
+        let w_138 = w_135
+            - minus_k_lambda_ground_f2_turned_x * w_38 / sqrt_cos_lean_squared
+            + k_lambda_ground_f2_turned_lean
+                * (minus_k_lambda_ground_f2_turned_x * w_136
+                    + k_lambda_ground_f1_turned_x * w_137);
+        let w_139 = self.r
+            * ((sin_lean * cos_lean
+                * (minus_k_lambda_ground_f2_turned_x * w_130
+                    - k_lambda_ground_f1_turned_x * w_134)
+                - k_lambda_ground_f1_turned_x * lean_dot) / sqrt_cos_lean_squared
+                - k_lambda_ground_f1_turned_x * w_34 / w_35);
+        let w_140 = w_139 + w_39 / sqrt_cos_lean_squared
+            - k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_136
+                    - minus_k_lambda_ground_f2_turned_x * w_137);
+        let w_143 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_141 + cos_phi * w_142) + self.C_ * w_16);
+        let w_144 = S::from_f64(0.25) * (cos_phi * w_141 - sin_phi * w_142);
+        let w_146 = l_phi_psi * w_143 - w_10;
+        let w_145 = k_lambda_ground_f1_turned_x * w_138
+            + minus_k_lambda_ground_f2_turned_x * w_140
+            - l_lambda_ground_f2_turned_lean * w_144;
+        let w_147 = inverse_lambda_ground_f1_turned
+            * (minus_k_lambda_ground_f2_turned_x * w_138
+                - k_lambda_ground_f1_turned_x * w_140
+                - minus_l_lambda_ground_f1_turned_psi * w_143
+                + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_145
+                - l_lambda_ground_f1_turned_phi * w_146);
+        let w_148 = minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_147
+            - minus_inverse_lambda_ground_f2_turned * w_145;
+        let w_180 = inverse_lean * w_144 - l_lambda_ground_f2_turned_lean * w_148;
+        let w_186 = inverse_phi * w_146 - l_lambda_ground_f1_turned_phi * w_147;
+        let w_149 = w_7 - phi_dot;
+        let w_150 = cos_phi * w_149;
+        let w_151 = sin_phi * w_149;
+        let w_152 = phi_dot + cos_phi * w_150 + sin_phi * w_151;
+        let w_153 = self.r
+            * (w_93
+                + (w_30 + w_5 * (cos_lean * (w_13 - w_152) - w_44))
+                    / sqrt_cos_lean_squared) - w_95;
+        let w_154 = psi_dot - (w_29 - w_40 + sin_lean * (w_8 - w_152));
+        let w_155 = cos_phi * w_151 - sin_phi * w_150;
+        let w_156 = k_lambda_ground_f1_turned_x * w_153
+            + k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_154
+                    + minus_k_lambda_ground_f2_turned_x * w_155)
+            + minus_k_lambda_ground_f2_turned_x * w_52 - w_48 * w_99;
+        let w_157 = minus_k_lambda_ground_f2_turned_x * w_153
+            - k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_155
+                    - minus_k_lambda_ground_f2_turned_x * w_154)
+            - k_lambda_ground_f1_turned_x * w_52 + w_56 * w_99;
+        let w_167 = cos_lean * w_52;
+        let w_158 = self.k * (sin_phi * w_8 - w_151);
+        let w_159 = self.k * (cos_phi * w_8 - w_150);
+        let w_160 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_158 + cos_phi * w_159) + self.C_ * w_7);
+        let w_162 = S::from_f64(0.25) * (cos_phi * w_158 - sin_phi * w_159)
+            + minus_l_lean_lambda_ground * w_161;
+        let w_163 = k_lambda_ground_f1_turned_x * w_157
+            - minus_k_lambda_ground_f2_turned_x * w_156
+            - l_lambda_ground_f2_turned_lean * w_162;
+        let w_164 = l_phi_psi * w_160 - self.C_ * w_11;
+        let w_165 = inverse_lambda_ground_f1_turned
+            * (k_lambda_ground_f1_turned_x * w_156
+                + minus_k_lambda_ground_f2_turned_x * w_157
+                - minus_l_lambda_ground_f1_turned_psi * w_160
+                + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_163
+                - l_lambda_ground_f1_turned_phi * w_164);
+        let w_166 = minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_165
+            - minus_inverse_lambda_ground_f2_turned * w_163;
+        let w_182 = inverse_lean * w_162 - l_lambda_ground_f2_turned_lean * w_166;
+        let w_183 = minus_l_lean_lambda_ground * w_182
+            - self.minus_inverse_lambda_ground * w_161;
+        let w_187 = inverse_phi * w_164 - l_lambda_ground_f1_turned_phi * w_165;
+        let w_168 = self.k_8 / sqrt_cos_lean_squared;
+        let w_170 = k_lambda_ground_f1_turned_x * w_11;
+        let w_171 = minus_k_lambda_ground_f2_turned_x
+            * (w_167 + lean_dot * (w_51 + w_49 * (w_80 - w_168)))
+            + w_169 * w_170 / sqrt_cos_lean_squared
+            + k_lambda_ground_f2_turned_lean
+                * (w_170 - minus_k_lambda_ground_f2_turned_x * w_16);
+        let w_172 = minus_k_lambda_ground_f2_turned_x * w_11;
+        let w_173 = k_lambda_ground_f1_turned_x
+            * (lean_dot * (w_49 * (w_168 - w_80) - w_51) - w_167)
+            + w_172 * w_169 / sqrt_cos_lean_squared
+            + k_lambda_ground_f2_turned_lean
+                * (k_lambda_ground_f1_turned_x * w_16 + w_172);
+        let w_176 = k_lambda_ground_f1_turned_x * w_171
+            + minus_k_lambda_ground_f2_turned_x * w_173
+            - l_lambda_ground_f2_turned_lean * w_175;
+        let w_177 = l_phi_psi * w_174;
+        let w_178 = inverse_lambda_ground_f1_turned
+            * (minus_k_lambda_ground_f2_turned_x * w_171
+                - k_lambda_ground_f1_turned_x * w_173
+                - minus_l_lambda_ground_f1_turned_psi * w_174
+                + minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_176
+                - l_lambda_ground_f1_turned_phi * w_177);
+        let w_179 = minus_l_lambda_ground_f1_turned_lambda_ground_f2_turned * w_178
+            - minus_inverse_lambda_ground_f2_turned * w_176;
+        let w_184 = inverse_lean * w_175 - l_lambda_ground_f2_turned_lean * w_179;
+        let w_188 = inverse_phi * w_177 - l_lambda_ground_f1_turned_phi * w_178;
+        let w_181 = minus_l_lean_lambda_ground * w_180;
+        let w_185 = minus_l_lean_lambda_ground * w_184;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_85),
-                    -(self.inverse_z * w_135),
+                    self.inverse_z * lambda_ground_f2
+                        - l_lambda_ground_f1_turned_x * w_67
+                        + minus_l_lambda_ground_f2_turned_x * w_68,
+                    minus_l_lambda_ground_f2_turned_x * w_123
+                        - l_lambda_ground_f1_turned_x * w_122,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_84),
-                    -(self.inverse_z * w_134),
+                    self.inverse_z * w_65 - minus_l_lambda_ground_f2_turned_x * w_67
+                        - l_lambda_ground_f1_turned_x * w_68,
+                    -(minus_l_lambda_ground_f2_turned_x * w_122
+                        + l_lambda_ground_f1_turned_x * w_123),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_136),
-                    -(self.inverse_z * w_137),
+                    self.inverse_z * w_125,
+                    -(self.inverse_z * w_127),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    minus_l_lambda_ground_f1_psi * w_85 - inverse_psi * w_74
-                        - l_phi_psi * w_138 + minus_l_lambda_ground_f2_psi * w_84,
-                    inverse_psi * w_124 - l_phi_psi * w_139
-                        + minus_l_lambda_ground_f1_psi * w_135
-                        + minus_l_lambda_ground_f2_psi * w_134,
+                    l_phi_psi * w_128 + minus_l_lambda_ground_f1_turned_psi * w_67,
+                    inverse_psi * w_114 - l_phi_psi * w_129
+                        + minus_l_lambda_ground_f1_turned_psi * w_122,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_lean * w_78 - l_lambda_ground_lean * w_136
-                        + minus_l_lambda_ground_f1_lean * w_85
-                        - l_lambda_ground_f2_lean * w_84,
-                    self.inverse_lean * w_127 - l_lambda_ground_lean * w_137
-                        + minus_l_lambda_ground_f1_lean * w_135
-                        - l_lambda_ground_f2_lean * w_134,
+                    -w_124,
+                    w_126,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_138,
-                    w_139,
+                    -w_128,
+                    w_129,
                     S::from_f64(0.0),
                 ],
             ],
@@ -1468,58 +1476,58 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_158),
-                    -(self.inverse_z * w_175),
-                    -(self.inverse_z * w_186),
+                    minus_l_lambda_ground_f2_turned_x * w_148
+                        - l_lambda_ground_f1_turned_x * w_147,
+                    minus_l_lambda_ground_f2_turned_x * w_166
+                        - l_lambda_ground_f1_turned_x * w_165,
+                    minus_l_lambda_ground_f2_turned_x * w_179
+                        - l_lambda_ground_f1_turned_x * w_178,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_157),
-                    -(self.inverse_z * w_174),
+                    -(minus_l_lambda_ground_f2_turned_x * w_147
+                        + l_lambda_ground_f1_turned_x * w_148),
+                    -(minus_l_lambda_ground_f2_turned_x * w_165
+                        + l_lambda_ground_f1_turned_x * w_166),
+                    -(minus_l_lambda_ground_f2_turned_x * w_178
+                        + l_lambda_ground_f1_turned_x * w_179),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    -(self.inverse_z * w_181),
+                    -(self.inverse_z * w_183),
                     -(self.inverse_z * w_185),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_z * w_187),
-                    -(self.inverse_z * w_188),
-                    -(self.inverse_z * w_189),
+                    minus_l_lambda_ground_f1_turned_psi * w_147 - inverse_psi * w_143
+                        - l_phi_psi * w_186,
+                    minus_l_lambda_ground_f1_turned_psi * w_165 - inverse_psi * w_160
+                        - l_phi_psi * w_187,
+                    minus_l_lambda_ground_f1_turned_psi * w_178 - inverse_psi * w_174
+                        - l_phi_psi * w_188,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    minus_l_lambda_ground_f1_psi * w_158 - inverse_psi * w_150
-                        - l_phi_psi * w_190 + minus_l_lambda_ground_f2_psi * w_157,
-                    minus_l_lambda_ground_f1_psi * w_175 - inverse_psi * w_168
-                        - l_phi_psi * w_191 + minus_l_lambda_ground_f2_psi * w_174,
-                    minus_l_lambda_ground_f1_psi * w_186 - inverse_psi * w_178
-                        - l_phi_psi * w_192 + minus_l_lambda_ground_f2_psi * w_185,
+                    w_180,
+                    w_182,
+                    w_184,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_lean * w_151 - l_lambda_ground_lean * w_187
-                        + minus_l_lambda_ground_f1_lean * w_158
-                        - l_lambda_ground_f2_lean * w_157,
-                    self.inverse_lean * w_169 - l_lambda_ground_lean * w_188
-                        + minus_l_lambda_ground_f1_lean * w_175
-                        - l_lambda_ground_f2_lean * w_174,
-                    self.inverse_lean * w_179 - l_lambda_ground_lean * w_189
-                        + minus_l_lambda_ground_f1_lean * w_186
-                        - l_lambda_ground_f2_lean * w_185,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_190,
-                    w_191,
-                    w_192,
+                    w_186,
+                    w_187,
+                    w_188,
                 ],
             ],
             multipliers_by_positions: [
@@ -1527,24 +1535,28 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_136,
-                    w_137,
+                    -w_125,
+                    w_127,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_85,
-                    w_135,
+                    k_lambda_ground_f1_turned_x * w_67
+                        - minus_k_lambda_ground_f2_turned_x * w_68 - lambda_ground_f2,
+                    k_lambda_ground_f1_turned_x * w_122
+                        - minus_k_lambda_ground_f2_turned_x * w_123,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_84,
-                    w_134,
+                    minus_k_lambda_ground_f2_turned_x * w_67
+                        + k_lambda_ground_f1_turned_x * w_68 + (w_64 - w_63),
+                    minus_k_lambda_ground_f2_turned_x * w_122
+                        + k_lambda_ground_f1_turned_x * w_123,
                     S::from_f64(0.0),
                 ],
             ],
@@ -1553,38 +1565,44 @@ impl<S: sim_kernel::Scalar> RollingDiscPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_187,
-                    w_188,
-                    w_189,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_158,
-                    w_175,
-                    w_186,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_157,
-                    w_174,
+                    w_181,
+                    w_183,
                     w_185,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    k_lambda_ground_f1_turned_x * w_147
+                        - minus_k_lambda_ground_f2_turned_x * w_148,
+                    k_lambda_ground_f1_turned_x * w_165
+                        - minus_k_lambda_ground_f2_turned_x * w_166,
+                    k_lambda_ground_f1_turned_x * w_178
+                        - minus_k_lambda_ground_f2_turned_x * w_179,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_k_lambda_ground_f2_turned_x * w_147
+                        + k_lambda_ground_f1_turned_x * w_148,
+                    minus_k_lambda_ground_f2_turned_x * w_165
+                        + k_lambda_ground_f1_turned_x * w_166,
+                    minus_k_lambda_ground_f2_turned_x * w_178
+                        + k_lambda_ground_f1_turned_x * w_179,
                 ],
             ],
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
-                | sim_kernel::pivot_is_refused(self.A_, self.A_)
+                | sim_kernel::pivot_is_refused(self.pivot_lambda_ground, self.inverse_z)
+                | sim_kernel::pivot_is_refused(pivot_lean, pivot_lean)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_ground,
-                    minus_pivot_lambda_ground,
-                ) | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1, w_57)
-                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f2, w_59),
+                    -minus_pivot_lambda_ground_f2_turned,
+                    minus_pivot_lambda_ground_f2_turned,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.C_)
+                | sim_kernel::pivot_is_refused(pivot_lambda_ground_f1_turned, w_60),
         }
     }
 }

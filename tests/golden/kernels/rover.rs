@@ -700,16 +700,16 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
         let k_lambda_sideways_lambda_left_rolls = w_4 - w_5;
         let minus_l_lambda_sideways_lambda_left_rolls = minus_inverse_lambda_left_rolls
             * k_lambda_sideways_lambda_left_rolls;
-        let w_6 = self.k_3 + w_2 + w_3;
-        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
-            * minus_l_lambda_right_rolls_lambda_left_rolls - w_6;
-        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
         let k_lambda_sideways_lambda_right_rolls = w_4 - w_5
             + k_lambda_right_rolls_lambda_left_rolls
                 * minus_l_lambda_sideways_lambda_left_rolls;
+        let w_6 = self.k_3 + w_2 + w_3;
+        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
+            * minus_l_lambda_right_rolls_lambda_left_rolls - w_6;
+        let w_7 = w_3 + w_2;
+        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
         let l_lambda_sideways_lambda_right_rolls = inverse_lambda_right_rolls
             * k_lambda_sideways_lambda_right_rolls;
-        let w_7 = w_3 + w_2;
         let pivot_lambda_sideways = k_lambda_sideways_lambda_left_rolls
             * minus_l_lambda_sideways_lambda_left_rolls - w_7
             - k_lambda_sideways_lambda_right_rolls
@@ -757,7 +757,7 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
     }
     /// The derivatives of accelerations (5 rows) and multipliers (3 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 139 additions, 189 multiplications, 3 divisions, 1 sine-cosine pair.
+    /// Operations: 137 additions, 187 multiplications, 3 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -784,30 +784,29 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
         let rhs_lambda_right_rolls = (self.tau_right.or(S::from_f64(0.3))
             - self.c * right_dot) * self.minus_l_lambda_left_rolls_left - w
             + minus_l_lambda_right_rolls_lambda_left_rolls * rhs_lambda_left_rolls;
-        let w_4 = left_rolls_by_y * y_dot;
-        let w_5 = left_rolls_by_x * x_dot;
-        let w_6 = left_rolls_by_x * minus_l_lambda_sideways_x;
-        let w_7 = left_rolls_by_y * l_lambda_left_rolls_x;
-        let k_lambda_sideways_lambda_left_rolls = w_6 - w_7;
+        let w_4 = left_rolls_by_y * y_dot + left_rolls_by_x * x_dot;
+        let w_5 = left_rolls_by_x * minus_l_lambda_sideways_x;
+        let w_6 = left_rolls_by_y * l_lambda_left_rolls_x;
+        let k_lambda_sideways_lambda_left_rolls = w_5 - w_6;
         let minus_l_lambda_sideways_lambda_left_rolls = minus_inverse_lambda_left_rolls
             * k_lambda_sideways_lambda_left_rolls;
-        let w_8 = self.k_3 + w_2 + w_3;
-        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
-            * minus_l_lambda_right_rolls_lambda_left_rolls - w_8;
-        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
-        let k_lambda_sideways_lambda_right_rolls = w_6 - w_7
+        let k_lambda_sideways_lambda_right_rolls = w_5 - w_6
             + k_lambda_right_rolls_lambda_left_rolls
                 * minus_l_lambda_sideways_lambda_left_rolls;
+        let w_7 = self.k_3 + w_2 + w_3;
+        let pivot_lambda_right_rolls = k_lambda_right_rolls_lambda_left_rolls
+            * minus_l_lambda_right_rolls_lambda_left_rolls - w_7;
+        let w_8 = w_3 + w_2;
+        let inverse_lambda_right_rolls = S::from_f64(1.0) / pivot_lambda_right_rolls;
         let l_lambda_sideways_lambda_right_rolls = inverse_lambda_right_rolls
             * k_lambda_sideways_lambda_right_rolls;
-        let w_9 = w_3 + w_2;
         let pivot_lambda_sideways = k_lambda_sideways_lambda_left_rolls
-            * minus_l_lambda_sideways_lambda_left_rolls - w_9
+            * minus_l_lambda_sideways_lambda_left_rolls - w_8
             - k_lambda_sideways_lambda_right_rolls
                 * l_lambda_sideways_lambda_right_rolls;
         let inverse_lambda_sideways = S::from_f64(1.0) / pivot_lambda_sideways;
         let lambda_sideways = inverse_lambda_sideways
-            * (psi_dot * (w_4 + w_5)
+            * (psi_dot * w_4
                 + minus_l_lambda_sideways_lambda_left_rolls * rhs_lambda_left_rolls
                 - l_lambda_sideways_lambda_right_rolls * rhs_lambda_right_rolls);
         let lambda_right_rolls = inverse_lambda_right_rolls * rhs_lambda_right_rolls
@@ -816,210 +815,196 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
             * lambda_right_rolls
             - minus_inverse_lambda_left_rolls * rhs_lambda_left_rolls
             + minus_l_lambda_sideways_lambda_left_rolls * lambda_sideways;
-        let w_10 = lambda_left_rolls + lambda_right_rolls;
-        let w_11 = left_rolls_by_y * w_10 + left_rolls_by_x * lambda_sideways;
-        let w_12 = self.b * psi_dot;
-        let w_13 = self.r * right_dot;
-        let w_14 = w_12 - w_13;
-        let w_15 = left_rolls_by_x * w_14;
-        let w_16 = w_15 + x_dot;
-        let w_17 = left_rolls_by_y * w_14;
-        let w_18 = w_17 + y_dot;
+        let w_9 = lambda_right_rolls + lambda_left_rolls;
+        let w_10 = left_rolls_by_y * w_9 + left_rolls_by_x * lambda_sideways;
+        let w_21 = left_rolls_by_y * lambda_sideways - left_rolls_by_x * w_9;
         let minus_y_ddot = minus_l_lambda_sideways_x * lambda_left_rolls
             + minus_l_lambda_sideways_x * lambda_right_rolls
             + l_lambda_left_rolls_x * lambda_sideways;
-        let w_19 = left_rolls_by_x * minus_y_ddot;
         let x_ddot = minus_l_lambda_sideways_x * lambda_sideways
             - l_lambda_left_rolls_x * lambda_left_rolls
             - l_lambda_left_rolls_x * lambda_right_rolls;
-        let w_20 = left_rolls_by_y * x_ddot;
-        let w_21 = l_lambda_left_rolls_x * w_11;
-        let w_22 = left_rolls_by_y * lambda_sideways - left_rolls_by_x * w_10;
-        let w_23 = minus_l_lambda_sideways_x * w_22;
-        let w_24 = self.r * left_dot;
-        let w_25 = w_12 + w_24;
-        let w_26 = left_rolls_by_x * w_25;
-        let w_27 = x_dot - w_26;
-        let w_28 = left_rolls_by_y * w_25;
-        let w_29 = y_dot - w_28;
-        let w_30 = psi_dot
-            * (left_rolls_by_x * (w_27 + w_26) + left_rolls_by_y * (w_28 + w_29)) + w_19
-            + w_20 - w_21 - w_23;
-        let w_31 = psi_dot
-            * (left_rolls_by_x * (w_16 - w_15) + left_rolls_by_y * (w_18 - w_17)) + w_19
-            + w_20 - w_21 - w_23 + minus_l_lambda_right_rolls_lambda_left_rolls * w_30;
-        let w_32 = left_rolls_by_x * (x_ddot + psi_dot * y_dot)
-            - left_rolls_by_y * (psi_dot * x_dot + minus_y_ddot)
-            + minus_l_lambda_sideways_x * w_11 - l_lambda_left_rolls_x * w_22
-            + minus_l_lambda_sideways_lambda_left_rolls * w_30
+        let w_11 = left_rolls_by_x * minus_y_ddot;
+        let w_12 = left_rolls_by_y * x_ddot;
+        let w_13 = self.b * psi_dot;
+        let w_14 = self.r * right_dot;
+        let w_15 = w_13 - w_14;
+        let w_16 = left_rolls_by_x * w_15;
+        let w_18 = left_rolls_by_y * w_15;
+        let w_17 = x_dot + w_16;
+        let w_19 = y_dot + w_18;
+        let w_20 = l_lambda_left_rolls_x * w_10;
+        let w_22 = minus_l_lambda_sideways_x * w_21;
+        let w_23 = self.r * left_dot;
+        let w_24 = w_13 + w_23;
+        let w_25 = left_rolls_by_x * w_24;
+        let w_27 = left_rolls_by_y * w_24;
+        let w_26 = x_dot - w_25;
+        let w_28 = y_dot - w_27;
+        let w_29 = psi_dot
+            * (left_rolls_by_x * (w_25 + w_26) + left_rolls_by_y * (w_27 + w_28)) + w_11
+            + w_12 - w_20 - w_22;
+        let w_30 = w_11 + w_12
+            + psi_dot
+                * (left_rolls_by_x * (w_17 - w_16) + left_rolls_by_y * (w_19 - w_18))
+            - w_20 - w_22 + minus_l_lambda_right_rolls_lambda_left_rolls * w_29;
+        let w_31 = inverse_lambda_sideways
+            * (w + left_rolls_by_x * x_ddot - left_rolls_by_y * minus_y_ddot
+                + minus_l_lambda_sideways_x * w_10 - l_lambda_left_rolls_x * w_21
+                + minus_l_lambda_sideways_lambda_left_rolls * w_29
+                - l_lambda_sideways_lambda_right_rolls * w_30);
+        let w_32 = inverse_lambda_right_rolls * w_30
             - l_lambda_sideways_lambda_right_rolls * w_31;
-        let w_33 = inverse_lambda_sideways * w_32;
-        let w_34 = inverse_lambda_right_rolls * w_31
-            - l_lambda_sideways_lambda_right_rolls * w_33;
-        let w_35 = minus_l_lambda_right_rolls_lambda_left_rolls * w_34
-            - minus_inverse_lambda_left_rolls * w_30
-            + minus_l_lambda_sideways_lambda_left_rolls * w_33;
-        let w_36 = left_rolls_by_x * psi_dot;
-        let w_37 = left_rolls_by_y * psi_dot;
-        let w_38 = w_37 + minus_l_lambda_right_rolls_lambda_left_rolls * w_37;
-        let w_39 = inverse_lambda_sideways
-            * (w_36 + minus_l_lambda_sideways_lambda_left_rolls * w_37
-                - l_lambda_sideways_lambda_right_rolls * w_38);
-        let w_40 = inverse_lambda_right_rolls * w_38
-            - l_lambda_sideways_lambda_right_rolls * w_39;
-        let w_41 = minus_l_lambda_right_rolls_lambda_left_rolls * w_40
-            - minus_inverse_lambda_left_rolls * w_37
-            + minus_l_lambda_sideways_lambda_left_rolls * w_39;
-        let w_42 = w_36 + minus_l_lambda_right_rolls_lambda_left_rolls * w_36;
-        let w_43 = inverse_lambda_sideways
-            * (w_37 - minus_l_lambda_sideways_lambda_left_rolls * w_36
-                + l_lambda_sideways_lambda_right_rolls * w_42);
-        let w_44 = inverse_lambda_right_rolls * w_42
-            + l_lambda_sideways_lambda_right_rolls * w_43;
-        let w_45 = minus_inverse_lambda_left_rolls * w_36
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_44
-            + minus_l_lambda_sideways_lambda_left_rolls * w_43;
-        let w_46 = psi_dot * self.k_4;
-        let w_47 = w_46 + w_24;
-        let w_48 = left_rolls_by_y * (w_27 + left_rolls_by_x * w_47)
-            - left_rolls_by_x * (left_rolls_by_y * w_47 + w_29);
-        let w_49 = w_46 - w_13;
-        let w_50 = left_rolls_by_y * (w_16 - left_rolls_by_x * w_49)
-            + left_rolls_by_x * (left_rolls_by_y * w_49 - w_18)
-            + minus_l_lambda_right_rolls_lambda_left_rolls * w_48;
-        let w_51 = inverse_lambda_sideways
-            * (w_5 + w_4 + minus_l_lambda_sideways_lambda_left_rolls * w_48
-                - l_lambda_sideways_lambda_right_rolls * w_50);
-        let w_52 = inverse_lambda_right_rolls * w_50
-            - l_lambda_sideways_lambda_right_rolls * w_51;
-        let w_53 = minus_l_lambda_right_rolls_lambda_left_rolls * w_52
-            - minus_inverse_lambda_left_rolls * w_48
-            + minus_l_lambda_sideways_lambda_left_rolls * w_51;
-        let w_54 = minus_l_lambda_right_rolls_lambda_left_rolls * self.k_5;
-        let w_55 = inverse_lambda_sideways
-            * (l_lambda_sideways_lambda_right_rolls * w_54
+        let w_33 = minus_l_lambda_right_rolls_lambda_left_rolls * w_32
+            - minus_inverse_lambda_left_rolls * w_29
+            + minus_l_lambda_sideways_lambda_left_rolls * w_31;
+        let w_34 = left_rolls_by_x * psi_dot;
+        let w_35 = left_rolls_by_y * psi_dot;
+        let w_36 = w_35 + minus_l_lambda_right_rolls_lambda_left_rolls * w_35;
+        let w_37 = inverse_lambda_sideways
+            * (w_34 + minus_l_lambda_sideways_lambda_left_rolls * w_35
+                - l_lambda_sideways_lambda_right_rolls * w_36);
+        let w_38 = inverse_lambda_right_rolls * w_36
+            - l_lambda_sideways_lambda_right_rolls * w_37;
+        let w_39 = minus_l_lambda_right_rolls_lambda_left_rolls * w_38
+            - minus_inverse_lambda_left_rolls * w_35
+            + minus_l_lambda_sideways_lambda_left_rolls * w_37;
+        let w_40 = w_34 + minus_l_lambda_right_rolls_lambda_left_rolls * w_34;
+        let w_41 = inverse_lambda_sideways
+            * (w_35 - minus_l_lambda_sideways_lambda_left_rolls * w_34
+                + l_lambda_sideways_lambda_right_rolls * w_40);
+        let w_42 = inverse_lambda_right_rolls * w_40
+            + l_lambda_sideways_lambda_right_rolls * w_41;
+        let w_43 = minus_inverse_lambda_left_rolls * w_34
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_42
+            + minus_l_lambda_sideways_lambda_left_rolls * w_41;
+        let w_44 = psi_dot * self.k_4;
+        let w_45 = w_23 + w_44;
+        let w_46 = left_rolls_by_y * (w_26 + left_rolls_by_x * w_45)
+            - left_rolls_by_x * (w_28 + left_rolls_by_y * w_45);
+        let w_47 = w_44 - w_14;
+        let w_48 = left_rolls_by_y * (w_17 - left_rolls_by_x * w_47)
+            + left_rolls_by_x * (left_rolls_by_y * w_47 - w_19)
+            + minus_l_lambda_right_rolls_lambda_left_rolls * w_46;
+        let w_49 = inverse_lambda_sideways
+            * (w_4 + minus_l_lambda_sideways_lambda_left_rolls * w_46
+                - l_lambda_sideways_lambda_right_rolls * w_48);
+        let w_50 = inverse_lambda_right_rolls * w_48
+            - l_lambda_sideways_lambda_right_rolls * w_49;
+        let w_51 = minus_l_lambda_right_rolls_lambda_left_rolls * w_50
+            - minus_inverse_lambda_left_rolls * w_46
+            + minus_l_lambda_sideways_lambda_left_rolls * w_49;
+        let w_52 = minus_l_lambda_right_rolls_lambda_left_rolls * self.k_5;
+        let w_53 = inverse_lambda_sideways
+            * (l_lambda_sideways_lambda_right_rolls * w_52
                 - minus_l_lambda_sideways_lambda_left_rolls * self.k_5);
-        let w_56 = inverse_lambda_right_rolls * w_54
-            + l_lambda_sideways_lambda_right_rolls * w_55;
-        let w_57 = minus_inverse_lambda_left_rolls * self.k_5
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_56
-            + minus_l_lambda_sideways_lambda_left_rolls * w_55;
-        let w_58 = inverse_lambda_sideways * l_lambda_sideways_lambda_right_rolls
+        let w_54 = inverse_lambda_right_rolls * w_52
+            + l_lambda_sideways_lambda_right_rolls * w_53;
+        let w_55 = minus_inverse_lambda_left_rolls * self.k_5
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_54
+            + minus_l_lambda_sideways_lambda_left_rolls * w_53;
+        let w_56 = inverse_lambda_sideways * l_lambda_sideways_lambda_right_rolls
             * self.k_5;
-        let w_59 = inverse_lambda_right_rolls * self.k_5
-            + l_lambda_sideways_lambda_right_rolls * w_58;
-        let w_60 = minus_l_lambda_sideways_lambda_left_rolls * w_58
-            - minus_l_lambda_right_rolls_lambda_left_rolls * w_59;
+        let w_57 = inverse_lambda_right_rolls * self.k_5
+            + l_lambda_sideways_lambda_right_rolls * w_56;
+        let w_58 = minus_l_lambda_sideways_lambda_left_rolls * w_56
+            - minus_l_lambda_right_rolls_lambda_left_rolls * w_57;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_11 - l_lambda_left_rolls_x * w_35
-                        - l_lambda_left_rolls_x * w_34
-                        + minus_l_lambda_sideways_x * w_33,
+                    self.inverse_x * w_10 - l_lambda_left_rolls_x * w_33
+                        - l_lambda_left_rolls_x * w_32
+                        + minus_l_lambda_sideways_x * w_31,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_22 - minus_l_lambda_sideways_x * w_35
-                        - minus_l_lambda_sideways_x * w_34
-                        - l_lambda_left_rolls_x * w_33,
+                    self.inverse_x * w_21 - minus_l_lambda_sideways_x * w_33
+                        - minus_l_lambda_sideways_x * w_32
+                        - l_lambda_left_rolls_x * w_31,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.minus_l_lambda_left_rolls_psi * w_35
-                        - self.minus_l_lambda_left_rolls_psi * w_34,
+                    self.minus_l_lambda_left_rolls_psi * w_33
+                        - self.minus_l_lambda_left_rolls_psi * w_32,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.minus_l_lambda_left_rolls_left * w_35,
+                    self.minus_l_lambda_left_rolls_left * w_33,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.minus_l_lambda_left_rolls_left * w_34,
+                    self.minus_l_lambda_left_rolls_left * w_32,
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_sideways_x * w_39 - l_lambda_left_rolls_x * w_41
-                        - l_lambda_left_rolls_x * w_40,
-                    l_lambda_left_rolls_x * w_44 - l_lambda_left_rolls_x * w_45
-                        + minus_l_lambda_sideways_x * w_43,
-                    minus_l_lambda_sideways_x * w_51 - l_lambda_left_rolls_x * w_53
-                        - l_lambda_left_rolls_x * w_52,
-                    l_lambda_left_rolls_x * w_56 - l_lambda_left_rolls_x * w_57
-                        + minus_l_lambda_sideways_x * w_55,
-                    l_lambda_left_rolls_x * w_59 - l_lambda_left_rolls_x * w_60
-                        + minus_l_lambda_sideways_x * w_58,
+                    minus_l_lambda_sideways_x * w_37 - l_lambda_left_rolls_x * w_39
+                        - l_lambda_left_rolls_x * w_38,
+                    l_lambda_left_rolls_x * w_42 - l_lambda_left_rolls_x * w_43
+                        + minus_l_lambda_sideways_x * w_41,
+                    minus_l_lambda_sideways_x * w_49 - l_lambda_left_rolls_x * w_51
+                        - l_lambda_left_rolls_x * w_50,
+                    l_lambda_left_rolls_x * w_54 - l_lambda_left_rolls_x * w_55
+                        + minus_l_lambda_sideways_x * w_53,
+                    l_lambda_left_rolls_x * w_57 - l_lambda_left_rolls_x * w_58
+                        + minus_l_lambda_sideways_x * w_56,
                 ],
                 [
-                    -(minus_l_lambda_sideways_x * w_41 + minus_l_lambda_sideways_x * w_40
-                        + l_lambda_left_rolls_x * w_39),
-                    minus_l_lambda_sideways_x * w_44 - minus_l_lambda_sideways_x * w_45
-                        - l_lambda_left_rolls_x * w_43,
-                    -(minus_l_lambda_sideways_x * w_53 + minus_l_lambda_sideways_x * w_52
-                        + l_lambda_left_rolls_x * w_51),
-                    minus_l_lambda_sideways_x * w_56 - minus_l_lambda_sideways_x * w_57
-                        - l_lambda_left_rolls_x * w_55,
-                    minus_l_lambda_sideways_x * w_59 - minus_l_lambda_sideways_x * w_60
-                        - l_lambda_left_rolls_x * w_58,
+                    -(minus_l_lambda_sideways_x * w_39 + minus_l_lambda_sideways_x * w_38
+                        + l_lambda_left_rolls_x * w_37),
+                    minus_l_lambda_sideways_x * w_42 - minus_l_lambda_sideways_x * w_43
+                        - l_lambda_left_rolls_x * w_41,
+                    -(minus_l_lambda_sideways_x * w_51 + minus_l_lambda_sideways_x * w_50
+                        + l_lambda_left_rolls_x * w_49),
+                    minus_l_lambda_sideways_x * w_54 - minus_l_lambda_sideways_x * w_55
+                        - l_lambda_left_rolls_x * w_53,
+                    minus_l_lambda_sideways_x * w_57 - minus_l_lambda_sideways_x * w_58
+                        - l_lambda_left_rolls_x * w_56,
                 ],
                 [
-                    self.minus_l_lambda_left_rolls_psi * w_41
-                        - self.minus_l_lambda_left_rolls_psi * w_40,
-                    self.minus_l_lambda_left_rolls_psi * w_45
-                        + self.minus_l_lambda_left_rolls_psi * w_44,
-                    self.minus_l_lambda_left_rolls_psi * w_53
-                        - self.minus_l_lambda_left_rolls_psi * w_52,
-                    self.minus_l_lambda_left_rolls_psi * w_57
-                        + self.minus_l_lambda_left_rolls_psi * w_56,
-                    self.minus_l_lambda_left_rolls_psi * w_60
-                        + self.minus_l_lambda_left_rolls_psi * w_59,
+                    self.minus_l_lambda_left_rolls_psi * w_39
+                        - self.minus_l_lambda_left_rolls_psi * w_38,
+                    self.minus_l_lambda_left_rolls_psi * w_43
+                        + self.minus_l_lambda_left_rolls_psi * w_42,
+                    self.minus_l_lambda_left_rolls_psi * w_51
+                        - self.minus_l_lambda_left_rolls_psi * w_50,
+                    self.minus_l_lambda_left_rolls_psi * w_55
+                        + self.minus_l_lambda_left_rolls_psi * w_54,
+                    self.minus_l_lambda_left_rolls_psi * w_58
+                        + self.minus_l_lambda_left_rolls_psi * w_57,
                 ],
                 [
-                    self.minus_l_lambda_left_rolls_left * w_41,
-                    self.minus_l_lambda_left_rolls_left * w_45,
-                    self.minus_l_lambda_left_rolls_left * w_53,
-                    self.minus_l_lambda_left_rolls_left * w_57 - self.k_6,
-                    self.minus_l_lambda_left_rolls_left * w_60,
+                    self.minus_l_lambda_left_rolls_left * w_39,
+                    self.minus_l_lambda_left_rolls_left * w_43,
+                    self.minus_l_lambda_left_rolls_left * w_51,
+                    self.minus_l_lambda_left_rolls_left * w_55 - self.k_6,
+                    self.minus_l_lambda_left_rolls_left * w_58,
                 ],
                 [
-                    self.minus_l_lambda_left_rolls_left * w_40,
-                    -(self.minus_l_lambda_left_rolls_left * w_44),
-                    self.minus_l_lambda_left_rolls_left * w_52,
-                    -(self.minus_l_lambda_left_rolls_left * w_56),
-                    -(self.k_6 + self.minus_l_lambda_left_rolls_left * w_59),
+                    self.minus_l_lambda_left_rolls_left * w_38,
+                    -(self.minus_l_lambda_left_rolls_left * w_42),
+                    self.minus_l_lambda_left_rolls_left * w_50,
+                    -(self.minus_l_lambda_left_rolls_left * w_54),
+                    -(self.k_6 + self.minus_l_lambda_left_rolls_left * w_57),
                 ],
             ],
             multipliers_by_positions: [
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_35,
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_34,
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
@@ -1027,11 +1012,25 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                 ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_32,
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_31,
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                ],
             ],
             multipliers_by_speeds: [
-                [w_41, w_45, w_53, w_57, w_60],
-                [w_40, -w_44, w_52, -w_56, -w_59],
                 [w_39, w_43, w_51, w_55, w_58],
+                [w_38, -w_42, w_50, -w_54, -w_57],
+                [w_37, w_41, w_49, w_53, w_56],
             ],
             refused: sim_kernel::pivot_is_refused(
                 self.mass_left_left,
@@ -1043,8 +1042,8 @@ impl<S: sim_kernel::Scalar> RoverPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_left_rolls,
                     minus_pivot_lambda_left_rolls,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_right_rolls, w_8)
-                | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_9),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_right_rolls, w_7)
+                | sim_kernel::pivot_is_refused(pivot_lambda_sideways, w_8),
         }
     }
 }

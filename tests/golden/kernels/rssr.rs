@@ -282,7 +282,7 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
         let w = self.dx - self.a * cos_phi - self.b * sin_psi;
         let B_z = self.dz - self.b * cos_psi;
-        [(w * w + self.a * self.a * sin_phi * sin_phi + B_z * B_z).sqrt() - self.c]
+        [(w * w + B_z * B_z + self.a * self.a * sin_phi * sin_phi).sqrt() - self.c]
     }
     /// The sum of the magnitudes of the terms of `C`, 1, in SI units: what its rounding is relative to.
     ///
@@ -295,7 +295,7 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let B_z = self.dz - self.b * cos_psi;
         [
             self.c.abs()
-                + (w * w + self.a * self.a * sin_phi * sin_phi + B_z * B_z).sqrt().abs(),
+                + (w * w + B_z * B_z + self.a * self.a * sin_phi * sin_phi).sqrt().abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 1 x 2: units of each constraint per unit of each coordinate.
@@ -306,9 +306,9 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let [phi, psi] = *q;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
         let w = self.dx - self.a * cos_phi - self.b * sin_psi;
-        let a_squared = self.a * self.a;
         let B_z = self.dz - self.b * cos_psi;
-        let w_2 = w * w + a_squared * sin_phi * sin_phi + B_z * B_z;
+        let a_squared = self.a * self.a;
+        let w_2 = w * w + B_z * B_z + a_squared * sin_phi * sin_phi;
         let sqrt_w_2 = w_2.sqrt();
         [
             [
@@ -335,13 +335,13 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let w = self.a * cos_phi;
         let w_2 = self.b * sin_psi;
         let w_3 = self.dx - w - w_2;
+        let B_z = self.dz - self.b * cos_psi;
         let a_squared = self.a * self.a;
         let sin_phi_squared = sin_phi * sin_phi;
-        let B_z = self.dz - self.b * cos_psi;
-        let w_4 = w_3 * w_3 + a_squared * sin_phi_squared + B_z * B_z;
+        let w_4 = w_3 * w_3 + B_z * B_z + a_squared * sin_phi_squared;
         let w_5 = phi_dot * self.a * sin_phi - self.b * cos_psi * psi_dot;
         let w_6 = (phi_dot
-            * (w * w_3 - sin_phi_squared * a_squared * S::from_f64(2.0) + a_squared)
+            * (a_squared + w * w_3 - sin_phi_squared * a_squared * S::from_f64(2.0))
             + self.a * sin_phi * w_5) / w_4;
         let w_7 = cos_phi * a_squared;
         let w_8 = w_3 * w_5 + phi_dot * sin_phi * w_7 + w_2 * B_z * psi_dot;
@@ -368,9 +368,9 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let [phi, psi] = *q;
         let ([sin_phi, sin_psi], [cos_phi, cos_psi]) = S::sin_cos_each([phi, psi]);
         let w = self.dx - self.a * cos_phi - self.b * sin_psi;
-        let a_squared = self.a * self.a;
         let B_z = self.dz - self.b * cos_psi;
-        let w_2 = w * w + a_squared * sin_phi * sin_phi + B_z * B_z;
+        let a_squared = self.a * self.a;
+        let w_2 = w * w + B_z * B_z + a_squared * sin_phi * sin_phi;
         let sqrt_w_2 = w_2.sqrt();
         sim_kernel::ConstraintLinearization {
             values: [sqrt_w_2 - self.c],
@@ -394,8 +394,8 @@ impl<S: sim_kernel::Scalar> Rssr<S> {
         let w = S::from_f64(0.125) * self.m;
         let b_squared = self.b * self.b;
         let w_2 = psi_dot * psi_dot
-            * (sin_psi * sin_psi * b_squared * w
-                + self.m * b_squared * S::from_f64(0.16666666666666666));
+            * (self.m * b_squared * S::from_f64(0.16666666666666666)
+                + sin_psi * sin_psi * b_squared * w);
         let w_3 = phi_dot * self.a * sin_phi + psi_dot * self.b * cos_psi;
         phi_dot * phi_dot * (S::from_f64(0.01) + cos_phi * cos_phi * self.a * self.a * w)
             + w_2 + w_3 * w_3 * w
@@ -570,9 +570,9 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
         let w_2 = self.a * cos_phi;
         let w_3 = self.b * sin_psi;
         let w_4 = self.dx - w_2 - w_3;
-        let sin_phi_squared = sin_phi * sin_phi;
         let B_z = self.dz - self.b * cos_psi;
-        let w_5 = w_4 * w_4 + self.a_squared * sin_phi_squared + B_z * B_z;
+        let sin_phi_squared = sin_phi * sin_phi;
+        let w_5 = w_4 * w_4 + B_z * B_z + self.a_squared * sin_phi_squared;
         let sqrt_w_5 = w_5.sqrt();
         let w_6 = self.b * (cos_psi * w_4 - sin_psi * B_z);
         let w_7 = self.a_squared * cos_phi;
@@ -591,7 +591,7 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
             - (self.b * (cos_psi * (w_9 - B_z * psi_dot) - sin_psi * w_4 * psi_dot)
                 - self.b_squared * psi_dot * sin_psi * sin_psi) / w_5;
         let w_12 = phi_dot
-            * ((phi_dot * (w_2 * w_4 - sin_phi_squared * self.k_10 + self.a_squared)
+            * ((phi_dot * (self.a_squared + w_2 * w_4 - sin_phi_squared * self.k_10)
                 + self.a * sin_phi * w_9) / w_5 - w_8 * w_10 / w_5_squared)
             + psi_dot * w_11;
         let minus_rhs_psi = sin_psi * self.k_9
@@ -619,7 +619,7 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 119 additions, 202 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
+    /// Operations: 115 additions, 198 multiplications, 25 divisions, 2 sine-cosine pairs, 1 square root.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -638,15 +638,16 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
         let w_2 = self.a * cos_phi;
         let w_3 = self.b * sin_psi;
         let w_4 = w_2 * phi_dot_squared - w_3 * psi_dot_squared;
+        let w_6 = self.dx - w_2 - w_3;
         let w_5 = sin_phi * cos_psi;
         let mass_psi_phi = self.k_2 * w_5;
+        let w_33 = w_5 * self.k_11;
         let l_psi_phi = mass_psi_phi * self.inverse_phi;
         let pivot_psi = self.mass_psi_psi - mass_psi_phi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_6 = self.dx - w_2 - w_3;
         let w_7 = self.b * cos_psi;
         let B_z = self.dz - w_7;
-        let w_8 = w_6 * w_6 + self.a_squared * sin_phi_squared + B_z * B_z;
+        let w_8 = w_6 * w_6 + B_z * B_z + self.a_squared * sin_phi_squared;
         let sqrt_w_8 = w_8.sqrt();
         let w_9 = cos_psi * w_6;
         let w_10 = self.b * (w_9 - sin_psi * B_z);
@@ -665,121 +666,116 @@ impl<S: sim_kernel::Scalar> RssrPrepared<S> {
         let w_14 = w_2 * w_6;
         let w_15 = self.a * sin_phi;
         let w_16 = phi_dot * w_15 - w_7 * psi_dot;
-        let w_17 = phi_dot * (w_14 - sin_phi_squared * self.k_10 + self.a_squared)
+        let w_17 = phi_dot * (self.a_squared + w_14 - sin_phi_squared * self.k_10)
             + w_15 * w_16;
+        let w_26 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_14;
         let w_18 = sin_psi * psi_dot;
         let w_19 = w_6 * w_16 + sin_phi * w_12 * phi_dot + self.b * B_z * w_18;
+        let w_20 = w_13 * w_19;
         let w_8_squared = w_8 * w_8;
-        let w_20 = B_z * psi_dot;
-        let w_21 = self.b * (cos_psi * (w_16 - w_20) - w_6 * w_18)
+        let w_21 = w_10 * w_19;
+        let w_22 = w_16 - B_z * psi_dot;
+        let w_46 = self.b_squared + self.b * (sin_psi * w_6 + cos_psi * B_z);
+        let w_23 = self.b * (cos_psi * w_22 - w_6 * w_18)
             - self.b_squared * psi_dot * sin_psi * sin_psi;
-        let w_22 = cos_psi * cos_phi;
-        let minus_rhs_psi = sin_psi * self.k_9 + self.k_2 * phi_dot_squared * w_22
+        let w_24 = cos_psi * cos_phi;
+        let minus_rhs_psi = sin_psi * self.k_9 + self.k_2 * phi_dot_squared * w_24
             + rhs_phi * l_psi_phi;
-        let minus_rhs_lambda_coupling = sqrt_w_8
-            * (phi_dot * (w_17 / w_8 - w_13 * w_19 / w_8_squared)
-                + psi_dot * (w_10 * w_19 / w_8_squared - w_21 / w_8))
-            + rhs_phi * l_lambda_coupling_phi
-            + minus_l_lambda_coupling_psi * minus_rhs_psi;
-        let lambda_coupling = minus_inverse_lambda_coupling * minus_rhs_lambda_coupling;
+        let w_37 = phi_dot * w_24;
+        let lambda_coupling = minus_inverse_lambda_coupling
+            * (sqrt_w_8
+                * (phi_dot * (w_17 / w_8 - w_20 / w_8_squared)
+                    + psi_dot * (w_21 / w_8_squared - w_23 / w_8))
+                + rhs_phi * l_lambda_coupling_phi
+                + minus_l_lambda_coupling_psi * minus_rhs_psi);
         let psi_ddot = minus_l_lambda_coupling_psi * lambda_coupling
             - inverse_psi * minus_rhs_psi;
-        let w_23 = self.k_2 * psi_ddot;
-        let w_13_squared = w_13 * w_13;
-        let w_24 = self.a_squared * (sin_phi_squared - S::from_f64(1.0)) - w_14;
-        let w_25 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
-            - cos_phi * (w_4 * self.k_3 + cos_psi * w_23)
-            + sqrt_w_8 * lambda_coupling * (w_13_squared / w_8_squared + w_24 / w_8);
         let phi_ddot = rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot
             - l_lambda_coupling_phi * lambda_coupling;
-        let w_26 = sqrt_w_8 * lambda_coupling;
-        let w_27 = self.k_11 * w_26;
-        let w_28 = w_13 * w_10;
-        let w_29 = w_26 * w_28 / w_8_squared;
-        let w_30 = cos_psi
+        let w_25 = self.k_2 * psi_ddot;
+        let w_13_squared = w_13 * w_13;
+        let w_27 = self.k * phi_dot_squared * (S::from_f64(1.0) - sin_phi_squared)
+            - cos_phi * (w_4 * self.k_3 + cos_psi * w_25)
+            + sqrt_w_8 * lambda_coupling * (w_13_squared / w_8_squared + w_26 / w_8);
+        let w_28 = sqrt_w_8 * lambda_coupling;
+        let w_29 = self.k_11 * w_28;
+        let w_30 = w_13 * w_10;
+        let w_31 = w_28 * w_30 / w_8_squared;
+        let w_32 = cos_psi
             * (self.k_2 * (sin_phi * phi_dot_squared - cos_phi * phi_ddot)
-                + sin_phi * w_27 / w_8) - w_29 - l_psi_phi * w_25;
-        let w_31 = phi_dot * w_24;
-        let w_32 = w_5 * self.k_11;
-        let w_33 = psi_dot * w_32;
-        let w_34 = w_10 * psi_dot;
-        let w_35 = (w_13
-            * (phi_dot * S::from_f64(2.0) * w_17 - psi_dot * w_21 - w_10 * psi_ddot)
-            - w_19 * (w_31 + w_33) - w_17 * w_34 + phi_ddot * w_13_squared)
-            / w_8_squared;
-        let w_36 = phi_dot * w_22;
-        let w_37 = sin_phi * w_18;
-        let w_38 = self.k_11 * (w_36 - w_37);
-        let w_39 = (phi_dot
-            * (sin_phi * phi_dot * (cos_phi * self.k_10 + w_11) - w_2 * w_16)
-            + psi_dot * w_38 + phi_ddot * w_24 + psi_ddot * w_32) / w_8;
-        let w_40 = phi_dot * w_13_squared;
-        let w_41 = w_8 * w_8_squared;
-        let w_42 = minus_inverse_lambda_coupling
-            * (sqrt_w_8
-                * (w_35 + w_39
-                    + S::from_f64(3.0) * w_19 * ((psi_dot * w_28 - w_40) / w_41))
-                - l_lambda_coupling_phi * w_25 + minus_l_lambda_coupling_psi * w_30);
-        let w_43 = inverse_psi * w_30 - minus_l_lambda_coupling_psi * w_42;
-        let w_44 = sin_phi
-            * (cos_psi * (w_27 / w_8 + self.k_2 * psi_dot_squared) + sin_psi * w_23)
-            - w_29;
-        let w_45 = cos_psi
-            * (self.k_7 + (self.k_4 + cos_psi * psi_dot_squared * self.k_5) * self.k_8);
+                + sin_phi * w_29 / w_8) - w_31 - l_psi_phi * w_27;
+        let w_45 = sin_phi
+            * (cos_psi * (w_29 / w_8 + self.k_2 * psi_dot_squared) + sin_psi * w_25)
+            - w_31;
+        let w_34 = phi_dot * w_26 + psi_dot * w_33;
+        let w_35 = w_10 * w_17;
+        let w_36 = (w_13
+            * (phi_dot * S::from_f64(2.0) * w_17 - psi_dot * w_23 - w_10 * psi_ddot)
+            - w_19 * w_34 - psi_dot * w_35 + phi_ddot * w_13_squared) / w_8_squared;
+        let w_41 = psi_dot * w_30 - phi_dot * w_13_squared;
+        let w_38 = sin_phi * w_18;
+        let w_39 = self.k_11 * (w_37 - w_38);
+        let w_40 = (phi_dot
+            * (sin_phi * phi_dot * (w_11 + cos_phi * self.k_10) - w_2 * w_16)
+            + psi_dot * w_39 + phi_ddot * w_26 + psi_ddot * w_33) / w_8;
+        let w_50 = (phi_dot * w_39
+            - psi_dot
+                * (self.b * (sin_psi * w_22 + w_9 * psi_dot)
+                    + cos_psi * self.b_squared * w_18) + phi_ddot * w_33
+            - psi_ddot * w_46) / w_8;
+        let w_54 = w_37 * self.k_13;
+        let w_55 = minus_inverse_lambda_coupling
+            * (sqrt_w_8 * ((w_20 - w_41) / w_8_squared + (w_34 - w_17) / w_8)
+                - minus_l_lambda_coupling_psi * w_54);
+        let w_56 = inverse_psi * w_54 + minus_l_lambda_coupling_psi * w_55;
+        let w_57 = w_38 * self.k_13;
+        let w_42 = w_8 * w_8_squared;
+        let w_43 = minus_inverse_lambda_coupling
+            * (sqrt_w_8 * (w_36 + w_40 + S::from_f64(3.0) * w_19 * (w_41 / w_42))
+                - l_lambda_coupling_phi * w_27 + minus_l_lambda_coupling_psi * w_32);
+        let w_44 = inverse_psi * w_32 - minus_l_lambda_coupling_psi * w_43;
         let w_10_squared = w_10 * w_10;
-        let w_46 = self.b * (sin_psi * w_6 + cos_psi * B_z) + self.b_squared;
-        let w_47 = sin_psi * (w_4 * self.k_6 + w * phi_ddot) - w_45
-            + sqrt_w_8 * lambda_coupling * (w_10_squared / w_8_squared - w_46 / w_8)
-            + psi_dot_squared * self.k_12 - l_psi_phi * w_44;
-        let w_48 = psi_dot * (w_19 * w_46 + w_10 * S::from_f64(2.0) * w_21)
-            - phi_dot * (w_19 * w_32 + w_13 * w_21 + w_10 * w_17) - phi_ddot * w_28
+        let w_49 = psi_dot * (w_19 * w_46 + w_10 * S::from_f64(2.0) * w_23)
+            - phi_dot * (w_19 * w_33 + w_13 * w_23 + w_35) - phi_ddot * w_30
             + psi_ddot * w_10_squared;
-        let w_49 = phi_dot * w_38
-            + psi_dot
-                * (self.b * (sin_psi * (w_20 - w_16) - w_9 * psi_dot)
-                    - cos_psi * self.b_squared * w_18) + phi_ddot * w_32
-            - psi_ddot * w_46;
-        let w_50 = psi_dot * w_10_squared;
-        let w_51 = minus_inverse_lambda_coupling
+        let w_51 = phi_dot * w_30 - psi_dot * w_10_squared;
+        let w_47 = cos_psi
+            * (self.k_7 + (self.k_4 + cos_psi * psi_dot_squared * self.k_5) * self.k_8);
+        let w_48 = sin_psi * (w_4 * self.k_6 + w * phi_ddot)
+            + sqrt_w_8 * lambda_coupling * (w_10_squared / w_8_squared - w_46 / w_8)
+            + psi_dot_squared * self.k_12 - w_47 - l_psi_phi * w_45;
+        let w_52 = minus_inverse_lambda_coupling
             * (sqrt_w_8
-                * (w_48 / w_8_squared + w_49 / w_8
-                    + S::from_f64(3.0) * w_19 * ((phi_dot * w_28 - w_50) / w_41))
-                - l_lambda_coupling_phi * w_44 + minus_l_lambda_coupling_psi * w_47);
-        let w_52 = inverse_psi * w_47 - minus_l_lambda_coupling_psi * w_51;
-        let w_53 = w_36 * self.k_13;
-        let w_54 = minus_inverse_lambda_coupling
+                * (w_49 / w_8_squared + w_50 + S::from_f64(3.0) * w_19 * (w_51 / w_42))
+                - l_lambda_coupling_phi * w_45 + minus_l_lambda_coupling_psi * w_48);
+        let w_53 = inverse_psi * w_48 - minus_l_lambda_coupling_psi * w_52;
+        let w_58 = l_psi_phi * w_57;
+        let w_59 = minus_inverse_lambda_coupling
             * (sqrt_w_8
-                * ((w_13 * (w_19 - w_34) + w_40) / w_8_squared
-                    + (w_31 - w_17 + w_33) / w_8) - minus_l_lambda_coupling_psi * w_53);
-        let w_55 = inverse_psi * w_53 + minus_l_lambda_coupling_psi * w_54;
-        let w_56 = w_37 * self.k_13;
-        let w_57 = l_psi_phi * w_56;
-        let w_58 = sqrt_w_8
-            * ((w_50 - w_10 * (w_13 * phi_dot + w_19)) / w_8_squared
-                + (phi_dot * w_32 + w_21 - psi_dot * w_46) / w_8)
-            - l_lambda_coupling_phi * w_56 - minus_l_lambda_coupling_psi * w_57;
-        let w_59 = minus_inverse_lambda_coupling * w_58;
-        let w_60 = inverse_psi * w_57 + minus_l_lambda_coupling_psi * w_59;
+                * ((w_23 + phi_dot * w_33 - psi_dot * w_46) / w_8
+                    - (w_21 + w_51) / w_8_squared) - l_lambda_coupling_phi * w_57
+                - minus_l_lambda_coupling_psi * w_58);
+        let w_60 = inverse_psi * w_58 + minus_l_lambda_coupling_psi * w_59;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    self.inverse_phi * w_25 - l_psi_phi * w_43
-                        + l_lambda_coupling_phi * w_42,
-                    self.inverse_phi * w_44 - l_psi_phi * w_52
-                        + l_lambda_coupling_phi * w_51,
+                    self.inverse_phi * w_27 - l_psi_phi * w_44
+                        + l_lambda_coupling_phi * w_43,
+                    self.inverse_phi * w_45 - l_psi_phi * w_53
+                        + l_lambda_coupling_phi * w_52,
                 ],
-                [w_43, w_52],
+                [w_44, w_53],
             ],
             accelerations_by_speeds: [
                 [
-                    l_psi_phi * w_55 + l_lambda_coupling_phi * w_54,
-                    self.inverse_phi * w_56 + l_psi_phi * w_60
+                    l_psi_phi * w_56 + l_lambda_coupling_phi * w_55,
+                    self.inverse_phi * w_57 + l_psi_phi * w_60
                         + l_lambda_coupling_phi * w_59,
                 ],
-                [-w_55, -w_60],
+                [-w_56, -w_60],
             ],
-            multipliers_by_positions: [[-w_42, -w_51]],
-            multipliers_by_speeds: [[-w_54, -w_59]],
+            multipliers_by_positions: [[-w_43, -w_52]],
+            multipliers_by_speeds: [[-w_55, -w_59]],
             refused: sim_kernel::pivot_is_refused(self.mass_phi_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(pivot_psi, self.mass_psi_psi)
                 | sim_kernel::pivot_is_refused(

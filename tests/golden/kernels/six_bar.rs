@@ -333,13 +333,18 @@ pub struct SixBarPrepared<S = ::core::primitive::f64> {
     k_21: S,
     k_22: S,
     k_23: S,
-    inverse_theta5: S,
     inverse_theta4: S,
-    inverse_theta6: S,
-    w: S,
+    minus_l_lambda_first_loop_y_turned_theta4: S,
+    minus_pivot_lambda_first_loop_y_turned: S,
+    pivot_lambda_first_loop_y_turned: S,
+    minus_inverse_lambda_first_loop_y_turned: S,
+    inverse_theta5: S,
+    l_lambda_second_loop_y_turned_theta5: S,
     k_24: S,
     k_25: S,
     k_26: S,
+    inverse_theta6: S,
+    w: S,
     k_27: S,
     k_28: S,
     k_29: S,
@@ -350,12 +355,16 @@ pub struct SixBarPrepared<S = ::core::primitive::f64> {
     k_34: S,
     k_35: S,
     k_36: S,
+    k_37: S,
+    k_38: S,
+    k_39: S,
+    k_40: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> SixBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 7 additions, 56 multiplications, 3 divisions.
+    /// Operations: 11 additions, 62 multiplications, 4 divisions.
     #[inline]
     pub fn prepare(&self) -> SixBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -369,15 +378,22 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
         let mass_theta4_theta4 = S::from_f64(0.3333333333333333) * self.c * self.c
             * self.m4;
         let w_8 = S::from_f64(0.5) * self.f;
-        let w_9 = self.m5 * self.p;
-        let w_10 = self.m5 * self.f * self.f;
-        let mass_theta5_theta5 = S::from_f64(0.3333333333333333) * w_10;
+        let w_9 = w_3 * w_8;
+        let w_10 = self.m5 * self.p;
+        let w_11 = w_8 * w_10;
+        let w_12 = self.m5 * self.f * self.f;
+        let mass_theta5_theta5 = S::from_f64(0.3333333333333333) * w_12;
         let mass_theta6_theta6 = S::from_f64(0.3333333333333333) * self.h * self.h
             * self.m6;
-        let w_11 = self.g * self.m3 * S::from_f64(0.3333333333333333);
-        let w_12 = w_9 * self.g;
-        let w_13 = S::from_f64(0.5) * self.g;
-        let w_14 = self.m5 * self.f;
+        let w_13 = self.g * self.m3 * S::from_f64(0.3333333333333333);
+        let w_14 = w_10 * self.g;
+        let w_15 = S::from_f64(0.5) * self.g;
+        let w_16 = self.m5 * self.f;
+        let inverse_mass_theta4_theta4 = S::from_f64(1.0) / mass_theta4_theta4;
+        let w_17 = self.c * inverse_mass_theta4_theta4;
+        let w_18 = self.c * w_17;
+        let inverse_mass_theta5_theta5 = S::from_f64(1.0) / mass_theta5_theta5;
+        let w_19 = self.f * inverse_mass_theta5_theta5;
         SixBarPrepared {
             a: self.a,
             mass_theta2_theta2: self.J2 + w + w_2,
@@ -392,8 +408,8 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             c: self.c,
             mass_theta4_theta4: mass_theta4_theta4,
             f: self.f,
-            k_6: w_3 * w_8,
-            k_7: w_8 * w_9,
+            k_6: w_9,
+            k_7: w_11,
             mass_theta5_theta5: mass_theta5_theta5,
             h: self.h,
             mass_theta6_theta6: mass_theta6_theta6,
@@ -404,32 +420,41 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             k_12: w_5 * self.g + w_3 * self.g,
             k_13: self.b * w_6,
             k_14: self.p * w_6 + w_4,
-            k_15: S::from_f64(0.5) * w_9,
-            k_16: w_11,
-            k_17: w_12,
-            k_18: self.b * w_11,
-            k_19: w_12 + self.p * w_11,
-            k_20: self.c * self.m4 * w_13,
-            k_21: S::from_f64(0.25) * w_14,
-            k_22: w_13 * w_14,
-            k_23: self.h * self.m6 * w_13,
-            inverse_theta5: S::from_f64(1.0) / mass_theta5_theta5,
-            inverse_theta4: S::from_f64(1.0) / mass_theta4_theta4,
+            k_15: S::from_f64(0.5) * w_10,
+            k_16: w_13,
+            k_17: w_14,
+            k_18: self.b * w_13,
+            k_19: w_14 + self.p * w_13,
+            k_20: self.c * self.m4 * w_15,
+            k_21: S::from_f64(0.25) * w_16,
+            k_22: w_15 * w_16,
+            k_23: self.h * self.m6 * w_15,
+            inverse_theta4: inverse_mass_theta4_theta4,
+            minus_l_lambda_first_loop_y_turned_theta4: w_17,
+            minus_pivot_lambda_first_loop_y_turned: w_18,
+            pivot_lambda_first_loop_y_turned: -w_18,
+            minus_inverse_lambda_first_loop_y_turned: S::from_f64(1.0) / w_18,
+            inverse_theta5: inverse_mass_theta5_theta5,
+            l_lambda_second_loop_y_turned_theta5: w_19,
+            k_24: self.f * w_19,
+            k_25: self.p - w_11 * w_19,
+            k_26: self.a - w_9 * w_19,
             inverse_theta6: S::from_f64(1.0) / mass_theta6_theta6,
             w: self.w,
-            k_24: self.m5 * w_13,
-            k_25: w_4 * S::from_f64(3.0),
-            k_26: w_5,
-            k_27: w_3 * self.f,
-            k_28: w + w_2,
-            k_29: self.f * w_9,
-            k_30: w_10 * S::from_f64(0.25),
-            k_31: w_5 * S::from_f64(0.6666666666666666),
-            k_32: w_4 * S::from_f64(2.0),
-            k_33: self.b * S::from_f64(2.0),
-            k_34: self.c * S::from_f64(2.0),
-            k_35: self.f * S::from_f64(2.0),
-            k_36: self.h * S::from_f64(2.0),
+            k_27: self.m5 * w_15,
+            k_28: w_4 * S::from_f64(3.0),
+            k_29: w_5,
+            k_30: w_3 * self.f,
+            k_31: w + w_2,
+            k_32: self.f * w_10,
+            k_33: w_12 * S::from_f64(0.25),
+            k_34: w_5 * S::from_f64(0.6666666666666666),
+            k_35: w_4 * S::from_f64(2.0),
+            k_36: S::from_f64(1.0) + S::from_f64(1.0),
+            k_37: self.b * S::from_f64(2.0),
+            k_38: self.c * S::from_f64(2.0),
+            k_39: self.f * S::from_f64(2.0),
+            k_40: self.h * S::from_f64(2.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
@@ -467,8 +492,9 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
             ],
             [
                 mass_theta3_theta2,
-                self.m3 * S::from_f64(0.1111111111111111) * (w_3 * w_3 + w_4 * w_4)
-                    + (self.J3 + self.m5 * self.p * self.p),
+                self.J3 + self.m5 * self.p * self.p
+                    + self.m3 * S::from_f64(0.1111111111111111)
+                        * (w_3 * w_3 + w_4 * w_4),
                 S::from_f64(0.0),
                 mass_theta5_theta3,
                 S::from_f64(0.0),
@@ -498,7 +524,7 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 15 additions, 36 multiplications, 4 sine-cosine pairs.
+    /// Operations: 11 additions, 34 multiplications, 4 sine-cosine pairs.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [theta2, theta3, _, theta5, _] = *q;
@@ -506,36 +532,28 @@ impl<S: sim_kernel::Scalar> SixBar<S> {
         let theta3_dot_squared = theta3_dot * theta3_dot;
         let w = S::from_f64(0.3333333333333333) * self.a;
         let w_2 = self.a * self.m5;
-        let w_3 = self.m3 * self.p * w + self.p * w_2;
-        let w_4 = theta3 + self.delta;
-        let ([sin_theta2, sin_w_4, u3_y, u5_y], [cos_theta2, cos_w_4, u3_x, u5_x]) = S::sin_cos_each([
+        let w_3 = theta3 + self.delta;
+        let ([sin_theta2, sin_w_3, u3_y, u5_y], [cos_theta2, cos_w_3, u3_x, u5_x]) = S::sin_cos_each([
             theta2,
-            w_4,
+            w_3,
             theta3,
             theta5,
         ]);
-        let w_5 = sin_theta2 * cos_w_4;
-        let w_6 = cos_theta2 * sin_w_4;
-        let w_7 = self.m3 * self.b * w;
-        let w_8 = sin_theta2 * u3_x;
-        let w_9 = cos_theta2 * u3_y;
-        let w_10 = S::from_f64(0.5) * self.f;
-        let w_11 = w_2 * w_10;
+        let w_4 = (self.m3 * self.p * w + self.p * w_2)
+            * (sin_theta2 * cos_w_3 - cos_theta2 * sin_w_3)
+            + self.m3 * self.b * w * (sin_theta2 * u3_x - cos_theta2 * u3_y);
+        let w_5 = S::from_f64(0.5) * self.f;
+        let w_6 = w_2 * w_5;
         let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_12 = sin_theta2 * u5_x;
-        let w_13 = cos_theta2 * u5_y;
+        let w_7 = sin_theta2 * u5_x - cos_theta2 * u5_y;
+        let w_8 = self.p * self.m5 * w_5;
+        let w_9 = sin_w_3 * u5_x - cos_w_3 * u5_y;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_14 = self.p * self.m5 * w_10;
-        let w_15 = sin_w_4 * u5_x;
-        let w_16 = cos_w_4 * u5_y;
         [
-            theta3_dot_squared * (w_3 * (w_5 - w_6) + w_7 * (w_8 - w_9))
-                + w_11 * theta5_dot_squared * (w_12 - w_13),
-            theta2_dot_squared * (w_7 * (w_9 - w_8) + w_3 * (w_6 - w_5))
-                + w_14 * theta5_dot_squared * (w_15 - w_16),
+            theta3_dot_squared * w_4 + w_6 * theta5_dot_squared * w_7,
+            w_8 * theta5_dot_squared * w_9 - theta2_dot_squared * w_4,
             S::from_f64(0.0),
-            w_11 * theta2_dot_squared * (w_13 - w_12)
-                + w_14 * theta3_dot_squared * (w_16 - w_15),
+            -(theta2_dot_squared * w_6 * w_7 + theta3_dot_squared * w_8 * w_9),
             S::from_f64(0.0),
         ]
     }
@@ -1066,9 +1084,9 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
     /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
     /// ```
     ///
-    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    /// by an elimination planned from the structure of the system, with pairs of constraint rows turned along and across links. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 152 additions, 243 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 125 additions, 212 multiplications, 6 divisions, 6 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1078,6 +1096,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 5], [S; 5]> {
         let [theta2, theta3, theta4, theta5, theta6] = *q;
         let [theta2_dot, theta3_dot, theta4_dot, theta5_dot, theta6_dot] = *qd;
+        let theta5_dot_squared = theta5_dot * theta5_dot;
         let w = theta3 + self.delta;
         let (
             [sin_theta2,
@@ -1095,306 +1114,257 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             u6_x,
             ],
         ) = S::sin_cos_each([theta2, w, theta3, theta5, theta4, theta6]);
+        let w_2 = cos_w * u5_y - sin_w * u5_x;
+        let w_3 = self.k_7 * w_2;
+        let k_lambda_second_loop_x_turned_theta3 = self.p * w_2;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_2 = self.k_6 * theta2_dot_squared;
+        let w_4 = self.k_14 * (sin_w * cos_theta2 - sin_theta2 * cos_w)
+            + self.k_13 * (cos_theta2 * u3_y - sin_theta2 * u3_x);
+        let k_theta3_lambda_first_loop_y_turned = self.b * (u3_x * u4_x + u3_y * u4_y);
+        let minus_l_theta3_lambda_first_loop_y_turned = k_theta3_lambda_first_loop_y_turned
+            * self.minus_inverse_lambda_first_loop_y_turned;
+        let w_5 = cos_theta2 * u4_y - sin_theta2 * u4_x;
+        let w_6 = self.a * theta2_dot_squared;
+        let k_lambda_first_loop_x_turned_theta3 = self.b * (u3_x * u4_y - u3_y * u4_x);
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_3 = sin_w * self.k_7;
-        let rhs_theta5 = u5_x * (sin_theta2 * w_2 - self.k_22 + theta3_dot_squared * w_3)
-            - u5_y * (cos_theta2 * w_2 + cos_w * self.k_7 * theta3_dot_squared);
-        let w_4 = theta2_dot_squared
-            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y)
-                + self.k_14 * (sin_theta2 * cos_w - sin_w * cos_theta2));
-        let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_5 = u5_y * theta5_dot_squared;
-        let w_6 = u5_x * theta5_dot_squared;
-        let mass_theta5_theta3 = self.k_7 * (sin_w * u5_y + cos_w * u5_x);
-        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let rhs_theta3 = w_4 + cos_w * (self.k_7 * w_5 - self.k_19) - w_6 * w_3
-            - u3_x * self.k_18 - rhs_theta5 * l_theta3_theta5;
-        let w_7 = cos_theta2
-            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + self.k_6 * w_5);
-        let mass_theta5_theta2 = self.k_6 * (sin_theta2 * u5_y + cos_theta2 * u5_x);
-        let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
-        let minus_first_loop_x_by_theta3 = self.b * u3_y;
-        let minus_second_loop_x_by_theta3 = self.p * sin_w;
-        let w_8 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
-        let first_loop_y_by_theta3 = self.b * u3_x;
-        let second_loop_y_by_theta3 = self.p * cos_w;
-        let w_9 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
-        let mass_theta3_theta3 = self.k_3 * (w_8 * w_8 + w_9 * w_9) + self.k_5;
-        let pivot_theta3 = mass_theta3_theta3 - mass_theta5_theta3 * l_theta3_theta5;
-        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let k_theta2_theta3 = self.k * (sin_theta2 * sin_w + cos_theta2 * cos_w)
-            + self.k_2 * (sin_theta2 * w_8 + cos_theta2 * w_9)
-            - mass_theta5_theta2 * l_theta3_theta5;
-        let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
-        let rhs_theta2 = w_7
-            - sin_theta2
-                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + self.k_6 * w_6) - rhs_theta5 * l_theta2_theta5
-            - l_theta2_theta3 * rhs_theta3;
-        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
-            * inverse_theta3;
-        let minus_first_loop_y_by_theta4 = self.c * u4_x;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let A_x = self.a * cos_theta2;
-        let w_10 = A_x * theta2_dot_squared;
-        let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
-            - k_theta2_theta3 * l_theta2_theta3;
-        let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let minus_first_loop_x_by_theta2 = self.a * sin_theta2;
-        let k_lambda_first_loop_x_theta2 = k_theta2_theta3
-            * minus_l_lambda_first_loop_x_theta3 - minus_first_loop_x_by_theta2;
-        let l_lambda_first_loop_x_theta2 = inverse_theta2 * k_lambda_first_loop_x_theta2;
         let minus_rhs_theta4 = u4_x * self.k_20;
-        let first_loop_x_by_theta4 = self.c * u4_y;
-        let l_lambda_first_loop_x_theta4 = first_loop_x_by_theta4 * self.inverse_theta4;
+        let minus_rhs_lambda_first_loop_y_turned = w_5 * w_6
+            + k_lambda_first_loop_x_turned_theta3 * theta3_dot_squared
+            + minus_rhs_theta4 * self.minus_l_lambda_first_loop_y_turned_theta4;
+        let w_7 = cos_theta2 * u5_y - sin_theta2 * u5_x;
+        let w_8 = self.k_6 * w_7;
+        let minus_rhs_theta5 = u5_x * self.k_22 + theta2_dot_squared * w_8
+            + theta3_dot_squared * w_3;
+        let w_9 = sin_w * u5_y + cos_w * u5_x;
+        let mass_theta5_theta3 = self.k_7 * w_9;
+        let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
+        let rhs_theta3 = theta5_dot_squared * w_3 - cos_w * self.k_19
+            - theta2_dot_squared * w_4 - u3_x * self.k_18
+            - minus_l_theta3_lambda_first_loop_y_turned
+                * minus_rhs_lambda_first_loop_y_turned
+            + minus_rhs_theta5 * l_theta3_theta5;
+        let w_10 = cos_theta2 * u4_x + sin_theta2 * u4_y;
+        let k_theta2_lambda_first_loop_y_turned = self.a * w_10;
+        let minus_l_theta2_lambda_first_loop_y_turned = k_theta2_lambda_first_loop_y_turned
+            * self.minus_inverse_lambda_first_loop_y_turned;
+        let w_11 = sin_theta2 * u5_y + cos_theta2 * u5_x;
+        let mass_theta5_theta2 = self.k_6 * w_11;
+        let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
+        let w_12 = self.b * u3_y + self.p * sin_w;
+        let w_13 = self.b * u3_x + self.p * cos_w;
+        let mass_theta3_theta3 = self.k_5 + self.k_3 * (w_12 * w_12 + w_13 * w_13);
+        let k_theta2_theta3 = self.k * (sin_theta2 * sin_w + cos_theta2 * cos_w)
+            + self.k_2 * (sin_theta2 * w_12 + cos_theta2 * w_13)
+            + k_theta2_lambda_first_loop_y_turned
+                * minus_l_theta3_lambda_first_loop_y_turned
+            - mass_theta5_theta2 * l_theta3_theta5;
+        let w_15 = k_theta2_lambda_first_loop_y_turned
+            * minus_l_theta2_lambda_first_loop_y_turned;
+        let w_14 = k_theta3_lambda_first_loop_y_turned
+            * minus_l_theta3_lambda_first_loop_y_turned;
+        let pivot_theta3 = mass_theta3_theta3 + w_14
+            - mass_theta5_theta3 * l_theta3_theta5;
+        let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
+        let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
+        let rhs_theta2 = theta3_dot_squared * w_4 - cos_theta2 * self.k_12
+            + theta5_dot_squared * w_8
+            - minus_l_theta2_lambda_first_loop_y_turned
+                * minus_rhs_lambda_first_loop_y_turned
+            + minus_rhs_theta5 * l_theta2_theta5 - l_theta2_theta3 * rhs_theta3;
+        let pivot_theta2 = self.mass_theta2_theta2 + w_15
+            - mass_theta5_theta2 * l_theta2_theta5 - k_theta2_theta3 * l_theta2_theta3;
+        let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
+        let l_lambda_first_loop_x_turned_theta3 = k_lambda_first_loop_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_first_loop_x_turned_theta2 = self.a * w_5
+            - k_theta2_theta3 * l_lambda_first_loop_x_turned_theta3;
+        let l_lambda_first_loop_x_turned_theta2 = inverse_theta2
+            * k_lambda_first_loop_x_turned_theta2;
         let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
-        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
+        let l_lambda_first_loop_x_turned_lambda_drive = l_lambda_first_loop_x_turned_theta2
             * minus_inverse_lambda_drive;
         let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
-        let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
-            - (minus_first_loop_y_by_theta4 * theta4_dot_squared - w_10
-                - first_loop_y_by_theta3 * theta3_dot_squared)
-            - l_lambda_first_loop_x_theta2 * rhs_theta2
-            + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
-            + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
-        let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
-        let k_lambda_first_loop_y_theta2 = A_x
-            - k_theta2_theta3 * l_lambda_first_loop_y_theta3;
-        let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
-        let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
-            * minus_inverse_lambda_drive;
-        let w_11 = minus_first_loop_x_by_theta2 * theta2_dot_squared;
-        let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
-            * self.inverse_theta4;
-        let w_12 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
-            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
-            + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
-        let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_12;
-        let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
-        let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_first_loop_y_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_theta2
-            + first_loop_x_by_theta4 * minus_l_lambda_first_loop_y_theta4
-            + l_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_lambda_drive;
-        let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_first_loop_y_lambda_first_loop_x;
-        let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
+        let rhs_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_lambda_drive
             * minus_rhs_lambda_drive
-            - (first_loop_x_by_theta4 * theta4_dot_squared - w_11
-                - minus_first_loop_x_by_theta3 * theta3_dot_squared)
-            - l_lambda_first_loop_y_theta3 * rhs_theta3
-            - l_lambda_first_loop_y_theta2 * rhs_theta2
-            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
-            - l_lambda_first_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x;
-        let minus_second_loop_x_by_theta5 = self.f * u5_y;
-        let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
-            * self.inverse_theta5;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
+            - (self.c * theta4_dot * theta4_dot - w_10 * w_6
+                - k_theta3_lambda_first_loop_y_turned * theta3_dot_squared)
+            - l_lambda_first_loop_x_turned_theta3 * rhs_theta3
+            - l_lambda_first_loop_x_turned_theta2 * rhs_theta2;
+        let l_lambda_second_loop_x_turned_theta3 = k_lambda_second_loop_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_second_loop_x_turned_theta2 = self.a * w_7
+            - k_theta2_theta3 * l_lambda_second_loop_x_turned_theta3;
+        let l_lambda_second_loop_x_turned_theta2 = inverse_theta2
+            * k_lambda_second_loop_x_turned_theta2;
+        let l_lambda_second_loop_x_turned_lambda_drive = l_lambda_second_loop_x_turned_theta2
+            * minus_inverse_lambda_drive;
+        let minus_k_lambda_second_loop_y_turned_theta6 = self.h
+            * (u5_y * u6_y + u5_x * u6_x);
         let theta6_dot_squared = theta6_dot * theta6_dot;
-        let second_loop_y_by_theta5 = self.f * u5_x;
-        let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
-            * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
-        let l_lambda_second_loop_x_theta3 = inverse_theta3
-            * k_lambda_second_loop_x_theta3;
-        let k_lambda_second_loop_x_theta2 = mass_theta5_theta2
-            * minus_l_lambda_second_loop_x_theta5 - minus_first_loop_x_by_theta2
-            - k_theta2_theta3 * l_lambda_second_loop_x_theta3;
-        let l_lambda_second_loop_x_theta2 = inverse_theta2
-            * k_lambda_second_loop_x_theta2;
-        let l_lambda_second_loop_x_lambda_drive = l_lambda_second_loop_x_theta2
-            * minus_inverse_lambda_drive;
-        let k_lambda_second_loop_x_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_second_loop_x_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_theta2
-            + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_lambda_drive;
-        let l_lambda_second_loop_x_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_second_loop_x_lambda_first_loop_x;
         let minus_rhs_theta6 = u6_x * self.k_23;
-        let second_loop_x_by_theta6 = self.h * u6_y;
-        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
+        let k_lambda_second_loop_x_turned_theta6 = self.h * (u5_x * u6_y - u5_y * u6_x);
+        let l_lambda_second_loop_x_turned_theta6 = k_lambda_second_loop_x_turned_theta6
             * self.inverse_theta6;
-        let w_13 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
-            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
-            + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
-        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_13
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_first_loop_y_lambda_first_loop_x;
-        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
-        let k_lambda_second_loop_x_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_second_loop_x_lambda_drive
-            - first_loop_y_by_theta3 * l_lambda_second_loop_x_theta3
-            - k_lambda_first_loop_y_theta2 * l_lambda_second_loop_x_theta2
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x;
-        let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
-            * k_lambda_second_loop_x_lambda_first_loop_y;
-        let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
-            - (minus_second_loop_y_by_theta6 * theta6_dot_squared - w_10
-                - second_loop_y_by_theta3 * theta3_dot_squared
-                - second_loop_y_by_theta5 * theta5_dot_squared)
-            - l_lambda_second_loop_x_theta3 * rhs_theta3
-            - l_lambda_second_loop_x_theta2 * rhs_theta2
-            + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
-            - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
-            + minus_rhs_theta6 * l_lambda_second_loop_x_theta6
-            - l_lambda_second_loop_x_lambda_first_loop_y * rhs_lambda_first_loop_y;
-        let l_lambda_second_loop_y_theta5 = second_loop_y_by_theta5
-            * self.inverse_theta5;
-        let k_lambda_second_loop_y_theta3 = second_loop_y_by_theta3
-            - mass_theta5_theta3 * l_lambda_second_loop_y_theta5;
-        let l_lambda_second_loop_y_theta3 = inverse_theta3
-            * k_lambda_second_loop_y_theta3;
-        let k_lambda_second_loop_y_theta2 = A_x
-            - mass_theta5_theta2 * l_lambda_second_loop_y_theta5
-            - k_theta2_theta3 * l_lambda_second_loop_y_theta3;
-        let l_lambda_second_loop_y_theta2 = inverse_theta2
-            * k_lambda_second_loop_y_theta2;
-        let l_lambda_second_loop_y_lambda_drive = l_lambda_second_loop_y_theta2
-            * minus_inverse_lambda_drive;
-        let k_lambda_second_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_second_loop_y_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_theta2
-            + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
-        let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_second_loop_y_lambda_first_loop_x;
-        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
-            * self.inverse_theta6;
-        let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive
-            - first_loop_y_by_theta3 * l_lambda_second_loop_y_theta3
-            - k_lambda_first_loop_y_theta2 * l_lambda_second_loop_y_theta2
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x;
-        let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
-            * k_lambda_second_loop_y_lambda_first_loop_y;
-        let w_14 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
-            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
-            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
-            + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
-        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_14
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_x_lambda_first_loop_y;
-        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
-        let k_lambda_second_loop_y_lambda_second_loop_x = minus_second_loop_x_by_theta5
-            * l_lambda_second_loop_y_theta5
-            - k_lambda_second_loop_x_theta3 * l_lambda_second_loop_y_theta3
-            - k_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_theta2
-            + l_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x
-            + second_loop_x_by_theta6 * minus_l_lambda_second_loop_y_theta6
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_y_lambda_first_loop_y;
-        let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
-            * k_lambda_second_loop_y_lambda_second_loop_x;
-        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
+        let w_16 = k_lambda_first_loop_x_turned_theta3
+            * l_lambda_first_loop_x_turned_theta3
+            + k_lambda_first_loop_x_turned_theta2 * l_lambda_first_loop_x_turned_theta2;
+        let pivot_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_first_loop_x_turned_lambda_drive - w_16;
+        let inverse_lambda_first_loop_x_turned = S::from_f64(1.0)
+            / pivot_lambda_first_loop_x_turned;
+        let k_lambda_second_loop_x_turned_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_second_loop_x_turned_lambda_drive
+            - k_lambda_first_loop_x_turned_theta3 * l_lambda_second_loop_x_turned_theta3
+            - k_lambda_first_loop_x_turned_theta2 * l_lambda_second_loop_x_turned_theta2;
+        let l_lambda_second_loop_x_turned_lambda_first_loop_x_turned = inverse_lambda_first_loop_x_turned
+            * k_lambda_second_loop_x_turned_lambda_first_loop_x_turned;
+        let rhs_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_lambda_drive
             * minus_rhs_lambda_drive
-            - (second_loop_x_by_theta6 * theta6_dot_squared - w_11
-                - minus_second_loop_x_by_theta3 * theta3_dot_squared - self.f * w_5)
-            - rhs_theta5 * l_lambda_second_loop_y_theta5
-            - l_lambda_second_loop_y_theta3 * rhs_theta3
-            - l_lambda_second_loop_y_theta2 * rhs_theta2
-            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
-            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
-        let w_15 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
-            + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
-            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
-            + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
-        let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_15
-            - k_lambda_second_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x
-            - k_lambda_second_loop_y_lambda_first_loop_y
-                * l_lambda_second_loop_y_lambda_first_loop_y
-            - k_lambda_second_loop_y_lambda_second_loop_x
-                * l_lambda_second_loop_y_lambda_second_loop_x;
-        let lambda_second_loop_y = S::from_f64(1.0) / pivot_lambda_second_loop_y
-            * rhs_lambda_second_loop_y;
-        let lambda_second_loop_x = inverse_lambda_second_loop_x
-            * rhs_lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_second_loop_x * lambda_second_loop_y;
-        let lambda_first_loop_y = inverse_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_x_lambda_first_loop_y * lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_y * lambda_second_loop_y;
-        let lambda_first_loop_x = inverse_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - l_lambda_first_loop_y_lambda_first_loop_x * lambda_first_loop_y
-            - l_lambda_second_loop_x_lambda_first_loop_x * lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_x * lambda_second_loop_y;
+            - (minus_k_lambda_second_loop_y_turned_theta6 * theta6_dot_squared
+                - w_11 * w_6 - self.p * w_9 * theta3_dot_squared
+                - self.f * theta5_dot_squared)
+            - l_lambda_second_loop_x_turned_theta3 * rhs_theta3
+            - l_lambda_second_loop_x_turned_theta2 * rhs_theta2
+            + minus_rhs_theta6 * l_lambda_second_loop_x_turned_theta6
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * rhs_lambda_first_loop_x_turned;
+        let k_lambda_second_loop_y_turned_theta3 = w_9 * self.k_25;
+        let l_lambda_second_loop_y_turned_theta3 = inverse_theta3
+            * k_lambda_second_loop_y_turned_theta3;
+        let k_lambda_second_loop_y_turned_theta2 = w_11 * self.k_26
+            - k_theta2_theta3 * l_lambda_second_loop_y_turned_theta3;
+        let l_lambda_second_loop_y_turned_theta2 = inverse_theta2
+            * k_lambda_second_loop_y_turned_theta2;
+        let l_lambda_second_loop_y_turned_lambda_drive = l_lambda_second_loop_y_turned_theta2
+            * minus_inverse_lambda_drive;
+        let k_lambda_second_loop_y_turned_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive
+            - k_lambda_first_loop_x_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            - k_lambda_first_loop_x_turned_theta2 * l_lambda_second_loop_y_turned_theta2;
+        let minus_l_lambda_second_loop_y_turned_theta6 = minus_k_lambda_second_loop_y_turned_theta6
+            * self.inverse_theta6;
+        let w_18 = self.k_24
+            + k_lambda_second_loop_y_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            + k_lambda_second_loop_y_turned_theta2 * l_lambda_second_loop_y_turned_theta2
+            + minus_k_lambda_second_loop_y_turned_theta6
+                * minus_l_lambda_second_loop_y_turned_theta6;
+        let l_lambda_second_loop_y_turned_lambda_first_loop_x_turned = inverse_lambda_first_loop_x_turned
+            * k_lambda_second_loop_y_turned_lambda_first_loop_x_turned;
+        let w_17 = k_lambda_second_loop_x_turned_theta3
+            * l_lambda_second_loop_x_turned_theta3
+            + k_lambda_second_loop_x_turned_theta2 * l_lambda_second_loop_x_turned_theta2
+            + k_lambda_second_loop_x_turned_theta6
+                * l_lambda_second_loop_x_turned_theta6;
+        let k_lambda_second_loop_y_turned_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive
+            - k_lambda_second_loop_x_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            - k_lambda_second_loop_x_turned_theta2 * l_lambda_second_loop_y_turned_theta2
+            + k_lambda_second_loop_x_turned_theta6
+                * minus_l_lambda_second_loop_y_turned_theta6
+            - k_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_first_loop_x_turned;
+        let pivot_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_theta2
+            * l_lambda_second_loop_x_turned_lambda_drive - w_17
+            - k_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_x_turned_lambda_first_loop_x_turned;
+        let inverse_lambda_second_loop_x_turned = S::from_f64(1.0)
+            / pivot_lambda_second_loop_x_turned;
+        let l_lambda_second_loop_y_turned_lambda_second_loop_x_turned = inverse_lambda_second_loop_x_turned
+            * k_lambda_second_loop_y_turned_lambda_second_loop_x_turned;
+        let rhs_lambda_second_loop_y_turned = minus_rhs_theta5
+            * self.l_lambda_second_loop_y_turned_theta5
+            - (w_7 * w_6 + k_lambda_second_loop_x_turned_theta3 * theta3_dot_squared
+                + k_lambda_second_loop_x_turned_theta6 * theta6_dot_squared)
+            - l_lambda_second_loop_y_turned_theta3 * rhs_theta3
+            - l_lambda_second_loop_y_turned_theta2 * rhs_theta2
+            + l_lambda_second_loop_y_turned_lambda_drive * minus_rhs_lambda_drive
+            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_turned_theta6
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+                * rhs_lambda_first_loop_x_turned
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned
+                * rhs_lambda_second_loop_x_turned;
+        let pivot_lambda_second_loop_y_turned = l_lambda_second_loop_y_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive - w_18
+            - k_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+            - k_lambda_second_loop_y_turned_lambda_second_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_second_loop_x_turned;
+        let w_19 = S::from_f64(1.0) / pivot_lambda_second_loop_y_turned
+            * rhs_lambda_second_loop_y_turned;
+        let w_20 = inverse_lambda_second_loop_x_turned * rhs_lambda_second_loop_x_turned
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_19;
+        let w_21 = inverse_lambda_first_loop_x_turned * rhs_lambda_first_loop_x_turned
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_20
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_19;
         let lambda_drive = minus_inverse_lambda_drive * minus_rhs_lambda_drive
-            - l_lambda_first_loop_x_lambda_drive * lambda_first_loop_x
-            - l_lambda_first_loop_y_lambda_drive * lambda_first_loop_y
-            - l_lambda_second_loop_x_lambda_drive * lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_drive * lambda_second_loop_y;
+            - l_lambda_first_loop_x_turned_lambda_drive * w_21
+            - l_lambda_second_loop_x_turned_lambda_drive * w_20
+            - l_lambda_second_loop_y_turned_lambda_drive * w_19;
         let theta2_ddot = minus_rhs_lambda_drive - inverse_theta2 * lambda_drive
-            - l_lambda_first_loop_x_theta2 * lambda_first_loop_x
-            - l_lambda_first_loop_y_theta2 * lambda_first_loop_y
-            - l_lambda_second_loop_x_theta2 * lambda_second_loop_x
-            - l_lambda_second_loop_y_theta2 * lambda_second_loop_y;
+            - l_lambda_first_loop_x_turned_theta2 * w_21
+            - l_lambda_second_loop_x_turned_theta2 * w_20
+            - l_lambda_second_loop_y_turned_theta2 * w_19;
         let theta3_ddot = inverse_theta3 * rhs_theta3 - l_theta2_theta3 * theta2_ddot
-            + minus_l_lambda_first_loop_x_theta3 * lambda_first_loop_x
-            - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
-            - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
-            - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_16 = cos_theta2 * theta2_dot;
-        let w_17 = self.k_16 * (self.k_8 * w_16 + w_9 * theta3_dot)
-            + minus_rhs_theta4 * theta4_dot
-            + (self.k_9 * w_16 + cos_w * theta3_dot * self.k_10
-                + second_loop_y_by_theta5 * theta5_dot) * self.k_24
-            + minus_rhs_theta6 * theta6_dot + lambda_drive * self.w;
+            - l_lambda_first_loop_x_turned_theta3 * w_21
+            - l_lambda_second_loop_x_turned_theta3 * w_20
+            - l_lambda_second_loop_y_turned_theta3 * w_19;
+        let w_22 = self.minus_inverse_lambda_first_loop_y_turned
+            * minus_rhs_lambda_first_loop_y_turned
+            + minus_l_theta2_lambda_first_loop_y_turned * theta2_ddot
+            + minus_l_theta3_lambda_first_loop_y_turned * theta3_ddot;
+        let w_23 = cos_theta2 * theta2_dot;
+        let w_24 = (self.k_9 * w_23 + cos_w * theta3_dot * self.k_10
+            + self.f * u5_x * theta5_dot) * self.k_27;
         sim_kernel::Dynamics {
             accelerations: [
                 theta2_ddot,
                 theta3_ddot,
-                minus_l_lambda_first_loop_y_theta4 * lambda_first_loop_y
-                    - minus_rhs_theta4 * self.inverse_theta4
-                    - l_lambda_first_loop_x_theta4 * lambda_first_loop_x,
-                rhs_theta5 * self.inverse_theta5 - l_theta2_theta5 * theta2_ddot
-                    - l_theta3_theta5 * theta3_ddot
-                    + minus_l_lambda_second_loop_x_theta5 * lambda_second_loop_x
-                    - l_lambda_second_loop_y_theta5 * lambda_second_loop_y,
-                minus_l_lambda_second_loop_y_theta6 * lambda_second_loop_y
+                self.minus_l_lambda_first_loop_y_turned_theta4 * w_22
+                    - minus_rhs_theta4 * self.inverse_theta4,
+                -(minus_rhs_theta5 * self.inverse_theta5 + l_theta2_theta5 * theta2_ddot
+                    + l_theta3_theta5 * theta3_ddot
+                    + self.l_lambda_second_loop_y_turned_theta5 * w_19),
+                minus_l_lambda_second_loop_y_turned_theta6 * w_19
                     - minus_rhs_theta6 * self.inverse_theta6
-                    - l_lambda_second_loop_x_theta6 * lambda_second_loop_x,
+                    - l_lambda_second_loop_x_turned_theta6 * w_20,
             ],
             multipliers: [
                 lambda_drive,
-                lambda_first_loop_x,
-                lambda_first_loop_y,
-                lambda_second_loop_x,
-                lambda_second_loop_y,
+                u4_x * w_21 - u4_y * w_22,
+                u4_y * w_21 + u4_x * w_22,
+                u5_x * w_20 - u5_y * w_19,
+                u5_y * w_20 + u5_x * w_19,
             ],
-            power: -w_17,
+            power: -(self.k_16 * (w_13 * theta3_dot + self.k_8 * w_23)
+                + minus_rhs_theta4 * theta4_dot + w_24 + minus_rhs_theta6 * theta6_dot
+                + lambda_drive * self.w),
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta5_theta5,
-                self.mass_theta5_theta5,
-            ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
-                | sim_kernel::pivot_is_refused(pivot_theta2, self.mass_theta2_theta2)
+                self.mass_theta4_theta4,
+                self.mass_theta4_theta4,
+            )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta4_theta4,
-                    self.mass_theta4_theta4,
+                    self.pivot_lambda_first_loop_y_turned,
+                    self.minus_pivot_lambda_first_loop_y_turned,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta5_theta5,
+                    self.mass_theta5_theta5,
+                ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3 + w_14)
+                | sim_kernel::pivot_is_refused(
+                    pivot_theta2,
+                    self.mass_theta2_theta2 + w_15,
                 ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_12)
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta6_theta6,
                     self.mass_theta6_theta6,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_13)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_14)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_15),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x_turned, w_16)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x_turned, w_17)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y_turned, w_18),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (5 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 618 additions, 877 multiplications, 7 divisions, 6 sine-cosine pairs.
+    /// Operations: 554 additions, 805 multiplications, 6 divisions, 6 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1404,6 +1374,7 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 5]; 5], [[S; 5]; 5]> {
         let [theta2, theta3, theta4, theta5, theta6] = *q;
         let [theta2_dot, theta3_dot, theta4_dot, theta5_dot, theta6_dot] = *qd;
+        let theta5_dot_squared = theta5_dot * theta5_dot;
         let w = theta3 + self.delta;
         let (
             [sin_theta2,
@@ -1421,856 +1392,793 @@ impl<S: sim_kernel::Scalar> SixBarPrepared<S> {
             u6_x,
             ],
         ) = S::sin_cos_each([theta2, w, theta3, theta5, theta4, theta6]);
+        let w_2 = cos_w * u5_y - sin_w * u5_x;
+        let w_3 = self.k_7 * w_2;
         let theta2_dot_squared = theta2_dot * theta2_dot;
-        let w_2 = sin_theta2 * theta2_dot_squared;
+        let w_4 = sin_w * cos_theta2 - sin_theta2 * cos_w;
+        let w_5 = self.k_14 * w_4 + self.k_13 * (cos_theta2 * u3_y - sin_theta2 * u3_x);
+        let w_6 = u3_x * u4_x + u3_y * u4_y;
+        let k_theta3_lambda_first_loop_y_turned = self.b * w_6;
+        let minus_l_theta3_lambda_first_loop_y_turned = k_theta3_lambda_first_loop_y_turned
+            * self.minus_inverse_lambda_first_loop_y_turned;
+        let w_7 = cos_theta2 * u4_y - sin_theta2 * u4_x;
+        let w_8 = self.a * theta2_dot_squared;
+        let w_9 = w_7 * w_8;
+        let w_10 = u3_x * u4_y - u3_y * u4_x;
+        let k_lambda_first_loop_x_turned_theta3 = self.b * w_10;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let w_3 = sin_w * theta3_dot_squared;
-        let w_4 = cos_theta2 * theta2_dot_squared;
-        let w_5 = cos_w * theta3_dot_squared;
-        let rhs_theta5 = u5_x * (self.k_6 * w_2 - self.k_22 + self.k_7 * w_3)
-            - u5_y * (self.k_6 * w_4 + self.k_7 * w_5);
-        let w_6 = sin_theta2 * cos_w;
-        let w_7 = sin_w * cos_theta2;
-        let w_8 = w_6 - w_7;
-        let theta5_dot_squared = theta5_dot * theta5_dot;
-        let w_9 = u5_y * theta5_dot_squared;
-        let w_10 = u5_x * theta5_dot_squared;
-        let w_11 = theta2_dot_squared
-            * (self.k_13 * (sin_theta2 * u3_x - cos_theta2 * u3_y) + self.k_14 * w_8)
-            + cos_w * (self.k_7 * w_9 - self.k_19) - sin_w * self.k_7 * w_10
-            - u3_x * self.k_18;
-        let w_12 = sin_w * u5_y + cos_w * u5_x;
-        let mass_theta5_theta3 = self.k_7 * w_12;
+        let w_11 = k_lambda_first_loop_x_turned_theta3 * theta3_dot_squared;
+        let minus_rhs_lambda_first_loop_y_turned = w_9 + w_11
+            + u4_x * self.k_20 * self.minus_l_lambda_first_loop_y_turned_theta4;
+        let w_12 = cos_theta2 * u5_y - sin_theta2 * u5_x;
+        let w_13 = self.k_6 * w_12;
+        let minus_rhs_theta5 = u5_x * self.k_22 + theta2_dot_squared * w_13
+            + theta3_dot_squared * w_3;
+        let w_14 = sin_w * u5_y + cos_w * u5_x;
+        let mass_theta5_theta3 = self.k_7 * w_14;
         let l_theta3_theta5 = mass_theta5_theta3 * self.inverse_theta5;
-        let rhs_theta3 = w_11 - rhs_theta5 * l_theta3_theta5;
-        let w_13 = cos_theta2
-            * (theta3_dot_squared * (sin_w * self.k_14 + u3_y * self.k_13) - self.k_12
-                + self.k_6 * w_9);
-        let w_14 = sin_theta2 * u5_y + cos_theta2 * u5_x;
-        let mass_theta5_theta2 = self.k_6 * w_14;
+        let rhs_theta3 = theta5_dot_squared * w_3 - cos_w * self.k_19
+            - theta2_dot_squared * w_5 - u3_x * self.k_18
+            - minus_l_theta3_lambda_first_loop_y_turned
+                * minus_rhs_lambda_first_loop_y_turned
+            + minus_rhs_theta5 * l_theta3_theta5;
+        let w_15 = cos_theta2 * u4_x + sin_theta2 * u4_y;
+        let k_theta2_lambda_first_loop_y_turned = self.a * w_15;
+        let minus_l_theta2_lambda_first_loop_y_turned = k_theta2_lambda_first_loop_y_turned
+            * self.minus_inverse_lambda_first_loop_y_turned;
+        let w_16 = sin_theta2 * u5_y + cos_theta2 * u5_x;
+        let mass_theta5_theta2 = self.k_6 * w_16;
         let l_theta2_theta5 = mass_theta5_theta2 * self.inverse_theta5;
-        let minus_first_loop_x_by_theta3 = self.b * u3_y;
-        let minus_second_loop_x_by_theta3 = self.p * sin_w;
-        let w_15 = minus_first_loop_x_by_theta3 + minus_second_loop_x_by_theta3;
-        let first_loop_y_by_theta3 = self.b * u3_x;
-        let second_loop_y_by_theta3 = self.p * cos_w;
-        let w_16 = first_loop_y_by_theta3 + second_loop_y_by_theta3;
-        let mass_theta3_theta3 = self.k_3 * (w_15 * w_15 + w_16 * w_16) + self.k_5;
-        let pivot_theta3 = mass_theta3_theta3 - mass_theta5_theta3 * l_theta3_theta5;
+        let w_17 = self.b * u3_y + self.p * sin_w;
+        let w_18 = self.b * u3_x + self.p * cos_w;
+        let mass_theta3_theta3 = self.k_5 + self.k_3 * (w_17 * w_17 + w_18 * w_18);
+        let w_19 = k_theta3_lambda_first_loop_y_turned
+            * minus_l_theta3_lambda_first_loop_y_turned;
+        let pivot_theta3 = mass_theta3_theta3 + w_19
+            - mass_theta5_theta3 * l_theta3_theta5;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let w_17 = sin_theta2 * sin_w + cos_theta2 * cos_w;
-        let w_18 = self.k * w_17;
-        let w_19 = self.k_2 * (sin_theta2 * w_15 + cos_theta2 * w_16);
-        let k_theta2_theta3 = w_18 + w_19 - mass_theta5_theta2 * l_theta3_theta5;
+        let w_20 = self.k * (sin_theta2 * sin_w + cos_theta2 * cos_w);
+        let mass_theta3_theta2 = w_20
+            + self.k_2 * (sin_theta2 * w_17 + cos_theta2 * w_18);
+        let k_theta2_theta3 = mass_theta3_theta2
+            + k_theta2_lambda_first_loop_y_turned
+                * minus_l_theta3_lambda_first_loop_y_turned
+            - mass_theta5_theta2 * l_theta3_theta5;
         let l_theta2_theta3 = inverse_theta3 * k_theta2_theta3;
-        let rhs_theta2 = w_13
-            - sin_theta2
-                * (theta3_dot_squared * (cos_w * self.k_14 + u3_x * self.k_13)
-                    + self.k_6 * w_10) - rhs_theta5 * l_theta2_theta5
-            - l_theta2_theta3 * rhs_theta3;
-        let minus_l_lambda_first_loop_x_theta3 = minus_first_loop_x_by_theta3
-            * inverse_theta3;
-        let minus_first_loop_y_by_theta4 = self.c * u4_x;
-        let theta4_dot_squared = theta4_dot * theta4_dot;
-        let w_20 = self.a * w_4;
-        let pivot_theta2 = self.mass_theta2_theta2 - mass_theta5_theta2 * l_theta2_theta5
-            - k_theta2_theta3 * l_theta2_theta3;
+        let rhs_theta2 = theta3_dot_squared * w_5 - cos_theta2 * self.k_12
+            + theta5_dot_squared * w_13
+            - minus_l_theta2_lambda_first_loop_y_turned
+                * minus_rhs_lambda_first_loop_y_turned
+            + minus_rhs_theta5 * l_theta2_theta5 - l_theta2_theta3 * rhs_theta3;
+        let w_21 = k_theta2_lambda_first_loop_y_turned
+            * minus_l_theta2_lambda_first_loop_y_turned;
+        let pivot_theta2 = self.mass_theta2_theta2 + w_21
+            - mass_theta5_theta2 * l_theta2_theta5 - k_theta2_theta3 * l_theta2_theta3;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let minus_first_loop_x_by_theta2 = self.a * sin_theta2;
-        let k_lambda_first_loop_x_theta2 = k_theta2_theta3
-            * minus_l_lambda_first_loop_x_theta3 - minus_first_loop_x_by_theta2;
-        let l_lambda_first_loop_x_theta2 = inverse_theta2 * k_lambda_first_loop_x_theta2;
-        let minus_rhs_theta4 = u4_x * self.k_20;
-        let first_loop_x_by_theta4 = self.c * u4_y;
-        let l_lambda_first_loop_x_theta4 = first_loop_x_by_theta4 * self.inverse_theta4;
+        let w_22 = self.a * w_7;
+        let l_lambda_first_loop_x_turned_theta3 = k_lambda_first_loop_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_first_loop_x_turned_theta2 = w_22
+            - k_theta2_theta3 * l_lambda_first_loop_x_turned_theta3;
+        let l_lambda_first_loop_x_turned_theta2 = inverse_theta2
+            * k_lambda_first_loop_x_turned_theta2;
         let minus_inverse_lambda_drive = S::from_f64(1.0) / inverse_theta2;
-        let l_lambda_first_loop_x_lambda_drive = l_lambda_first_loop_x_theta2
+        let l_lambda_first_loop_x_turned_lambda_drive = l_lambda_first_loop_x_turned_theta2
             * minus_inverse_lambda_drive;
         let minus_rhs_lambda_drive = inverse_theta2 * rhs_theta2;
-        let rhs_lambda_first_loop_x = minus_l_lambda_first_loop_x_theta3 * rhs_theta3
-            - (minus_first_loop_y_by_theta4 * theta4_dot_squared - w_20
-                - first_loop_y_by_theta3 * theta3_dot_squared)
-            - l_lambda_first_loop_x_theta2 * rhs_theta2
-            + minus_rhs_theta4 * l_lambda_first_loop_x_theta4
-            + l_lambda_first_loop_x_lambda_drive * minus_rhs_lambda_drive;
-        let A_x = self.a * cos_theta2;
-        let l_lambda_first_loop_y_theta3 = first_loop_y_by_theta3 * inverse_theta3;
-        let k_lambda_first_loop_y_theta2 = A_x
-            - k_theta2_theta3 * l_lambda_first_loop_y_theta3;
-        let l_lambda_first_loop_y_theta2 = inverse_theta2 * k_lambda_first_loop_y_theta2;
-        let l_lambda_first_loop_y_lambda_drive = l_lambda_first_loop_y_theta2
+        let w_23 = w_15 * w_8;
+        let w_24 = k_theta3_lambda_first_loop_y_turned * theta3_dot_squared;
+        let rhs_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_lambda_drive
+            * minus_rhs_lambda_drive - (self.c * theta4_dot * theta4_dot - w_23 - w_24)
+            - l_lambda_first_loop_x_turned_theta3 * rhs_theta3
+            - l_lambda_first_loop_x_turned_theta2 * rhs_theta2;
+        let w_25 = self.a * w_12;
+        let k_lambda_second_loop_x_turned_theta3 = self.p * w_2;
+        let l_lambda_second_loop_x_turned_theta3 = k_lambda_second_loop_x_turned_theta3
+            * inverse_theta3;
+        let k_lambda_second_loop_x_turned_theta2 = w_25
+            - k_theta2_theta3 * l_lambda_second_loop_x_turned_theta3;
+        let l_lambda_second_loop_x_turned_theta2 = inverse_theta2
+            * k_lambda_second_loop_x_turned_theta2;
+        let l_lambda_second_loop_x_turned_lambda_drive = l_lambda_second_loop_x_turned_theta2
             * minus_inverse_lambda_drive;
-        let w_21 = self.a * w_2;
-        let minus_l_lambda_first_loop_y_theta4 = minus_first_loop_y_by_theta4
-            * self.inverse_theta4;
-        let w_22 = minus_first_loop_x_by_theta3 * minus_l_lambda_first_loop_x_theta3
-            + k_lambda_first_loop_x_theta2 * l_lambda_first_loop_x_theta2
-            + first_loop_x_by_theta4 * l_lambda_first_loop_x_theta4;
-        let pivot_lambda_first_loop_x = l_lambda_first_loop_x_theta2
-            * l_lambda_first_loop_x_lambda_drive - w_22;
-        let inverse_lambda_first_loop_x = S::from_f64(1.0) / pivot_lambda_first_loop_x;
-        let k_lambda_first_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_first_loop_y_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_theta2
-            + first_loop_x_by_theta4 * minus_l_lambda_first_loop_y_theta4
-            + l_lambda_first_loop_x_theta2 * l_lambda_first_loop_y_lambda_drive;
-        let l_lambda_first_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_first_loop_y_lambda_first_loop_x;
-        let rhs_lambda_first_loop_y = l_lambda_first_loop_y_lambda_drive
-            * minus_rhs_lambda_drive
-            - (first_loop_x_by_theta4 * theta4_dot_squared - w_21
-                - minus_first_loop_x_by_theta3 * theta3_dot_squared)
-            - l_lambda_first_loop_y_theta3 * rhs_theta3
-            - l_lambda_first_loop_y_theta2 * rhs_theta2
-            - minus_rhs_theta4 * minus_l_lambda_first_loop_y_theta4
-            - l_lambda_first_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x;
-        let minus_second_loop_x_by_theta5 = self.f * u5_y;
-        let minus_l_lambda_second_loop_x_theta5 = minus_second_loop_x_by_theta5
-            * self.inverse_theta5;
-        let minus_second_loop_y_by_theta6 = self.h * u6_x;
+        let w_26 = u5_y * u6_y + u5_x * u6_x;
+        let minus_k_lambda_second_loop_y_turned_theta6 = self.h * w_26;
         let theta6_dot_squared = theta6_dot * theta6_dot;
-        let w_23 = self.f * w_10;
-        let k_lambda_second_loop_x_theta3 = mass_theta5_theta3
-            * minus_l_lambda_second_loop_x_theta5 - minus_second_loop_x_by_theta3;
-        let l_lambda_second_loop_x_theta3 = inverse_theta3
-            * k_lambda_second_loop_x_theta3;
-        let k_lambda_second_loop_x_theta2 = mass_theta5_theta2
-            * minus_l_lambda_second_loop_x_theta5 - minus_first_loop_x_by_theta2
-            - k_theta2_theta3 * l_lambda_second_loop_x_theta3;
-        let l_lambda_second_loop_x_theta2 = inverse_theta2
-            * k_lambda_second_loop_x_theta2;
-        let l_lambda_second_loop_x_lambda_drive = l_lambda_second_loop_x_theta2
-            * minus_inverse_lambda_drive;
-        let k_lambda_second_loop_x_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_second_loop_x_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_theta2
-            + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_x_lambda_drive;
-        let l_lambda_second_loop_x_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_second_loop_x_lambda_first_loop_x;
+        let w_27 = minus_k_lambda_second_loop_y_turned_theta6 * theta6_dot_squared;
+        let w_28 = w_16 * w_8;
+        let w_34 = w_12 * w_8;
+        let w_29 = self.p * w_14;
+        let w_30 = w_29 * theta3_dot_squared;
+        let w_31 = self.f * theta5_dot_squared;
         let minus_rhs_theta6 = u6_x * self.k_23;
-        let second_loop_x_by_theta6 = self.h * u6_y;
-        let l_lambda_second_loop_x_theta6 = second_loop_x_by_theta6
+        let w_32 = u5_x * u6_y - u5_y * u6_x;
+        let k_lambda_second_loop_x_turned_theta6 = self.h * w_32;
+        let w_36 = k_lambda_second_loop_x_turned_theta6 * theta6_dot_squared;
+        let l_lambda_second_loop_x_turned_theta6 = k_lambda_second_loop_x_turned_theta6
             * self.inverse_theta6;
-        let w_24 = first_loop_y_by_theta3 * l_lambda_first_loop_y_theta3
-            + k_lambda_first_loop_y_theta2 * l_lambda_first_loop_y_theta2
-            + minus_first_loop_y_by_theta4 * minus_l_lambda_first_loop_y_theta4;
-        let pivot_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_first_loop_y_lambda_drive - w_24
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_first_loop_y_lambda_first_loop_x;
-        let inverse_lambda_first_loop_y = S::from_f64(1.0) / pivot_lambda_first_loop_y;
-        let k_lambda_second_loop_x_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_second_loop_x_lambda_drive
-            - first_loop_y_by_theta3 * l_lambda_second_loop_x_theta3
-            - k_lambda_first_loop_y_theta2 * l_lambda_second_loop_x_theta2
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x;
-        let l_lambda_second_loop_x_lambda_first_loop_y = inverse_lambda_first_loop_y
-            * k_lambda_second_loop_x_lambda_first_loop_y;
-        let rhs_lambda_second_loop_x = rhs_theta5 * minus_l_lambda_second_loop_x_theta5
-            - (minus_second_loop_y_by_theta6 * theta6_dot_squared - w_20 - self.p * w_5
-                - w_23) - l_lambda_second_loop_x_theta3 * rhs_theta3
-            - l_lambda_second_loop_x_theta2 * rhs_theta2
-            + l_lambda_second_loop_x_lambda_drive * minus_rhs_lambda_drive
-            - l_lambda_second_loop_x_lambda_first_loop_x * rhs_lambda_first_loop_x
-            + minus_rhs_theta6 * l_lambda_second_loop_x_theta6
-            - l_lambda_second_loop_x_lambda_first_loop_y * rhs_lambda_first_loop_y;
-        let second_loop_y_by_theta5 = self.f * u5_x;
-        let l_lambda_second_loop_y_theta5 = second_loop_y_by_theta5
-            * self.inverse_theta5;
-        let k_lambda_second_loop_y_theta3 = second_loop_y_by_theta3
-            - mass_theta5_theta3 * l_lambda_second_loop_y_theta5;
-        let l_lambda_second_loop_y_theta3 = inverse_theta3
-            * k_lambda_second_loop_y_theta3;
-        let k_lambda_second_loop_y_theta2 = A_x
-            - mass_theta5_theta2 * l_lambda_second_loop_y_theta5
-            - k_theta2_theta3 * l_lambda_second_loop_y_theta3;
-        let l_lambda_second_loop_y_theta2 = inverse_theta2
-            * k_lambda_second_loop_y_theta2;
-        let l_lambda_second_loop_y_lambda_drive = l_lambda_second_loop_y_theta2
+        let w_33 = k_lambda_first_loop_x_turned_theta3
+            * l_lambda_first_loop_x_turned_theta3
+            + k_lambda_first_loop_x_turned_theta2 * l_lambda_first_loop_x_turned_theta2;
+        let pivot_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_first_loop_x_turned_lambda_drive - w_33;
+        let inverse_lambda_first_loop_x_turned = S::from_f64(1.0)
+            / pivot_lambda_first_loop_x_turned;
+        let k_lambda_second_loop_x_turned_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_second_loop_x_turned_lambda_drive
+            - k_lambda_first_loop_x_turned_theta3 * l_lambda_second_loop_x_turned_theta3
+            - k_lambda_first_loop_x_turned_theta2 * l_lambda_second_loop_x_turned_theta2;
+        let l_lambda_second_loop_x_turned_lambda_first_loop_x_turned = inverse_lambda_first_loop_x_turned
+            * k_lambda_second_loop_x_turned_lambda_first_loop_x_turned;
+        let rhs_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_lambda_drive
+            * minus_rhs_lambda_drive - (w_27 - w_28 - w_30 - w_31)
+            - l_lambda_second_loop_x_turned_theta3 * rhs_theta3
+            - l_lambda_second_loop_x_turned_theta2 * rhs_theta2
+            + minus_rhs_theta6 * l_lambda_second_loop_x_turned_theta6
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * rhs_lambda_first_loop_x_turned;
+        let w_35 = k_lambda_second_loop_x_turned_theta3 * theta3_dot_squared;
+        let k_lambda_second_loop_y_turned_theta3 = w_14 * self.k_25;
+        let l_lambda_second_loop_y_turned_theta3 = inverse_theta3
+            * k_lambda_second_loop_y_turned_theta3;
+        let k_lambda_second_loop_y_turned_theta2 = w_16 * self.k_26
+            - k_theta2_theta3 * l_lambda_second_loop_y_turned_theta3;
+        let l_lambda_second_loop_y_turned_theta2 = inverse_theta2
+            * k_lambda_second_loop_y_turned_theta2;
+        let l_lambda_second_loop_y_turned_lambda_drive = l_lambda_second_loop_y_turned_theta2
             * minus_inverse_lambda_drive;
-        let w_25 = self.f * w_9;
-        let k_lambda_second_loop_y_lambda_first_loop_x = minus_first_loop_x_by_theta3
-            * l_lambda_second_loop_y_theta3
-            - k_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_theta2
-            + l_lambda_first_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive;
-        let l_lambda_second_loop_y_lambda_first_loop_x = inverse_lambda_first_loop_x
-            * k_lambda_second_loop_y_lambda_first_loop_x;
-        let minus_l_lambda_second_loop_y_theta6 = minus_second_loop_y_by_theta6
+        let k_lambda_second_loop_y_turned_lambda_first_loop_x_turned = l_lambda_first_loop_x_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive
+            - k_lambda_first_loop_x_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            - k_lambda_first_loop_x_turned_theta2 * l_lambda_second_loop_y_turned_theta2;
+        let minus_l_lambda_second_loop_y_turned_theta6 = minus_k_lambda_second_loop_y_turned_theta6
             * self.inverse_theta6;
-        let k_lambda_second_loop_y_lambda_first_loop_y = l_lambda_first_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive
-            - first_loop_y_by_theta3 * l_lambda_second_loop_y_theta3
-            - k_lambda_first_loop_y_theta2 * l_lambda_second_loop_y_theta2
-            - k_lambda_first_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x;
-        let l_lambda_second_loop_y_lambda_first_loop_y = inverse_lambda_first_loop_y
-            * k_lambda_second_loop_y_lambda_first_loop_y;
-        let w_26 = minus_second_loop_x_by_theta5 * minus_l_lambda_second_loop_x_theta5
-            + k_lambda_second_loop_x_theta3 * l_lambda_second_loop_x_theta3
-            + k_lambda_second_loop_x_theta2 * l_lambda_second_loop_x_theta2
-            + second_loop_x_by_theta6 * l_lambda_second_loop_x_theta6;
-        let pivot_lambda_second_loop_x = l_lambda_second_loop_x_theta2
-            * l_lambda_second_loop_x_lambda_drive - w_26
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_x_lambda_first_loop_x
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_x_lambda_first_loop_y;
-        let inverse_lambda_second_loop_x = S::from_f64(1.0) / pivot_lambda_second_loop_x;
-        let k_lambda_second_loop_y_lambda_second_loop_x = minus_second_loop_x_by_theta5
-            * l_lambda_second_loop_y_theta5
-            - k_lambda_second_loop_x_theta3 * l_lambda_second_loop_y_theta3
-            - k_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_theta2
-            + l_lambda_second_loop_x_theta2 * l_lambda_second_loop_y_lambda_drive
-            - k_lambda_second_loop_x_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x
-            + second_loop_x_by_theta6 * minus_l_lambda_second_loop_y_theta6
-            - k_lambda_second_loop_x_lambda_first_loop_y
-                * l_lambda_second_loop_y_lambda_first_loop_y;
-        let l_lambda_second_loop_y_lambda_second_loop_x = inverse_lambda_second_loop_x
-            * k_lambda_second_loop_y_lambda_second_loop_x;
-        let rhs_lambda_second_loop_y = l_lambda_second_loop_y_lambda_drive
-            * minus_rhs_lambda_drive
-            - (second_loop_x_by_theta6 * theta6_dot_squared - w_21 - self.p * w_3 - w_25)
-            - rhs_theta5 * l_lambda_second_loop_y_theta5
-            - l_lambda_second_loop_y_theta3 * rhs_theta3
-            - l_lambda_second_loop_y_theta2 * rhs_theta2
-            - l_lambda_second_loop_y_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_theta6
-            - l_lambda_second_loop_y_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_y_lambda_second_loop_x * rhs_lambda_second_loop_x;
-        let w_27 = second_loop_y_by_theta5 * l_lambda_second_loop_y_theta5
-            + k_lambda_second_loop_y_theta3 * l_lambda_second_loop_y_theta3
-            + k_lambda_second_loop_y_theta2 * l_lambda_second_loop_y_theta2
-            + minus_second_loop_y_by_theta6 * minus_l_lambda_second_loop_y_theta6;
-        let pivot_lambda_second_loop_y = l_lambda_second_loop_y_theta2
-            * l_lambda_second_loop_y_lambda_drive - w_27
-            - k_lambda_second_loop_y_lambda_first_loop_x
-                * l_lambda_second_loop_y_lambda_first_loop_x
-            - k_lambda_second_loop_y_lambda_first_loop_y
-                * l_lambda_second_loop_y_lambda_first_loop_y
-            - k_lambda_second_loop_y_lambda_second_loop_x
-                * l_lambda_second_loop_y_lambda_second_loop_x;
-        let inverse_lambda_second_loop_y = S::from_f64(1.0) / pivot_lambda_second_loop_y;
-        let lambda_second_loop_y = inverse_lambda_second_loop_y
-            * rhs_lambda_second_loop_y;
-        let lambda_second_loop_x = inverse_lambda_second_loop_x
-            * rhs_lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_second_loop_x * lambda_second_loop_y;
-        let lambda_first_loop_y = inverse_lambda_first_loop_y * rhs_lambda_first_loop_y
-            - l_lambda_second_loop_x_lambda_first_loop_y * lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_y * lambda_second_loop_y;
-        let w_28 = theta3_dot
-            * (minus_second_loop_x_by_theta3 + minus_first_loop_x_by_theta3);
-        let w_29 = theta3_dot * w_28;
-        let w_30 = self.k_8 * w_2 + w_29;
-        let w_31 = w_2 * self.k_9 + self.k_10 * w_3 + w_25;
-        let w_32 = sin_theta2
-            * (self.a * (lambda_first_loop_y + lambda_second_loop_y) - self.k_2 * w_30
-                - w_31 * self.k_11 + self.k_12);
-        let lambda_first_loop_x = inverse_lambda_first_loop_x * rhs_lambda_first_loop_x
-            - l_lambda_first_loop_y_lambda_first_loop_x * lambda_first_loop_y
-            - l_lambda_second_loop_x_lambda_first_loop_x * lambda_second_loop_x
-            - l_lambda_second_loop_y_lambda_first_loop_x * lambda_second_loop_y;
-        let w_33 = theta3_dot * (second_loop_y_by_theta3 + first_loop_y_by_theta3);
-        let w_34 = theta3_dot * w_33;
-        let w_35 = self.k_8 * w_4 + w_34;
-        let w_36 = w_4 * self.k_9 + self.k_10 * w_5 + w_23;
+        let w_49 = self.k_24
+            + k_lambda_second_loop_y_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            + k_lambda_second_loop_y_turned_theta2 * l_lambda_second_loop_y_turned_theta2
+            + minus_k_lambda_second_loop_y_turned_theta6
+                * minus_l_lambda_second_loop_y_turned_theta6;
+        let l_lambda_second_loop_y_turned_lambda_first_loop_x_turned = inverse_lambda_first_loop_x_turned
+            * k_lambda_second_loop_y_turned_lambda_first_loop_x_turned;
+        let w_37 = k_lambda_second_loop_x_turned_theta3
+            * l_lambda_second_loop_x_turned_theta3
+            + k_lambda_second_loop_x_turned_theta2 * l_lambda_second_loop_x_turned_theta2
+            + k_lambda_second_loop_x_turned_theta6
+                * l_lambda_second_loop_x_turned_theta6;
+        let k_lambda_second_loop_y_turned_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive
+            - k_lambda_second_loop_x_turned_theta3 * l_lambda_second_loop_y_turned_theta3
+            - k_lambda_second_loop_x_turned_theta2 * l_lambda_second_loop_y_turned_theta2
+            + k_lambda_second_loop_x_turned_theta6
+                * minus_l_lambda_second_loop_y_turned_theta6
+            - k_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_first_loop_x_turned;
+        let pivot_lambda_second_loop_x_turned = l_lambda_second_loop_x_turned_theta2
+            * l_lambda_second_loop_x_turned_lambda_drive - w_37
+            - k_lambda_second_loop_x_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_x_turned_lambda_first_loop_x_turned;
+        let inverse_lambda_second_loop_x_turned = S::from_f64(1.0)
+            / pivot_lambda_second_loop_x_turned;
+        let l_lambda_second_loop_y_turned_lambda_second_loop_x_turned = inverse_lambda_second_loop_x_turned
+            * k_lambda_second_loop_y_turned_lambda_second_loop_x_turned;
+        let rhs_lambda_second_loop_y_turned = minus_rhs_theta5
+            * self.l_lambda_second_loop_y_turned_theta5 - (w_34 + w_35 + w_36)
+            - l_lambda_second_loop_y_turned_theta3 * rhs_theta3
+            - l_lambda_second_loop_y_turned_theta2 * rhs_theta2
+            + l_lambda_second_loop_y_turned_lambda_drive * minus_rhs_lambda_drive
+            - minus_rhs_theta6 * minus_l_lambda_second_loop_y_turned_theta6
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+                * rhs_lambda_first_loop_x_turned
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned
+                * rhs_lambda_second_loop_x_turned;
+        let pivot_lambda_second_loop_y_turned = l_lambda_second_loop_y_turned_theta2
+            * l_lambda_second_loop_y_turned_lambda_drive - w_49
+            - k_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_first_loop_x_turned
+            - k_lambda_second_loop_y_turned_lambda_second_loop_x_turned
+                * l_lambda_second_loop_y_turned_lambda_second_loop_x_turned;
+        let w_38 = sin_theta2 * theta2_dot_squared;
+        let w_39 = w_17 * theta3_dot;
+        let w_40 = theta3_dot * w_39;
+        let w_41 = self.k_8 * w_38 + w_40;
+        let w_42 = theta3_dot_squared * self.k_10;
+        let w_43 = w_38 * self.k_9 + sin_w * w_42 + u5_y * w_31;
+        let w_44 = cos_theta2 * theta2_dot_squared;
+        let w_48 = w_44 * self.k_9 + cos_w * w_42 + u5_x * w_31;
+        let w_45 = w_18 * theta3_dot;
+        let w_46 = theta3_dot * w_45;
+        let w_47 = self.k_8 * w_44 + w_46;
+        let inverse_lambda_second_loop_y_turned = S::from_f64(1.0)
+            / pivot_lambda_second_loop_y_turned;
+        let w_50 = inverse_lambda_second_loop_y_turned * rhs_lambda_second_loop_y_turned;
+        let w_51 = inverse_lambda_second_loop_x_turned * rhs_lambda_second_loop_x_turned
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_50;
+        let w_52 = inverse_lambda_first_loop_x_turned * rhs_lambda_first_loop_x_turned
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_51
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_50;
         let theta2_ddot = minus_rhs_lambda_drive
             - inverse_theta2
                 * (minus_inverse_lambda_drive * minus_rhs_lambda_drive
-                    - l_lambda_first_loop_x_lambda_drive * lambda_first_loop_x
-                    - l_lambda_first_loop_y_lambda_drive * lambda_first_loop_y
-                    - l_lambda_second_loop_x_lambda_drive * lambda_second_loop_x
-                    - l_lambda_second_loop_y_lambda_drive * lambda_second_loop_y)
-            - l_lambda_first_loop_x_theta2 * lambda_first_loop_x
-            - l_lambda_first_loop_y_theta2 * lambda_first_loop_y
-            - l_lambda_second_loop_x_theta2 * lambda_second_loop_x
-            - l_lambda_second_loop_y_theta2 * lambda_second_loop_y;
+                    - l_lambda_first_loop_x_turned_lambda_drive * w_52
+                    - l_lambda_second_loop_x_turned_lambda_drive * w_51
+                    - l_lambda_second_loop_y_turned_lambda_drive * w_50)
+            - l_lambda_first_loop_x_turned_theta2 * w_52
+            - l_lambda_second_loop_x_turned_theta2 * w_51
+            - l_lambda_second_loop_y_turned_theta2 * w_50;
         let theta3_ddot = inverse_theta3 * rhs_theta3 - l_theta2_theta3 * theta2_ddot
-            + minus_l_lambda_first_loop_x_theta3 * lambda_first_loop_x
-            - l_lambda_first_loop_y_theta3 * lambda_first_loop_y
-            - l_lambda_second_loop_x_theta3 * lambda_second_loop_x
-            - l_lambda_second_loop_y_theta3 * lambda_second_loop_y;
-        let w_37 = w_7 - w_6;
-        let w_38 = cos_theta2 * w_15;
-        let w_39 = sin_theta2 * w_16;
-        let w_40 = S::from_f64(0.3333333333333333)
-            * (self.k_25 * w_37 + self.k_26 * (w_38 - w_39));
-        let w_41 = theta3_ddot * w_40;
-        let w_42 = cos_theta2 * u5_y;
-        let w_43 = sin_theta2 * u5_x;
-        let w_44 = w_42 - w_43;
-        let w_45 = self.k_27 * w_44;
-        let theta5_ddot = rhs_theta5 * self.inverse_theta5
-            - l_theta2_theta5 * theta2_ddot - l_theta3_theta5 * theta3_ddot
-            + minus_l_lambda_second_loop_x_theta5 * lambda_second_loop_x
-            - l_lambda_second_loop_y_theta5 * lambda_second_loop_y;
-        let w_46 = S::from_f64(0.5) * theta5_ddot;
-        let w_47 = w_45 * w_46;
-        let w_48 = theta2_ddot * w_45;
-        let w_49 = self.k_6 * w_14 * theta2_dot_squared - S::from_f64(0.5) * w_48;
-        let w_50 = theta2_ddot * w_40;
-        let w_51 = theta2_dot_squared * (w_19 + w_18) - w_50 - l_theta3_theta5 * w_49;
-        let w_52 = w_32
-            + cos_theta2
-                * (self.a * (lambda_first_loop_x + lambda_second_loop_x)
-                    - self.k_2 * w_35 - w_36 * self.k_11) - w_41 - w_47
-            + theta2_dot_squared * self.k_28 - l_theta2_theta5 * w_49
-            - l_theta2_theta3 * w_51;
-        let w_53 = inverse_theta2 * w_52;
-        let w_54 = self.a * (cos_theta2 * theta2_ddot - w_2);
-        let w_55 = w_54 + minus_l_lambda_first_loop_x_theta3 * w_51
-            - l_lambda_first_loop_x_theta2 * w_52
-            + l_lambda_first_loop_x_lambda_drive * w_53;
-        let w_56 = self.a * (w_4 + sin_theta2 * theta2_ddot);
-        let w_57 = w_56 - l_lambda_first_loop_y_theta3 * w_51
-            - l_lambda_first_loop_y_theta2 * w_52
-            + l_lambda_first_loop_y_lambda_drive * w_53
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_55;
-        let w_58 = w_54 + minus_l_lambda_second_loop_x_theta5 * w_49
-            - l_lambda_second_loop_x_theta3 * w_51 - l_lambda_second_loop_x_theta2 * w_52
-            + l_lambda_second_loop_x_lambda_drive * w_53
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_55
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_57;
-        let w_59 = inverse_lambda_second_loop_y
-            * (w_56 - l_lambda_second_loop_y_theta5 * w_49
-                - l_lambda_second_loop_y_theta3 * w_51
-                - l_lambda_second_loop_y_theta2 * w_52
-                + l_lambda_second_loop_y_lambda_drive * w_53
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_55
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_57
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_58);
-        let w_60 = inverse_lambda_second_loop_x * w_58
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_59;
-        let w_61 = inverse_lambda_first_loop_y * w_57
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_60
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_59;
-        let w_62 = inverse_lambda_first_loop_x * w_55
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_61
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_60
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_59;
-        let w_63 = minus_inverse_lambda_drive * w_53
-            - l_lambda_first_loop_x_lambda_drive * w_62
-            - l_lambda_first_loop_y_lambda_drive * w_61
-            - l_lambda_second_loop_x_lambda_drive * w_60
-            - l_lambda_second_loop_y_lambda_drive * w_59;
-        let w_64 = w_53 - inverse_theta2 * w_63 - l_lambda_first_loop_x_theta2 * w_62
-            - l_lambda_first_loop_y_theta2 * w_61 - l_lambda_second_loop_x_theta2 * w_60
-            - l_lambda_second_loop_y_theta2 * w_59;
-        let w_65 = cos_w * u5_y;
-        let w_66 = sin_w * u5_x;
-        let w_67 = w_65 - w_66;
-        let w_68 = self.k_29 * w_67;
-        let w_69 = theta3_ddot * w_68;
-        let w_70 = self.k_7 * w_12 * theta3_dot_squared - S::from_f64(0.5) * w_69;
-        let w_71 = self.k_3 * (w_16 * (w_34 - w_35) + w_15 * (w_29 - w_30));
-        let w_72 = sin_w
-            * (self.k_17 - w_31 * self.k_15 + self.p * lambda_second_loop_y);
-        let w_73 = w_46 * w_68;
-        let w_74 = w_71 + w_72
-            + cos_w * (self.p * lambda_second_loop_x - w_36 * self.k_15)
-            + self.b * (u3_y * lambda_first_loop_y + u3_x * lambda_first_loop_x) + w_50
-            + w_15 * self.k_16 - w_73 + self.k_4 * theta3_dot_squared;
-        let w_75 = w_74 - l_theta3_theta5 * w_70;
-        let w_76 = self.k_2 * theta3_dot * (sin_theta2 * w_28 + cos_theta2 * w_33)
-            + self.k * w_17 * theta3_dot_squared + w_41 - l_theta2_theta5 * w_70
-            - l_theta2_theta3 * w_75;
-        let w_77 = inverse_theta2 * w_76;
-        let w_78 = self.b * (u3_x * theta3_ddot - u3_y * theta3_dot_squared)
-            + minus_l_lambda_first_loop_x_theta3 * w_75
-            - l_lambda_first_loop_x_theta2 * w_76
-            + l_lambda_first_loop_x_lambda_drive * w_77;
-        let w_79 = self.b * (u3_x * theta3_dot_squared + u3_y * theta3_ddot)
-            - l_lambda_first_loop_y_theta3 * w_75 - l_lambda_first_loop_y_theta2 * w_76
-            + l_lambda_first_loop_y_lambda_drive * w_77
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_78;
-        let w_80 = self.p * (cos_w * theta3_ddot - w_3)
-            + minus_l_lambda_second_loop_x_theta5 * w_70
-            - l_lambda_second_loop_x_theta3 * w_75 - l_lambda_second_loop_x_theta2 * w_76
-            + l_lambda_second_loop_x_lambda_drive * w_77
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_78
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_79;
-        let w_81 = self.p * (w_5 + sin_w * theta3_ddot)
-            - l_lambda_second_loop_y_theta5 * w_70 - l_lambda_second_loop_y_theta3 * w_75
-            - l_lambda_second_loop_y_theta2 * w_76
-            + l_lambda_second_loop_y_lambda_drive * w_77
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_78
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_79
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_80;
-        let w_82 = inverse_lambda_second_loop_y * w_81;
-        let w_83 = inverse_lambda_second_loop_x * w_80
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_82;
-        let w_84 = inverse_lambda_first_loop_y * w_79
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_83
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_82;
-        let w_85 = inverse_lambda_first_loop_x * w_78
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_84
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_83
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_82;
-        let w_86 = minus_inverse_lambda_drive * w_77
-            - l_lambda_first_loop_x_lambda_drive * w_85
-            - l_lambda_first_loop_y_lambda_drive * w_84
-            - l_lambda_second_loop_x_lambda_drive * w_83
-            - l_lambda_second_loop_y_lambda_drive * w_82;
-        let w_87 = w_77 - inverse_theta2 * w_86 - l_lambda_first_loop_x_theta2 * w_85
-            - l_lambda_first_loop_y_theta2 * w_84 - l_lambda_second_loop_x_theta2 * w_83
-            - l_lambda_second_loop_y_theta2 * w_82;
-        let theta4_ddot = minus_l_lambda_first_loop_y_theta4 * lambda_first_loop_y
-            - minus_rhs_theta4 * self.inverse_theta4
-            - l_lambda_first_loop_x_theta4 * lambda_first_loop_x;
-        let w_88 = u4_y * (self.k_20 - self.c * lambda_first_loop_y)
-            - minus_first_loop_y_by_theta4 * lambda_first_loop_x;
-        let w_89 = self.c * (u4_y * theta4_dot_squared - u4_x * theta4_ddot)
-            - l_lambda_first_loop_x_theta4 * w_88;
-        let w_90 = minus_l_lambda_first_loop_y_theta4 * w_88
-            - self.c * (u4_x * theta4_dot_squared + u4_y * theta4_ddot)
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_89;
-        let w_91 = l_lambda_second_loop_x_lambda_first_loop_x * w_89
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_90;
-        let w_92 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_91
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_89
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_90);
-        let w_93 = inverse_lambda_second_loop_x * w_91
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_92;
-        let w_94 = inverse_lambda_first_loop_y * w_90
-            + l_lambda_second_loop_x_lambda_first_loop_y * w_93
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_92;
-        let w_95 = inverse_lambda_first_loop_x * w_89
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_94
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_93
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_92;
-        let w_96 = l_lambda_second_loop_x_lambda_drive * w_93
-            - l_lambda_first_loop_x_lambda_drive * w_95
-            - l_lambda_first_loop_y_lambda_drive * w_94
-            - l_lambda_second_loop_y_lambda_drive * w_92;
-        let w_97 = l_lambda_second_loop_x_theta2 * w_93 - inverse_theta2 * w_96
-            - l_lambda_first_loop_x_theta2 * w_95 - l_lambda_first_loop_y_theta2 * w_94
-            - l_lambda_second_loop_y_theta2 * w_92;
-        let w_98 = u5_y * (self.k_22 - w_31 * self.k_21 + self.f * lambda_second_loop_y)
-            + S::from_f64(0.5) * (w_48 + w_69)
-            + u5_x * (self.f * lambda_second_loop_x - w_36 * self.k_21)
-            + theta5_dot_squared * self.k_30;
-        let w_99 = self.k_7 * w_12 * theta5_dot_squared + w_73 - l_theta3_theta5 * w_98;
-        let w_100 = self.k_6 * w_14 * theta5_dot_squared + w_47 - l_theta2_theta5 * w_98
-            - l_theta2_theta3 * w_99;
-        let w_101 = inverse_theta2 * w_100;
-        let w_102 = minus_l_lambda_first_loop_x_theta3 * w_99
-            - l_lambda_first_loop_x_theta2 * w_100
-            + l_lambda_first_loop_x_lambda_drive * w_101;
-        let w_103 = l_lambda_first_loop_y_lambda_drive * w_101
-            - l_lambda_first_loop_y_theta3 * w_99 - l_lambda_first_loop_y_theta2 * w_100
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_102;
-        let w_104 = self.f * (u5_x * theta5_ddot - w_9)
-            + minus_l_lambda_second_loop_x_theta5 * w_98
-            - l_lambda_second_loop_x_theta3 * w_99
-            - l_lambda_second_loop_x_theta2 * w_100
-            + l_lambda_second_loop_x_lambda_drive * w_101
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_102
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_103;
-        let w_105 = self.f * (w_10 + u5_y * theta5_ddot)
-            - l_lambda_second_loop_y_theta5 * w_98 - l_lambda_second_loop_y_theta3 * w_99
-            - l_lambda_second_loop_y_theta2 * w_100
-            + l_lambda_second_loop_y_lambda_drive * w_101
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_102
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_103
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_104;
-        let w_106 = inverse_lambda_second_loop_y * w_105;
-        let w_107 = inverse_lambda_second_loop_x * w_104
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_106;
-        let w_108 = inverse_lambda_first_loop_y * w_103
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_107
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_106;
-        let w_109 = inverse_lambda_first_loop_x * w_102
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_108
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_107
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_106;
-        let w_110 = minus_inverse_lambda_drive * w_101
-            - l_lambda_first_loop_x_lambda_drive * w_109
-            - l_lambda_first_loop_y_lambda_drive * w_108
-            - l_lambda_second_loop_x_lambda_drive * w_107
-            - l_lambda_second_loop_y_lambda_drive * w_106;
-        let w_111 = w_101 - inverse_theta2 * w_110 - l_lambda_first_loop_x_theta2 * w_109
-            - l_lambda_first_loop_y_theta2 * w_108
-            - l_lambda_second_loop_x_theta2 * w_107
-            - l_lambda_second_loop_y_theta2 * w_106;
-        let theta6_ddot = minus_l_lambda_second_loop_y_theta6 * lambda_second_loop_y
+            - l_lambda_first_loop_x_turned_theta3 * w_52
+            - l_lambda_second_loop_x_turned_theta3 * w_51
+            - l_lambda_second_loop_y_turned_theta3 * w_50;
+        let w_57 = S::from_f64(0.5)
+            * (minus_rhs_theta5 * self.inverse_theta5 + l_theta2_theta5 * theta2_ddot
+                + l_theta3_theta5 * theta3_ddot
+                + self.l_lambda_second_loop_y_turned_theta5 * w_50);
+        let w_60 = self.minus_inverse_lambda_first_loop_y_turned
+            * minus_rhs_lambda_first_loop_y_turned
+            + minus_l_theta2_lambda_first_loop_y_turned * theta2_ddot
+            + minus_l_theta3_lambda_first_loop_y_turned * theta3_ddot;
+        let theta6_ddot = minus_l_lambda_second_loop_y_turned_theta6 * w_50
             - minus_rhs_theta6 * self.inverse_theta6
-            - l_lambda_second_loop_x_theta6 * lambda_second_loop_x;
-        let w_112 = u6_y * (self.k_23 - self.h * lambda_second_loop_y)
-            - minus_second_loop_y_by_theta6 * lambda_second_loop_x;
-        let w_113 = self.h * (u6_y * theta6_dot_squared - u6_x * theta6_ddot)
-            - l_lambda_second_loop_x_theta6 * w_112;
-        let w_114 = inverse_lambda_second_loop_y
-            * (minus_l_lambda_second_loop_y_theta6 * w_112
-                - self.h * (u6_x * theta6_dot_squared + u6_y * theta6_ddot)
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_113);
-        let w_115 = inverse_lambda_second_loop_x * w_113
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_114;
-        let w_116 = l_lambda_second_loop_x_lambda_first_loop_y * w_115
-            + l_lambda_second_loop_y_lambda_first_loop_y * w_114;
-        let w_117 = l_lambda_first_loop_y_lambda_first_loop_x * w_116
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_115
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_114;
-        let w_118 = l_lambda_first_loop_y_lambda_drive * w_116
-            - l_lambda_first_loop_x_lambda_drive * w_117
-            - l_lambda_second_loop_x_lambda_drive * w_115
-            - l_lambda_second_loop_y_lambda_drive * w_114;
-        let w_119 = l_lambda_first_loop_y_theta2 * w_116 - inverse_theta2 * w_118
-            - l_lambda_first_loop_x_theta2 * w_117
-            - l_lambda_second_loop_x_theta2 * w_115
-            - l_lambda_second_loop_y_theta2 * w_114;
-        let w_120 = inverse_theta3 * w_51 - l_theta2_theta3 * w_64
-            + minus_l_lambda_first_loop_x_theta3 * w_62
-            - l_lambda_first_loop_y_theta3 * w_61 - l_lambda_second_loop_x_theta3 * w_60
-            - l_lambda_second_loop_y_theta3 * w_59;
-        let w_121 = inverse_theta3 * w_75 - l_theta2_theta3 * w_87
-            + minus_l_lambda_first_loop_x_theta3 * w_85
-            - l_lambda_first_loop_y_theta3 * w_84 - l_lambda_second_loop_x_theta3 * w_83
-            - l_lambda_second_loop_y_theta3 * w_82;
-        let w_122 = minus_l_lambda_first_loop_x_theta3 * w_95 - l_theta2_theta3 * w_97
-            - l_lambda_first_loop_y_theta3 * w_94 + l_lambda_second_loop_x_theta3 * w_93
-            - l_lambda_second_loop_y_theta3 * w_92;
-        let w_123 = inverse_theta3 * w_99 - l_theta2_theta3 * w_111
-            + minus_l_lambda_first_loop_x_theta3 * w_109
-            - l_lambda_first_loop_y_theta3 * w_108
-            - l_lambda_second_loop_x_theta3 * w_107
-            - l_lambda_second_loop_y_theta3 * w_106;
-        let w_124 = minus_l_lambda_first_loop_x_theta3 * w_117 - l_theta2_theta3 * w_119
-            + l_lambda_first_loop_y_theta3 * w_116
-            - l_lambda_second_loop_x_theta3 * w_115
-            - l_lambda_second_loop_y_theta3 * w_114;
-        let w_125 = self.k_27 * theta2_dot * (w_43 - w_42);
-        let w_126 = theta2_dot * (self.k_31 * (w_39 - w_38) + w_8 * self.k_32)
-            - l_theta3_theta5 * w_125;
-        let w_127 = l_theta2_theta5 * w_125 + l_theta2_theta3 * w_126;
-        let w_128 = inverse_theta2 * w_127;
-        let w_129 = theta2_dot * self.k_9;
-        let w_130 = cos_theta2 * w_129;
-        let w_131 = w_130 + minus_l_lambda_first_loop_x_theta3 * w_126
-            + l_lambda_first_loop_x_theta2 * w_127
-            - l_lambda_first_loop_x_lambda_drive * w_128;
-        let w_132 = sin_theta2 * w_129;
-        let w_133 = w_132 - l_lambda_first_loop_y_theta3 * w_126
-            + l_lambda_first_loop_y_theta2 * w_127
-            - l_lambda_first_loop_y_lambda_drive * w_128
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_131;
-        let w_134 = w_130 + minus_l_lambda_second_loop_x_theta5 * w_125
-            - l_lambda_second_loop_x_theta3 * w_126
-            + l_lambda_second_loop_x_theta2 * w_127
-            - l_lambda_second_loop_x_lambda_drive * w_128
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_131
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_133;
-        let w_135 = inverse_lambda_second_loop_y
-            * (w_132 - l_lambda_second_loop_y_theta5 * w_125
-                - l_lambda_second_loop_y_theta3 * w_126
-                + l_lambda_second_loop_y_theta2 * w_127
-                - l_lambda_second_loop_y_lambda_drive * w_128
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_131
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_133
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_134);
-        let w_136 = inverse_lambda_second_loop_x * w_134
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_135;
-        let w_137 = inverse_lambda_first_loop_y * w_133
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_136
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_135;
-        let w_138 = inverse_lambda_first_loop_x * w_131
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_137
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_136
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_135;
-        let w_139 = minus_inverse_lambda_drive * w_128
-            + l_lambda_first_loop_x_lambda_drive * w_138
-            + l_lambda_first_loop_y_lambda_drive * w_137
-            + l_lambda_second_loop_x_lambda_drive * w_136
-            + l_lambda_second_loop_y_lambda_drive * w_135;
-        let w_140 = inverse_theta2 * w_139 - w_128 - l_lambda_first_loop_x_theta2 * w_138
-            - l_lambda_first_loop_y_theta2 * w_137
-            - l_lambda_second_loop_x_theta2 * w_136
-            - l_lambda_second_loop_y_theta2 * w_135;
-        let w_141 = theta3_dot
-            * (minus_second_loop_x_by_theta3 + w_15 + minus_first_loop_x_by_theta3);
-        let w_142 = theta3_dot
-            * (second_loop_y_by_theta3 + first_loop_y_by_theta3 + w_16);
-        let w_143 = self.k_29 * theta3_dot * (w_66 - w_65);
-        let w_144 = self.k_3 * (w_16 * w_141 - w_15 * w_142) - l_theta3_theta5 * w_143;
-        let w_145 = self.k_2 * (cos_theta2 * w_141 - sin_theta2 * w_142)
-            + self.k_32 * theta3_dot * w_37 - l_theta2_theta5 * w_143
-            - l_theta2_theta3 * w_144;
-        let w_146 = inverse_theta2 * w_145;
-        let w_147 = theta3_dot * self.k_33;
-        let w_148 = u3_x * w_147 + minus_l_lambda_first_loop_x_theta3 * w_144
-            - l_lambda_first_loop_x_theta2 * w_145
-            + l_lambda_first_loop_x_lambda_drive * w_146;
-        let w_149 = u3_y * w_147 - l_lambda_first_loop_y_theta3 * w_144
-            - l_lambda_first_loop_y_theta2 * w_145
-            + l_lambda_first_loop_y_lambda_drive * w_146
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_148;
-        let w_150 = theta3_dot * self.k_10;
-        let w_151 = cos_w * w_150 + minus_l_lambda_second_loop_x_theta5 * w_143
-            - l_lambda_second_loop_x_theta3 * w_144
-            - l_lambda_second_loop_x_theta2 * w_145
-            + l_lambda_second_loop_x_lambda_drive * w_146
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_148
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_149;
-        let w_152 = sin_w * w_150 - l_lambda_second_loop_y_theta5 * w_143
-            - l_lambda_second_loop_y_theta3 * w_144
-            - l_lambda_second_loop_y_theta2 * w_145
-            + l_lambda_second_loop_y_lambda_drive * w_146
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_148
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_149
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_151;
-        let w_153 = inverse_lambda_second_loop_y * w_152;
-        let w_154 = inverse_lambda_second_loop_x * w_151
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_153;
-        let w_155 = inverse_lambda_first_loop_y * w_149
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_154
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_153;
-        let w_156 = inverse_lambda_first_loop_x * w_148
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_155
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_154
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_153;
-        let w_157 = minus_inverse_lambda_drive * w_146
-            - l_lambda_first_loop_x_lambda_drive * w_156
-            - l_lambda_first_loop_y_lambda_drive * w_155
-            - l_lambda_second_loop_x_lambda_drive * w_154
-            - l_lambda_second_loop_y_lambda_drive * w_153;
-        let w_158 = w_146 - inverse_theta2 * w_157 - l_lambda_first_loop_x_theta2 * w_156
-            - l_lambda_first_loop_y_theta2 * w_155
-            - l_lambda_second_loop_x_theta2 * w_154
-            - l_lambda_second_loop_y_theta2 * w_153;
-        let w_159 = theta4_dot * self.k_34;
-        let w_160 = u4_x * w_159;
-        let w_161 = l_lambda_first_loop_y_lambda_first_loop_x * w_160 - u4_y * w_159;
-        let w_162 = l_lambda_second_loop_x_lambda_first_loop_x * w_160
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_161;
-        let w_163 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_first_loop_x * w_160
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_161
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_162);
-        let w_164 = inverse_lambda_second_loop_x * w_162
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_163;
-        let w_165 = inverse_lambda_first_loop_y * w_161
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_164
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_163;
-        let w_166 = inverse_lambda_first_loop_x * w_160
-            + l_lambda_first_loop_y_lambda_first_loop_x * w_165
-            + l_lambda_second_loop_x_lambda_first_loop_x * w_164
-            + l_lambda_second_loop_y_lambda_first_loop_x * w_163;
-        let w_167 = l_lambda_first_loop_x_lambda_drive * w_166
-            - l_lambda_first_loop_y_lambda_drive * w_165
-            - l_lambda_second_loop_x_lambda_drive * w_164
-            - l_lambda_second_loop_y_lambda_drive * w_163;
-        let w_168 = l_lambda_first_loop_x_theta2 * w_166 - inverse_theta2 * w_167
-            - l_lambda_first_loop_y_theta2 * w_165
-            - l_lambda_second_loop_x_theta2 * w_164
-            - l_lambda_second_loop_y_theta2 * w_163;
-        let w_169 = self.k_29 * theta5_dot * w_67;
-        let w_170 = self.k_27 * theta5_dot * w_44 - l_theta2_theta3 * w_169;
-        let w_171 = inverse_theta2 * w_170;
-        let w_172 = minus_l_lambda_first_loop_x_theta3 * w_169
-            - l_lambda_first_loop_x_theta2 * w_170
-            + l_lambda_first_loop_x_lambda_drive * w_171;
-        let w_173 = l_lambda_first_loop_y_lambda_drive * w_171
-            - l_lambda_first_loop_y_theta3 * w_169 - l_lambda_first_loop_y_theta2 * w_170
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_172;
-        let w_174 = theta5_dot * self.k_35;
-        let w_175 = u5_x * w_174 - l_lambda_second_loop_x_theta3 * w_169
-            - l_lambda_second_loop_x_theta2 * w_170
-            + l_lambda_second_loop_x_lambda_drive * w_171
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_172
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_173;
-        let w_176 = inverse_lambda_second_loop_y
-            * (u5_y * w_174 - l_lambda_second_loop_y_theta3 * w_169
-                - l_lambda_second_loop_y_theta2 * w_170
-                + l_lambda_second_loop_y_lambda_drive * w_171
-                - l_lambda_second_loop_y_lambda_first_loop_x * w_172
-                - l_lambda_second_loop_y_lambda_first_loop_y * w_173
-                - l_lambda_second_loop_y_lambda_second_loop_x * w_175);
-        let w_177 = inverse_lambda_second_loop_x * w_175
-            - l_lambda_second_loop_y_lambda_second_loop_x * w_176;
-        let w_178 = inverse_lambda_first_loop_y * w_173
-            - l_lambda_second_loop_x_lambda_first_loop_y * w_177
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_176;
-        let w_179 = inverse_lambda_first_loop_x * w_172
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_178
-            - l_lambda_second_loop_x_lambda_first_loop_x * w_177
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_176;
-        let w_180 = minus_inverse_lambda_drive * w_171
-            - l_lambda_first_loop_x_lambda_drive * w_179
-            - l_lambda_first_loop_y_lambda_drive * w_178
-            - l_lambda_second_loop_x_lambda_drive * w_177
-            - l_lambda_second_loop_y_lambda_drive * w_176;
-        let w_181 = w_171 - inverse_theta2 * w_180 - l_lambda_first_loop_x_theta2 * w_179
-            - l_lambda_first_loop_y_theta2 * w_178
-            - l_lambda_second_loop_x_theta2 * w_177
-            - l_lambda_second_loop_y_theta2 * w_176;
-        let w_182 = theta6_dot * self.k_36;
-        let w_183 = u6_x * w_182;
-        let w_184 = inverse_lambda_second_loop_y
-            * (l_lambda_second_loop_y_lambda_second_loop_x * w_183 - u6_y * w_182);
-        let w_185 = inverse_lambda_second_loop_x * w_183
-            + l_lambda_second_loop_y_lambda_second_loop_x * w_184;
-        let w_186 = l_lambda_second_loop_x_lambda_first_loop_y * w_185
-            - l_lambda_second_loop_y_lambda_first_loop_y * w_184;
-        let w_187 = l_lambda_second_loop_x_lambda_first_loop_x * w_185
-            - l_lambda_first_loop_y_lambda_first_loop_x * w_186
-            - l_lambda_second_loop_y_lambda_first_loop_x * w_184;
-        let w_188 = l_lambda_second_loop_x_lambda_drive * w_185
-            - l_lambda_first_loop_x_lambda_drive * w_187
-            - l_lambda_first_loop_y_lambda_drive * w_186
-            - l_lambda_second_loop_y_lambda_drive * w_184;
-        let w_189 = l_lambda_second_loop_x_theta2 * w_185 - inverse_theta2 * w_188
-            - l_lambda_first_loop_x_theta2 * w_187 - l_lambda_first_loop_y_theta2 * w_186
-            - l_lambda_second_loop_y_theta2 * w_184;
-        let w_190 = inverse_theta3 * w_126 - l_theta2_theta3 * w_140
-            + minus_l_lambda_first_loop_x_theta3 * w_138
-            - l_lambda_first_loop_y_theta3 * w_137
-            - l_lambda_second_loop_x_theta3 * w_136
-            - l_lambda_second_loop_y_theta3 * w_135;
-        let w_191 = inverse_theta3 * w_144 - l_theta2_theta3 * w_158
-            + minus_l_lambda_first_loop_x_theta3 * w_156
-            - l_lambda_first_loop_y_theta3 * w_155
-            - l_lambda_second_loop_x_theta3 * w_154
-            - l_lambda_second_loop_y_theta3 * w_153;
-        let w_192 = l_theta2_theta3 * w_168 + minus_l_lambda_first_loop_x_theta3 * w_166
-            + l_lambda_first_loop_y_theta3 * w_165
-            + l_lambda_second_loop_x_theta3 * w_164
-            + l_lambda_second_loop_y_theta3 * w_163;
-        let w_193 = inverse_theta3 * w_169 - l_theta2_theta3 * w_181
-            + minus_l_lambda_first_loop_x_theta3 * w_179
-            - l_lambda_first_loop_y_theta3 * w_178
-            - l_lambda_second_loop_x_theta3 * w_177
-            - l_lambda_second_loop_y_theta3 * w_176;
-        let w_194 = minus_l_lambda_first_loop_x_theta3 * w_187 - l_theta2_theta3 * w_189
-            - l_lambda_first_loop_y_theta3 * w_186
-            + l_lambda_second_loop_x_theta3 * w_185
-            - l_lambda_second_loop_y_theta3 * w_184;
+            - l_lambda_second_loop_x_turned_theta6 * w_51;
+        let w_53 = cos_theta2 * w_17 - sin_theta2 * w_18;
+        let w_54 = S::from_f64(0.3333333333333333)
+            * (self.k_29 * w_53 + w_4 * self.k_28);
+        let w_157 = w_4 * self.k_35;
+        let w_55 = theta3_ddot * w_54;
+        let w_70 = theta2_ddot * w_54;
+        let w_56 = w_12 * self.k_30;
+        let w_58 = w_56 * w_57;
+        let w_59 = k_theta2_lambda_first_loop_y_turned * w_52;
+        let w_74 = k_theta2_lambda_first_loop_y_turned * theta2_ddot;
+        let w_61 = w_22 * w_60;
+        let w_66 = w_22 * theta2_ddot;
+        let w_62 = self.a * w_16;
+        let w_63 = w_62 * w_51;
+        let w_76 = w_62 * theta2_ddot;
+        let w_64 = w_25 * w_50;
+        let w_78 = w_25 * theta2_ddot;
+        let w_68 = theta2_ddot * w_56;
+        let w_65 = sin_theta2 * (self.k_12 - self.k_2 * w_41 - w_43 * self.k_11)
+            - cos_theta2 * (self.k_2 * w_47 + w_48 * self.k_11) - w_55 + w_58
+            + theta2_dot_squared * self.k_31 + w_59 - w_61 + w_63 - w_64;
+        let w_67 = w_23 - w_66;
+        let w_69 = mass_theta5_theta2 * theta2_dot_squared - S::from_f64(0.5) * w_68;
+        let w_71 = mass_theta3_theta2 * theta2_dot_squared - w_70
+            + minus_l_theta3_lambda_first_loop_y_turned * w_67 - l_theta3_theta5 * w_69;
+        let w_72 = w_65 + minus_l_theta2_lambda_first_loop_y_turned * w_67
+            - l_theta2_theta5 * w_69 - l_theta2_theta3 * w_71;
+        let w_73 = inverse_theta2 * w_72;
+        let w_75 = w_9 + w_74 - l_lambda_first_loop_x_turned_theta3 * w_71
+            - l_lambda_first_loop_x_turned_theta2 * w_72
+            + l_lambda_first_loop_x_turned_lambda_drive * w_73;
+        let w_77 = w_34 + w_76 - l_lambda_second_loop_x_turned_theta3 * w_71
+            - l_lambda_second_loop_x_turned_theta2 * w_72
+            + l_lambda_second_loop_x_turned_lambda_drive * w_73
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_75;
+        let w_79 = inverse_lambda_second_loop_y_turned
+            * (w_28 - w_78 - self.l_lambda_second_loop_y_turned_theta5 * w_69
+                - l_lambda_second_loop_y_turned_theta3 * w_71
+                - l_lambda_second_loop_y_turned_theta2 * w_72
+                + l_lambda_second_loop_y_turned_lambda_drive * w_73
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_75
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_77);
+        let w_80 = inverse_lambda_second_loop_x_turned * w_77
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_79;
+        let w_81 = inverse_lambda_first_loop_x_turned * w_75
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_80
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_79;
+        let w_82 = minus_inverse_lambda_drive * w_73
+            - l_lambda_first_loop_x_turned_lambda_drive * w_81
+            - l_lambda_second_loop_x_turned_lambda_drive * w_80
+            - l_lambda_second_loop_y_turned_lambda_drive * w_79;
+        let w_83 = w_73 - inverse_theta2 * w_82
+            - l_lambda_first_loop_x_turned_theta2 * w_81
+            - l_lambda_second_loop_x_turned_theta2 * w_80
+            - l_lambda_second_loop_y_turned_theta2 * w_79;
+        let w_144 = inverse_theta3 * w_71 - l_theta2_theta3 * w_83
+            - l_lambda_first_loop_x_turned_theta3 * w_81
+            - l_lambda_second_loop_x_turned_theta3 * w_80
+            - l_lambda_second_loop_y_turned_theta3 * w_79;
+        let w_149 = minus_l_theta2_lambda_first_loop_y_turned * w_83
+            - self.minus_inverse_lambda_first_loop_y_turned * w_67
+            + minus_l_theta3_lambda_first_loop_y_turned * w_144;
+        let w_84 = k_lambda_first_loop_x_turned_theta3 * theta3_ddot;
+        let w_91 = k_lambda_first_loop_x_turned_theta3 * w_60;
+        let w_85 = w_24 - w_84;
+        let w_86 = w_2 * self.k_32;
+        let w_89 = w_57 * w_86;
+        let w_87 = theta3_ddot * w_86;
+        let w_120 = S::from_f64(0.5) * (w_68 + w_87)
+            - self.k_21 * (u5_x * w_48 + u5_y * w_43) + theta5_dot_squared * self.k_33
+            + u5_y * self.k_22;
+        let w_88 = mass_theta5_theta3 * theta3_dot_squared - S::from_f64(0.5) * w_87;
+        let w_90 = k_theta3_lambda_first_loop_y_turned * w_52;
+        let w_98 = k_theta3_lambda_first_loop_y_turned * theta3_ddot;
+        let w_92 = w_29 * w_51;
+        let w_100 = w_29 * theta3_ddot;
+        let w_102 = k_lambda_second_loop_x_turned_theta3 * theta3_ddot;
+        let w_93 = k_lambda_second_loop_x_turned_theta3 * w_50;
+        let w_94 = w_70 + self.k_3 * (w_18 * (w_46 - w_47) + w_17 * (w_40 - w_41))
+            - self.k_15 * (cos_w * w_48 + sin_w * w_43) + w_17 * self.k_16
+            + sin_w * self.k_17 + w_89 + self.k_4 * theta3_dot_squared + w_90 - w_91
+            + w_92 - w_93;
+        let w_95 = w_94 + minus_l_theta3_lambda_first_loop_y_turned * w_85
+            - l_theta3_theta5 * w_88;
+        let w_96 = w_55 + self.k_2 * theta3_dot * (sin_theta2 * w_39 + cos_theta2 * w_45)
+            + w_20 * theta3_dot_squared
+            + minus_l_theta2_lambda_first_loop_y_turned * w_85 - l_theta2_theta5 * w_88
+            - l_theta2_theta3 * w_95;
+        let w_121 = w_93 - w_89 - w_92 + mass_theta5_theta3 * theta5_dot_squared
+            - l_theta3_theta5 * w_120;
+        let w_122 = w_64 - w_58 - w_63 + mass_theta5_theta2 * theta5_dot_squared
+            - l_theta2_theta5 * w_120 - l_theta2_theta3 * w_121;
+        let w_97 = inverse_theta2 * w_96;
+        let w_99 = w_11 + w_98 - l_lambda_first_loop_x_turned_theta3 * w_95
+            - l_lambda_first_loop_x_turned_theta2 * w_96
+            + l_lambda_first_loop_x_turned_lambda_drive * w_97;
+        let w_101 = w_35 + w_100 - l_lambda_second_loop_x_turned_theta3 * w_95
+            - l_lambda_second_loop_x_turned_theta2 * w_96
+            + l_lambda_second_loop_x_turned_lambda_drive * w_97
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_99;
+        let w_103 = inverse_lambda_second_loop_y_turned
+            * (w_30 - w_102 - self.l_lambda_second_loop_y_turned_theta5 * w_88
+                - l_lambda_second_loop_y_turned_theta3 * w_95
+                - l_lambda_second_loop_y_turned_theta2 * w_96
+                + l_lambda_second_loop_y_turned_lambda_drive * w_97
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_99
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_101);
+        let w_104 = inverse_lambda_second_loop_x_turned * w_101
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_103;
+        let w_105 = inverse_lambda_first_loop_x_turned * w_99
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_104
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_103;
+        let w_106 = minus_inverse_lambda_drive * w_97
+            - l_lambda_first_loop_x_turned_lambda_drive * w_105
+            - l_lambda_second_loop_x_turned_lambda_drive * w_104
+            - l_lambda_second_loop_y_turned_lambda_drive * w_103;
+        let w_107 = w_97 - inverse_theta2 * w_106
+            - l_lambda_first_loop_x_turned_theta2 * w_105
+            - l_lambda_second_loop_x_turned_theta2 * w_104
+            - l_lambda_second_loop_y_turned_theta2 * w_103;
+        let w_145 = inverse_theta3 * w_95 - l_theta2_theta3 * w_107
+            - l_lambda_first_loop_x_turned_theta3 * w_105
+            - l_lambda_second_loop_x_turned_theta3 * w_104
+            - l_lambda_second_loop_y_turned_theta3 * w_103;
+        let w_150 = minus_l_theta2_lambda_first_loop_y_turned * w_107
+            - self.minus_inverse_lambda_first_loop_y_turned * w_85
+            + minus_l_theta3_lambda_first_loop_y_turned * w_145;
+        let w_108 = u4_y * self.k_20;
+        let w_109 = w_66 - w_23 - w_24 + w_84
+            + self.minus_l_lambda_first_loop_y_turned_theta4 * w_108;
+        let w_110 = w_91 - w_90 + minus_l_theta3_lambda_first_loop_y_turned * w_109;
+        let w_111 = w_61 - w_59 + minus_l_theta2_lambda_first_loop_y_turned * w_109
+            - l_theta2_theta3 * w_110;
+        let w_112 = inverse_theta2 * w_111;
+        let w_113 = l_lambda_first_loop_x_turned_lambda_drive * w_112
+            - (w_9 + w_11 + w_74 + w_98) - l_lambda_first_loop_x_turned_theta3 * w_110
+            - l_lambda_first_loop_x_turned_theta2 * w_111;
+        let w_114 = l_lambda_second_loop_x_turned_lambda_drive * w_112
+            - l_lambda_second_loop_x_turned_theta3 * w_110
+            - l_lambda_second_loop_x_turned_theta2 * w_111
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_113;
+        let w_115 = inverse_lambda_second_loop_y_turned
+            * (l_lambda_second_loop_y_turned_lambda_drive * w_112
+                - l_lambda_second_loop_y_turned_theta3 * w_110
+                - l_lambda_second_loop_y_turned_theta2 * w_111
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_113
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_114);
+        let w_116 = inverse_lambda_second_loop_x_turned * w_114
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_115;
+        let w_117 = inverse_lambda_first_loop_x_turned * w_113
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_116
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_115;
+        let w_118 = minus_inverse_lambda_drive * w_112
+            - l_lambda_first_loop_x_turned_lambda_drive * w_117
+            - l_lambda_second_loop_x_turned_lambda_drive * w_116
+            - l_lambda_second_loop_y_turned_lambda_drive * w_115;
+        let w_119 = w_112 - inverse_theta2 * w_118
+            - l_lambda_first_loop_x_turned_theta2 * w_117
+            - l_lambda_second_loop_x_turned_theta2 * w_116
+            - l_lambda_second_loop_y_turned_theta2 * w_115;
+        let w_146 = inverse_theta3 * w_110 - l_theta2_theta3 * w_119
+            - l_lambda_first_loop_x_turned_theta3 * w_117
+            - l_lambda_second_loop_x_turned_theta3 * w_116
+            - l_lambda_second_loop_y_turned_theta3 * w_115;
+        let w_151 = minus_l_theta2_lambda_first_loop_y_turned * w_119
+            - self.minus_inverse_lambda_first_loop_y_turned * w_109
+            + minus_l_theta3_lambda_first_loop_y_turned * w_146;
+        let w_123 = inverse_theta2 * w_122;
+        let w_124 = l_lambda_first_loop_x_turned_lambda_drive * w_123
+            - l_lambda_first_loop_x_turned_theta3 * w_121
+            - l_lambda_first_loop_x_turned_theta2 * w_122;
+        let w_125 = minus_k_lambda_second_loop_y_turned_theta6 * theta6_ddot;
+        let w_126 = minus_k_lambda_second_loop_y_turned_theta6 * w_51;
+        let w_130 = k_lambda_second_loop_x_turned_theta6 * theta6_ddot;
+        let w_127 = k_lambda_second_loop_x_turned_theta6 * w_50;
+        let w_128 = w_126 + w_127;
+        let w_129 = w_125 - w_34 - w_35 - w_36 - w_76 - w_100
+            - l_lambda_second_loop_x_turned_theta3 * w_121
+            - l_lambda_second_loop_x_turned_theta2 * w_122
+            + l_lambda_second_loop_x_turned_lambda_drive * w_123
+            - l_lambda_second_loop_x_turned_theta6 * w_128
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_124;
+        let w_131 = w_27 - w_28 - w_30 + w_78 + w_102 + w_130
+            - self.l_lambda_second_loop_y_turned_theta5 * w_120
+            - l_lambda_second_loop_y_turned_theta3 * w_121
+            - l_lambda_second_loop_y_turned_theta2 * w_122
+            + l_lambda_second_loop_y_turned_lambda_drive * w_123
+            + minus_l_lambda_second_loop_y_turned_theta6 * w_128
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_124
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_129;
+        let w_132 = inverse_lambda_second_loop_y_turned * w_131;
+        let w_133 = inverse_lambda_second_loop_x_turned * w_129
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_132;
+        let w_134 = inverse_lambda_first_loop_x_turned * w_124
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_133
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_132;
+        let w_137 = u6_y * self.k_23 - w_126 - w_127;
+        let w_138 = w_36 - w_125 - l_lambda_second_loop_x_turned_theta6 * w_137;
+        let w_139 = inverse_lambda_second_loop_y_turned
+            * (minus_l_lambda_second_loop_y_turned_theta6 * w_137 - (w_27 + w_130)
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_138);
+        let w_140 = inverse_lambda_second_loop_x_turned * w_138
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_139;
+        let w_135 = minus_inverse_lambda_drive * w_123
+            - l_lambda_first_loop_x_turned_lambda_drive * w_134
+            - l_lambda_second_loop_x_turned_lambda_drive * w_133
+            - l_lambda_second_loop_y_turned_lambda_drive * w_132;
+        let w_136 = w_123 - inverse_theta2 * w_135
+            - l_lambda_first_loop_x_turned_theta2 * w_134
+            - l_lambda_second_loop_x_turned_theta2 * w_133
+            - l_lambda_second_loop_y_turned_theta2 * w_132;
+        let w_147 = inverse_theta3 * w_121 - l_theta2_theta3 * w_136
+            - l_lambda_first_loop_x_turned_theta3 * w_134
+            - l_lambda_second_loop_x_turned_theta3 * w_133
+            - l_lambda_second_loop_y_turned_theta3 * w_132;
+        let w_141 = l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_140
+            + l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_139;
+        let w_142 = l_lambda_first_loop_x_turned_lambda_drive * w_141
+            - l_lambda_second_loop_x_turned_lambda_drive * w_140
+            - l_lambda_second_loop_y_turned_lambda_drive * w_139;
+        let w_143 = l_lambda_first_loop_x_turned_theta2 * w_141 - inverse_theta2 * w_142
+            - l_lambda_second_loop_x_turned_theta2 * w_140
+            - l_lambda_second_loop_y_turned_theta2 * w_139;
+        let w_148 = l_lambda_first_loop_x_turned_theta3 * w_141 - l_theta2_theta3 * w_143
+            - l_lambda_second_loop_x_turned_theta3 * w_140
+            - l_lambda_second_loop_y_turned_theta3 * w_139;
+        let w_152 = minus_l_theta2_lambda_first_loop_y_turned * w_136
+            + minus_l_theta3_lambda_first_loop_y_turned * w_147;
+        let w_153 = minus_l_theta2_lambda_first_loop_y_turned * w_143
+            + minus_l_theta3_lambda_first_loop_y_turned * w_148;
+        let w_154 = theta2_dot * w_56;
+        let w_155 = theta2_dot * self.k_9;
+        let w_156 = w_7 * w_155;
+        let w_158 = l_theta3_theta5 * w_154 - theta2_dot * (w_53 * self.k_34 + w_157)
+            - minus_l_theta3_lambda_first_loop_y_turned * w_156;
+        let w_159 = l_theta2_theta5 * w_154
+            - minus_l_theta2_lambda_first_loop_y_turned * w_156
+            - l_theta2_theta3 * w_158;
+        let w_160 = inverse_theta2 * w_159;
+        let w_161 = w_15 * w_155 - l_lambda_first_loop_x_turned_theta3 * w_158
+            - l_lambda_first_loop_x_turned_theta2 * w_159
+            + l_lambda_first_loop_x_turned_lambda_drive * w_160;
+        let w_162 = w_16 * w_155 - l_lambda_second_loop_x_turned_theta3 * w_158
+            - l_lambda_second_loop_x_turned_theta2 * w_159
+            + l_lambda_second_loop_x_turned_lambda_drive * w_160
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_161;
+        let w_163 = inverse_lambda_second_loop_y_turned
+            * (self.l_lambda_second_loop_y_turned_theta5 * w_154 - w_12 * w_155
+                - l_lambda_second_loop_y_turned_theta3 * w_158
+                - l_lambda_second_loop_y_turned_theta2 * w_159
+                + l_lambda_second_loop_y_turned_lambda_drive * w_160
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_161
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_162);
+        let w_164 = inverse_lambda_second_loop_x_turned * w_162
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_163;
+        let w_165 = inverse_lambda_first_loop_x_turned * w_161
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_164
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_163;
+        let w_166 = minus_inverse_lambda_drive * w_160
+            - l_lambda_first_loop_x_turned_lambda_drive * w_165
+            - l_lambda_second_loop_x_turned_lambda_drive * w_164
+            - l_lambda_second_loop_y_turned_lambda_drive * w_163;
+        let w_167 = w_160 - inverse_theta2 * w_166
+            - l_lambda_first_loop_x_turned_theta2 * w_165
+            - l_lambda_second_loop_x_turned_theta2 * w_164
+            - l_lambda_second_loop_y_turned_theta2 * w_163;
+        let w_208 = inverse_theta3 * w_158 - l_theta2_theta3 * w_167
+            - l_lambda_first_loop_x_turned_theta3 * w_165
+            - l_lambda_second_loop_x_turned_theta3 * w_164
+            - l_lambda_second_loop_y_turned_theta3 * w_163;
+        let w_213 = self.minus_inverse_lambda_first_loop_y_turned * w_156
+            + minus_l_theta2_lambda_first_loop_y_turned * w_167
+            + minus_l_theta3_lambda_first_loop_y_turned * w_208;
+        let w_168 = theta3_dot * w_17 * self.k_36;
+        let w_169 = theta3_dot * w_18 * self.k_36;
+        let w_170 = theta3_dot * self.k_37;
+        let w_171 = w_10 * w_170;
+        let w_172 = theta3_dot * w_86;
+        let w_173 = self.k_3 * (w_18 * w_168 - w_17 * w_169)
+            - minus_l_theta3_lambda_first_loop_y_turned * w_171
+            + l_theta3_theta5 * w_172;
+        let w_174 = self.k_2 * (cos_theta2 * w_168 - sin_theta2 * w_169)
+            + theta3_dot * w_157 - minus_l_theta2_lambda_first_loop_y_turned * w_171
+            + l_theta2_theta5 * w_172 - l_theta2_theta3 * w_173;
+        let w_191 = theta5_dot * w_86;
+        let w_192 = theta5_dot * w_56 - l_theta2_theta3 * w_191;
+        let w_175 = inverse_theta2 * w_174;
+        let w_176 = w_6 * w_170 - l_lambda_first_loop_x_turned_theta3 * w_173
+            - l_lambda_first_loop_x_turned_theta2 * w_174
+            + l_lambda_first_loop_x_turned_lambda_drive * w_175;
+        let w_177 = theta3_dot * self.k_10;
+        let w_178 = w_14 * w_177 - l_lambda_second_loop_x_turned_theta3 * w_173
+            - l_lambda_second_loop_x_turned_theta2 * w_174
+            + l_lambda_second_loop_x_turned_lambda_drive * w_175
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_176;
+        let w_179 = inverse_lambda_second_loop_y_turned
+            * (self.l_lambda_second_loop_y_turned_theta5 * w_172 - w_2 * w_177
+                - l_lambda_second_loop_y_turned_theta3 * w_173
+                - l_lambda_second_loop_y_turned_theta2 * w_174
+                + l_lambda_second_loop_y_turned_lambda_drive * w_175
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_176
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_178);
+        let w_180 = inverse_lambda_second_loop_x_turned * w_178
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_179;
+        let w_181 = inverse_lambda_first_loop_x_turned * w_176
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_180
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_179;
+        let w_182 = minus_inverse_lambda_drive * w_175
+            - l_lambda_first_loop_x_turned_lambda_drive * w_181
+            - l_lambda_second_loop_x_turned_lambda_drive * w_180
+            - l_lambda_second_loop_y_turned_lambda_drive * w_179;
+        let w_183 = w_175 - inverse_theta2 * w_182
+            - l_lambda_first_loop_x_turned_theta2 * w_181
+            - l_lambda_second_loop_x_turned_theta2 * w_180
+            - l_lambda_second_loop_y_turned_theta2 * w_179;
+        let w_209 = inverse_theta3 * w_173 - l_theta2_theta3 * w_183
+            - l_lambda_first_loop_x_turned_theta3 * w_181
+            - l_lambda_second_loop_x_turned_theta3 * w_180
+            - l_lambda_second_loop_y_turned_theta3 * w_179;
+        let w_214 = self.minus_inverse_lambda_first_loop_y_turned * w_171
+            + minus_l_theta2_lambda_first_loop_y_turned * w_183
+            + minus_l_theta3_lambda_first_loop_y_turned * w_209;
+        let w_184 = theta4_dot * self.k_38;
+        let w_185 = l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_184;
+        let w_186 = inverse_lambda_second_loop_y_turned
+            * (l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_184
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_185);
+        let w_187 = inverse_lambda_second_loop_x_turned * w_185
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_186;
+        let w_188 = inverse_lambda_first_loop_x_turned * w_184
+            + l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_187
+            + l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_186;
+        let w_189 = l_lambda_first_loop_x_turned_lambda_drive * w_188
+            - l_lambda_second_loop_x_turned_lambda_drive * w_187
+            - l_lambda_second_loop_y_turned_lambda_drive * w_186;
+        let w_190 = l_lambda_first_loop_x_turned_theta2 * w_188 - inverse_theta2 * w_189
+            - l_lambda_second_loop_x_turned_theta2 * w_187
+            - l_lambda_second_loop_y_turned_theta2 * w_186;
+        let w_193 = inverse_theta2 * w_192;
+        let w_194 = l_lambda_first_loop_x_turned_lambda_drive * w_193
+            - l_lambda_first_loop_x_turned_theta3 * w_191
+            - l_lambda_first_loop_x_turned_theta2 * w_192;
+        let w_195 = theta5_dot * self.k_39 - l_lambda_second_loop_x_turned_theta3 * w_191
+            - l_lambda_second_loop_x_turned_theta2 * w_192
+            + l_lambda_second_loop_x_turned_lambda_drive * w_193
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_194;
+        let w_196 = inverse_lambda_second_loop_y_turned
+            * (l_lambda_second_loop_y_turned_lambda_drive * w_193
+                - l_lambda_second_loop_y_turned_theta3 * w_191
+                - l_lambda_second_loop_y_turned_theta2 * w_192
+                - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_194
+                - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_195);
+        let w_197 = inverse_lambda_second_loop_x_turned * w_195
+            - l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_196;
+        let w_198 = inverse_lambda_first_loop_x_turned * w_194
+            - l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_197
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_196;
+        let w_199 = minus_inverse_lambda_drive * w_193
+            - l_lambda_first_loop_x_turned_lambda_drive * w_198
+            - l_lambda_second_loop_x_turned_lambda_drive * w_197
+            - l_lambda_second_loop_y_turned_lambda_drive * w_196;
+        let w_200 = w_193 - inverse_theta2 * w_199
+            - l_lambda_first_loop_x_turned_theta2 * w_198
+            - l_lambda_second_loop_x_turned_theta2 * w_197
+            - l_lambda_second_loop_y_turned_theta2 * w_196;
+        let w_211 = inverse_theta3 * w_191 - l_theta2_theta3 * w_200
+            - l_lambda_first_loop_x_turned_theta3 * w_198
+            - l_lambda_second_loop_x_turned_theta3 * w_197
+            - l_lambda_second_loop_y_turned_theta3 * w_196;
+        let w_201 = theta6_dot * self.k_40;
+        let w_202 = w_26 * w_201;
+        let w_203 = inverse_lambda_second_loop_y_turned
+            * (l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_202
+                - w_32 * w_201);
+        let w_204 = inverse_lambda_second_loop_x_turned * w_202
+            + l_lambda_second_loop_y_turned_lambda_second_loop_x_turned * w_203;
+        let w_205 = l_lambda_second_loop_x_turned_lambda_first_loop_x_turned * w_204
+            - l_lambda_second_loop_y_turned_lambda_first_loop_x_turned * w_203;
+        let w_206 = l_lambda_second_loop_x_turned_lambda_drive * w_204
+            - l_lambda_first_loop_x_turned_lambda_drive * w_205
+            - l_lambda_second_loop_y_turned_lambda_drive * w_203;
+        let w_207 = l_lambda_second_loop_x_turned_theta2 * w_204 - inverse_theta2 * w_206
+            - l_lambda_first_loop_x_turned_theta2 * w_205
+            - l_lambda_second_loop_y_turned_theta2 * w_203;
+        let w_210 = l_lambda_first_loop_x_turned_theta3 * w_188 - l_theta2_theta3 * w_190
+            - l_lambda_second_loop_x_turned_theta3 * w_187
+            - l_lambda_second_loop_y_turned_theta3 * w_186;
+        let w_212 = l_lambda_second_loop_x_turned_theta3 * w_204
+            - l_theta2_theta3 * w_207 - l_lambda_first_loop_x_turned_theta3 * w_205
+            - l_lambda_second_loop_y_turned_theta3 * w_203;
+        let w_215 = minus_l_theta2_lambda_first_loop_y_turned * w_190
+            + minus_l_theta3_lambda_first_loop_y_turned * w_210;
+        let w_216 = minus_l_theta2_lambda_first_loop_y_turned * w_200
+            + minus_l_theta3_lambda_first_loop_y_turned * w_211;
+        let w_217 = minus_l_theta2_lambda_first_loop_y_turned * w_207
+            + minus_l_theta3_lambda_first_loop_y_turned * w_212;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
-                [w_64, w_87, w_97, w_111, w_119],
-                [w_120, w_121, w_122, w_123, w_124],
+                [w_83, w_107, w_119, w_136, w_143],
+                [w_144, w_145, w_146, w_147, w_148],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_61
-                        - l_lambda_first_loop_x_theta4 * w_62,
-                    minus_l_lambda_first_loop_y_theta4 * w_84
-                        - l_lambda_first_loop_x_theta4 * w_85,
-                    self.inverse_theta4 * w_88 - l_lambda_first_loop_x_theta4 * w_95
-                        + minus_l_lambda_first_loop_y_theta4 * w_94,
-                    minus_l_lambda_first_loop_y_theta4 * w_108
-                        - l_lambda_first_loop_x_theta4 * w_109,
-                    -(l_lambda_first_loop_x_theta4 * w_117
-                        + minus_l_lambda_first_loop_y_theta4 * w_116),
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_149,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_150,
+                    self.inverse_theta4 * w_108
+                        + self.minus_l_lambda_first_loop_y_turned_theta4 * w_151,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_152,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_153,
                 ],
                 [
-                    self.inverse_theta5 * w_49 - l_theta2_theta5 * w_64
-                        - l_theta3_theta5 * w_120
-                        + minus_l_lambda_second_loop_x_theta5 * w_60
-                        - l_lambda_second_loop_y_theta5 * w_59,
-                    self.inverse_theta5 * w_70 - l_theta2_theta5 * w_87
-                        - l_theta3_theta5 * w_121
-                        + minus_l_lambda_second_loop_x_theta5 * w_83
-                        - l_lambda_second_loop_y_theta5 * w_82,
-                    -(l_theta2_theta5 * w_97 + l_theta3_theta5 * w_122
-                        + minus_l_lambda_second_loop_x_theta5 * w_93
-                        + l_lambda_second_loop_y_theta5 * w_92),
-                    self.inverse_theta5 * w_98 - l_theta2_theta5 * w_111
-                        - l_theta3_theta5 * w_123
-                        + minus_l_lambda_second_loop_x_theta5 * w_107
-                        - l_lambda_second_loop_y_theta5 * w_106,
-                    minus_l_lambda_second_loop_x_theta5 * w_115 - l_theta2_theta5 * w_119
-                        - l_theta3_theta5 * w_124 - l_lambda_second_loop_y_theta5 * w_114,
+                    self.inverse_theta5 * w_69 - l_theta2_theta5 * w_83
+                        - l_theta3_theta5 * w_144
+                        - self.l_lambda_second_loop_y_turned_theta5 * w_79,
+                    self.inverse_theta5 * w_88 - l_theta2_theta5 * w_107
+                        - l_theta3_theta5 * w_145
+                        - self.l_lambda_second_loop_y_turned_theta5 * w_103,
+                    -(l_theta2_theta5 * w_119 + l_theta3_theta5 * w_146
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_115),
+                    self.inverse_theta5 * w_120 - l_theta2_theta5 * w_136
+                        - l_theta3_theta5 * w_147
+                        - self.l_lambda_second_loop_y_turned_theta5 * w_132,
+                    -(l_theta2_theta5 * w_143 + l_theta3_theta5 * w_148
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_139),
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_59
-                        - l_lambda_second_loop_x_theta6 * w_60,
-                    minus_l_lambda_second_loop_y_theta6 * w_82
-                        - l_lambda_second_loop_x_theta6 * w_83,
-                    l_lambda_second_loop_x_theta6 * w_93
-                        + minus_l_lambda_second_loop_y_theta6 * w_92,
-                    minus_l_lambda_second_loop_y_theta6 * w_106
-                        - l_lambda_second_loop_x_theta6 * w_107,
-                    self.inverse_theta6 * w_112 - l_lambda_second_loop_x_theta6 * w_115
-                        + minus_l_lambda_second_loop_y_theta6 * w_114,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_79
+                        - l_lambda_second_loop_x_turned_theta6 * w_80,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_103
+                        - l_lambda_second_loop_x_turned_theta6 * w_104,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_115
+                        - l_lambda_second_loop_x_turned_theta6 * w_116,
+                    self.inverse_theta6 * w_128
+                        - l_lambda_second_loop_x_turned_theta6 * w_133
+                        + minus_l_lambda_second_loop_y_turned_theta6 * w_132,
+                    self.inverse_theta6 * w_137
+                        - l_lambda_second_loop_x_turned_theta6 * w_140
+                        + minus_l_lambda_second_loop_y_turned_theta6 * w_139,
                 ],
             ],
             accelerations_by_speeds: [
-                [w_140, w_158, w_168, w_181, w_189],
-                [w_190, w_191, -w_192, w_193, w_194],
+                [w_167, w_183, w_190, w_200, w_207],
+                [w_208, w_209, w_210, w_211, w_212],
                 [
-                    minus_l_lambda_first_loop_y_theta4 * w_137
-                        - l_lambda_first_loop_x_theta4 * w_138,
-                    minus_l_lambda_first_loop_y_theta4 * w_155
-                        - l_lambda_first_loop_x_theta4 * w_156,
-                    l_lambda_first_loop_x_theta4 * w_166
-                        + minus_l_lambda_first_loop_y_theta4 * w_165,
-                    minus_l_lambda_first_loop_y_theta4 * w_178
-                        - l_lambda_first_loop_x_theta4 * w_179,
-                    minus_l_lambda_first_loop_y_theta4 * w_186
-                        - l_lambda_first_loop_x_theta4 * w_187,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_213,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_214,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_215,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_216,
+                    self.minus_l_lambda_first_loop_y_turned_theta4 * w_217,
                 ],
                 [
-                    self.inverse_theta5 * w_125 - l_theta2_theta5 * w_140
-                        - l_theta3_theta5 * w_190
-                        + minus_l_lambda_second_loop_x_theta5 * w_136
-                        - l_lambda_second_loop_y_theta5 * w_135,
-                    self.inverse_theta5 * w_143 - l_theta2_theta5 * w_158
-                        - l_theta3_theta5 * w_191
-                        + minus_l_lambda_second_loop_x_theta5 * w_154
-                        - l_lambda_second_loop_y_theta5 * w_153,
-                    l_theta3_theta5 * w_192 - l_theta2_theta5 * w_168
-                        + minus_l_lambda_second_loop_x_theta5 * w_164
-                        - l_lambda_second_loop_y_theta5 * w_163,
-                    minus_l_lambda_second_loop_x_theta5 * w_177 - l_theta2_theta5 * w_181
-                        - l_theta3_theta5 * w_193
-                        - l_lambda_second_loop_y_theta5 * w_176,
-                    -(l_theta2_theta5 * w_189 + l_theta3_theta5 * w_194
-                        + minus_l_lambda_second_loop_x_theta5 * w_185
-                        + l_lambda_second_loop_y_theta5 * w_184),
+                    -(self.inverse_theta5 * w_154 + l_theta2_theta5 * w_167
+                        + l_theta3_theta5 * w_208
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_163),
+                    -(self.inverse_theta5 * w_172 + l_theta2_theta5 * w_183
+                        + l_theta3_theta5 * w_209
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_179),
+                    -(l_theta2_theta5 * w_190 + l_theta3_theta5 * w_210
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_186),
+                    -(l_theta2_theta5 * w_200 + l_theta3_theta5 * w_211
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_196),
+                    -(l_theta2_theta5 * w_207 + l_theta3_theta5 * w_212
+                        + self.l_lambda_second_loop_y_turned_theta5 * w_203),
                 ],
                 [
-                    minus_l_lambda_second_loop_y_theta6 * w_135
-                        - l_lambda_second_loop_x_theta6 * w_136,
-                    minus_l_lambda_second_loop_y_theta6 * w_153
-                        - l_lambda_second_loop_x_theta6 * w_154,
-                    minus_l_lambda_second_loop_y_theta6 * w_163
-                        - l_lambda_second_loop_x_theta6 * w_164,
-                    minus_l_lambda_second_loop_y_theta6 * w_176
-                        - l_lambda_second_loop_x_theta6 * w_177,
-                    l_lambda_second_loop_x_theta6 * w_185
-                        + minus_l_lambda_second_loop_y_theta6 * w_184,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_163
+                        - l_lambda_second_loop_x_turned_theta6 * w_164,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_179
+                        - l_lambda_second_loop_x_turned_theta6 * w_180,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_186
+                        - l_lambda_second_loop_x_turned_theta6 * w_187,
+                    minus_l_lambda_second_loop_y_turned_theta6 * w_196
+                        - l_lambda_second_loop_x_turned_theta6 * w_197,
+                    l_lambda_second_loop_x_turned_theta6 * w_204
+                        + minus_l_lambda_second_loop_y_turned_theta6 * w_203,
                 ],
             ],
             multipliers_by_positions: [
-                [w_63, w_86, w_96, w_110, w_118],
-                [w_62, w_85, w_95, w_109, w_117],
-                [w_61, w_84, w_94, w_108, -w_116],
-                [w_60, w_83, -w_93, w_107, w_115],
-                [w_59, w_82, w_92, w_106, w_114],
+                [w_82, w_106, w_118, w_135, w_142],
+                [
+                    u4_x * w_81 - u4_y * w_149,
+                    u4_x * w_105 - u4_y * w_150,
+                    u4_x * w_117 - u4_y * w_151 - (u4_y * w_52 + u4_x * w_60),
+                    u4_x * w_134 - u4_y * w_152,
+                    -(u4_x * w_141 + u4_y * w_153),
+                ],
+                [
+                    u4_y * w_81 + u4_x * w_149,
+                    u4_y * w_105 + u4_x * w_150,
+                    u4_y * w_117 + u4_x * w_151 + (u4_x * w_52 - u4_y * w_60),
+                    u4_y * w_134 + u4_x * w_152,
+                    u4_x * w_153 - u4_y * w_141,
+                ],
+                [
+                    u5_x * w_80 - u5_y * w_79,
+                    u5_x * w_104 - u5_y * w_103,
+                    u5_x * w_116 - u5_y * w_115,
+                    u5_x * w_133 - u5_y * w_132 - (u5_y * w_51 + u5_x * w_50),
+                    u5_x * w_140 - u5_y * w_139,
+                ],
+                [
+                    u5_y * w_80 + u5_x * w_79,
+                    u5_y * w_104 + u5_x * w_103,
+                    u5_y * w_116 + u5_x * w_115,
+                    u5_y * w_133 + u5_x * w_132 + (u5_x * w_51 - u5_y * w_50),
+                    u5_y * w_140 + u5_x * w_139,
+                ],
             ],
             multipliers_by_speeds: [
-                [-w_139, w_157, w_167, w_180, w_188],
-                [w_138, w_156, -w_166, w_179, w_187],
-                [w_137, w_155, w_165, w_178, w_186],
-                [w_136, w_154, w_164, w_177, -w_185],
-                [w_135, w_153, w_163, w_176, w_184],
+                [w_166, w_182, w_189, w_199, w_206],
+                [
+                    u4_x * w_165 - u4_y * w_213,
+                    u4_x * w_181 - u4_y * w_214,
+                    -(u4_x * w_188 + u4_y * w_215),
+                    u4_x * w_198 - u4_y * w_216,
+                    u4_x * w_205 - u4_y * w_217,
+                ],
+                [
+                    u4_y * w_165 + u4_x * w_213,
+                    u4_y * w_181 + u4_x * w_214,
+                    u4_x * w_215 - u4_y * w_188,
+                    u4_y * w_198 + u4_x * w_216,
+                    u4_y * w_205 + u4_x * w_217,
+                ],
+                [
+                    u5_x * w_164 - u5_y * w_163,
+                    u5_x * w_180 - u5_y * w_179,
+                    u5_x * w_187 - u5_y * w_186,
+                    u5_x * w_197 - u5_y * w_196,
+                    -(u5_x * w_204 + u5_y * w_203),
+                ],
+                [
+                    u5_y * w_164 + u5_x * w_163,
+                    u5_y * w_180 + u5_x * w_179,
+                    u5_y * w_187 + u5_x * w_186,
+                    u5_y * w_197 + u5_x * w_196,
+                    u5_x * w_203 - u5_y * w_204,
+                ],
             ],
             refused: sim_kernel::pivot_is_refused(
-                self.mass_theta5_theta5,
-                self.mass_theta5_theta5,
-            ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3)
-                | sim_kernel::pivot_is_refused(pivot_theta2, self.mass_theta2_theta2)
+                self.mass_theta4_theta4,
+                self.mass_theta4_theta4,
+            )
                 | sim_kernel::pivot_is_refused(
-                    self.mass_theta4_theta4,
-                    self.mass_theta4_theta4,
+                    self.pivot_lambda_first_loop_y_turned,
+                    self.minus_pivot_lambda_first_loop_y_turned,
+                )
+                | sim_kernel::pivot_is_refused(
+                    self.mass_theta5_theta5,
+                    self.mass_theta5_theta5,
+                ) | sim_kernel::pivot_is_refused(pivot_theta3, mass_theta3_theta3 + w_19)
+                | sim_kernel::pivot_is_refused(
+                    pivot_theta2,
+                    self.mass_theta2_theta2 + w_21,
                 ) | sim_kernel::pivot_is_refused(-inverse_theta2, inverse_theta2)
-                | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x, w_22)
                 | sim_kernel::pivot_is_refused(
                     self.mass_theta6_theta6,
                     self.mass_theta6_theta6,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_y, w_24)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x, w_26)
-                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y, w_27),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_first_loop_x_turned, w_33)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_x_turned, w_37)
+                | sim_kernel::pivot_is_refused(pivot_lambda_second_loop_y_turned, w_49),
         }
     }
 }

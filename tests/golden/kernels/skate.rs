@@ -458,9 +458,9 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let l_lambda_blade_y = along_x * self.inverse_x;
         let pivot_phi = self.mass_phi_phi - minus_mass_phi_x * minus_l_phi_x
             - mass_phi_y * l_phi_y;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let minus_k_lambda_blade_phi = minus_mass_phi_x * minus_l_lambda_blade_x
             + mass_phi_y * l_lambda_blade_y;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let minus_l_lambda_blade_phi = inverse_phi * minus_k_lambda_blade_phi;
         let minus_pivot_lambda_blade = along_y * minus_l_lambda_blade_x
             + along_x * l_lambda_blade_y
@@ -492,7 +492,7 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (1 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 59 additions, 96 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 58 additions, 96 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -512,83 +512,82 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let mass_phi_y = self.k * along_x;
         let l_phi_y = mass_phi_y * self.inverse_x;
         let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
-        let w_2 = along_y * y_dot;
-        let w_3 = along_x * x_dot;
+        let w_2 = along_y * y_dot + along_x * x_dot;
         let minus_l_lambda_blade_x = along_y * self.inverse_x;
         let l_lambda_blade_y = along_x * self.inverse_x;
         let pivot_phi = self.mass_phi_phi - minus_mass_phi_x * minus_l_phi_x
             - mass_phi_y * l_phi_y;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let minus_k_lambda_blade_phi = minus_mass_phi_x * minus_l_lambda_blade_x
             + mass_phi_y * l_lambda_blade_y;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let minus_l_lambda_blade_phi = inverse_phi * minus_k_lambda_blade_phi;
         let minus_pivot_lambda_blade = along_y * minus_l_lambda_blade_x
             + along_x * l_lambda_blade_y
             + minus_k_lambda_blade_phi * minus_l_lambda_blade_phi;
         let minus_inverse_lambda_blade = S::from_f64(1.0) / minus_pivot_lambda_blade;
         let minus_lambda_blade = minus_inverse_lambda_blade
-            * (phi_dot * (w_2 + w_3) + rhs_x * minus_l_lambda_blade_x
-                - rhs_y * l_lambda_blade_y + minus_l_lambda_blade_phi * rhs_phi);
+            * (phi_dot * w_2 + rhs_x * minus_l_lambda_blade_x - rhs_y * l_lambda_blade_y
+                + minus_l_lambda_blade_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi
             - minus_l_lambda_blade_phi * minus_lambda_blade;
-        let w_4 = self.k * (along_x * phi_ddot - along_y * phi_dot_squared)
-            - along_x * minus_lambda_blade;
         let x_ddot = rhs_x * self.inverse_x + minus_l_phi_x * phi_ddot
             - minus_l_lambda_blade_x * minus_lambda_blade;
         let y_ddot = rhs_y * self.inverse_x - l_phi_y * phi_ddot
             + l_lambda_blade_y * minus_lambda_blade;
-        let w_5 = self.k * (along_x * phi_dot_squared + along_y * phi_ddot)
+        let w_3 = self.k * (along_x * phi_ddot - along_y * phi_dot_squared)
+            - along_x * minus_lambda_blade;
+        let w_4 = self.k * (along_x * phi_dot_squared + along_y * phi_ddot)
             - along_y * minus_lambda_blade;
-        let w_6 = along_x * (self.k * x_ddot - self.k_3) + minus_mass_phi_x * y_ddot
-            + minus_l_phi_x * w_4 - l_phi_y * w_5;
-        let w_7 = minus_inverse_lambda_blade
+        let w_5 = along_x * (self.k * x_ddot - self.k_3) + minus_mass_phi_x * y_ddot
+            + minus_l_phi_x * w_3 - l_phi_y * w_4;
+        let w_6 = minus_inverse_lambda_blade
             * (along_x * (x_ddot + phi_dot * y_dot)
-                + along_y * (y_ddot - phi_dot * x_dot) + minus_l_lambda_blade_x * w_4
-                - l_lambda_blade_y * w_5 + minus_l_lambda_blade_phi * w_6);
-        let w_8 = inverse_phi * w_6 - minus_l_lambda_blade_phi * w_7;
-        let w_9 = minus_inverse_lambda_blade * along_x * phi_dot;
-        let w_10 = minus_l_lambda_blade_phi * w_9;
-        let w_11 = minus_inverse_lambda_blade * along_y * phi_dot;
-        let w_12 = minus_l_lambda_blade_phi * w_11;
-        let w_13 = phi_dot * self.k_4;
-        let w_14 = along_x * w_13;
-        let w_15 = along_y * w_13;
-        let w_16 = minus_l_phi_x * w_14 - l_phi_y * w_15;
-        let w_17 = minus_inverse_lambda_blade
-            * (w_3 + w_2 + minus_l_lambda_blade_x * w_14 - l_lambda_blade_y * w_15
-                + minus_l_lambda_blade_phi * w_16);
-        let w_18 = inverse_phi * w_16 - minus_l_lambda_blade_phi * w_17;
+                + along_y * (y_ddot - phi_dot * x_dot) + minus_l_lambda_blade_x * w_3
+                - l_lambda_blade_y * w_4 + minus_l_lambda_blade_phi * w_5);
+        let w_7 = inverse_phi * w_5 - minus_l_lambda_blade_phi * w_6;
+        let w_8 = minus_inverse_lambda_blade * along_x * phi_dot;
+        let w_9 = minus_l_lambda_blade_phi * w_8;
+        let w_10 = minus_inverse_lambda_blade * along_y * phi_dot;
+        let w_11 = minus_l_lambda_blade_phi * w_10;
+        let w_12 = phi_dot * self.k_4;
+        let w_13 = along_x * w_12;
+        let w_14 = along_y * w_12;
+        let w_15 = minus_l_phi_x * w_13 - l_phi_y * w_14;
+        let w_16 = minus_inverse_lambda_blade
+            * (w_2 + minus_l_lambda_blade_x * w_13 - l_lambda_blade_y * w_14
+                + minus_l_lambda_blade_phi * w_15);
+        let w_17 = inverse_phi * w_15 - minus_l_lambda_blade_phi * w_16;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_4 + minus_l_phi_x * w_8
-                        - minus_l_lambda_blade_x * w_7,
+                    self.inverse_x * w_3 + minus_l_phi_x * w_7
+                        - minus_l_lambda_blade_x * w_6,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    self.inverse_x * w_5 - l_phi_y * w_8 + l_lambda_blade_y * w_7,
+                    self.inverse_x * w_4 - l_phi_y * w_7 + l_lambda_blade_y * w_6,
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_8],
+                [S::from_f64(0.0), S::from_f64(0.0), w_7],
             ],
             accelerations_by_speeds: [
                 [
-                    -(minus_l_phi_x * w_10 + minus_l_lambda_blade_x * w_9),
-                    -(minus_l_phi_x * w_12 + minus_l_lambda_blade_x * w_11),
-                    self.inverse_x * w_14 + minus_l_phi_x * w_18
-                        - minus_l_lambda_blade_x * w_17,
+                    -(minus_l_phi_x * w_9 + minus_l_lambda_blade_x * w_8),
+                    -(minus_l_phi_x * w_11 + minus_l_lambda_blade_x * w_10),
+                    self.inverse_x * w_13 + minus_l_phi_x * w_17
+                        - minus_l_lambda_blade_x * w_16,
                 ],
                 [
-                    l_phi_y * w_10 + l_lambda_blade_y * w_9,
-                    l_phi_y * w_12 + l_lambda_blade_y * w_11,
-                    self.inverse_x * w_15 - l_phi_y * w_18 + l_lambda_blade_y * w_17,
+                    l_phi_y * w_9 + l_lambda_blade_y * w_8,
+                    l_phi_y * w_11 + l_lambda_blade_y * w_10,
+                    self.inverse_x * w_14 - l_phi_y * w_17 + l_lambda_blade_y * w_16,
                 ],
-                [-w_10, -w_12, w_18],
+                [-w_9, -w_11, w_17],
             ],
-            multipliers_by_positions: [[S::from_f64(0.0), S::from_f64(0.0), -w_7]],
-            multipliers_by_speeds: [[-w_9, -w_11, -w_17]],
+            multipliers_by_positions: [[S::from_f64(0.0), S::from_f64(0.0), -w_6]],
+            multipliers_by_speeds: [[-w_8, -w_10, -w_16]],
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)

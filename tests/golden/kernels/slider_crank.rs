@@ -419,8 +419,8 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_5 = w_2 * rod_x;
         let w_6 = w * cos_theta + w_5;
         let w_7 = theta_dot * self.r * S::from_f64(2.0);
-        let w_8 = sin_theta * w_7 + w_3;
-        let w_9 = cos_theta * w_7 + w_5;
+        let w_8 = w_3 + sin_theta * w_7;
+        let w_9 = w_5 + cos_theta * w_7;
         let w_10 = theta_dot * theta_dot * S::from_f64(0.16666666666666666) * self.r
             * self.r * self.m1;
         let w_11 = phi_dot * phi_dot * S::from_f64(0.041666666666666664) * self.l
@@ -448,7 +448,7 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_3 = (theta_dot * cos_theta * self.r * S::from_f64(2.0) + w_2) * self.m2
             * w;
         theta_dot * (self.T - cos_theta * self.r * self.m1 * w) - w_3
-            - (theta_dot * self.r * cos_theta + w_2) * self.g * self.m3
+            - (w_2 + theta_dot * self.r * cos_theta) * self.g * self.m3
     }
     /// Outputs, 6, in SI units.
     ///
@@ -601,8 +601,9 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
         let phi_dot_squared = phi_dot * phi_dot;
-        let rhs_theta = cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
-            + self.T - sin_theta * rod_x * self.k * phi_dot_squared;
+        let rhs_theta = self.T
+            + cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
+            - sin_theta * rod_x * self.k * phi_dot_squared;
         let theta_dot_squared = theta_dot * theta_dot;
         let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
@@ -611,13 +612,13 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
-            * (self.r * sin_theta * theta_dot_squared + self.l * rod_y * phi_dot_squared
+            * (self.l * rod_y * phi_dot_squared + self.r * sin_theta * theta_dot_squared
                 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
         let w = self.l * rod_x * phi_dot;
@@ -630,7 +631,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             multipliers: [-minus_lambda_guide],
             power: theta_dot * (self.T - cos_theta * self.k_5)
                 - (cos_theta * theta_dot * self.k_2 + w) * self.k_11
-                - (self.r * cos_theta * theta_dot + w) * self.k_12,
+                - (w + self.r * cos_theta * theta_dot) * self.k_12,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta_theta,
                 self.mass_theta_theta,
@@ -657,67 +658,68 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let phi_dot_squared = phi_dot * phi_dot;
         let w = rod_y * phi_dot_squared;
         let w_2 = sin_theta * rod_x;
-        let rhs_theta = cos_theta * (w * self.k_7 - self.k_6) + self.T
+        let rhs_theta = self.T + cos_theta * (w * self.k_7 - self.k_6)
             - self.k * phi_dot_squared * w_2;
+        let w_7 = self.l * w;
         let theta_dot_squared = theta_dot * theta_dot;
         let w_3 = sin_theta * theta_dot_squared;
         let w_4 = rod_y * cos_theta;
         let w_5 = sin_theta * rod_y;
         let w_6 = cos_theta * rod_x;
         let mass_phi_theta = self.k * (w_5 + w_6);
+        let w_17 = self.k * w_5 + w_6 * self.k_7;
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
         let rhs_phi = rod_x * (w_3 * self.k_7 - self.k_10)
             - self.k * theta_dot_squared * w_4 - rhs_theta * l_phi_theta;
-        let w_7 = self.l * w;
-        let w_8 = self.r * w_3 + w_7;
+        let w_8 = w_7 + self.r * w_3;
+        let w_9 = self.k_2 * w_3 + w_7;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let guide_by_phi = self.l * rod_x;
         let k_lambda_guide_phi = guide_by_phi - mass_phi_theta * l_lambda_guide_theta;
+        let w_11 = guide_by_phi * phi_dot_squared;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
-        let w_9 = self.k_2 * w_3 + w_7;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_lambda_guide = minus_inverse_lambda_guide
             * (w_8 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
-        let w_10 = cos_theta * theta_dot_squared;
-        let w_11 = guide_by_phi * phi_dot_squared;
-        let w_12 = self.r * w_10 + w_11;
-        let w_13 = w_10 * self.k_2 + w_11;
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
+        let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
+            + l_lambda_guide_theta * minus_lambda_guide;
+        let w_10 = cos_theta * theta_dot_squared;
+        let w_12 = self.r * w_10 + w_11;
+        let w_13 = w_11 + w_10 * self.k_2;
         let w_14 = S::from_f64(0.5) * self.k_13 * (w_4 - w_2);
         let w_15 = phi_ddot * w_14;
+        let w_18 = theta_ddot * w_14;
         let w_16 = sin_theta
             * (self.k_6 - w_9 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
             - cos_theta * (w_12 * self.k_3 + w_13 * self.k_4) - w_15
             + theta_dot_squared * self.k_14;
-        let w_17 = self.k * w_5 + w_6 * self.k_7;
-        let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
-            + l_lambda_guide_theta * minus_lambda_guide;
-        let w_18 = theta_ddot * w_14;
         let w_19 = theta_dot_squared * w_17 - w_18 - l_phi_theta * w_16;
         let w_20 = minus_inverse_lambda_guide
             * (self.r * (sin_theta * theta_ddot + w_10) - l_lambda_guide_theta * w_16
                 - l_lambda_guide_phi * w_19);
         let w_21 = inverse_phi * w_19 + l_lambda_guide_phi * w_20;
-        let w_22 = phi_dot_squared * w_17 + w_15;
-        let w_23 = rod_y
-            * (self.k_10 - w_9 * self.k_9 - w_8 * self.k_8 - self.l * minus_lambda_guide)
-            - rod_x * (w_12 * self.k_8 + w_13 * self.k_9) + phi_dot_squared * self.k_15
-            + w_18;
+        let w_22 = w_15 + phi_dot_squared * w_17;
+        let w_23 = w_18
+            + rod_y
+                * (self.k_10 - w_9 * self.k_9 - w_8 * self.k_8
+                    - self.l * minus_lambda_guide) + phi_dot_squared * self.k_15
+            - rod_x * (w_12 * self.k_8 + w_13 * self.k_9);
         let w_24 = w_23 - l_phi_theta * w_22;
         let w_25 = minus_inverse_lambda_guide
             * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
                 - l_lambda_guide_theta * w_22 - l_lambda_guide_phi * w_24);
         let w_26 = inverse_phi * w_24 + l_lambda_guide_phi * w_25;
         let w_27 = theta_dot * (w_2 * self.k_16 - w_4 * self.k_13);
+        let w_30 = phi_dot * (w_4 * self.k_16 - w_2 * self.k_13);
         let w_28 = minus_inverse_lambda_guide
             * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_27);
         let w_29 = inverse_phi * w_27 + l_lambda_guide_phi * w_28;
-        let w_30 = phi_dot * (w_4 * self.k_16 - w_2 * self.k_13);
         let w_31 = l_phi_theta * w_30;
         let w_32 = minus_inverse_lambda_guide
             * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_30

@@ -339,7 +339,7 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 4, in SI units per second.
     ///
-    /// Operations: 14 additions, 40 multiplications, 2 sine-cosine pairs.
+    /// Operations: 12 additions, 36 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn output_rates(
         &self,
@@ -354,26 +354,27 @@ impl<S: sim_kernel::Scalar> SphericalPendulum<S> {
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
         let w = theta_dot * cos_theta;
         let w_2 = sin_theta * phi_dot;
-        let w_3 = self.l * (cos_phi * w - sin_phi * w_2);
-        let w_4 = self.l * (sin_phi * w + cos_phi * w_2);
-        let w_5 = theta_dot * theta_dot + phi_dot * phi_dot;
-        let w_6 = cos_theta * theta_ddot;
-        let w_7 = phi_dot * self.l * S::from_f64(2.0);
-        let w_8 = sin_phi
+        let w_3 = cos_phi * w - sin_phi * w_2;
+        let w_4 = self.l * w_3;
+        let w_5 = sin_phi * w + cos_phi * w_2;
+        let w_6 = self.l * w_5;
+        let w_7 = theta_dot * theta_dot + phi_dot * phi_dot;
+        let w_8 = cos_theta * theta_ddot;
+        let w_9 = phi_dot * self.l * S::from_f64(2.0);
+        let w_10 = sin_phi
             * (self.l
-                * (sin_theta * (cos_phi * w_5 + sin_phi * phi_ddot) - cos_phi * w_6)
-                + sin_phi * w * w_7 - phi_dot * w_4);
-        let w_9 = sin_theta
+                * (sin_theta * (cos_phi * w_7 + sin_phi * phi_ddot) - cos_phi * w_8)
+                + sin_phi * w * w_9);
+        let w_11 = sin_theta
             * (cos_phi
                 * (self.l
-                    * (sin_theta * (cos_phi * phi_ddot - sin_phi * w_5) + sin_phi * w_6)
-                    + cos_phi * w * w_7 - phi_dot * w_3) + w_8);
+                    * (sin_theta * (cos_phi * phi_ddot - sin_phi * w_7) + sin_phi * w_8)
+                    + cos_phi * w * w_9) + w_10);
         [
             theta_dot * self.l * sin_theta,
-            w_3,
             w_4,
-            self.m * self.l
-                * (w_9 + theta_dot * cos_theta * (cos_phi * w_4 - sin_phi * w_3)),
+            w_6,
+            self.m * self.l * (w_11 + w_3 * w_6 - w_4 * w_5),
         ]
             .into()
     }
@@ -489,7 +490,7 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (0 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 26 additions, 83 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 26 additions, 82 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -500,45 +501,45 @@ impl<S: sim_kernel::Scalar> SphericalPendulumPrepared<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = theta_dot * cos_phi;
-        let w_2 = cos_theta * phi_dot;
-        let w_3 = self.k * w_2;
+        let w = cos_phi * self.k;
+        let w_2 = sin_theta * theta_dot;
+        let w_3 = phi_dot * w_2;
         let theta_dot_squared = theta_dot * theta_dot;
         let w_4 = theta_dot_squared + phi_dot * phi_dot;
-        let w_5 = w * w_3 - self.l * sin_theta * sin_phi * w_4;
-        let w_6 = cos_phi * w_4;
-        let w_7 = sin_phi * theta_dot;
-        let w_8 = self.l * sin_theta * w_6 + w_3 * w_7;
-        let w_9 = phi_dot * self.k;
-        let w_10 = sin_theta * theta_dot;
-        let w_11 = cos_phi * w_10;
-        let w_12 = self.l * sin_phi * cos_theta * w_4 + w_9 * w_11;
-        let w_13 = sin_phi * w_10;
-        let w_14 = w_9 * w_13 - self.l * cos_theta * w_6;
+        let w_5 = self.l * w_4;
+        let w_6 = sin_phi * cos_theta;
+        let w_7 = w * w_3 + w_5 * w_6;
+        let w_8 = sin_phi * self.k;
+        let w_9 = cos_theta * cos_phi;
+        let w_10 = w_8 * w_3 - w_5 * w_9;
+        let w_11 = cos_theta * phi_dot;
+        let w_12 = theta_dot * w_11;
+        let w_13 = w_12 * w_8 + sin_theta * cos_phi * w_5;
+        let w_14 = w_12 * w - self.l * sin_theta * sin_phi * w_4;
         let sin_theta_squared = sin_theta * sin_theta;
         let w_15 = self.k_2
-            * (sin_theta * (sin_phi * w_5 - cos_phi * w_8)
-                + cos_theta * (sin_phi * w_12 - cos_phi * w_14))
+            * (cos_theta * (sin_phi * w_7 - cos_phi * w_10)
+                - sin_theta * (cos_phi * w_13 - sin_phi * w_14))
             + theta_dot_squared * (sin_theta_squared * self.k_4 - self.mass_theta_theta)
             - cos_theta * self.k_3;
         let mass_phi_phi = self.mass_theta_theta * sin_theta_squared;
-        let inverse_phi = S::from_f64(1.0) / mass_phi_phi;
         let w_16 = self.k_2
-            * (sin_phi * (sin_theta * w_14 - cos_theta * w_8)
-                + cos_phi * (sin_theta * w_12 - cos_theta * w_5));
-        let w_17 = self.k_4 * w_10;
-        let w_18 = self.l * (sin_phi * w_2 + w_11);
-        let w_19 = self.l * (cos_phi * w_2 - w_13);
+            * (sin_theta * (sin_phi * w_10 + cos_phi * w_7)
+                - cos_theta * (sin_phi * w_13 + cos_phi * w_14));
+        let inverse_phi = S::from_f64(1.0) / mass_phi_phi;
+        let w_17 = self.k_4 * w_2;
+        let w_18 = self.l * (sin_phi * w_11 + cos_phi * w_2);
+        let w_19 = self.l * (cos_phi * w_11 - sin_phi * w_2);
         let w_20 = sin_theta * phi_dot;
-        let w_21 = self.l * (cos_theta * w_7 + cos_phi * w_20);
-        let w_22 = self.l * (cos_theta * w - sin_phi * w_20);
+        let w_21 = self.l * (theta_dot * w_6 + cos_phi * w_20);
+        let w_22 = self.l * (theta_dot * w_9 - sin_phi * w_20);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [self.inverse_theta * w_15, S::from_f64(0.0)],
                 [
                     inverse_phi
                         * (w_16
-                            + sin_theta * cos_theta * self.k_4 * w_2 * w_17
+                            + sin_theta * cos_theta * self.k_4 * w_11 * w_17
                                 * inverse_phi),
                     S::from_f64(0.0),
                 ],

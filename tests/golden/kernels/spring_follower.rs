@@ -229,8 +229,8 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
         let w = t * self.w;
         let ([sin_w], [cos_w]) = S::sin_cos_each([w]);
         [
-            -(self.k * (y - self.l0 - self.r * sin_w)
-                + self.c * (y_dot - cos_w * self.r * self.w) + self.m * self.g),
+            -(self.m * self.g + self.k * (y - self.l0 - self.r * sin_w)
+                + self.c * (y_dot - cos_w * self.r * self.w)),
         ]
     }
     /// Constraints `C`, 0, in SI units; zero throughout the motion.
@@ -289,8 +289,8 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
     #[inline]
     pub fn kinetic_energy(&self, t: S, q: &[S; 1], qd: &[S; 1]) -> S {
         let [y_dot] = *qd;
-        y_dot * y_dot * S::from_f64(0.5) * self.m
-            + S::from_f64(0.5) * self.r * self.r * self.w * self.w * self.m_pin
+        S::from_f64(0.5) * self.r * self.r * self.w * self.w * self.m_pin
+            + y_dot * y_dot * S::from_f64(0.5) * self.m
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
@@ -314,8 +314,8 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
         let w_4 = y_dot - cos_w * w_2;
         let w_5 = self.k * (y - self.l0 - self.r * sin_w) + w_4 * self.c;
         let w_6 = cos_w
-            * (w_2 * (w_3 - sin_w * self.r * w_squared * self.m_pin - w_5)
-                + sin_w * self.r * self.r * self.w * w_squared * self.m_pin - w_3 * w_2);
+            * (w_2 * (w_3 - sin_w * self.r * w_squared * self.m_pin - w_5) - w_3 * w_2
+                + sin_w * self.r * self.r * self.w * w_squared * self.m_pin);
         w_6 - y_dot * self.g * self.m - w_4 * w_5
     }
     /// Outputs, 4, in SI units.
@@ -338,7 +338,7 @@ impl<S: sim_kernel::Scalar> SpringFollower<S> {
         [
             A_y,
             y,
-            -(self.k * (y - self.l0 - A_y)),
+            -(self.k * (y - A_y - self.l0)),
             -(self.c * (y_dot - cos_w * self.r * self.w)),
         ]
             .into()
@@ -481,11 +481,11 @@ impl<S: sim_kernel::Scalar> SpringFollowerPrepared<S> {
         let w_4 = self.c * w_3;
         let w_5 = w_2 + w_4;
         sim_kernel::Dynamics {
-            accelerations: [-((w_2 + w_4 + self.k_3) * self.inverse_y)],
+            accelerations: [-((self.k_3 + w_2 + w_4) * self.inverse_y)],
             multipliers: [],
             power: cos_w
-                * (self.k_2 * (self.k_4 - sin_w * self.k_5 - w_5) + sin_w * self.k_6
-                    - self.k_7) - y_dot * self.k_3 - w_3 * w_5,
+                * (self.k_2 * (self.k_4 - sin_w * self.k_5 - w_5) - self.k_7
+                    + sin_w * self.k_6) - y_dot * self.k_3 - w_3 * w_5,
             refused: sim_kernel::pivot_is_refused(self.m, self.m),
         }
     }

@@ -1339,9 +1339,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_2 = S::from_f64(4.0) * self.C;
         let w_3 = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w_3 - self.head;
+        let a2_head_angle = w_3 + self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_4 - self.foot;
-        let a2_head_angle = w_3 + self.head;
         let b1_foot_angle = w_4 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_5 = S::from_f64(1.3333333333333333) * S::from_f64(::core::f64::consts::PI);
@@ -1350,9 +1350,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let c1_foot_angle = w_5 + self.foot;
         let w_6 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_6 - self.head;
+        let c2_head_angle = w_6 + self.head;
         let w_7 = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI);
         let c2_foot_angle = w_7 - self.foot;
-        let c2_head_angle = w_6 + self.head;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -1492,16 +1492,16 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 24 additions, 49 multiplications, 1 division.
+    /// Operations: 22 additions, 44 multiplications, 1 division.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [_, _, _, platform_q0, platform_q1, platform_q2, platform_q3] = *q;
-        let platform_q0_squared = platform_q0 * platform_q0;
         let platform_q1_squared = platform_q1 * platform_q1;
+        let platform_q0_squared = platform_q0 * platform_q0;
         let platform_q2_squared = platform_q2 * platform_q2;
         let platform_q3_squared = platform_q3 * platform_q3;
         let w = S::from_f64(1.0)
-            / (platform_q0_squared + platform_q1_squared + platform_q2_squared
+            / (platform_q1_squared + platform_q0_squared + platform_q2_squared
                 + platform_q3_squared);
         let w_squared = w * w;
         let w_2 = S::from_f64(4.0) * self.A;
@@ -1509,22 +1509,19 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_4 = S::from_f64(4.0) * self.C;
         let w_5 = S::from_f64(1.3333333333333333) * (self.A * S::from_f64(2.0) + self.C);
         let w_6 = w_5 - w_squared * w_2;
-        let w_7 = w_2 - w_4;
-        let w_8 = platform_q2 * platform_q3;
-        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_6
-            + w_squared * w_7 * w_8;
-        let w_9 = w_4 - w_2;
-        let w_10 = platform_q0 * platform_q2;
-        let mass_platform_q2_platform_q0 = w_squared
-            * (platform_q1 * platform_q3 * w_9 - w_2 * w_10) + w_5 * w_10;
-        let w_11 = w_5 - w_squared * w_4;
-        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_11;
-        let w_12 = w_2 * (platform_q0_squared + platform_q3_squared);
-        let mass_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_11;
-        let mass_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_6
-            + w_squared * w_9 * w_10;
-        let mass_platform_q3_platform_q2 = w_squared
-            * (platform_q1 * platform_q0 * w_7 - w_2 * w_8) + w_5 * w_8;
+        let w_7 = platform_q2 * platform_q3;
+        let w_8 = w_squared * (w_2 - w_4);
+        let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_6 + w_7 * w_8;
+        let mass_platform_q3_platform_q2 = platform_q1 * platform_q0 * w_8 + w_6 * w_7;
+        let w_9 = platform_q1 * platform_q3;
+        let w_10 = w_squared * (w_4 - w_2);
+        let w_13 = w_2 * (platform_q0_squared + platform_q3_squared);
+        let w_11 = platform_q0 * platform_q2;
+        let mass_platform_q2_platform_q0 = w_9 * w_10 + w_6 * w_11;
+        let mass_platform_q3_platform_q1 = w_6 * w_9 + w_10 * w_11;
+        let w_12 = w_5 - w_squared * w_4;
+        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_12;
+        let mass_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_12;
         [
             [
                 self.m,
@@ -1568,7 +1565,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 S::from_f64(0.0),
                 S::from_f64(0.0),
                 mass_platform_q1_platform_q0,
-                w_squared * (w_12 + platform_q2_squared * w_4)
+                w_squared * (w_13 + platform_q2_squared * w_4)
                     + platform_q1_squared * w_5,
                 mass_platform_q2_platform_q1,
                 mass_platform_q3_platform_q1,
@@ -1579,7 +1576,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 S::from_f64(0.0),
                 mass_platform_q2_platform_q0,
                 mass_platform_q2_platform_q1,
-                w_squared * (w_12 + platform_q1_squared * w_4)
+                w_squared * (w_13 + platform_q1_squared * w_4)
                     + platform_q2_squared * w_5,
                 mass_platform_q3_platform_q2,
             ],
@@ -1664,10 +1661,10 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let platform_q3_squared = platform_q3 * platform_q3;
         let w = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w - self.head;
+        let a2_head_angle = w + self.head;
         let w_2 = t * self.w;
         let w_3 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_3 - self.foot;
-        let a2_head_angle = w + self.head;
         let b1_foot_angle = w_3 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333);
@@ -1676,9 +1673,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let c1_foot_angle = w_4 + self.foot;
         let w_5 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_5 - self.head;
+        let c2_head_angle = w_5 + self.head;
         let w_6 = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI);
         let c2_foot_angle = w_6 - self.foot;
-        let c2_head_angle = w_5 + self.head;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -1720,79 +1717,79 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             w_2,
             a2_foot_angle,
             a2_head_angle,
-            w_3 + w_2,
+            w_2 + w_3,
             b1_foot_angle,
             b1_head_angle,
             b2_foot_angle,
             b2_head_angle,
-            w_4 + w_2,
+            w_2 + w_4,
             c1_foot_angle,
             c1_head_angle,
             c2_foot_angle,
             c2_head_angle,
-            w_6 + w_2,
+            w_2 + w_6,
         ]);
         let w_10 = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
         let w_11 = S::from_f64(2.0) * w_10;
         let w_12 = (platform_q2_squared + platform_q3_squared) * w_11 - S::from_f64(1.0);
+        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let w_13 = self.r * S::from_f64(2.0);
         let w_14 = sin_a1_head_angle * w_13;
         let w_15 = platform_q1 * platform_q2;
         let w_16 = platform_q0 * platform_q3;
         let w_17 = w_10 * (w_15 - w_16);
+        let w_20 = w_10 * (w_15 + w_16);
         let w_18 = platform_x - self.R * cos_foot - w_12 * self.r * cos_a1_head_angle
             + w_14 * w_17;
         let w_19 = cos_a1_head_angle * w_13;
-        let w_20 = w_10 * (w_15 + w_16);
-        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let w_22 = platform_y - self.R * sin_foot + w_19 * w_20
             - w_21 * self.r * sin_a1_head_angle;
         let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_24 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_19 * w_23 + w_14 * w_24) + platform_z;
+        let a1_on_platform_z = platform_z + w_10 * (w_19 * w_23 + w_14 * w_24);
         let w_25 = w_13 * sin_a2_head_angle;
         let w_26 = platform_x - self.R * cos_a2_foot_angle
             - w_12 * self.r * cos_a2_head_angle + w_17 * w_25;
         let w_27 = w_13 * cos_a2_head_angle;
+        let a2_on_platform_z = platform_z + w_10 * (w_23 * w_27 + w_24 * w_25);
         let w_28 = platform_y - self.R * sin_a2_foot_angle + w_20 * w_27
             - w_21 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_23 * w_27 + w_24 * w_25) + platform_z;
         let w_29 = self.heave * sin_w_2;
         let w_30 = self.sway * w_7;
         let w_31 = w_13 * sin_b1_head_angle;
         let w_32 = platform_x - self.R * cos_b1_foot_angle
             - w_12 * self.r * cos_b1_head_angle + w_17 * w_31;
         let w_33 = w_13 * cos_b1_head_angle;
+        let b1_on_platform_z = platform_z + w_10 * (w_23 * w_33 + w_24 * w_31);
         let w_34 = platform_y - self.R * sin_b1_foot_angle + w_20 * w_33
             - w_21 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_23 * w_33 + w_24 * w_31) + platform_z;
         let w_35 = w_13 * sin_b2_head_angle;
         let w_36 = platform_x - self.R * cos_b2_foot_angle
             - w_12 * self.r * cos_b2_head_angle + w_17 * w_35;
         let w_37 = w_13 * cos_b2_head_angle;
+        let b2_on_platform_z = platform_z + w_10 * (w_23 * w_37 + w_24 * w_35);
         let w_38 = platform_y - self.R * sin_b2_foot_angle + w_20 * w_37
             - w_21 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_23 * w_37 + w_24 * w_35) + platform_z;
         let w_39 = self.sway * w_8;
         let w_40 = w_13 * sin_c1_head_angle;
         let w_41 = platform_x - self.R * cos_c1_foot_angle
             - w_12 * self.r * cos_c1_head_angle + w_17 * w_40;
         let w_42 = w_13 * cos_c1_head_angle;
+        let c1_on_platform_z = platform_z + w_10 * (w_23 * w_42 + w_24 * w_40);
         let w_43 = platform_y - self.R * sin_c1_foot_angle + w_20 * w_42
             - w_21 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_23 * w_42 + w_24 * w_40) + platform_z;
         let w_44 = w_13 * sin_c2_head_angle;
         let w_45 = platform_x - self.R * cos_c2_foot_angle
             - w_12 * self.r * cos_c2_head_angle + w_17 * w_44;
         let w_46 = w_13 * cos_c2_head_angle;
         let w_47 = platform_y - self.R * sin_c2_foot_angle + w_20 * w_46
             - w_21 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_23 * w_46 + w_24 * w_44) + platform_z;
+        let c2_on_platform_z = platform_z + w_10 * (w_23 * w_46 + w_24 * w_44);
         [
-            platform_q0_squared + platform_q1_squared + platform_q2_squared
-                + platform_q3_squared - S::from_f64(1.0),
+            platform_q0_squared - S::from_f64(1.0) + platform_q1_squared
+                + platform_q2_squared + platform_q3_squared,
             (w_18 * w_18 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z).sqrt()
                 - self.L - sin_w_2 * (self.heave + self.sway),
             (w_26 * w_26 + w_28 * w_28 + a2_on_platform_z * a2_on_platform_z).sqrt()
@@ -1821,10 +1818,10 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let abs_L = self.L.abs();
         let w = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w - self.head;
+        let a2_head_angle = w + self.head;
         let w_2 = t * self.w;
         let w_3 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_3 - self.foot;
-        let a2_head_angle = w + self.head;
         let b1_foot_angle = w_3 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333);
@@ -1833,9 +1830,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let c1_foot_angle = w_4 + self.foot;
         let w_5 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_5 - self.head;
+        let c2_head_angle = w_5 + self.head;
         let w_6 = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI);
         let c2_foot_angle = w_6 - self.foot;
-        let c2_head_angle = w_5 + self.head;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -1877,80 +1874,79 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             w_2,
             a2_foot_angle,
             a2_head_angle,
-            w_3 + w_2,
+            w_2 + w_3,
             b1_foot_angle,
             b1_head_angle,
             b2_foot_angle,
             b2_head_angle,
-            w_4 + w_2,
+            w_2 + w_4,
             c1_foot_angle,
             c1_head_angle,
             c2_foot_angle,
             c2_head_angle,
-            w_6 + w_2,
+            w_2 + w_6,
         ]);
         let w_10 = S::from_f64(1.0)
             / (platform_q0_squared + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
         let w_11 = S::from_f64(2.0) * w_10;
         let w_12 = (platform_q2_squared + platform_q3_squared) * w_11 - S::from_f64(1.0);
+        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let w_13 = self.r * S::from_f64(2.0);
         let w_14 = sin_a1_head_angle * w_13;
         let w_15 = platform_q1 * platform_q2;
         let w_16 = platform_q0 * platform_q3;
         let w_17 = w_10 * (w_15 - w_16);
+        let w_20 = w_10 * (w_15 + w_16);
         let w_18 = platform_x - self.R * cos_foot - w_12 * self.r * cos_a1_head_angle
             + w_14 * w_17;
         let w_19 = cos_a1_head_angle * w_13;
-        let w_20 = w_10 * (w_15 + w_16);
-        let w_21 = w_11 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let w_22 = platform_y - self.R * sin_foot + w_19 * w_20
             - w_21 * self.r * sin_a1_head_angle;
         let w_23 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_24 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_10 * (w_19 * w_23 + w_14 * w_24) + platform_z;
+        let a1_on_platform_z = platform_z + w_10 * (w_19 * w_23 + w_14 * w_24);
         let w_25 = (self.heave * sin_w_2).abs();
         let w_26 = w_13 * sin_a2_head_angle;
         let w_27 = platform_x - self.R * cos_a2_foot_angle
             - w_12 * self.r * cos_a2_head_angle + w_17 * w_26;
         let w_28 = w_13 * cos_a2_head_angle;
+        let a2_on_platform_z = platform_z + w_10 * (w_23 * w_28 + w_24 * w_26);
         let w_29 = platform_y - self.R * sin_a2_foot_angle + w_20 * w_28
             - w_21 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_10 * (w_23 * w_28 + w_24 * w_26) + platform_z;
         let w_30 = (self.sway * w_7).abs();
         let w_31 = w_13 * sin_b1_head_angle;
         let w_32 = platform_x - self.R * cos_b1_foot_angle
             - w_12 * self.r * cos_b1_head_angle + w_17 * w_31;
         let w_33 = w_13 * cos_b1_head_angle;
+        let b1_on_platform_z = platform_z + w_10 * (w_23 * w_33 + w_24 * w_31);
         let w_34 = platform_y - self.R * sin_b1_foot_angle + w_20 * w_33
             - w_21 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_10 * (w_23 * w_33 + w_24 * w_31) + platform_z;
         let w_35 = w_13 * sin_b2_head_angle;
         let w_36 = platform_x - self.R * cos_b2_foot_angle
             - w_12 * self.r * cos_b2_head_angle + w_17 * w_35;
         let w_37 = w_13 * cos_b2_head_angle;
+        let b2_on_platform_z = platform_z + w_10 * (w_23 * w_37 + w_24 * w_35);
         let w_38 = platform_y - self.R * sin_b2_foot_angle + w_20 * w_37
             - w_21 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_10 * (w_23 * w_37 + w_24 * w_35) + platform_z;
         let w_39 = (self.sway * w_8).abs();
         let w_40 = w_13 * sin_c1_head_angle;
         let w_41 = platform_x - self.R * cos_c1_foot_angle
             - w_12 * self.r * cos_c1_head_angle + w_17 * w_40;
         let w_42 = w_13 * cos_c1_head_angle;
+        let c1_on_platform_z = platform_z + w_10 * (w_23 * w_42 + w_24 * w_40);
         let w_43 = platform_y - self.R * sin_c1_foot_angle + w_20 * w_42
             - w_21 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_10 * (w_23 * w_42 + w_24 * w_40) + platform_z;
         let w_44 = w_13 * sin_c2_head_angle;
         let w_45 = platform_x - self.R * cos_c2_foot_angle
             - w_12 * self.r * cos_c2_head_angle + w_17 * w_44;
         let w_46 = w_13 * cos_c2_head_angle;
         let w_47 = platform_y - self.R * sin_c2_foot_angle + w_20 * w_46
             - w_21 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_10 * (w_23 * w_46 + w_24 * w_44) + platform_z;
+        let c2_on_platform_z = platform_z + w_10 * (w_23 * w_46 + w_24 * w_44);
         [
-            platform_q0_squared.abs() + platform_q1_squared.abs()
-                + platform_q2_squared.abs() + platform_q3_squared.abs()
-                + S::from_f64(1.0),
+            S::from_f64(1.0) + platform_q0_squared.abs() + platform_q1_squared.abs()
+                + platform_q2_squared.abs() + platform_q3_squared.abs(),
             abs_L
                 + (w_18 * w_18 + w_22 * w_22 + a1_on_platform_z * a1_on_platform_z)
                     .sqrt()
@@ -1979,27 +1975,27 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// Constraint Jacobian `C_q`, 7 x 7: units of each constraint per unit of each coordinate.
     ///
-    /// Operations: 270 additions, 517 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
+    /// Operations: 270 additions, 512 multiplications, 43 divisions, 12 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_jacobian(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
         platform_q3] = *q;
         let w = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w - self.head;
+        let a2_head_angle = w + self.head;
         let w_2 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_2 - self.foot;
-        let a2_head_angle = w + self.head;
         let b1_foot_angle = w_2 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_3 = S::from_f64(1.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let b2_foot_angle = w_3 - self.foot;
-        let b2_head_angle = S::from_f64(::core::f64::consts::PI) + self.head;
         let c1_foot_angle = w_3 + self.foot;
+        let b2_head_angle = S::from_f64(::core::f64::consts::PI) + self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_4 - self.head;
+        let c2_head_angle = w_4 + self.head;
         let c2_foot_angle = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)
             - self.foot;
-        let c2_head_angle = w_4 + self.head;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -2046,112 +2042,112 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_5 = platform_q2_squared + platform_q3_squared;
         let platform_q1_squared = platform_q1 * platform_q1;
         let w_6 = S::from_f64(1.0)
-            / (platform_q0 * platform_q0 + platform_q1_squared + platform_q2_squared
+            / (platform_q1_squared + platform_q0 * platform_q0 + platform_q2_squared
                 + platform_q3_squared);
+        let w_20 = platform_q1_squared + platform_q3_squared;
         let w_7 = w_6 * S::from_f64(2.0);
         let w_8 = w_5 * w_7 - S::from_f64(1.0);
+        let w_21 = w_7 * w_20 - S::from_f64(1.0);
         let w_9 = self.r * cos_a1_head_angle;
         let w_10 = S::from_f64(2.0) * self.r;
         let w_11 = sin_a1_head_angle * w_10;
         let w_12 = platform_q1 * platform_q2;
         let w_13 = platform_q0 * platform_q3;
         let w_14 = w_12 - w_13;
+        let w_18 = w_12 + w_13;
         let w_15 = w_6 * w_14;
         let w_16 = platform_x - self.R * cos_foot - w_8 * w_9 + w_11 * w_15;
         let w_17 = cos_a1_head_angle * w_10;
-        let w_18 = w_12 + w_13;
         let w_19 = w_6 * w_18;
-        let w_20 = platform_q1_squared + platform_q3_squared;
-        let w_21 = w_7 * w_20 - S::from_f64(1.0);
         let w_22 = self.r * sin_a1_head_angle;
         let w_23 = platform_y - self.R * sin_foot + w_17 * w_19 - w_21 * w_22;
         let w_24 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_25 = platform_q2 * platform_q3 + platform_q1 * platform_q0;
         let w_26 = w_17 * w_24 + w_11 * w_25;
-        let a1_on_platform_z = w_6 * w_26 + platform_z;
+        let a1_on_platform_z = platform_z + w_6 * w_26;
         let w_27 = w_16 * w_16 + w_23 * w_23 + a1_on_platform_z * a1_on_platform_z;
         let sqrt_w_27 = w_27.sqrt();
         let w_6_squared = w_6 * w_6;
-        let w_28 = w_6_squared * (w_5 * w_17 - w_14 * w_11);
+        let w_28 = w_5 * w_17 - w_14 * w_11;
         let w_29 = platform_q3 * w_6;
-        let w_30 = w_6_squared * (w_11 * w_20 - w_18 * w_17);
-        let w_31 = w_6_squared * w_26;
+        let w_30 = w_11 * w_20 - w_18 * w_17;
+        let w_31 = platform_q0 * w_6_squared;
         let w_32 = a1_on_platform_z
-            * (platform_q0 * w_31 + w_6 * (platform_q2 * w_9 - platform_q1 * w_22));
+            * (w_6 * (platform_q2 * w_9 - platform_q1 * w_22) + w_26 * w_31);
         let w_33 = S::from_f64(2.0) * sqrt_w_27;
-        let w_34 = platform_q2 * w_6;
-        let w_35 = w_18 * platform_q1 * w_6_squared;
-        let w_36 = w_6 - w_6_squared * w_20;
-        let w_37 = platform_q1 * w_36;
-        let w_38 = a1_on_platform_z
-            * (w_6 * (platform_q3 * w_9 + platform_q0 * w_22) - platform_q1 * w_31);
-        let w_39 = platform_q1 * w_6;
-        let w_40 = w_6 - w_6_squared * w_5;
-        let w_41 = platform_q2 * w_40;
-        let w_42 = w_14 * platform_q2 * w_6_squared;
-        let w_43 = a1_on_platform_z
-            * (w_6 * (platform_q3 * w_22 - platform_q0 * w_9) - platform_q2 * w_31);
-        let w_44 = platform_q0 * w_6;
-        let w_45 = platform_q3 * w_40;
-        let w_46 = platform_q3 * w_6_squared;
-        let w_47 = w_14 * w_46;
-        let w_48 = w_18 * w_46;
-        let w_49 = platform_q3 * w_36;
-        let w_50 = a1_on_platform_z
-            * (w_6 * (platform_q2 * w_22 + platform_q1 * w_9) - platform_q3 * w_31);
-        let w_51 = w_33
-            * (w_16 * (w_22 * w_44 + w_17 * w_45 + w_11 * w_47)
-                - w_23 * (w_9 * w_44 - w_17 * w_48 - w_11 * w_49) - w_50);
-        let w_52 = self.r * cos_a2_head_angle;
-        let w_53 = w_10 * sin_a2_head_angle;
-        let w_54 = platform_x - self.R * cos_a2_foot_angle - w_8 * w_52 + w_15 * w_53;
-        let w_55 = w_10 * cos_a2_head_angle;
-        let w_56 = self.r * sin_a2_head_angle;
-        let w_57 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_55 - w_21 * w_56;
-        let w_58 = w_24 * w_55 + w_25 * w_53;
-        let a2_on_platform_z = w_6 * w_58 + platform_z;
-        let w_59 = w_54 * w_54 + w_57 * w_57 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_59 = w_59.sqrt();
-        let w_60 = w_6_squared * (w_5 * w_55 - w_14 * w_53);
-        let w_61 = w_6_squared * (w_20 * w_53 - w_18 * w_55);
-        let w_62 = w_6_squared * w_58;
-        let w_63 = a2_on_platform_z
-            * (platform_q0 * w_62 + w_6 * (platform_q2 * w_52 - platform_q1 * w_56));
-        let w_64 = S::from_f64(2.0) * sqrt_w_59;
-        let w_65 = a2_on_platform_z
-            * (w_6 * (platform_q3 * w_52 + platform_q0 * w_56) - platform_q1 * w_62);
+        let w_34 = platform_q1 * w_6_squared;
+        let w_35 = platform_q2 * w_6;
+        let w_36 = w_18 * w_34;
+        let w_37 = w_6 - w_6_squared * w_20;
+        let w_38 = platform_q1 * w_37;
+        let w_51 = platform_q3 * w_37;
+        let w_39 = a1_on_platform_z
+            * (w_6 * (platform_q3 * w_9 + platform_q0 * w_22) - w_26 * w_34);
+        let w_40 = platform_q1 * w_6;
+        let w_41 = w_6 - w_6_squared * w_5;
+        let w_42 = platform_q2 * w_41;
+        let w_47 = platform_q3 * w_41;
+        let w_43 = platform_q2 * w_6_squared;
+        let w_44 = w_14 * w_43;
+        let w_45 = a1_on_platform_z
+            * (w_6 * (platform_q3 * w_22 - platform_q0 * w_9) - w_26 * w_43);
+        let w_46 = platform_q0 * w_6;
+        let w_48 = platform_q3 * w_6_squared;
+        let w_52 = a1_on_platform_z
+            * (w_6 * (platform_q2 * w_22 + platform_q1 * w_9) - w_26 * w_48);
+        let w_49 = w_14 * w_48;
+        let w_50 = w_18 * w_48;
+        let w_53 = w_33
+            * (w_16 * (w_22 * w_46 + w_17 * w_47 + w_11 * w_49)
+                - w_23 * (w_9 * w_46 - w_17 * w_50 - w_11 * w_51) - w_52);
+        let w_54 = self.r * cos_a2_head_angle;
+        let w_55 = w_10 * sin_a2_head_angle;
+        let w_56 = platform_x - self.R * cos_a2_foot_angle - w_8 * w_54 + w_15 * w_55;
+        let w_57 = w_10 * cos_a2_head_angle;
+        let w_58 = self.r * sin_a2_head_angle;
+        let w_59 = platform_y - self.R * sin_a2_foot_angle + w_19 * w_57 - w_21 * w_58;
+        let w_60 = w_24 * w_57 + w_25 * w_55;
+        let a2_on_platform_z = platform_z + w_6 * w_60;
+        let w_61 = w_56 * w_56 + w_59 * w_59 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_61 = w_61.sqrt();
+        let w_62 = w_5 * w_57 - w_14 * w_55;
+        let w_63 = w_20 * w_55 - w_18 * w_57;
+        let w_64 = a2_on_platform_z
+            * (w_6 * (platform_q2 * w_54 - platform_q1 * w_58) + w_31 * w_60);
+        let w_65 = S::from_f64(2.0) * sqrt_w_61;
         let w_66 = a2_on_platform_z
-            * (w_6 * (platform_q3 * w_56 - platform_q0 * w_52) - platform_q2 * w_62);
+            * (w_6 * (platform_q3 * w_54 + platform_q0 * w_58) - w_34 * w_60);
         let w_67 = a2_on_platform_z
-            * (w_6 * (platform_q2 * w_56 + platform_q1 * w_52) - platform_q3 * w_62);
-        let w_68 = w_64
-            * (w_54 * (w_44 * w_56 + w_45 * w_55 + w_47 * w_53)
-                - w_57 * (w_44 * w_52 - w_48 * w_55 - w_49 * w_53) - w_67);
-        let w_69 = self.r * cos_b1_head_angle;
-        let w_70 = w_10 * sin_b1_head_angle;
-        let w_71 = platform_x - self.R * cos_b1_foot_angle - w_8 * w_69 + w_15 * w_70;
-        let w_72 = w_10 * cos_b1_head_angle;
-        let w_73 = self.r * sin_b1_head_angle;
-        let w_74 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_72 - w_21 * w_73;
-        let w_75 = w_24 * w_72 + w_25 * w_70;
-        let b1_on_platform_z = w_6 * w_75 + platform_z;
-        let w_76 = w_71 * w_71 + w_74 * w_74 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_76 = w_76.sqrt();
-        let w_77 = w_6_squared * (w_5 * w_72 - w_14 * w_70);
-        let w_78 = w_6_squared * (w_20 * w_70 - w_18 * w_72);
-        let w_79 = w_6_squared * w_75;
+            * (w_6 * (platform_q3 * w_58 - platform_q0 * w_54) - w_43 * w_60);
+        let w_68 = a2_on_platform_z
+            * (w_6 * (platform_q2 * w_58 + platform_q1 * w_54) - w_48 * w_60);
+        let w_69 = w_65
+            * (w_56 * (w_46 * w_58 + w_47 * w_57 + w_49 * w_55)
+                - w_59 * (w_46 * w_54 - w_50 * w_57 - w_51 * w_55) - w_68);
+        let w_70 = self.r * cos_b1_head_angle;
+        let w_71 = w_10 * sin_b1_head_angle;
+        let w_72 = platform_x - self.R * cos_b1_foot_angle - w_8 * w_70 + w_15 * w_71;
+        let w_73 = w_10 * cos_b1_head_angle;
+        let w_74 = self.r * sin_b1_head_angle;
+        let w_75 = platform_y - self.R * sin_b1_foot_angle + w_19 * w_73 - w_21 * w_74;
+        let w_76 = w_24 * w_73 + w_25 * w_71;
+        let b1_on_platform_z = platform_z + w_6 * w_76;
+        let w_77 = w_72 * w_72 + w_75 * w_75 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_77 = w_77.sqrt();
+        let w_78 = w_5 * w_73 - w_14 * w_71;
+        let w_79 = w_20 * w_71 - w_18 * w_73;
         let w_80 = b1_on_platform_z
-            * (platform_q0 * w_79 + w_6 * (platform_q2 * w_69 - platform_q1 * w_73));
-        let w_81 = S::from_f64(2.0) * sqrt_w_76;
+            * (w_6 * (platform_q2 * w_70 - platform_q1 * w_74) + w_31 * w_76);
+        let w_81 = S::from_f64(2.0) * sqrt_w_77;
         let w_82 = b1_on_platform_z
-            * (w_6 * (platform_q3 * w_69 + platform_q0 * w_73) - platform_q1 * w_79);
+            * (w_6 * (platform_q3 * w_70 + platform_q0 * w_74) - w_34 * w_76);
         let w_83 = b1_on_platform_z
-            * (w_6 * (platform_q3 * w_73 - platform_q0 * w_69) - platform_q2 * w_79);
+            * (w_6 * (platform_q3 * w_74 - platform_q0 * w_70) - w_43 * w_76);
         let w_84 = b1_on_platform_z
-            * (w_6 * (platform_q2 * w_73 + platform_q1 * w_69) - platform_q3 * w_79);
+            * (w_6 * (platform_q2 * w_74 + platform_q1 * w_70) - w_48 * w_76);
         let w_85 = w_81
-            * (w_71 * (w_44 * w_73 + w_45 * w_72 + w_47 * w_70)
-                - w_74 * (w_44 * w_69 - w_48 * w_72 - w_49 * w_70) - w_84);
+            * (w_72 * (w_46 * w_74 + w_47 * w_73 + w_49 * w_71)
+                - w_75 * (w_46 * w_70 - w_50 * w_73 - w_51 * w_71) - w_84);
         let w_86 = self.r * cos_b2_head_angle;
         let w_87 = w_10 * sin_b2_head_angle;
         let w_88 = platform_x - self.R * cos_b2_foot_angle - w_8 * w_86 + w_15 * w_87;
@@ -2159,76 +2155,73 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_90 = self.r * sin_b2_head_angle;
         let w_91 = platform_y - self.R * sin_b2_foot_angle + w_19 * w_89 - w_21 * w_90;
         let w_92 = w_24 * w_89 + w_25 * w_87;
-        let b2_on_platform_z = w_6 * w_92 + platform_z;
+        let b2_on_platform_z = platform_z + w_6 * w_92;
         let w_93 = w_88 * w_88 + w_91 * w_91 + b2_on_platform_z * b2_on_platform_z;
         let sqrt_w_93 = w_93.sqrt();
-        let w_94 = w_6_squared * (w_5 * w_89 - w_14 * w_87);
-        let w_95 = w_6_squared * (w_20 * w_87 - w_18 * w_89);
-        let w_96 = w_6_squared * w_92;
-        let w_97 = b2_on_platform_z
-            * (platform_q0 * w_96 + w_6 * (platform_q2 * w_86 - platform_q1 * w_90));
-        let w_98 = S::from_f64(2.0) * sqrt_w_93;
+        let w_94 = w_5 * w_89 - w_14 * w_87;
+        let w_95 = w_20 * w_87 - w_18 * w_89;
+        let w_96 = b2_on_platform_z
+            * (w_6 * (platform_q2 * w_86 - platform_q1 * w_90) + w_31 * w_92);
+        let w_97 = S::from_f64(2.0) * sqrt_w_93;
+        let w_98 = b2_on_platform_z
+            * (w_6 * (platform_q3 * w_86 + platform_q0 * w_90) - w_34 * w_92);
         let w_99 = b2_on_platform_z
-            * (w_6 * (platform_q3 * w_86 + platform_q0 * w_90) - platform_q1 * w_96);
+            * (w_6 * (platform_q3 * w_90 - platform_q0 * w_86) - w_43 * w_92);
         let w_100 = b2_on_platform_z
-            * (w_6 * (platform_q3 * w_90 - platform_q0 * w_86) - platform_q2 * w_96);
-        let w_101 = b2_on_platform_z
-            * (w_6 * (platform_q2 * w_90 + platform_q1 * w_86) - platform_q3 * w_96);
-        let w_102 = w_98
-            * (w_88 * (w_44 * w_90 + w_45 * w_89 + w_47 * w_87)
-                - w_91 * (w_44 * w_86 - w_48 * w_89 - w_49 * w_87) - w_101);
-        let w_103 = self.r * cos_c1_head_angle;
-        let w_104 = w_10 * sin_c1_head_angle;
-        let w_105 = platform_x - self.R * cos_c1_foot_angle - w_8 * w_103 + w_15 * w_104;
-        let w_106 = w_10 * cos_c1_head_angle;
-        let w_107 = self.r * sin_c1_head_angle;
-        let w_108 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_106
-            - w_21 * w_107;
-        let w_109 = w_24 * w_106 + w_25 * w_104;
-        let c1_on_platform_z = w_6 * w_109 + platform_z;
-        let w_110 = w_105 * w_105 + w_108 * w_108 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_110 = w_110.sqrt();
-        let w_111 = w_6_squared * (w_5 * w_106 - w_14 * w_104);
-        let w_112 = w_6_squared * (w_20 * w_104 - w_18 * w_106);
-        let w_113 = w_6_squared * w_109;
+            * (w_6 * (platform_q2 * w_90 + platform_q1 * w_86) - w_48 * w_92);
+        let w_101 = w_97
+            * (w_88 * (w_46 * w_90 + w_47 * w_89 + w_49 * w_87)
+                - w_91 * (w_46 * w_86 - w_50 * w_89 - w_51 * w_87) - w_100);
+        let w_102 = self.r * cos_c1_head_angle;
+        let w_103 = w_10 * sin_c1_head_angle;
+        let w_104 = platform_x - self.R * cos_c1_foot_angle - w_8 * w_102 + w_15 * w_103;
+        let w_105 = w_10 * cos_c1_head_angle;
+        let w_106 = self.r * sin_c1_head_angle;
+        let w_107 = platform_y - self.R * sin_c1_foot_angle + w_19 * w_105
+            - w_21 * w_106;
+        let w_108 = w_24 * w_105 + w_25 * w_103;
+        let c1_on_platform_z = platform_z + w_6 * w_108;
+        let w_109 = w_104 * w_104 + w_107 * w_107 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_109 = w_109.sqrt();
+        let w_110 = w_5 * w_105 - w_14 * w_103;
+        let w_111 = w_20 * w_103 - w_18 * w_105;
+        let w_112 = c1_on_platform_z
+            * (w_6 * (platform_q2 * w_102 - platform_q1 * w_106) + w_31 * w_108);
+        let w_113 = S::from_f64(2.0) * sqrt_w_109;
         let w_114 = c1_on_platform_z
-            * (platform_q0 * w_113 + w_6 * (platform_q2 * w_103 - platform_q1 * w_107));
-        let w_115 = S::from_f64(2.0) * sqrt_w_110;
+            * (w_6 * (platform_q3 * w_102 + platform_q0 * w_106) - w_34 * w_108);
+        let w_115 = c1_on_platform_z
+            * (w_6 * (platform_q3 * w_106 - platform_q0 * w_102) - w_43 * w_108);
         let w_116 = c1_on_platform_z
-            * (w_6 * (platform_q3 * w_103 + platform_q0 * w_107) - platform_q1 * w_113);
-        let w_117 = c1_on_platform_z
-            * (w_6 * (platform_q3 * w_107 - platform_q0 * w_103) - platform_q2 * w_113);
-        let w_118 = c1_on_platform_z
-            * (w_6 * (platform_q2 * w_107 + platform_q1 * w_103) - platform_q3 * w_113);
-        let w_119 = w_115
-            * (w_105 * (w_44 * w_107 + w_45 * w_106 + w_47 * w_104)
-                - w_108 * (w_44 * w_103 - w_48 * w_106 - w_49 * w_104) - w_118);
-        let w_120 = self.r * cos_c2_head_angle;
-        let w_121 = w_10 * sin_c2_head_angle;
-        let w_122 = platform_x - self.R * cos_c2_foot_angle - w_8 * w_120 + w_15 * w_121;
-        let w_123 = w_10 * cos_c2_head_angle;
-        let w_124 = self.r * sin_c2_head_angle;
-        let w_125 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_123
-            - w_21 * w_124;
-        let w_126 = w_24 * w_123 + w_25 * w_121;
-        let c2_on_platform_z = w_6 * w_126 + platform_z;
-        let w_127 = w_122 * w_122 + w_125 * w_125 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_127 = w_127.sqrt();
-        let w_128 = w_6_squared * (w_5 * w_123 - w_14 * w_121);
-        let w_129 = w_6_squared * (w_20 * w_121 - w_18 * w_123);
-        let w_130 = w_6_squared * w_126;
+            * (w_6 * (platform_q2 * w_106 + platform_q1 * w_102) - w_48 * w_108);
+        let w_117 = w_113
+            * (w_104 * (w_46 * w_106 + w_47 * w_105 + w_49 * w_103)
+                - w_107 * (w_46 * w_102 - w_50 * w_105 - w_51 * w_103) - w_116);
+        let w_118 = self.r * cos_c2_head_angle;
+        let w_119 = w_10 * sin_c2_head_angle;
+        let w_120 = platform_x - self.R * cos_c2_foot_angle - w_8 * w_118 + w_15 * w_119;
+        let w_121 = w_10 * cos_c2_head_angle;
+        let w_124 = w_24 * w_121 + w_25 * w_119;
+        let w_126 = w_5 * w_121 - w_14 * w_119;
+        let w_127 = w_20 * w_119 - w_18 * w_121;
+        let w_122 = self.r * sin_c2_head_angle;
+        let w_123 = platform_y - self.R * sin_c2_foot_angle + w_19 * w_121
+            - w_21 * w_122;
+        let c2_on_platform_z = platform_z + w_6 * w_124;
+        let w_128 = c2_on_platform_z
+            * (w_6 * (platform_q2 * w_118 - platform_q1 * w_122) + w_31 * w_124);
+        let w_132 = c2_on_platform_z
+            * (w_6 * (platform_q2 * w_122 + platform_q1 * w_118) - w_48 * w_124);
+        let w_125 = w_120 * w_120 + w_123 * w_123 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_125 = w_125.sqrt();
+        let w_129 = S::from_f64(2.0) * sqrt_w_125;
+        let w_133 = w_129
+            * (w_120 * (w_46 * w_122 + w_47 * w_121 + w_49 * w_119)
+                - w_123 * (w_46 * w_118 - w_50 * w_121 - w_51 * w_119) - w_132);
+        let w_130 = c2_on_platform_z
+            * (w_6 * (platform_q3 * w_118 + platform_q0 * w_122) - w_34 * w_124);
         let w_131 = c2_on_platform_z
-            * (platform_q0 * w_130 + w_6 * (platform_q2 * w_120 - platform_q1 * w_124));
-        let w_132 = S::from_f64(2.0) * sqrt_w_127;
-        let w_133 = c2_on_platform_z
-            * (w_6 * (platform_q3 * w_120 + platform_q0 * w_124) - platform_q1 * w_130);
-        let w_134 = c2_on_platform_z
-            * (w_6 * (platform_q3 * w_124 - platform_q0 * w_120) - platform_q2 * w_130);
-        let w_135 = c2_on_platform_z
-            * (w_6 * (platform_q2 * w_124 + platform_q1 * w_120) - platform_q3 * w_130);
-        let w_136 = w_132
-            * (w_122 * (w_44 * w_124 + w_45 * w_123 + w_47 * w_121)
-                - w_125 * (w_44 * w_120 - w_48 * w_123 - w_49 * w_121) - w_135);
+            * (w_6 * (platform_q3 * w_122 - platform_q0 * w_118) - w_43 * w_124);
         [
             [
                 S::from_f64(0.0),
@@ -2243,92 +2236,96 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 w_16 * sqrt_w_27 / w_27,
                 w_23 * sqrt_w_27 / w_27,
                 a1_on_platform_z * sqrt_w_27 / w_27,
-                (w_16 * (platform_q0 * w_28 - w_22 * w_29)
-                    + w_23 * (platform_q0 * w_30 + w_9 * w_29) - w_32) * w_33 / w_27,
+                (w_16 * (platform_q0 * w_6_squared * w_28 - w_22 * w_29)
+                    + w_23 * (platform_q0 * w_6_squared * w_30 + w_9 * w_29) - w_32)
+                    * w_33 / w_27,
                 w_33
-                    * (w_16 * (platform_q1 * w_28 + w_22 * w_34)
-                        + w_23 * (w_9 * w_34 - w_17 * w_35 - w_11 * w_37) + w_38) / w_27,
+                    * (w_16 * (w_28 * w_34 + w_22 * w_35)
+                        + w_23 * (w_9 * w_35 - w_17 * w_36 - w_11 * w_38) + w_39) / w_27,
                 w_33
-                    * (w_16 * (w_22 * w_39 - w_17 * w_41 - w_11 * w_42)
-                        + w_23 * (platform_q2 * w_30 + w_9 * w_39) + w_43) / w_27,
-                -(w_51 / w_27),
+                    * (w_16 * (w_22 * w_40 - w_17 * w_42 - w_11 * w_44)
+                        + w_23 * (w_9 * w_40 + w_30 * w_43) + w_45) / w_27,
+                -(w_53 / w_27),
             ],
             [
-                w_54 * sqrt_w_59 / w_59,
-                w_57 * sqrt_w_59 / w_59,
-                a2_on_platform_z * sqrt_w_59 / w_59,
-                (w_54 * (platform_q0 * w_60 - w_29 * w_56)
-                    + w_57 * (platform_q0 * w_61 + w_29 * w_52) - w_63) * w_64 / w_59,
-                w_64
-                    * (w_54 * (platform_q1 * w_60 + w_34 * w_56)
-                        + w_57 * (w_34 * w_52 - w_35 * w_55 - w_37 * w_53) + w_65)
-                    / w_59,
-                w_64
-                    * (w_54 * (w_39 * w_56 - w_41 * w_55 - w_42 * w_53)
-                        + w_57 * (platform_q2 * w_61 + w_39 * w_52) + w_66) / w_59,
-                -(w_68 / w_59),
+                w_56 * sqrt_w_61 / w_61,
+                w_59 * sqrt_w_61 / w_61,
+                a2_on_platform_z * sqrt_w_61 / w_61,
+                (w_56 * (platform_q0 * w_6_squared * w_62 - w_29 * w_58)
+                    + w_59 * (platform_q0 * w_6_squared * w_63 + w_29 * w_54) - w_64)
+                    * w_65 / w_61,
+                w_65
+                    * (w_56 * (w_34 * w_62 + w_35 * w_58)
+                        + w_59 * (w_35 * w_54 - w_36 * w_57 - w_38 * w_55) + w_66)
+                    / w_61,
+                w_65
+                    * (w_56 * (w_40 * w_58 - w_42 * w_57 - w_44 * w_55)
+                        + w_59 * (w_40 * w_54 + w_43 * w_63) + w_67) / w_61,
+                -(w_69 / w_61),
             ],
             [
-                w_71 * sqrt_w_76 / w_76,
-                w_74 * sqrt_w_76 / w_76,
-                b1_on_platform_z * sqrt_w_76 / w_76,
-                (w_71 * (platform_q0 * w_77 - w_29 * w_73)
-                    + w_74 * (platform_q0 * w_78 + w_29 * w_69) - w_80) * w_81 / w_76,
+                w_72 * sqrt_w_77 / w_77,
+                w_75 * sqrt_w_77 / w_77,
+                b1_on_platform_z * sqrt_w_77 / w_77,
+                (w_72 * (platform_q0 * w_6_squared * w_78 - w_29 * w_74)
+                    + w_75 * (platform_q0 * w_6_squared * w_79 + w_29 * w_70) - w_80)
+                    * w_81 / w_77,
                 w_81
-                    * (w_71 * (platform_q1 * w_77 + w_34 * w_73)
-                        + w_74 * (w_34 * w_69 - w_35 * w_72 - w_37 * w_70) + w_82)
-                    / w_76,
+                    * (w_72 * (w_34 * w_78 + w_35 * w_74)
+                        + w_75 * (w_35 * w_70 - w_36 * w_73 - w_38 * w_71) + w_82)
+                    / w_77,
                 w_81
-                    * (w_71 * (w_39 * w_73 - w_41 * w_72 - w_42 * w_70)
-                        + w_74 * (platform_q2 * w_78 + w_39 * w_69) + w_83) / w_76,
-                -(w_85 / w_76),
+                    * (w_72 * (w_40 * w_74 - w_42 * w_73 - w_44 * w_71)
+                        + w_75 * (w_40 * w_70 + w_43 * w_79) + w_83) / w_77,
+                -(w_85 / w_77),
             ],
             [
                 w_88 * sqrt_w_93 / w_93,
                 w_91 * sqrt_w_93 / w_93,
                 b2_on_platform_z * sqrt_w_93 / w_93,
-                (w_88 * (platform_q0 * w_94 - w_29 * w_90)
-                    + w_91 * (platform_q0 * w_95 + w_29 * w_86) - w_97) * w_98 / w_93,
-                w_98
-                    * (w_88 * (platform_q1 * w_94 + w_34 * w_90)
-                        + w_91 * (w_34 * w_86 - w_35 * w_89 - w_37 * w_87) + w_99)
+                (w_88 * (platform_q0 * w_6_squared * w_94 - w_29 * w_90)
+                    + w_91 * (platform_q0 * w_6_squared * w_95 + w_29 * w_86) - w_96)
+                    * w_97 / w_93,
+                w_97
+                    * (w_88 * (w_34 * w_94 + w_35 * w_90)
+                        + w_91 * (w_35 * w_86 - w_36 * w_89 - w_38 * w_87) + w_98)
                     / w_93,
-                w_98
-                    * (w_88 * (w_39 * w_90 - w_41 * w_89 - w_42 * w_87)
-                        + w_91 * (platform_q2 * w_95 + w_39 * w_86) + w_100) / w_93,
-                -(w_102 / w_93),
+                w_97
+                    * (w_88 * (w_40 * w_90 - w_42 * w_89 - w_44 * w_87)
+                        + w_91 * (w_40 * w_86 + w_43 * w_95) + w_99) / w_93,
+                -(w_101 / w_93),
             ],
             [
-                w_105 * sqrt_w_110 / w_110,
-                w_108 * sqrt_w_110 / w_110,
-                c1_on_platform_z * sqrt_w_110 / w_110,
-                (w_105 * (platform_q0 * w_111 - w_29 * w_107)
-                    + w_108 * (platform_q0 * w_112 + w_29 * w_103) - w_114) * w_115
-                    / w_110,
-                w_115
-                    * (w_105 * (platform_q1 * w_111 + w_34 * w_107)
-                        + w_108 * (w_34 * w_103 - w_35 * w_106 - w_37 * w_104) + w_116)
-                    / w_110,
-                w_115
-                    * (w_105 * (w_39 * w_107 - w_41 * w_106 - w_42 * w_104)
-                        + w_108 * (platform_q2 * w_112 + w_39 * w_103) + w_117) / w_110,
-                -(w_119 / w_110),
+                w_104 * sqrt_w_109 / w_109,
+                w_107 * sqrt_w_109 / w_109,
+                c1_on_platform_z * sqrt_w_109 / w_109,
+                (w_104 * (platform_q0 * w_6_squared * w_110 - w_29 * w_106)
+                    + w_107 * (platform_q0 * w_6_squared * w_111 + w_29 * w_102) - w_112)
+                    * w_113 / w_109,
+                w_113
+                    * (w_104 * (w_34 * w_110 + w_35 * w_106)
+                        + w_107 * (w_35 * w_102 - w_36 * w_105 - w_38 * w_103) + w_114)
+                    / w_109,
+                w_113
+                    * (w_104 * (w_40 * w_106 - w_42 * w_105 - w_44 * w_103)
+                        + w_107 * (w_40 * w_102 + w_43 * w_111) + w_115) / w_109,
+                -(w_117 / w_109),
             ],
             [
-                w_122 * sqrt_w_127 / w_127,
-                w_125 * sqrt_w_127 / w_127,
-                c2_on_platform_z * sqrt_w_127 / w_127,
-                (w_122 * (platform_q0 * w_128 - w_29 * w_124)
-                    + w_125 * (platform_q0 * w_129 + w_29 * w_120) - w_131) * w_132
-                    / w_127,
-                w_132
-                    * (w_122 * (platform_q1 * w_128 + w_34 * w_124)
-                        + w_125 * (w_34 * w_120 - w_35 * w_123 - w_37 * w_121) + w_133)
-                    / w_127,
-                w_132
-                    * (w_122 * (w_39 * w_124 - w_41 * w_123 - w_42 * w_121)
-                        + w_125 * (platform_q2 * w_129 + w_39 * w_120) + w_134) / w_127,
-                -(w_136 / w_127),
+                w_120 * sqrt_w_125 / w_125,
+                w_123 * sqrt_w_125 / w_125,
+                c2_on_platform_z * sqrt_w_125 / w_125,
+                (w_120 * (platform_q0 * w_6_squared * w_126 - w_29 * w_122)
+                    + w_123 * (platform_q0 * w_6_squared * w_127 + w_29 * w_118) - w_128)
+                    * w_129 / w_125,
+                w_129
+                    * (w_120 * (w_34 * w_126 + w_35 * w_122)
+                        + w_123 * (w_35 * w_118 - w_36 * w_121 - w_38 * w_119) + w_130)
+                    / w_125,
+                w_129
+                    * (w_120 * (w_40 * w_122 - w_42 * w_121 - w_44 * w_119)
+                        + w_123 * (w_40 * w_118 + w_43 * w_127) + w_131) / w_125,
+                -(w_133 / w_125),
             ],
         ]
     }
@@ -2340,9 +2337,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w = self.w * t;
         let ([_, _, _, _], [cos_w, w_2, w_3, w_4]) = S::sin_cos_each([
             w,
-            S::from_f64(0.6666666666666666) * S::from_f64(::core::f64::consts::PI) + w,
-            S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333) + w,
-            S::from_f64(::core::f64::consts::PI) * S::from_f64(2.0) + w,
+            w + S::from_f64(0.6666666666666666) * S::from_f64(::core::f64::consts::PI),
+            w + S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333),
+            w + S::from_f64(::core::f64::consts::PI) * S::from_f64(2.0),
         ]);
         let w_5 = self.heave * self.w;
         let w_6 = self.w * self.sway;
@@ -2361,7 +2358,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 7, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 893 additions, 1438 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 927 additions, 1494 multiplications, 25 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 7], qd: &[S; 7]) -> [S; 7] {
         let [platform_x, platform_y, platform_z, platform_q0, platform_q1, platform_q2,
@@ -2371,9 +2368,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w = self.w * t;
         let w_2 = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w_2 - self.head;
+        let a2_head_angle = w_2 + self.head;
         let w_3 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_3 - self.foot;
-        let a2_head_angle = w_2 + self.head;
         let b1_foot_angle = w_3 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333);
@@ -2382,9 +2379,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let c1_foot_angle = w_4 + self.foot;
         let w_5 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_5 - self.head;
+        let c2_head_angle = w_5 + self.head;
         let w_6 = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI);
         let c2_foot_angle = w_6 - self.foot;
-        let c2_head_angle = w_5 + self.head;
         let (
             [sin_w,
             sin_foot,
@@ -2424,17 +2421,17 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
             w,
             self.foot,
             a1_head_angle,
-            w_3 + w,
+            w + w_3,
             a2_foot_angle,
             a2_head_angle,
             b1_foot_angle,
             b1_head_angle,
-            w_4 + w,
+            w + w_4,
             b2_foot_angle,
             b2_head_angle,
             c1_foot_angle,
             c1_head_angle,
-            w_6 + w,
+            w + w_6,
             c2_foot_angle,
             c2_head_angle,
         ]);
@@ -2445,716 +2442,717 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_11 = S::from_f64(1.0)
             / (platform_q0 * platform_q0 + platform_q1_squared + platform_q2_squared
                 + platform_q3_squared);
+        let w_25 = platform_q1_squared + platform_q3_squared;
         let w_12 = S::from_f64(2.0) * w_11;
         let w_13 = w_10 * w_12 - S::from_f64(1.0);
+        let w_26 = w_12 * w_25 - S::from_f64(1.0);
         let w_14 = self.r * cos_a1_head_angle;
         let w_15 = S::from_f64(2.0) * self.r;
         let w_16 = sin_a1_head_angle * w_15;
         let w_17 = platform_q1 * platform_q2;
         let w_18 = platform_q0 * platform_q3;
         let w_19 = w_17 - w_18;
+        let w_23 = w_17 + w_18;
         let w_20 = w_11 * w_19;
         let w_21 = platform_x - self.R * cos_foot - w_13 * w_14 + w_16 * w_20;
         let w_22 = cos_a1_head_angle * w_15;
-        let w_23 = w_17 + w_18;
         let w_24 = w_11 * w_23;
-        let w_25 = platform_q1_squared + platform_q3_squared;
-        let w_26 = w_12 * w_25 - S::from_f64(1.0);
         let w_27 = self.r * sin_a1_head_angle;
         let w_28 = platform_y - self.R * sin_foot + w_22 * w_24 - w_26 * w_27;
         let w_29 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_30 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
         let w_31 = w_22 * w_29 + w_16 * w_30;
-        let a1_on_platform_z = w_11 * w_31 + platform_z;
+        let a1_on_platform_z = platform_z + w_11 * w_31;
         let w_32 = w_21 * w_21 + w_28 * w_28 + a1_on_platform_z * a1_on_platform_z;
+        let w_11_squared = w_11 * w_11;
         let w_33 = platform_q1_dot * platform_q1;
         let w_34 = platform_q2_dot * platform_q2;
         let w_35 = platform_q3_dot * platform_q3;
         let w_36 = platform_q0_dot * platform_q0 + w_33 + w_34 + w_35;
-        let w_11_squared = w_11 * w_11;
-        let w_37 = w_10 * w_11_squared;
         let w_38 = w_34 + w_35;
-        let w_39 = w_36 * w_37 - w_11 * w_38;
+        let w_54 = w_33 + w_35;
+        let w_37 = w_11_squared * w_36;
+        let w_39 = w_10 * w_37 - w_11 * w_38;
         let w_40 = self.r * S::from_f64(4.0);
         let w_41 = cos_a1_head_angle * w_40;
         let w_42 = sin_a1_head_angle * w_40;
-        let w_43 = w_19 * w_11_squared;
-        let w_44 = w_36 * w_43;
-        let w_45 = platform_q3_dot * platform_q0;
-        let w_46 = platform_q0_dot * platform_q3;
-        let w_47 = platform_q2_dot * platform_q1;
-        let w_48 = platform_q1_dot * platform_q2;
-        let w_49 = w_45 + w_46 - w_47 - w_48;
-        let w_50 = w_11 * w_49;
-        let w_51 = platform_x_dot + w_39 * w_41 - w_42 * w_44 - w_16 * w_50;
-        let w_52 = w_45 + w_46 + w_47 + w_48;
-        let w_53 = w_11 * w_52;
-        let w_54 = w_23 * w_11_squared;
-        let w_55 = w_36 * w_54;
-        let w_56 = w_25 * w_11_squared;
-        let w_57 = w_33 + w_35;
-        let w_58 = w_36 * w_56 - w_11 * w_57;
-        let w_59 = platform_y_dot + w_22 * w_53 - w_41 * w_55 + w_42 * w_58;
-        let w_60 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
+        let w_43 = w_19 * w_37;
+        let w_44 = platform_q3_dot * platform_q0;
+        let w_45 = platform_q0_dot * platform_q3;
+        let w_46 = platform_q2_dot * platform_q1;
+        let w_47 = platform_q1_dot * platform_q2;
+        let w_48 = w_44 + w_45 - w_46 - w_47;
+        let w_51 = w_44 + w_45 + w_46 + w_47;
+        let w_49 = w_11 * w_48;
+        let w_50 = platform_x_dot + w_39 * w_41 - w_42 * w_43 - w_16 * w_49;
+        let w_52 = w_11 * w_51;
+        let w_53 = w_23 * w_37;
+        let w_55 = w_25 * w_37 - w_11 * w_54;
+        let w_56 = platform_y_dot + w_22 * w_52 - w_41 * w_53 + w_42 * w_55;
+        let w_57 = platform_q1_dot * platform_q0 + platform_q0_dot * platform_q1
             + platform_q3_dot * platform_q2 + platform_q2_dot * platform_q3;
-        let w_61 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
+        let w_58 = platform_q2_dot * platform_q0 + platform_q0_dot * platform_q2
             - platform_q1_dot * platform_q3 - platform_q3_dot * platform_q1;
-        let w_62 = w_11 * (w_16 * w_60 - w_22 * w_61)
-            - w_11_squared * w_36 * (w_29 * w_41 + w_30 * w_42) + platform_z_dot;
-        let w_63 = w_21 * w_51 + w_28 * w_59 + a1_on_platform_z * w_62;
-        let w_64 = platform_q0 * w_11;
-        let w_65 = w_11 - w_37;
-        let w_66 = platform_q3 * w_65;
-        let w_67 = platform_q3 * w_43;
-        let w_68 = w_27 * w_64 + w_22 * w_66 + w_16 * w_67;
-        let w_69 = platform_q3 * w_54;
-        let w_70 = w_11 - w_56;
-        let w_71 = platform_q3 * w_70;
-        let w_72 = w_14 * w_64 - w_22 * w_69 - w_16 * w_71;
-        let w_73 = w_31 * w_11_squared;
-        let w_74 = w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - platform_q3 * w_73;
-        let w_75 = w_11_squared * (w_10 * w_22 - w_19 * w_16);
-        let w_76 = platform_q3 * w_11;
-        let w_77 = platform_q0 * w_75 - w_27 * w_76;
-        let w_78 = w_11_squared * (w_16 * w_25 - w_23 * w_22);
-        let w_79 = platform_q0 * w_78 + w_14 * w_76;
-        let w_80 = platform_q0 * w_73 + w_11 * (platform_q2 * w_14 - platform_q1 * w_27);
+        let w_59 = w_16 * w_57 - w_22 * w_58;
+        let w_60 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_41 + w_30 * w_42)
+            + w_11 * w_59;
+        let w_97 = w_38 * w_41 + w_16 * w_48;
+        let w_61 = w_21 * w_50 + w_28 * w_56 + a1_on_platform_z * w_60;
+        let w_62 = platform_q0 * w_11;
+        let w_63 = w_11 - w_10 * w_11_squared;
+        let w_64 = platform_q3 * w_63;
+        let w_65 = platform_q3 * w_11_squared;
+        let w_66 = w_19 * w_65;
+        let w_67 = w_27 * w_62 + w_22 * w_64 + w_16 * w_66;
+        let w_68 = w_23 * w_65;
+        let w_69 = w_11 - w_25 * w_11_squared;
+        let w_70 = platform_q3 * w_69;
+        let w_71 = w_14 * w_62 - w_22 * w_68 - w_16 * w_70;
+        let w_72 = w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - w_31 * w_65;
+        let w_73 = w_10 * w_22 - w_19 * w_16;
+        let w_74 = platform_q3 * w_11;
+        let w_75 = platform_q0 * w_11_squared * w_73 - w_27 * w_74;
+        let w_76 = w_16 * w_25 - w_23 * w_22;
+        let w_77 = platform_q0 * w_11_squared * w_76 + w_14 * w_74;
+        let w_78 = platform_q0 * w_11_squared;
+        let w_79 = w_11 * (platform_q2 * w_14 - platform_q1 * w_27) + w_31 * w_78;
+        let w_80 = platform_q1 * w_11_squared;
         let w_81 = platform_q2 * w_11;
-        let w_82 = platform_q1 * w_75 + w_27 * w_81;
-        let w_83 = platform_q1 * w_54;
-        let w_84 = platform_q1 * w_70;
+        let w_82 = w_73 * w_80 + w_27 * w_81;
+        let w_83 = w_23 * w_80;
+        let w_84 = platform_q1 * w_69;
         let w_85 = w_14 * w_81 - w_22 * w_83 - w_16 * w_84;
-        let w_86 = w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - platform_q1 * w_73;
+        let w_86 = w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - w_31 * w_80;
         let w_87 = platform_q1_dot
             * (w_21 * w_82 + w_28 * w_85 + a1_on_platform_z * w_86);
         let w_88 = platform_q1 * w_11;
-        let w_89 = platform_q2 * w_65;
-        let w_90 = platform_q2 * w_43;
-        let w_91 = w_27 * w_88 - w_22 * w_89 - w_16 * w_90;
-        let w_92 = platform_q2 * w_78 + w_14 * w_88;
-        let w_93 = w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - platform_q2 * w_73;
-        let w_94 = platform_q2_dot
-            * (w_21 * w_91 + w_28 * w_92 + a1_on_platform_z * w_93);
-        let w_95 = platform_q3_dot
-            * (w_21 * w_68 - w_28 * w_72 - a1_on_platform_z * w_74)
-            - platform_q0_dot * (w_21 * w_77 + w_28 * w_79 - a1_on_platform_z * w_80)
-            - w_87 - w_94;
+        let w_89 = platform_q2 * w_63;
+        let w_90 = platform_q2 * w_11_squared;
+        let w_91 = w_19 * w_90;
+        let w_92 = w_27 * w_88 - w_22 * w_89 - w_16 * w_91;
+        let w_93 = w_14 * w_88 + w_76 * w_90;
+        let w_94 = w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - w_31 * w_90;
+        let w_95 = platform_q2_dot
+            * (w_21 * w_92 + w_28 * w_93 + a1_on_platform_z * w_94);
+        let w_96 = platform_q3_dot
+            * (w_21 * w_67 - w_28 * w_71 - a1_on_platform_z * w_72)
+            - platform_q0_dot * (w_21 * w_75 + w_28 * w_77 - a1_on_platform_z * w_79)
+            - w_87 - w_95;
         let w_32_squared = w_32 * w_32;
-        let w_96 = platform_q3 * w_36;
-        let w_97 = platform_q0 * w_49 - platform_q0_dot * w_19 + w_96;
-        let w_98 = platform_q0_dot * w_10;
-        let w_99 = platform_q0 * w_38;
-        let w_100 = w_11 * w_11_squared;
-        let w_101 = self.r * S::from_f64(8.0);
-        let w_102 = sin_a1_head_angle * w_101;
-        let w_103 = cos_a1_head_angle * w_101;
-        let w_104 = w_36 * w_100 * (w_19 * w_102 - w_10 * w_103);
-        let w_105 = platform_q3_dot * w_11;
-        let w_106 = platform_q0_dot * w_25;
-        let w_107 = w_96 + platform_q0_dot * w_23 + platform_q0 * w_52;
-        let w_108 = platform_q0 * w_57;
-        let w_109 = w_36 * w_100 * (w_23 * w_103 - w_25 * w_102);
-        let w_110 = w_28
-            * (w_11_squared * (w_16 * w_106 - w_22 * w_107 + w_42 * w_108)
-                + platform_q0 * w_109 + w_14 * w_105);
-        let w_111 = platform_q2 * w_36;
-        let w_112 = platform_q0_dot * w_29 - platform_q0 * w_61 - w_111;
-        let w_113 = platform_q1 * w_36;
-        let w_114 = w_113 + platform_q0_dot * w_30 + platform_q0 * w_60;
-        let w_115 = w_36 * w_100 * (w_29 * w_103 + w_30 * w_102);
-        let w_116 = a1_on_platform_z
-            * (w_11_squared * (w_22 * w_112 + w_16 * w_114) - platform_q0 * w_115
-                + w_11 * (platform_q2_dot * w_14 - platform_q1_dot * w_27));
-        let w_117 = w_51 * w_77
-            + w_21
-                * (w_11_squared * (w_16 * w_97 + w_22 * w_98 + w_41 * w_99)
-                    + platform_q0 * w_104 - w_27 * w_105) + w_59 * w_79 + w_110
-            - w_62 * w_80 - w_116;
-        let w_118 = platform_q1 * w_49 - w_111 - platform_q1_dot * w_19;
-        let w_119 = platform_q1_dot * w_10;
-        let w_120 = platform_q1 * w_38;
-        let w_121 = platform_q2_dot * w_11;
-        let w_122 = w_21
-            * (w_11_squared * (w_16 * w_118 + w_22 * w_119 + w_41 * w_120)
-                + platform_q1 * w_104 + w_27 * w_121);
-        let w_123 = w_11_squared * (w_111 + platform_q1_dot * w_23 + platform_q1 * w_52);
-        let w_124 = w_36 * w_100;
-        let w_125 = w_124 * platform_q1 * w_23;
-        let w_126 = S::from_f64(4.0) * w_124;
-        let w_127 = w_25 * w_126 - S::from_f64(2.0) * w_11_squared * (w_36 + w_57);
-        let w_128 = platform_q1 * w_127 + platform_q1_dot * w_70;
-        let w_129 = platform_q1 * w_61 - w_96 - platform_q1_dot * w_29;
-        let w_130 = platform_q0 * w_36;
-        let w_131 = w_130 + platform_q1_dot * w_30 + platform_q1 * w_60;
-        let w_132 = a1_on_platform_z
-            * (w_11_squared * (w_22 * w_129 - w_16 * w_131)
-                + w_11 * (platform_q3_dot * w_14 + platform_q0_dot * w_27)
-                + platform_q1 * w_115);
-        let w_133 = w_51 * w_82 + w_122 + w_59 * w_85
-            + w_28 * (w_14 * w_121 - w_22 * w_123 + w_103 * w_125 - w_16 * w_128)
-            + w_62 * w_86 + w_132;
-        let w_134 = w_11_squared * (platform_q2 * w_49 - w_113 - platform_q2_dot * w_19);
-        let w_135 = platform_q1_dot * w_11;
-        let w_136 = w_10 * w_126 - S::from_f64(2.0) * w_11_squared * (w_36 + w_38);
-        let w_137 = platform_q2 * w_136 + platform_q2_dot * w_65;
-        let w_138 = w_124 * platform_q2 * w_19;
-        let w_139 = platform_q2_dot * w_25;
-        let w_140 = w_113 + platform_q2_dot * w_23 + platform_q2 * w_52;
-        let w_141 = platform_q2 * w_57;
-        let w_142 = w_28
-            * (w_11_squared * (w_16 * w_139 - w_22 * w_140 + w_42 * w_141)
-                + platform_q2 * w_109 + w_14 * w_135);
-        let w_143 = platform_q2 * w_61 - platform_q2_dot * w_29 + w_130;
-        let w_144 = w_96 + platform_q2_dot * w_30 + platform_q2 * w_60;
-        let w_145 = a1_on_platform_z
-            * (w_11_squared * (w_22 * w_143 - w_16 * w_144)
-                + w_11 * (platform_q3_dot * w_27 - platform_q0_dot * w_14)
-                + platform_q2 * w_115);
-        let w_146 = w_51 * w_91
-            + w_21 * (w_16 * w_134 + w_27 * w_135 - w_22 * w_137 + w_102 * w_138)
-            + w_59 * w_92 + w_142 + w_62 * w_93 + w_145;
-        let w_147 = w_11_squared * (platform_q3_dot * w_19 - w_130 - platform_q3 * w_49);
-        let w_148 = platform_q0_dot * w_11;
-        let w_149 = platform_q3 * w_136 + platform_q3_dot * w_65;
-        let w_150 = platform_q3 * w_124;
-        let w_151 = w_19 * w_150;
-        let w_152 = w_11_squared * (w_130 + platform_q3_dot * w_23 + platform_q3 * w_52);
-        let w_153 = w_23 * w_150;
-        let w_154 = platform_q3 * w_127 + platform_q3_dot * w_70;
-        let w_155 = w_28 * (w_14 * w_148 - w_22 * w_152 + w_103 * w_153 - w_16 * w_154);
-        let w_156 = platform_q3 * w_61 - w_113 - platform_q3_dot * w_29;
-        let w_157 = w_111 + platform_q3_dot * w_30 + platform_q3 * w_60;
-        let w_158 = a1_on_platform_z
-            * (w_11_squared * (w_22 * w_156 - w_16 * w_157)
-                + w_11 * (platform_q2_dot * w_27 + platform_q1_dot * w_14)
-                + platform_q3 * w_115);
-        let w_159 = w_51 * w_68
-            + w_21 * (w_16 * w_147 + w_27 * w_148 + w_22 * w_149 - w_102 * w_151)
-            - w_59 * w_72 - w_155 - w_62 * w_74 - w_158;
-        let w_160 = S::from_f64(2.0)
-            * (w_63 * (w_95 / w_32_squared)
-                + (platform_q0_dot * w_117 + platform_q1_dot * w_133
-                    + platform_q2_dot * w_146 - platform_q3_dot * w_159) / w_32);
-        let w_161 = w_160
-            + (platform_x_dot * w_51 + platform_y_dot * w_59 + platform_z_dot * w_62)
+        let w_98 = platform_q3 * w_36;
+        let w_99 = w_11 * w_11_squared;
+        let w_100 = self.r * S::from_f64(8.0);
+        let w_101 = sin_a1_head_angle * w_100;
+        let w_102 = cos_a1_head_angle * w_100;
+        let w_103 = w_19 * w_101 - w_10 * w_102;
+        let w_104 = platform_q3_dot * w_11;
+        let w_105 = w_21
+            * (w_11_squared * (platform_q0 * w_97 + platform_q0_dot * w_73 + w_16 * w_98)
+                + platform_q0 * w_36 * w_99 * w_103 - w_27 * w_104);
+        let w_106 = w_98 + platform_q0 * w_51;
+        let w_107 = platform_q0 * w_54;
+        let w_108 = w_23 * w_102 - w_25 * w_101;
+        let w_109 = w_28
+            * (w_11_squared * (platform_q0_dot * w_76 - w_22 * w_106 + w_42 * w_107)
+                + platform_q0 * w_36 * w_99 * w_108 + w_14 * w_104);
+        let w_110 = w_11_squared
+            * (w_36 * (platform_q1 * w_16 - platform_q2 * w_22) + platform_q0_dot * w_31
+                + platform_q0 * w_59);
+        let w_111 = w_29 * w_102 + w_30 * w_101;
+        let w_112 = w_50 * w_75 + w_105 + w_56 * w_77 + w_109 - w_60 * w_79
+            - a1_on_platform_z
+                * (w_110 - platform_q0 * w_36 * w_99 * w_111
+                    + w_11 * (platform_q2_dot * w_14 - platform_q1_dot * w_27));
+        let w_113 = platform_q2 * w_36;
+        let w_114 = w_36 * w_99;
+        let w_115 = platform_q1 * w_114;
+        let w_116 = platform_q2_dot * w_11;
+        let w_117 = w_21
+            * (w_11_squared
+                * (platform_q1_dot * w_73 + platform_q1 * w_97 - w_16 * w_113)
+                + w_103 * w_115 + w_27 * w_116);
+        let w_118 = w_11_squared * (w_113 + platform_q1_dot * w_23 + platform_q1 * w_51);
+        let w_119 = w_23 * w_115;
+        let w_120 = S::from_f64(4.0) * w_114;
+        let w_121 = w_25 * w_120;
+        let w_129 = w_10 * w_120;
+        let w_122 = w_36 + w_54;
+        let w_135 = platform_q2 * w_54;
+        let w_123 = platform_q1 * (w_121 - S::from_f64(2.0) * w_11_squared * w_122)
+            + platform_q1_dot * w_69;
+        let w_124 = w_11 * (platform_q3_dot * w_14 + platform_q0_dot * w_27)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_22 + platform_q0 * w_16)
+                    + platform_q1_dot * w_31 + platform_q1 * w_59) + w_111 * w_115;
+        let w_125 = w_50 * w_82 + w_117 + w_56 * w_85
+            + w_28 * (w_14 * w_116 - w_22 * w_118 + w_102 * w_119 - w_16 * w_123)
+            + w_60 * w_86 + a1_on_platform_z * w_124;
+        let w_126 = platform_q1 * w_36;
+        let w_127 = w_11_squared * (platform_q2 * w_48 - w_126 - platform_q2_dot * w_19);
+        let w_134 = w_126 + platform_q2 * w_51;
+        let w_128 = platform_q1_dot * w_11;
+        let w_130 = w_36 + w_38;
+        let w_131 = platform_q2 * (w_129 - S::from_f64(2.0) * w_11_squared * w_130)
+            + platform_q2_dot * w_63;
+        let w_132 = platform_q2 * w_114;
+        let w_136 = w_28
+            * (w_11_squared * (platform_q2_dot * w_76 - w_22 * w_134 + w_42 * w_135)
+                + w_14 * w_128 + w_108 * w_132);
+        let w_144 = platform_q3 * w_114;
+        let w_133 = w_19 * w_132;
+        let w_137 = w_11_squared
+            * (w_36 * (platform_q0 * w_22 - platform_q3 * w_16) - platform_q2_dot * w_31
+                - platform_q2 * w_59)
+            + w_11 * (platform_q3_dot * w_27 - platform_q0_dot * w_14) + w_111 * w_132;
+        let w_138 = w_50 * w_92
+            + w_21 * (w_16 * w_127 + w_27 * w_128 - w_22 * w_131 + w_101 * w_133)
+            + w_56 * w_93 + w_136 + w_60 * w_94 + a1_on_platform_z * w_137;
+        let w_150 = w_11 * (platform_q2_dot * w_27 + platform_q1_dot * w_14)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_16 + platform_q1 * w_22)
+                    + platform_q3_dot * w_31 + platform_q3 * w_59) + w_111 * w_144;
+        let w_139 = platform_q0 * w_36;
+        let w_146 = w_11_squared * (w_139 + platform_q3_dot * w_23 + platform_q3 * w_51);
+        let w_140 = w_11_squared * (platform_q3_dot * w_19 - w_139 - platform_q3 * w_48);
+        let w_141 = platform_q0_dot * w_11;
+        let w_142 = S::from_f64(2.0) * w_11_squared;
+        let w_143 = platform_q3 * (w_129 - w_130 * w_142) + platform_q3_dot * w_63;
+        let w_148 = platform_q3 * (w_121 - w_122 * w_142) + platform_q3_dot * w_69;
+        let w_145 = w_19 * w_144;
+        let w_147 = w_23 * w_144;
+        let w_149 = w_28 * (w_14 * w_141 - w_22 * w_146 + w_102 * w_147 - w_16 * w_148);
+        let w_151 = w_50 * w_67
+            + w_21 * (w_16 * w_140 + w_27 * w_141 + w_22 * w_143 - w_101 * w_145)
+            - w_56 * w_71 - w_149 - w_60 * w_72 - a1_on_platform_z * w_150;
+        let w_152 = S::from_f64(2.0)
+            * (w_61 * (w_96 / w_32_squared)
+                + (platform_q0_dot * w_112 + platform_q1_dot * w_125
+                    + platform_q2_dot * w_138 - platform_q3_dot * w_151) / w_32);
+        let w_153 = w_152
+            + (platform_x_dot * w_50 + platform_y_dot * w_56 + platform_z_dot * w_60)
                 / w_32
-            - w_63
+            - w_61
                 * ((platform_x_dot * w_21 + w_28 * platform_y_dot
                     + a1_on_platform_z * platform_z_dot) / w_32_squared);
         let w_squared = self.w * self.w;
-        let w_162 = self.heave * w_squared;
-        let w_163 = w_squared * self.sway;
-        let w_164 = self.r * cos_a2_head_angle;
-        let w_165 = w_15 * sin_a2_head_angle;
-        let w_166 = platform_x - self.R * cos_a2_foot_angle - w_13 * w_164
-            + w_20 * w_165;
-        let w_167 = w_15 * cos_a2_head_angle;
-        let w_168 = self.r * sin_a2_head_angle;
-        let w_169 = platform_y - self.R * sin_a2_foot_angle + w_24 * w_167
-            - w_26 * w_168;
-        let w_170 = w_29 * w_167 + w_30 * w_165;
-        let a2_on_platform_z = w_11 * w_170 + platform_z;
-        let w_171 = w_166 * w_166 + w_169 * w_169 + a2_on_platform_z * a2_on_platform_z;
-        let w_172 = w_40 * cos_a2_head_angle;
-        let w_173 = w_40 * sin_a2_head_angle;
-        let w_174 = platform_x_dot + w_39 * w_172 - w_44 * w_173 - w_50 * w_165;
-        let w_175 = platform_y_dot + w_53 * w_167 - w_55 * w_172 + w_58 * w_173;
-        let w_176 = w_11 * (w_60 * w_165 - w_61 * w_167)
-            - w_11_squared * w_36 * (w_29 * w_172 + w_30 * w_173) + platform_z_dot;
-        let w_177 = w_166 * w_174 + w_169 * w_175 + a2_on_platform_z * w_176;
-        let w_178 = w_64 * w_168 + w_66 * w_167 + w_67 * w_165;
-        let w_179 = w_64 * w_164 - w_69 * w_167 - w_71 * w_165;
-        let w_180 = w_11_squared * w_170;
-        let w_181 = w_11 * (platform_q2 * w_168 + platform_q1 * w_164)
-            - platform_q3 * w_180;
-        let w_182 = w_11_squared * (w_10 * w_167 - w_19 * w_165);
-        let w_183 = platform_q0 * w_182 - w_76 * w_168;
-        let w_184 = w_11_squared * (w_25 * w_165 - w_23 * w_167);
-        let w_185 = platform_q0 * w_184 + w_76 * w_164;
-        let w_186 = platform_q0 * w_180
-            + w_11 * (platform_q2 * w_164 - platform_q1 * w_168);
-        let w_187 = platform_q1 * w_182 + w_81 * w_168;
-        let w_188 = w_81 * w_164 - w_83 * w_167 - w_84 * w_165;
-        let w_189 = w_11 * (platform_q3 * w_164 + platform_q0 * w_168)
-            - platform_q1 * w_180;
-        let w_190 = platform_q1_dot
-            * (w_166 * w_187 + w_169 * w_188 + a2_on_platform_z * w_189);
-        let w_191 = w_88 * w_168 - w_89 * w_167 - w_90 * w_165;
-        let w_192 = platform_q2 * w_184 + w_88 * w_164;
-        let w_193 = w_11 * (platform_q3 * w_168 - platform_q0 * w_164)
-            - platform_q2 * w_180;
-        let w_194 = platform_q2_dot
-            * (w_166 * w_191 + w_169 * w_192 + a2_on_platform_z * w_193);
-        let w_195 = platform_q3_dot
-            * (w_166 * w_178 - w_169 * w_179 - a2_on_platform_z * w_181)
+        let w_154 = self.heave * w_squared;
+        let w_155 = w_squared * self.sway;
+        let w_156 = self.r * cos_a2_head_angle;
+        let w_157 = w_15 * sin_a2_head_angle;
+        let w_158 = platform_x - self.R * cos_a2_foot_angle - w_13 * w_156
+            + w_20 * w_157;
+        let w_159 = w_15 * cos_a2_head_angle;
+        let w_160 = self.r * sin_a2_head_angle;
+        let w_161 = platform_y - self.R * sin_a2_foot_angle + w_24 * w_159
+            - w_26 * w_160;
+        let w_162 = w_29 * w_159 + w_30 * w_157;
+        let a2_on_platform_z = platform_z + w_11 * w_162;
+        let w_163 = w_158 * w_158 + w_161 * w_161 + a2_on_platform_z * a2_on_platform_z;
+        let w_164 = w_40 * cos_a2_head_angle;
+        let w_165 = w_40 * sin_a2_head_angle;
+        let w_166 = platform_x_dot + w_39 * w_164 - w_43 * w_165 - w_49 * w_157;
+        let w_167 = platform_y_dot + w_52 * w_159 - w_53 * w_164 + w_55 * w_165;
+        let w_168 = w_57 * w_157 - w_58 * w_159;
+        let w_169 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_164 + w_30 * w_165)
+            + w_11 * w_168;
+        let w_188 = w_38 * w_164 + w_48 * w_157;
+        let w_170 = w_158 * w_166 + w_161 * w_167 + a2_on_platform_z * w_169;
+        let w_171 = w_62 * w_160 + w_64 * w_159 + w_66 * w_157;
+        let w_172 = w_62 * w_156 - w_68 * w_159 - w_70 * w_157;
+        let w_173 = w_11 * (platform_q2 * w_160 + platform_q1 * w_156) - w_65 * w_162;
+        let w_174 = w_10 * w_159 - w_19 * w_157;
+        let w_175 = platform_q0 * w_11_squared * w_174 - w_74 * w_160;
+        let w_176 = w_25 * w_157 - w_23 * w_159;
+        let w_177 = platform_q0 * w_11_squared * w_176 + w_74 * w_156;
+        let w_178 = w_11 * (platform_q2 * w_156 - platform_q1 * w_160) + w_78 * w_162;
+        let w_179 = w_80 * w_174 + w_81 * w_160;
+        let w_180 = w_81 * w_156 - w_83 * w_159 - w_84 * w_157;
+        let w_181 = w_11 * (platform_q3 * w_156 + platform_q0 * w_160) - w_80 * w_162;
+        let w_182 = platform_q1_dot
+            * (w_158 * w_179 + w_161 * w_180 + a2_on_platform_z * w_181);
+        let w_183 = w_88 * w_160 - w_89 * w_159 - w_91 * w_157;
+        let w_184 = w_88 * w_156 + w_90 * w_176;
+        let w_185 = w_11 * (platform_q3 * w_160 - platform_q0 * w_156) - w_90 * w_162;
+        let w_186 = platform_q2_dot
+            * (w_158 * w_183 + w_161 * w_184 + a2_on_platform_z * w_185);
+        let w_187 = platform_q3_dot
+            * (w_158 * w_171 - w_161 * w_172 - a2_on_platform_z * w_173)
             - platform_q0_dot
-                * (w_166 * w_183 + w_169 * w_185 - a2_on_platform_z * w_186) - w_190
-            - w_194;
-        let w_171_squared = w_171 * w_171;
-        let w_196 = w_101 * sin_a2_head_angle;
-        let w_197 = w_101 * cos_a2_head_angle;
-        let w_198 = w_36 * w_100 * (w_19 * w_196 - w_10 * w_197);
-        let w_199 = w_36 * w_100 * (w_23 * w_197 - w_25 * w_196);
-        let w_200 = w_169
-            * (w_11_squared * (w_106 * w_165 - w_107 * w_167 + w_108 * w_173)
-                + platform_q0 * w_199 + w_105 * w_164);
-        let w_201 = w_36 * w_100 * (w_29 * w_197 + w_30 * w_196);
-        let w_202 = a2_on_platform_z
-            * (w_11_squared * (w_112 * w_167 + w_114 * w_165) - platform_q0 * w_201
-                + w_11 * (platform_q2_dot * w_164 - platform_q1_dot * w_168));
-        let w_203 = w_174 * w_183
-            + w_166
-                * (w_11_squared * (w_97 * w_165 + w_98 * w_167 + w_99 * w_172)
-                    + platform_q0 * w_198 - w_105 * w_168) + w_175 * w_185 + w_200
-            - w_176 * w_186 - w_202;
-        let w_204 = w_166
-            * (w_11_squared * (w_118 * w_165 + w_119 * w_167 + w_120 * w_172)
-                + platform_q1 * w_198 + w_121 * w_168);
-        let w_205 = a2_on_platform_z
-            * (w_11_squared * (w_129 * w_167 - w_131 * w_165)
-                + w_11 * (platform_q3_dot * w_164 + platform_q0_dot * w_168)
-                + platform_q1 * w_201);
-        let w_206 = w_174 * w_187 + w_204 + w_175 * w_188
-            + w_169 * (w_121 * w_164 - w_123 * w_167 + w_125 * w_197 - w_128 * w_165)
-            + w_176 * w_189 + w_205;
-        let w_207 = w_169
-            * (w_11_squared * (w_139 * w_165 - w_140 * w_167 + w_141 * w_173)
-                + platform_q2 * w_199 + w_135 * w_164);
-        let w_208 = a2_on_platform_z
-            * (w_11_squared * (w_143 * w_167 - w_144 * w_165)
-                + w_11 * (platform_q3_dot * w_168 - platform_q0_dot * w_164)
-                + platform_q2 * w_201);
-        let w_209 = w_174 * w_191
-            + w_166 * (w_134 * w_165 + w_135 * w_168 - w_137 * w_167 + w_138 * w_196)
-            + w_175 * w_192 + w_207 + w_176 * w_193 + w_208;
-        let w_210 = w_169
-            * (w_148 * w_164 - w_152 * w_167 + w_153 * w_197 - w_154 * w_165);
-        let w_211 = a2_on_platform_z
-            * (w_11_squared * (w_156 * w_167 - w_157 * w_165)
-                + w_11 * (platform_q2_dot * w_168 + platform_q1_dot * w_164)
-                + platform_q3 * w_201);
-        let w_212 = w_174 * w_178
-            + w_166 * (w_147 * w_165 + w_148 * w_168 + w_149 * w_167 - w_151 * w_196)
-            - w_175 * w_179 - w_210 - w_176 * w_181 - w_211;
-        let w_213 = S::from_f64(2.0)
-            * (w_177 * (w_195 / w_171_squared)
-                + (platform_q0_dot * w_203 + platform_q1_dot * w_206
-                    + platform_q2_dot * w_209 - platform_q3_dot * w_212) / w_171);
-        let w_214 = w_213
-            + (platform_x_dot * w_174 + platform_y_dot * w_175 + platform_z_dot * w_176)
-                / w_171
-            - w_177
-                * ((platform_x_dot * w_166 + platform_y_dot * w_169
-                    + platform_z_dot * a2_on_platform_z) / w_171_squared);
-        let w_215 = sin_w * w_162;
-        let w_216 = w_163 * w_7;
-        let w_217 = self.r * cos_b1_head_angle;
-        let w_218 = w_15 * sin_b1_head_angle;
-        let w_219 = platform_x - self.R * cos_b1_foot_angle - w_13 * w_217
-            + w_20 * w_218;
-        let w_220 = w_15 * cos_b1_head_angle;
-        let w_221 = self.r * sin_b1_head_angle;
-        let w_222 = platform_y - self.R * sin_b1_foot_angle + w_24 * w_220
-            - w_26 * w_221;
-        let w_223 = w_29 * w_220 + w_30 * w_218;
-        let b1_on_platform_z = w_11 * w_223 + platform_z;
-        let w_224 = w_219 * w_219 + w_222 * w_222 + b1_on_platform_z * b1_on_platform_z;
-        let w_225 = w_40 * cos_b1_head_angle;
-        let w_226 = w_40 * sin_b1_head_angle;
-        let w_227 = platform_x_dot + w_39 * w_225 - w_44 * w_226 - w_50 * w_218;
-        let w_228 = platform_y_dot + w_53 * w_220 - w_55 * w_225 + w_58 * w_226;
-        let w_229 = w_11 * (w_60 * w_218 - w_61 * w_220)
-            - w_11_squared * w_36 * (w_29 * w_225 + w_30 * w_226) + platform_z_dot;
-        let w_230 = w_219 * w_227 + w_222 * w_228 + b1_on_platform_z * w_229;
-        let w_231 = w_64 * w_221 + w_66 * w_220 + w_67 * w_218;
-        let w_232 = w_64 * w_217 - w_69 * w_220 - w_71 * w_218;
-        let w_233 = w_11_squared * w_223;
-        let w_234 = w_11 * (platform_q2 * w_221 + platform_q1 * w_217)
-            - platform_q3 * w_233;
-        let w_235 = w_11_squared * (w_10 * w_220 - w_19 * w_218);
-        let w_236 = platform_q0 * w_235 - w_76 * w_221;
-        let w_237 = w_11_squared * (w_25 * w_218 - w_23 * w_220);
-        let w_238 = platform_q0 * w_237 + w_76 * w_217;
-        let w_239 = platform_q0 * w_233
-            + w_11 * (platform_q2 * w_217 - platform_q1 * w_221);
-        let w_240 = platform_q1 * w_235 + w_81 * w_221;
-        let w_241 = w_81 * w_217 - w_83 * w_220 - w_84 * w_218;
-        let w_242 = w_11 * (platform_q3 * w_217 + platform_q0 * w_221)
-            - platform_q1 * w_233;
-        let w_243 = platform_q1_dot
-            * (w_219 * w_240 + w_222 * w_241 + b1_on_platform_z * w_242);
-        let w_244 = w_88 * w_221 - w_89 * w_220 - w_90 * w_218;
-        let w_245 = platform_q2 * w_237 + w_88 * w_217;
-        let w_246 = w_11 * (platform_q3 * w_221 - platform_q0 * w_217)
-            - platform_q2 * w_233;
-        let w_247 = platform_q2_dot
-            * (w_219 * w_244 + w_222 * w_245 + b1_on_platform_z * w_246);
-        let w_248 = platform_q3_dot
-            * (w_219 * w_231 - w_222 * w_232 - b1_on_platform_z * w_234)
+                * (w_158 * w_175 + w_161 * w_177 - a2_on_platform_z * w_178) - w_182
+            - w_186;
+        let w_163_squared = w_163 * w_163;
+        let w_189 = w_100 * sin_a2_head_angle;
+        let w_190 = w_100 * cos_a2_head_angle;
+        let w_191 = w_19 * w_189 - w_10 * w_190;
+        let w_192 = w_158
+            * (w_11_squared
+                * (platform_q0 * w_188 + platform_q0_dot * w_174 + w_98 * w_157)
+                + platform_q0 * w_36 * w_99 * w_191 - w_104 * w_160);
+        let w_198 = w_158
+            * (w_11_squared
+                * (platform_q1_dot * w_174 + platform_q1 * w_188 - w_113 * w_157)
+                + w_115 * w_191 + w_116 * w_160);
+        let w_193 = w_23 * w_190 - w_25 * w_189;
+        let w_194 = w_161
+            * (w_11_squared * (platform_q0_dot * w_176 - w_106 * w_159 + w_107 * w_165)
+                + platform_q0 * w_36 * w_99 * w_193 + w_104 * w_156);
+        let w_201 = w_161
+            * (w_11_squared * (platform_q2_dot * w_176 - w_134 * w_159 + w_135 * w_165)
+                + w_128 * w_156 + w_132 * w_193);
+        let w_195 = w_11_squared
+            * (w_36 * (platform_q1 * w_157 - platform_q2 * w_159)
+                + platform_q0_dot * w_162 + platform_q0 * w_168);
+        let w_196 = w_29 * w_190 + w_30 * w_189;
+        let w_197 = w_166 * w_175 + w_192 + w_167 * w_177 + w_194 - w_169 * w_178
+            - a2_on_platform_z
+                * (w_195 - platform_q0 * w_36 * w_99 * w_196
+                    + w_11 * (platform_q2_dot * w_156 - platform_q1_dot * w_160));
+        let w_199 = w_11 * (platform_q3_dot * w_156 + platform_q0_dot * w_160)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_159 + platform_q0 * w_157)
+                    + platform_q1_dot * w_162 + platform_q1 * w_168) + w_115 * w_196;
+        let w_200 = w_166 * w_179 + w_198 + w_167 * w_180
+            + w_161 * (w_116 * w_156 - w_118 * w_159 + w_119 * w_190 - w_123 * w_157)
+            + w_169 * w_181 + a2_on_platform_z * w_199;
+        let w_204 = w_161
+            * (w_141 * w_156 - w_146 * w_159 + w_147 * w_190 - w_148 * w_157);
+        let w_202 = w_11_squared
+            * (w_36 * (platform_q0 * w_159 - platform_q3 * w_157)
+                - platform_q2_dot * w_162 - platform_q2 * w_168)
+            + w_11 * (platform_q3_dot * w_160 - platform_q0_dot * w_156) + w_132 * w_196;
+        let w_203 = w_166 * w_183
+            + w_158 * (w_127 * w_157 + w_128 * w_160 - w_131 * w_159 + w_133 * w_189)
+            + w_167 * w_184 + w_201 + w_169 * w_185 + a2_on_platform_z * w_202;
+        let w_205 = w_11 * (platform_q2_dot * w_160 + platform_q1_dot * w_156)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_157 + platform_q1 * w_159)
+                    + platform_q3_dot * w_162 + platform_q3 * w_168) + w_144 * w_196;
+        let w_206 = w_166 * w_171
+            + w_158 * (w_140 * w_157 + w_141 * w_160 + w_143 * w_159 - w_145 * w_189)
+            - w_167 * w_172 - w_204 - w_169 * w_173 - a2_on_platform_z * w_205;
+        let w_207 = S::from_f64(2.0)
+            * (w_170 * (w_187 / w_163_squared)
+                + (platform_q0_dot * w_197 + platform_q1_dot * w_200
+                    + platform_q2_dot * w_203 - platform_q3_dot * w_206) / w_163);
+        let w_208 = w_207
+            + (platform_x_dot * w_166 + platform_y_dot * w_167 + platform_z_dot * w_169)
+                / w_163
+            - w_170
+                * ((platform_x_dot * w_158 + platform_y_dot * w_161
+                    + platform_z_dot * a2_on_platform_z) / w_163_squared);
+        let w_209 = sin_w * w_154;
+        let w_210 = w_155 * w_7;
+        let w_211 = self.r * cos_b1_head_angle;
+        let w_212 = w_15 * sin_b1_head_angle;
+        let w_213 = platform_x - self.R * cos_b1_foot_angle - w_13 * w_211
+            + w_20 * w_212;
+        let w_214 = w_15 * cos_b1_head_angle;
+        let w_215 = self.r * sin_b1_head_angle;
+        let w_216 = platform_y - self.R * sin_b1_foot_angle + w_24 * w_214
+            - w_26 * w_215;
+        let w_217 = w_29 * w_214 + w_30 * w_212;
+        let b1_on_platform_z = platform_z + w_11 * w_217;
+        let w_218 = w_213 * w_213 + w_216 * w_216 + b1_on_platform_z * b1_on_platform_z;
+        let w_219 = w_40 * cos_b1_head_angle;
+        let w_220 = w_40 * sin_b1_head_angle;
+        let w_221 = platform_x_dot + w_39 * w_219 - w_43 * w_220 - w_49 * w_212;
+        let w_222 = platform_y_dot + w_52 * w_214 - w_53 * w_219 + w_55 * w_220;
+        let w_223 = w_57 * w_212 - w_58 * w_214;
+        let w_224 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_219 + w_30 * w_220)
+            + w_11 * w_223;
+        let w_243 = w_38 * w_219 + w_48 * w_212;
+        let w_225 = w_213 * w_221 + w_216 * w_222 + b1_on_platform_z * w_224;
+        let w_226 = w_62 * w_215 + w_64 * w_214 + w_66 * w_212;
+        let w_227 = w_62 * w_211 - w_68 * w_214 - w_70 * w_212;
+        let w_228 = w_11 * (platform_q2 * w_215 + platform_q1 * w_211) - w_65 * w_217;
+        let w_229 = w_10 * w_214 - w_19 * w_212;
+        let w_230 = platform_q0 * w_11_squared * w_229 - w_74 * w_215;
+        let w_231 = w_25 * w_212 - w_23 * w_214;
+        let w_232 = platform_q0 * w_11_squared * w_231 + w_74 * w_211;
+        let w_233 = w_11 * (platform_q2 * w_211 - platform_q1 * w_215) + w_78 * w_217;
+        let w_234 = w_80 * w_229 + w_81 * w_215;
+        let w_235 = w_81 * w_211 - w_83 * w_214 - w_84 * w_212;
+        let w_236 = w_11 * (platform_q3 * w_211 + platform_q0 * w_215) - w_80 * w_217;
+        let w_237 = platform_q1_dot
+            * (w_213 * w_234 + w_216 * w_235 + b1_on_platform_z * w_236);
+        let w_238 = w_88 * w_215 - w_89 * w_214 - w_91 * w_212;
+        let w_239 = w_88 * w_211 + w_90 * w_231;
+        let w_240 = w_11 * (platform_q3 * w_215 - platform_q0 * w_211) - w_90 * w_217;
+        let w_241 = platform_q2_dot
+            * (w_213 * w_238 + w_216 * w_239 + b1_on_platform_z * w_240);
+        let w_242 = platform_q3_dot
+            * (w_213 * w_226 - w_216 * w_227 - b1_on_platform_z * w_228)
             - platform_q0_dot
-                * (w_219 * w_236 + w_222 * w_238 - b1_on_platform_z * w_239) - w_243
-            - w_247;
-        let w_224_squared = w_224 * w_224;
-        let w_249 = w_101 * sin_b1_head_angle;
-        let w_250 = w_101 * cos_b1_head_angle;
-        let w_251 = w_36 * w_100 * (w_19 * w_249 - w_10 * w_250);
-        let w_252 = w_36 * w_100 * (w_23 * w_250 - w_25 * w_249);
-        let w_253 = w_222
-            * (w_11_squared * (w_106 * w_218 - w_107 * w_220 + w_108 * w_226)
-                + platform_q0 * w_252 + w_105 * w_217);
-        let w_254 = w_36 * w_100 * (w_29 * w_250 + w_30 * w_249);
-        let w_255 = b1_on_platform_z
-            * (w_11_squared * (w_112 * w_220 + w_114 * w_218) - platform_q0 * w_254
-                + w_11 * (platform_q2_dot * w_217 - platform_q1_dot * w_221));
-        let w_256 = w_227 * w_236
-            + w_219
-                * (w_11_squared * (w_97 * w_218 + w_98 * w_220 + w_99 * w_225)
-                    + platform_q0 * w_251 - w_105 * w_221) + w_228 * w_238 + w_253
-            - w_229 * w_239 - w_255;
-        let w_257 = w_219
-            * (w_11_squared * (w_118 * w_218 + w_119 * w_220 + w_120 * w_225)
-                + platform_q1 * w_251 + w_121 * w_221);
-        let w_258 = b1_on_platform_z
-            * (w_11_squared * (w_129 * w_220 - w_131 * w_218)
-                + w_11 * (platform_q3_dot * w_217 + platform_q0_dot * w_221)
-                + platform_q1 * w_254);
-        let w_259 = w_227 * w_240 + w_257 + w_228 * w_241
-            + w_222 * (w_121 * w_217 - w_123 * w_220 + w_125 * w_250 - w_128 * w_218)
-            + w_229 * w_242 + w_258;
-        let w_260 = w_222
-            * (w_11_squared * (w_139 * w_218 - w_140 * w_220 + w_141 * w_226)
-                + platform_q2 * w_252 + w_135 * w_217);
-        let w_261 = b1_on_platform_z
-            * (w_11_squared * (w_143 * w_220 - w_144 * w_218)
-                + w_11 * (platform_q3_dot * w_221 - platform_q0_dot * w_217)
-                + platform_q2 * w_254);
-        let w_262 = w_227 * w_244
-            + w_219 * (w_134 * w_218 + w_135 * w_221 - w_137 * w_220 + w_138 * w_249)
-            + w_228 * w_245 + w_260 + w_229 * w_246 + w_261;
-        let w_263 = w_222
-            * (w_148 * w_217 - w_152 * w_220 + w_153 * w_250 - w_154 * w_218);
-        let w_264 = b1_on_platform_z
-            * (w_11_squared * (w_156 * w_220 - w_157 * w_218)
-                + w_11 * (platform_q2_dot * w_221 + platform_q1_dot * w_217)
-                + platform_q3 * w_254);
-        let w_265 = w_227 * w_231
-            + w_219 * (w_147 * w_218 + w_148 * w_221 + w_149 * w_220 - w_151 * w_249)
-            - w_228 * w_232 - w_263 - w_229 * w_234 - w_264;
-        let w_266 = S::from_f64(2.0)
-            * (w_230 * (w_248 / w_224_squared)
-                + (platform_q0_dot * w_256 + platform_q1_dot * w_259
-                    + platform_q2_dot * w_262 - platform_q3_dot * w_265) / w_224);
-        let w_267 = w_266
-            + (platform_x_dot * w_227 + platform_y_dot * w_228 + platform_z_dot * w_229)
-                / w_224
-            - w_230
-                * ((platform_x_dot * w_219 + platform_y_dot * w_222
-                    + platform_z_dot * b1_on_platform_z) / w_224_squared);
-        let w_268 = self.r * cos_b2_head_angle;
-        let w_269 = w_15 * sin_b2_head_angle;
-        let w_270 = platform_x - self.R * cos_b2_foot_angle - w_13 * w_268
-            + w_20 * w_269;
-        let w_271 = w_15 * cos_b2_head_angle;
-        let w_272 = self.r * sin_b2_head_angle;
-        let w_273 = platform_y - self.R * sin_b2_foot_angle + w_24 * w_271
-            - w_26 * w_272;
-        let w_274 = w_29 * w_271 + w_30 * w_269;
-        let b2_on_platform_z = w_11 * w_274 + platform_z;
-        let w_275 = w_270 * w_270 + w_273 * w_273 + b2_on_platform_z * b2_on_platform_z;
-        let w_276 = w_40 * cos_b2_head_angle;
-        let w_277 = w_40 * sin_b2_head_angle;
-        let w_278 = platform_x_dot + w_39 * w_276 - w_44 * w_277 - w_50 * w_269;
-        let w_279 = platform_y_dot + w_53 * w_271 - w_55 * w_276 + w_58 * w_277;
-        let w_280 = w_11 * (w_60 * w_269 - w_61 * w_271)
-            - w_11_squared * w_36 * (w_29 * w_276 + w_30 * w_277) + platform_z_dot;
-        let w_281 = w_270 * w_278 + w_273 * w_279 + b2_on_platform_z * w_280;
-        let w_282 = w_64 * w_272 + w_66 * w_271 + w_67 * w_269;
-        let w_283 = w_64 * w_268 - w_69 * w_271 - w_71 * w_269;
-        let w_284 = w_11_squared * w_274;
-        let w_285 = w_11 * (platform_q2 * w_272 + platform_q1 * w_268)
-            - platform_q3 * w_284;
-        let w_286 = w_11_squared * (w_10 * w_271 - w_19 * w_269);
-        let w_287 = platform_q0 * w_286 - w_76 * w_272;
-        let w_288 = w_11_squared * (w_25 * w_269 - w_23 * w_271);
-        let w_289 = platform_q0 * w_288 + w_76 * w_268;
-        let w_290 = platform_q0 * w_284
-            + w_11 * (platform_q2 * w_268 - platform_q1 * w_272);
-        let w_291 = platform_q1 * w_286 + w_81 * w_272;
-        let w_292 = w_81 * w_268 - w_83 * w_271 - w_84 * w_269;
-        let w_293 = w_11 * (platform_q3 * w_268 + platform_q0 * w_272)
-            - platform_q1 * w_284;
-        let w_294 = platform_q1_dot
-            * (w_270 * w_291 + w_273 * w_292 + b2_on_platform_z * w_293);
-        let w_295 = w_88 * w_272 - w_89 * w_271 - w_90 * w_269;
-        let w_296 = platform_q2 * w_288 + w_88 * w_268;
-        let w_297 = w_11 * (platform_q3 * w_272 - platform_q0 * w_268)
-            - platform_q2 * w_284;
-        let w_298 = platform_q2_dot
-            * (w_270 * w_295 + w_273 * w_296 + b2_on_platform_z * w_297);
-        let w_299 = platform_q3_dot
-            * (w_270 * w_282 - w_273 * w_283 - b2_on_platform_z * w_285)
+                * (w_213 * w_230 + w_216 * w_232 - b1_on_platform_z * w_233) - w_237
+            - w_241;
+        let w_218_squared = w_218 * w_218;
+        let w_244 = w_100 * sin_b1_head_angle;
+        let w_245 = w_100 * cos_b1_head_angle;
+        let w_246 = w_19 * w_244 - w_10 * w_245;
+        let w_247 = w_213
+            * (w_11_squared
+                * (platform_q0 * w_243 + platform_q0_dot * w_229 + w_98 * w_212)
+                + platform_q0 * w_36 * w_99 * w_246 - w_104 * w_215);
+        let w_253 = w_213
+            * (w_11_squared
+                * (platform_q1_dot * w_229 + platform_q1 * w_243 - w_113 * w_212)
+                + w_115 * w_246 + w_116 * w_215);
+        let w_248 = w_23 * w_245 - w_25 * w_244;
+        let w_249 = w_216
+            * (w_11_squared * (platform_q0_dot * w_231 - w_106 * w_214 + w_107 * w_220)
+                + platform_q0 * w_36 * w_99 * w_248 + w_104 * w_211);
+        let w_256 = w_216
+            * (w_11_squared * (platform_q2_dot * w_231 - w_134 * w_214 + w_135 * w_220)
+                + w_128 * w_211 + w_132 * w_248);
+        let w_250 = w_11_squared
+            * (w_36 * (platform_q1 * w_212 - platform_q2 * w_214)
+                + platform_q0_dot * w_217 + platform_q0 * w_223);
+        let w_251 = w_29 * w_245 + w_30 * w_244;
+        let w_252 = w_221 * w_230 + w_247 + w_222 * w_232 + w_249 - w_224 * w_233
+            - b1_on_platform_z
+                * (w_250 - platform_q0 * w_36 * w_99 * w_251
+                    + w_11 * (platform_q2_dot * w_211 - platform_q1_dot * w_215));
+        let w_254 = w_11 * (platform_q3_dot * w_211 + platform_q0_dot * w_215)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_214 + platform_q0 * w_212)
+                    + platform_q1_dot * w_217 + platform_q1 * w_223) + w_115 * w_251;
+        let w_255 = w_221 * w_234 + w_253 + w_222 * w_235
+            + w_216 * (w_116 * w_211 - w_118 * w_214 + w_119 * w_245 - w_123 * w_212)
+            + w_224 * w_236 + b1_on_platform_z * w_254;
+        let w_259 = w_216
+            * (w_141 * w_211 - w_146 * w_214 + w_147 * w_245 - w_148 * w_212);
+        let w_257 = w_11_squared
+            * (w_36 * (platform_q0 * w_214 - platform_q3 * w_212)
+                - platform_q2_dot * w_217 - platform_q2 * w_223)
+            + w_11 * (platform_q3_dot * w_215 - platform_q0_dot * w_211) + w_132 * w_251;
+        let w_258 = w_221 * w_238
+            + w_213 * (w_127 * w_212 + w_128 * w_215 - w_131 * w_214 + w_133 * w_244)
+            + w_222 * w_239 + w_256 + w_224 * w_240 + b1_on_platform_z * w_257;
+        let w_260 = w_11 * (platform_q2_dot * w_215 + platform_q1_dot * w_211)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_212 + platform_q1 * w_214)
+                    + platform_q3_dot * w_217 + platform_q3 * w_223) + w_144 * w_251;
+        let w_261 = w_221 * w_226
+            + w_213 * (w_140 * w_212 + w_141 * w_215 + w_143 * w_214 - w_145 * w_244)
+            - w_222 * w_227 - w_259 - w_224 * w_228 - b1_on_platform_z * w_260;
+        let w_262 = S::from_f64(2.0)
+            * (w_225 * (w_242 / w_218_squared)
+                + (platform_q0_dot * w_252 + platform_q1_dot * w_255
+                    + platform_q2_dot * w_258 - platform_q3_dot * w_261) / w_218);
+        let w_263 = w_262
+            + (platform_x_dot * w_221 + platform_y_dot * w_222 + platform_z_dot * w_224)
+                / w_218
+            - w_225
+                * ((platform_x_dot * w_213 + platform_y_dot * w_216
+                    + platform_z_dot * b1_on_platform_z) / w_218_squared);
+        let w_264 = self.r * cos_b2_head_angle;
+        let w_265 = w_15 * sin_b2_head_angle;
+        let w_266 = platform_x - self.R * cos_b2_foot_angle - w_13 * w_264
+            + w_20 * w_265;
+        let w_267 = w_15 * cos_b2_head_angle;
+        let w_268 = self.r * sin_b2_head_angle;
+        let w_269 = platform_y - self.R * sin_b2_foot_angle + w_24 * w_267
+            - w_26 * w_268;
+        let w_270 = w_29 * w_267 + w_30 * w_265;
+        let b2_on_platform_z = platform_z + w_11 * w_270;
+        let w_271 = w_266 * w_266 + w_269 * w_269 + b2_on_platform_z * b2_on_platform_z;
+        let w_272 = w_40 * cos_b2_head_angle;
+        let w_273 = w_40 * sin_b2_head_angle;
+        let w_274 = platform_x_dot + w_39 * w_272 - w_43 * w_273 - w_49 * w_265;
+        let w_275 = platform_y_dot + w_52 * w_267 - w_53 * w_272 + w_55 * w_273;
+        let w_276 = w_57 * w_265 - w_58 * w_267;
+        let w_277 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_272 + w_30 * w_273)
+            + w_11 * w_276;
+        let w_296 = w_38 * w_272 + w_48 * w_265;
+        let w_278 = w_266 * w_274 + w_269 * w_275 + b2_on_platform_z * w_277;
+        let w_279 = w_62 * w_268 + w_64 * w_267 + w_66 * w_265;
+        let w_280 = w_62 * w_264 - w_68 * w_267 - w_70 * w_265;
+        let w_281 = w_11 * (platform_q2 * w_268 + platform_q1 * w_264) - w_65 * w_270;
+        let w_282 = w_10 * w_267 - w_19 * w_265;
+        let w_283 = platform_q0 * w_11_squared * w_282 - w_74 * w_268;
+        let w_284 = w_25 * w_265 - w_23 * w_267;
+        let w_285 = platform_q0 * w_11_squared * w_284 + w_74 * w_264;
+        let w_286 = w_11 * (platform_q2 * w_264 - platform_q1 * w_268) + w_78 * w_270;
+        let w_287 = w_80 * w_282 + w_81 * w_268;
+        let w_288 = w_81 * w_264 - w_83 * w_267 - w_84 * w_265;
+        let w_289 = w_11 * (platform_q3 * w_264 + platform_q0 * w_268) - w_80 * w_270;
+        let w_290 = platform_q1_dot
+            * (w_266 * w_287 + w_269 * w_288 + b2_on_platform_z * w_289);
+        let w_291 = w_88 * w_268 - w_89 * w_267 - w_91 * w_265;
+        let w_292 = w_88 * w_264 + w_90 * w_284;
+        let w_293 = w_11 * (platform_q3 * w_268 - platform_q0 * w_264) - w_90 * w_270;
+        let w_294 = platform_q2_dot
+            * (w_266 * w_291 + w_269 * w_292 + b2_on_platform_z * w_293);
+        let w_295 = platform_q3_dot
+            * (w_266 * w_279 - w_269 * w_280 - b2_on_platform_z * w_281)
             - platform_q0_dot
-                * (w_270 * w_287 + w_273 * w_289 - b2_on_platform_z * w_290) - w_294
-            - w_298;
-        let w_275_squared = w_275 * w_275;
-        let w_300 = w_101 * sin_b2_head_angle;
-        let w_301 = w_101 * cos_b2_head_angle;
-        let w_302 = w_36 * w_100 * (w_19 * w_300 - w_10 * w_301);
-        let w_303 = w_36 * w_100 * (w_23 * w_301 - w_25 * w_300);
-        let w_304 = w_273
-            * (w_11_squared * (w_106 * w_269 - w_107 * w_271 + w_108 * w_277)
-                + platform_q0 * w_303 + w_105 * w_268);
-        let w_305 = w_36 * w_100 * (w_29 * w_301 + w_30 * w_300);
-        let w_306 = b2_on_platform_z
-            * (w_11_squared * (w_112 * w_271 + w_114 * w_269) - platform_q0 * w_305
-                + w_11 * (platform_q2_dot * w_268 - platform_q1_dot * w_272));
-        let w_307 = w_278 * w_287
-            + w_270
-                * (w_11_squared * (w_97 * w_269 + w_98 * w_271 + w_99 * w_276)
-                    + platform_q0 * w_302 - w_105 * w_272) + w_279 * w_289 + w_304
-            - w_280 * w_290 - w_306;
-        let w_308 = w_270
-            * (w_11_squared * (w_118 * w_269 + w_119 * w_271 + w_120 * w_276)
-                + platform_q1 * w_302 + w_121 * w_272);
-        let w_309 = b2_on_platform_z
-            * (w_11_squared * (w_129 * w_271 - w_131 * w_269)
-                + w_11 * (platform_q3_dot * w_268 + platform_q0_dot * w_272)
-                + platform_q1 * w_305);
-        let w_310 = w_278 * w_291 + w_308 + w_279 * w_292
-            + w_273 * (w_121 * w_268 - w_123 * w_271 + w_125 * w_301 - w_128 * w_269)
-            + w_280 * w_293 + w_309;
-        let w_311 = w_273
-            * (w_11_squared * (w_139 * w_269 - w_140 * w_271 + w_141 * w_277)
-                + platform_q2 * w_303 + w_135 * w_268);
-        let w_312 = b2_on_platform_z
-            * (w_11_squared * (w_143 * w_271 - w_144 * w_269)
-                + w_11 * (platform_q3_dot * w_272 - platform_q0_dot * w_268)
-                + platform_q2 * w_305);
-        let w_313 = w_278 * w_295
-            + w_270 * (w_134 * w_269 + w_135 * w_272 - w_137 * w_271 + w_138 * w_300)
-            + w_279 * w_296 + w_311 + w_280 * w_297 + w_312;
-        let w_314 = w_273
-            * (w_148 * w_268 - w_152 * w_271 + w_153 * w_301 - w_154 * w_269);
-        let w_315 = b2_on_platform_z
-            * (w_11_squared * (w_156 * w_271 - w_157 * w_269)
-                + w_11 * (platform_q2_dot * w_272 + platform_q1_dot * w_268)
-                + platform_q3 * w_305);
-        let w_316 = w_278 * w_282
-            + w_270 * (w_147 * w_269 + w_148 * w_272 + w_149 * w_271 - w_151 * w_300)
-            - w_279 * w_283 - w_314 - w_280 * w_285 - w_315;
-        let w_317 = S::from_f64(2.0)
-            * (w_281 * (w_299 / w_275_squared)
-                + (platform_q0_dot * w_307 + platform_q1_dot * w_310
-                    + platform_q2_dot * w_313 - platform_q3_dot * w_316) / w_275);
-        let w_318 = w_317
-            + (platform_x_dot * w_278 + platform_y_dot * w_279 + platform_z_dot * w_280)
-                / w_275
-            - w_281
-                * ((platform_x_dot * w_270 + platform_y_dot * w_273
-                    + platform_z_dot * b2_on_platform_z) / w_275_squared);
-        let w_319 = w_163 * w_8;
-        let w_320 = self.r * cos_c1_head_angle;
-        let w_321 = w_15 * sin_c1_head_angle;
-        let w_322 = platform_x - self.R * cos_c1_foot_angle - w_13 * w_320
-            + w_20 * w_321;
-        let w_323 = w_15 * cos_c1_head_angle;
-        let w_324 = self.r * sin_c1_head_angle;
-        let w_325 = platform_y - self.R * sin_c1_foot_angle + w_24 * w_323
-            - w_26 * w_324;
-        let w_326 = w_29 * w_323 + w_30 * w_321;
-        let c1_on_platform_z = w_11 * w_326 + platform_z;
-        let w_327 = w_322 * w_322 + w_325 * w_325 + c1_on_platform_z * c1_on_platform_z;
-        let w_328 = w_40 * cos_c1_head_angle;
-        let w_329 = w_40 * sin_c1_head_angle;
-        let w_330 = platform_x_dot + w_39 * w_328 - w_44 * w_329 - w_50 * w_321;
-        let w_331 = platform_y_dot + w_53 * w_323 - w_55 * w_328 + w_58 * w_329;
-        let w_332 = w_11 * (w_60 * w_321 - w_61 * w_323)
-            - w_11_squared * w_36 * (w_29 * w_328 + w_30 * w_329) + platform_z_dot;
-        let w_333 = w_322 * w_330 + w_325 * w_331 + c1_on_platform_z * w_332;
-        let w_334 = w_64 * w_324 + w_66 * w_323 + w_67 * w_321;
-        let w_335 = w_64 * w_320 - w_69 * w_323 - w_71 * w_321;
-        let w_336 = w_11_squared * w_326;
-        let w_337 = w_11 * (platform_q2 * w_324 + platform_q1 * w_320)
-            - platform_q3 * w_336;
-        let w_338 = w_11_squared * (w_10 * w_323 - w_19 * w_321);
-        let w_339 = platform_q0 * w_338 - w_76 * w_324;
-        let w_340 = w_11_squared * (w_25 * w_321 - w_23 * w_323);
-        let w_341 = platform_q0 * w_340 + w_76 * w_320;
-        let w_342 = platform_q0 * w_336
-            + w_11 * (platform_q2 * w_320 - platform_q1 * w_324);
-        let w_343 = platform_q1 * w_338 + w_81 * w_324;
-        let w_344 = w_81 * w_320 - w_83 * w_323 - w_84 * w_321;
-        let w_345 = w_11 * (platform_q3 * w_320 + platform_q0 * w_324)
-            - platform_q1 * w_336;
-        let w_346 = platform_q1_dot
-            * (w_322 * w_343 + w_325 * w_344 + c1_on_platform_z * w_345);
-        let w_347 = w_88 * w_324 - w_89 * w_323 - w_90 * w_321;
-        let w_348 = platform_q2 * w_340 + w_88 * w_320;
-        let w_349 = w_11 * (platform_q3 * w_324 - platform_q0 * w_320)
-            - platform_q2 * w_336;
-        let w_350 = platform_q2_dot
-            * (w_322 * w_347 + w_325 * w_348 + c1_on_platform_z * w_349);
-        let w_351 = platform_q3_dot
-            * (w_322 * w_334 - w_325 * w_335 - c1_on_platform_z * w_337)
+                * (w_266 * w_283 + w_269 * w_285 - b2_on_platform_z * w_286) - w_290
+            - w_294;
+        let w_271_squared = w_271 * w_271;
+        let w_297 = w_100 * sin_b2_head_angle;
+        let w_298 = w_100 * cos_b2_head_angle;
+        let w_299 = w_19 * w_297 - w_10 * w_298;
+        let w_300 = w_266
+            * (w_11_squared
+                * (platform_q0 * w_296 + platform_q0_dot * w_282 + w_98 * w_265)
+                + platform_q0 * w_36 * w_99 * w_299 - w_104 * w_268);
+        let w_306 = w_266
+            * (w_11_squared
+                * (platform_q1_dot * w_282 + platform_q1 * w_296 - w_113 * w_265)
+                + w_115 * w_299 + w_116 * w_268);
+        let w_301 = w_23 * w_298 - w_25 * w_297;
+        let w_302 = w_269
+            * (w_11_squared * (platform_q0_dot * w_284 - w_106 * w_267 + w_107 * w_273)
+                + platform_q0 * w_36 * w_99 * w_301 + w_104 * w_264);
+        let w_309 = w_269
+            * (w_11_squared * (platform_q2_dot * w_284 - w_134 * w_267 + w_135 * w_273)
+                + w_128 * w_264 + w_132 * w_301);
+        let w_303 = w_11_squared
+            * (w_36 * (platform_q1 * w_265 - platform_q2 * w_267)
+                + platform_q0_dot * w_270 + platform_q0 * w_276);
+        let w_304 = w_29 * w_298 + w_30 * w_297;
+        let w_305 = w_274 * w_283 + w_300 + w_275 * w_285 + w_302 - w_277 * w_286
+            - b2_on_platform_z
+                * (w_303 - platform_q0 * w_36 * w_99 * w_304
+                    + w_11 * (platform_q2_dot * w_264 - platform_q1_dot * w_268));
+        let w_307 = w_11 * (platform_q3_dot * w_264 + platform_q0_dot * w_268)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_267 + platform_q0 * w_265)
+                    + platform_q1_dot * w_270 + platform_q1 * w_276) + w_115 * w_304;
+        let w_308 = w_274 * w_287 + w_306 + w_275 * w_288
+            + w_269 * (w_116 * w_264 - w_118 * w_267 + w_119 * w_298 - w_123 * w_265)
+            + w_277 * w_289 + b2_on_platform_z * w_307;
+        let w_312 = w_269
+            * (w_141 * w_264 - w_146 * w_267 + w_147 * w_298 - w_148 * w_265);
+        let w_310 = w_11_squared
+            * (w_36 * (platform_q0 * w_267 - platform_q3 * w_265)
+                - platform_q2_dot * w_270 - platform_q2 * w_276)
+            + w_11 * (platform_q3_dot * w_268 - platform_q0_dot * w_264) + w_132 * w_304;
+        let w_311 = w_274 * w_291
+            + w_266 * (w_127 * w_265 + w_128 * w_268 - w_131 * w_267 + w_133 * w_297)
+            + w_275 * w_292 + w_309 + w_277 * w_293 + b2_on_platform_z * w_310;
+        let w_313 = w_11 * (platform_q2_dot * w_268 + platform_q1_dot * w_264)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_265 + platform_q1 * w_267)
+                    + platform_q3_dot * w_270 + platform_q3 * w_276) + w_144 * w_304;
+        let w_314 = w_274 * w_279
+            + w_266 * (w_140 * w_265 + w_141 * w_268 + w_143 * w_267 - w_145 * w_297)
+            - w_275 * w_280 - w_312 - w_277 * w_281 - b2_on_platform_z * w_313;
+        let w_315 = S::from_f64(2.0)
+            * (w_278 * (w_295 / w_271_squared)
+                + (platform_q0_dot * w_305 + platform_q1_dot * w_308
+                    + platform_q2_dot * w_311 - platform_q3_dot * w_314) / w_271);
+        let w_316 = w_315
+            + (platform_x_dot * w_274 + platform_y_dot * w_275 + platform_z_dot * w_277)
+                / w_271
+            - w_278
+                * ((platform_x_dot * w_266 + platform_y_dot * w_269
+                    + platform_z_dot * b2_on_platform_z) / w_271_squared);
+        let w_317 = w_155 * w_8;
+        let w_318 = self.r * cos_c1_head_angle;
+        let w_319 = w_15 * sin_c1_head_angle;
+        let w_320 = platform_x - self.R * cos_c1_foot_angle - w_13 * w_318
+            + w_20 * w_319;
+        let w_321 = w_15 * cos_c1_head_angle;
+        let w_322 = self.r * sin_c1_head_angle;
+        let w_323 = platform_y - self.R * sin_c1_foot_angle + w_24 * w_321
+            - w_26 * w_322;
+        let w_324 = w_29 * w_321 + w_30 * w_319;
+        let c1_on_platform_z = platform_z + w_11 * w_324;
+        let w_325 = w_320 * w_320 + w_323 * w_323 + c1_on_platform_z * c1_on_platform_z;
+        let w_326 = w_40 * cos_c1_head_angle;
+        let w_327 = w_40 * sin_c1_head_angle;
+        let w_328 = platform_x_dot + w_39 * w_326 - w_43 * w_327 - w_49 * w_319;
+        let w_329 = platform_y_dot + w_52 * w_321 - w_53 * w_326 + w_55 * w_327;
+        let w_330 = w_57 * w_319 - w_58 * w_321;
+        let w_331 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_326 + w_30 * w_327)
+            + w_11 * w_330;
+        let w_350 = w_38 * w_326 + w_48 * w_319;
+        let w_332 = w_320 * w_328 + w_323 * w_329 + c1_on_platform_z * w_331;
+        let w_333 = w_62 * w_322 + w_64 * w_321 + w_66 * w_319;
+        let w_334 = w_62 * w_318 - w_68 * w_321 - w_70 * w_319;
+        let w_335 = w_11 * (platform_q2 * w_322 + platform_q1 * w_318) - w_65 * w_324;
+        let w_336 = w_10 * w_321 - w_19 * w_319;
+        let w_337 = platform_q0 * w_11_squared * w_336 - w_74 * w_322;
+        let w_338 = w_25 * w_319 - w_23 * w_321;
+        let w_339 = platform_q0 * w_11_squared * w_338 + w_74 * w_318;
+        let w_340 = w_11 * (platform_q2 * w_318 - platform_q1 * w_322) + w_78 * w_324;
+        let w_341 = w_80 * w_336 + w_81 * w_322;
+        let w_342 = w_81 * w_318 - w_83 * w_321 - w_84 * w_319;
+        let w_343 = w_11 * (platform_q3 * w_318 + platform_q0 * w_322) - w_80 * w_324;
+        let w_344 = platform_q1_dot
+            * (w_320 * w_341 + w_323 * w_342 + c1_on_platform_z * w_343);
+        let w_345 = w_88 * w_322 - w_89 * w_321 - w_91 * w_319;
+        let w_346 = w_88 * w_318 + w_90 * w_338;
+        let w_347 = w_11 * (platform_q3 * w_322 - platform_q0 * w_318) - w_90 * w_324;
+        let w_348 = platform_q2_dot
+            * (w_320 * w_345 + w_323 * w_346 + c1_on_platform_z * w_347);
+        let w_349 = platform_q3_dot
+            * (w_320 * w_333 - w_323 * w_334 - c1_on_platform_z * w_335)
             - platform_q0_dot
-                * (w_322 * w_339 + w_325 * w_341 - c1_on_platform_z * w_342) - w_346
-            - w_350;
-        let w_327_squared = w_327 * w_327;
-        let w_352 = w_101 * sin_c1_head_angle;
-        let w_353 = w_101 * cos_c1_head_angle;
-        let w_354 = w_36 * w_100 * (w_19 * w_352 - w_10 * w_353);
-        let w_355 = w_36 * w_100 * (w_23 * w_353 - w_25 * w_352);
-        let w_356 = w_325
-            * (w_11_squared * (w_106 * w_321 - w_107 * w_323 + w_108 * w_329)
-                + platform_q0 * w_355 + w_105 * w_320);
-        let w_357 = w_36 * w_100 * (w_29 * w_353 + w_30 * w_352);
-        let w_358 = c1_on_platform_z
-            * (w_11_squared * (w_112 * w_323 + w_114 * w_321) - platform_q0 * w_357
-                + w_11 * (platform_q2_dot * w_320 - platform_q1_dot * w_324));
-        let w_359 = w_330 * w_339
-            + w_322
-                * (w_11_squared * (w_97 * w_321 + w_98 * w_323 + w_99 * w_328)
-                    + platform_q0 * w_354 - w_105 * w_324) + w_331 * w_341 + w_356
-            - w_332 * w_342 - w_358;
-        let w_360 = w_322
-            * (w_11_squared * (w_118 * w_321 + w_119 * w_323 + w_120 * w_328)
-                + platform_q1 * w_354 + w_121 * w_324);
-        let w_361 = c1_on_platform_z
-            * (w_11_squared * (w_129 * w_323 - w_131 * w_321)
-                + w_11 * (platform_q3_dot * w_320 + platform_q0_dot * w_324)
-                + platform_q1 * w_357);
-        let w_362 = w_330 * w_343 + w_360 + w_331 * w_344
-            + w_325 * (w_121 * w_320 - w_123 * w_323 + w_125 * w_353 - w_128 * w_321)
-            + w_332 * w_345 + w_361;
-        let w_363 = w_325
-            * (w_11_squared * (w_139 * w_321 - w_140 * w_323 + w_141 * w_329)
-                + platform_q2 * w_355 + w_135 * w_320);
-        let w_364 = c1_on_platform_z
-            * (w_11_squared * (w_143 * w_323 - w_144 * w_321)
-                + w_11 * (platform_q3_dot * w_324 - platform_q0_dot * w_320)
-                + platform_q2 * w_357);
-        let w_365 = w_330 * w_347
-            + w_322 * (w_134 * w_321 + w_135 * w_324 - w_137 * w_323 + w_138 * w_352)
-            + w_331 * w_348 + w_363 + w_332 * w_349 + w_364;
-        let w_366 = w_325
-            * (w_148 * w_320 - w_152 * w_323 + w_153 * w_353 - w_154 * w_321);
-        let w_367 = c1_on_platform_z
-            * (w_11_squared * (w_156 * w_323 - w_157 * w_321)
-                + w_11 * (platform_q2_dot * w_324 + platform_q1_dot * w_320)
-                + platform_q3 * w_357);
-        let w_368 = w_330 * w_334
-            + w_322 * (w_147 * w_321 + w_148 * w_324 + w_149 * w_323 - w_151 * w_352)
-            - w_331 * w_335 - w_366 - w_332 * w_337 - w_367;
+                * (w_320 * w_337 + w_323 * w_339 - c1_on_platform_z * w_340) - w_344
+            - w_348;
+        let w_325_squared = w_325 * w_325;
+        let w_351 = w_100 * sin_c1_head_angle;
+        let w_352 = w_100 * cos_c1_head_angle;
+        let w_353 = w_19 * w_351 - w_10 * w_352;
+        let w_354 = w_320
+            * (w_11_squared
+                * (platform_q0 * w_350 + platform_q0_dot * w_336 + w_98 * w_319)
+                + platform_q0 * w_36 * w_99 * w_353 - w_104 * w_322);
+        let w_360 = w_320
+            * (w_11_squared
+                * (platform_q1_dot * w_336 + platform_q1 * w_350 - w_113 * w_319)
+                + w_115 * w_353 + w_116 * w_322);
+        let w_355 = w_23 * w_352 - w_25 * w_351;
+        let w_356 = w_323
+            * (w_11_squared * (platform_q0_dot * w_338 - w_106 * w_321 + w_107 * w_327)
+                + platform_q0 * w_36 * w_99 * w_355 + w_104 * w_318);
+        let w_363 = w_323
+            * (w_11_squared * (platform_q2_dot * w_338 - w_134 * w_321 + w_135 * w_327)
+                + w_128 * w_318 + w_132 * w_355);
+        let w_357 = w_11_squared
+            * (w_36 * (platform_q1 * w_319 - platform_q2 * w_321)
+                + platform_q0_dot * w_324 + platform_q0 * w_330);
+        let w_358 = w_29 * w_352 + w_30 * w_351;
+        let w_359 = w_328 * w_337 + w_354 + w_329 * w_339 + w_356 - w_331 * w_340
+            - c1_on_platform_z
+                * (w_357 - platform_q0 * w_36 * w_99 * w_358
+                    + w_11 * (platform_q2_dot * w_318 - platform_q1_dot * w_322));
+        let w_361 = w_11 * (platform_q3_dot * w_318 + platform_q0_dot * w_322)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_321 + platform_q0 * w_319)
+                    + platform_q1_dot * w_324 + platform_q1 * w_330) + w_115 * w_358;
+        let w_362 = w_328 * w_341 + w_360 + w_329 * w_342
+            + w_323 * (w_116 * w_318 - w_118 * w_321 + w_119 * w_352 - w_123 * w_319)
+            + w_331 * w_343 + c1_on_platform_z * w_361;
+        let w_366 = w_323
+            * (w_141 * w_318 - w_146 * w_321 + w_147 * w_352 - w_148 * w_319);
+        let w_364 = w_11_squared
+            * (w_36 * (platform_q0 * w_321 - platform_q3 * w_319)
+                - platform_q2_dot * w_324 - platform_q2 * w_330)
+            + w_11 * (platform_q3_dot * w_322 - platform_q0_dot * w_318) + w_132 * w_358;
+        let w_365 = w_328 * w_345
+            + w_320 * (w_127 * w_319 + w_128 * w_322 - w_131 * w_321 + w_133 * w_351)
+            + w_329 * w_346 + w_363 + w_331 * w_347 + c1_on_platform_z * w_364;
+        let w_367 = w_11 * (platform_q2_dot * w_322 + platform_q1_dot * w_318)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_319 + platform_q1 * w_321)
+                    + platform_q3_dot * w_324 + platform_q3 * w_330) + w_144 * w_358;
+        let w_368 = w_328 * w_333
+            + w_320 * (w_140 * w_319 + w_141 * w_322 + w_143 * w_321 - w_145 * w_351)
+            - w_329 * w_334 - w_366 - w_331 * w_335 - c1_on_platform_z * w_367;
         let w_369 = S::from_f64(2.0)
-            * (w_333 * (w_351 / w_327_squared)
+            * (w_332 * (w_349 / w_325_squared)
                 + (platform_q0_dot * w_359 + platform_q1_dot * w_362
-                    + platform_q2_dot * w_365 - platform_q3_dot * w_368) / w_327);
+                    + platform_q2_dot * w_365 - platform_q3_dot * w_368) / w_325);
         let w_370 = w_369
-            + (platform_x_dot * w_330 + platform_y_dot * w_331 + platform_z_dot * w_332)
-                / w_327
-            - w_333
-                * ((platform_x_dot * w_322 + platform_y_dot * w_325
-                    + platform_z_dot * c1_on_platform_z) / w_327_squared);
+            + (platform_x_dot * w_328 + platform_y_dot * w_329 + platform_z_dot * w_331)
+                / w_325
+            - w_332
+                * ((platform_x_dot * w_320 + platform_y_dot * w_323
+                    + platform_z_dot * c1_on_platform_z) / w_325_squared);
         let w_371 = self.r * cos_c2_head_angle;
         let w_372 = w_15 * sin_c2_head_angle;
         let w_373 = platform_x - self.R * cos_c2_foot_angle - w_13 * w_371
             + w_20 * w_372;
         let w_374 = w_15 * cos_c2_head_angle;
+        let w_383 = w_57 * w_372 - w_58 * w_374;
+        let w_387 = w_62 * w_371 - w_68 * w_374 - w_70 * w_372;
+        let w_395 = w_81 * w_371 - w_83 * w_374 - w_84 * w_372;
         let w_375 = self.r * sin_c2_head_angle;
         let w_376 = platform_y - self.R * sin_c2_foot_angle + w_24 * w_374
             - w_26 * w_375;
+        let w_386 = w_62 * w_375 + w_64 * w_374 + w_66 * w_372;
+        let w_398 = w_88 * w_375 - w_89 * w_374 - w_91 * w_372;
         let w_377 = w_29 * w_374 + w_30 * w_372;
-        let c2_on_platform_z = w_11 * w_377 + platform_z;
+        let w_388 = w_11 * (platform_q2 * w_375 + platform_q1 * w_371) - w_65 * w_377;
+        let w_393 = w_11 * (platform_q2 * w_371 - platform_q1 * w_375) + w_78 * w_377;
+        let c2_on_platform_z = platform_z + w_11 * w_377;
         let w_378 = w_373 * w_373 + w_376 * w_376 + c2_on_platform_z * c2_on_platform_z;
         let w_379 = w_40 * cos_c2_head_angle;
         let w_380 = w_40 * sin_c2_head_angle;
-        let w_381 = platform_x_dot + w_39 * w_379 - w_44 * w_380 - w_50 * w_372;
-        let w_382 = platform_y_dot + w_53 * w_374 - w_55 * w_379 + w_58 * w_380;
-        let w_383 = w_11 * (w_60 * w_372 - w_61 * w_374)
-            - w_11_squared * w_36 * (w_29 * w_379 + w_30 * w_380) + platform_z_dot;
-        let w_384 = w_373 * w_381 + w_376 * w_382 + c2_on_platform_z * w_383;
-        let w_385 = w_64 * w_375 + w_66 * w_374 + w_67 * w_372;
-        let w_386 = w_64 * w_371 - w_69 * w_374 - w_71 * w_372;
-        let w_387 = w_11_squared * w_377;
-        let w_388 = w_11 * (platform_q2 * w_375 + platform_q1 * w_371)
-            - platform_q3 * w_387;
-        let w_389 = w_11_squared * (w_10 * w_374 - w_19 * w_372);
-        let w_390 = platform_q0 * w_389 - w_76 * w_375;
-        let w_391 = w_11_squared * (w_25 * w_372 - w_23 * w_374);
-        let w_392 = platform_q0 * w_391 + w_76 * w_371;
-        let w_393 = platform_q0 * w_387
-            + w_11 * (platform_q2 * w_371 - platform_q1 * w_375);
-        let w_394 = platform_q1 * w_389 + w_81 * w_375;
-        let w_395 = w_81 * w_371 - w_83 * w_374 - w_84 * w_372;
-        let w_396 = w_11 * (platform_q3 * w_371 + platform_q0 * w_375)
-            - platform_q1 * w_387;
+        let w_381 = platform_x_dot + w_39 * w_379 - w_43 * w_380 - w_49 * w_372;
+        let w_382 = platform_y_dot + w_52 * w_374 - w_53 * w_379 + w_55 * w_380;
+        let w_403 = w_38 * w_379 + w_48 * w_372;
+        let w_384 = platform_z_dot - w_11_squared * w_36 * (w_29 * w_379 + w_30 * w_380)
+            + w_11 * w_383;
+        let w_385 = w_373 * w_381 + w_376 * w_382 + c2_on_platform_z * w_384;
+        let w_389 = w_10 * w_374 - w_19 * w_372;
+        let w_394 = w_80 * w_389 + w_81 * w_375;
+        let w_396 = w_11 * (platform_q3 * w_371 + platform_q0 * w_375) - w_80 * w_377;
+        let w_390 = platform_q0 * w_11_squared * w_389 - w_74 * w_375;
+        let w_391 = w_25 * w_372 - w_23 * w_374;
+        let w_392 = platform_q0 * w_11_squared * w_391 + w_74 * w_371;
+        let w_399 = w_88 * w_371 + w_90 * w_391;
+        let w_400 = w_11 * (platform_q3 * w_375 - platform_q0 * w_371) - w_90 * w_377;
         let w_397 = platform_q1_dot
             * (w_373 * w_394 + w_376 * w_395 + c2_on_platform_z * w_396);
-        let w_398 = w_88 * w_375 - w_89 * w_374 - w_90 * w_372;
-        let w_399 = platform_q2 * w_391 + w_88 * w_371;
-        let w_400 = w_11 * (platform_q3 * w_375 - platform_q0 * w_371)
-            - platform_q2 * w_387;
         let w_401 = platform_q2_dot
             * (w_373 * w_398 + w_376 * w_399 + c2_on_platform_z * w_400);
         let w_402 = platform_q3_dot
-            * (w_373 * w_385 - w_376 * w_386 - c2_on_platform_z * w_388)
+            * (w_373 * w_386 - w_376 * w_387 - c2_on_platform_z * w_388)
             - platform_q0_dot
                 * (w_373 * w_390 + w_376 * w_392 - c2_on_platform_z * w_393) - w_397
             - w_401;
         let w_378_squared = w_378 * w_378;
-        let w_403 = w_101 * sin_c2_head_angle;
-        let w_404 = w_101 * cos_c2_head_angle;
-        let w_405 = w_36 * w_100 * (w_19 * w_403 - w_10 * w_404);
-        let w_406 = w_36 * w_100 * (w_23 * w_404 - w_25 * w_403);
-        let w_407 = w_376
-            * (w_11_squared * (w_106 * w_372 - w_107 * w_374 + w_108 * w_380)
-                + platform_q0 * w_406 + w_105 * w_371);
-        let w_408 = w_36 * w_100 * (w_29 * w_404 + w_30 * w_403);
-        let w_409 = c2_on_platform_z
-            * (w_11_squared * (w_112 * w_374 + w_114 * w_372) - platform_q0 * w_408
-                + w_11 * (platform_q2_dot * w_371 - platform_q1_dot * w_375));
-        let w_410 = w_381 * w_390
-            + w_373
-                * (w_11_squared * (w_97 * w_372 + w_98 * w_374 + w_99 * w_379)
-                    + platform_q0 * w_405 - w_105 * w_375) + w_382 * w_392 + w_407
-            - w_383 * w_393 - w_409;
-        let w_411 = w_373
-            * (w_11_squared * (w_118 * w_372 + w_119 * w_374 + w_120 * w_379)
-                + platform_q1 * w_405 + w_121 * w_375);
-        let w_412 = c2_on_platform_z
-            * (w_11_squared * (w_129 * w_374 - w_131 * w_372)
-                + w_11 * (platform_q3_dot * w_371 + platform_q0_dot * w_375)
-                + platform_q1 * w_408);
-        let w_413 = w_381 * w_394 + w_411 + w_382 * w_395
-            + w_376 * (w_121 * w_371 - w_123 * w_374 + w_125 * w_404 - w_128 * w_372)
-            + w_383 * w_396 + w_412;
-        let w_414 = w_376
-            * (w_11_squared * (w_139 * w_372 - w_140 * w_374 + w_141 * w_380)
-                + platform_q2 * w_406 + w_135 * w_371);
-        let w_415 = c2_on_platform_z
-            * (w_11_squared * (w_143 * w_374 - w_144 * w_372)
-                + w_11 * (platform_q3_dot * w_375 - platform_q0_dot * w_371)
-                + platform_q2 * w_408);
-        let w_416 = w_381 * w_398
-            + w_373 * (w_134 * w_372 + w_135 * w_375 - w_137 * w_374 + w_138 * w_403)
-            + w_382 * w_399 + w_414 + w_383 * w_400 + w_415;
-        let w_417 = w_376
-            * (w_148 * w_371 - w_152 * w_374 + w_153 * w_404 - w_154 * w_372);
-        let w_418 = c2_on_platform_z
-            * (w_11_squared * (w_156 * w_374 - w_157 * w_372)
-                + w_11 * (platform_q2_dot * w_375 + platform_q1_dot * w_371)
-                + platform_q3 * w_408);
-        let w_419 = w_381 * w_385
-            + w_373 * (w_147 * w_372 + w_148 * w_375 + w_149 * w_374 - w_151 * w_403)
-            - w_382 * w_386 - w_417 - w_383 * w_388 - w_418;
-        let w_420 = S::from_f64(2.0)
-            * (w_384 * (w_402 / w_378_squared)
-                + (platform_q0_dot * w_410 + platform_q1_dot * w_413
-                    + platform_q2_dot * w_416 - platform_q3_dot * w_419) / w_378);
-        let w_421 = w_420
-            + (platform_x_dot * w_381 + platform_y_dot * w_382 + platform_z_dot * w_383)
+        let w_404 = w_100 * sin_c2_head_angle;
+        let w_405 = w_100 * cos_c2_head_angle;
+        let w_406 = w_19 * w_404 - w_10 * w_405;
+        let w_407 = w_373
+            * (w_11_squared
+                * (platform_q0 * w_403 + platform_q0_dot * w_389 + w_98 * w_372)
+                + platform_q0 * w_36 * w_99 * w_406 - w_104 * w_375);
+        let w_413 = w_373
+            * (w_11_squared
+                * (platform_q1_dot * w_389 + platform_q1 * w_403 - w_113 * w_372)
+                + w_115 * w_406 + w_116 * w_375);
+        let w_408 = w_23 * w_405 - w_25 * w_404;
+        let w_409 = w_376
+            * (w_11_squared * (platform_q0_dot * w_391 - w_106 * w_374 + w_107 * w_380)
+                + platform_q0 * w_36 * w_99 * w_408 + w_104 * w_371);
+        let w_416 = w_376
+            * (w_11_squared * (platform_q2_dot * w_391 - w_134 * w_374 + w_135 * w_380)
+                + w_128 * w_371 + w_132 * w_408);
+        let w_411 = w_29 * w_405 + w_30 * w_404;
+        let w_414 = w_11 * (platform_q3_dot * w_371 + platform_q0_dot * w_375)
+            - w_11_squared
+                * (w_36 * (platform_q3 * w_374 + platform_q0 * w_372)
+                    + platform_q1_dot * w_377 + platform_q1 * w_383) + w_115 * w_411;
+        let w_415 = w_381 * w_394 + w_413 + w_382 * w_395
+            + w_376 * (w_116 * w_371 - w_118 * w_374 + w_119 * w_405 - w_123 * w_372)
+            + w_384 * w_396 + c2_on_platform_z * w_414;
+        let w_419 = w_376
+            * (w_141 * w_371 - w_146 * w_374 + w_147 * w_405 - w_148 * w_372);
+        let w_417 = w_11_squared
+            * (w_36 * (platform_q0 * w_374 - platform_q3 * w_372)
+                - platform_q2_dot * w_377 - platform_q2 * w_383)
+            + w_11 * (platform_q3_dot * w_375 - platform_q0_dot * w_371) + w_132 * w_411;
+        let w_418 = w_381 * w_398
+            + w_373 * (w_127 * w_372 + w_128 * w_375 - w_131 * w_374 + w_133 * w_404)
+            + w_382 * w_399 + w_416 + w_384 * w_400 + c2_on_platform_z * w_417;
+        let w_420 = w_11 * (platform_q2_dot * w_375 + platform_q1_dot * w_371)
+            - w_11_squared
+                * (w_36 * (platform_q2 * w_372 + platform_q1 * w_374)
+                    + platform_q3_dot * w_377 + platform_q3 * w_383) + w_144 * w_411;
+        let w_410 = w_11_squared
+            * (w_36 * (platform_q1 * w_372 - platform_q2 * w_374)
+                + platform_q0_dot * w_377 + platform_q0 * w_383);
+        let w_412 = w_381 * w_390 + w_407 + w_382 * w_392 + w_409 - w_384 * w_393
+            - c2_on_platform_z
+                * (w_410 - platform_q0 * w_36 * w_99 * w_411
+                    + w_11 * (platform_q2_dot * w_371 - platform_q1_dot * w_375));
+        let w_421 = w_381 * w_386
+            + w_373 * (w_140 * w_372 + w_141 * w_375 + w_143 * w_374 - w_145 * w_404)
+            - w_382 * w_387 - w_419 - w_384 * w_388 - c2_on_platform_z * w_420;
+        let w_422 = S::from_f64(2.0)
+            * (w_385 * (w_402 / w_378_squared)
+                + (platform_q0_dot * w_412 + platform_q1_dot * w_415
+                    + platform_q2_dot * w_418 - platform_q3_dot * w_421) / w_378);
+        let w_423 = w_422
+            + (platform_x_dot * w_381 + platform_y_dot * w_382 + platform_z_dot * w_384)
                 / w_378
-            - w_384
+            - w_385
                 * ((platform_x_dot * w_373 + platform_y_dot * w_376
                     + platform_z_dot * c2_on_platform_z) / w_378_squared);
         [
@@ -3162,17 +3160,17 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 * (platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
                     + platform_q2_dot * platform_q2_dot
                     + platform_q3_dot * platform_q3_dot),
-            w_32.sqrt() * w_161 + sin_w * (w_162 + w_163),
-            w_171.sqrt() * w_214 + w_215 - w_216,
-            w_224.sqrt() * w_267 + w_215 + w_216,
-            w_275.sqrt() * w_318 + w_215 - w_319,
-            w_327.sqrt() * w_370 + w_215 + w_319,
-            w_378.sqrt() * w_421 + w_215 - w_163 * w_9,
+            w_32.sqrt() * w_153 + sin_w * (w_154 + w_155),
+            w_163.sqrt() * w_208 + w_209 - w_210,
+            w_209 + w_210 + w_218.sqrt() * w_263,
+            w_209 + w_271.sqrt() * w_316 - w_317,
+            w_209 + w_317 + w_325.sqrt() * w_370,
+            w_209 + w_378.sqrt() * w_423 - w_155 * w_9,
         ]
     }
     /// `C` (7), `C_q` (7 x 7) and `C_t` (7) together, in SI units, for projection.
     ///
-    /// Operations: 304 additions, 530 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
+    /// Operations: 304 additions, 525 multiplications, 43 divisions, 16 sine-cosine pairs, 6 square roots.
     #[inline]
     pub fn constraint_linearization(
         &self,
@@ -3187,24 +3185,24 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let platform_q3_squared = platform_q3 * platform_q3;
         let w = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w - self.head;
+        let a2_head_angle = w + self.head;
         let w_2 = t * self.w;
         let w_3 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_3 - self.foot;
-        let a2_head_angle = w + self.head;
-        let w_4 = w_3 + w_2;
+        let w_4 = w_2 + w_3;
         let b1_foot_angle = w_3 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_5 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333);
         let b2_foot_angle = w_5 - self.foot;
         let b2_head_angle = S::from_f64(::core::f64::consts::PI) + self.head;
-        let w_6 = w_5 + w_2;
+        let w_6 = w_2 + w_5;
         let c1_foot_angle = w_5 + self.foot;
         let w_7 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_7 - self.head;
+        let c2_head_angle = w_7 + self.head;
         let w_8 = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI);
         let c2_foot_angle = w_8 - self.foot;
-        let c2_head_angle = w_7 + self.head;
-        let w_9 = w_8 + w_2;
+        let w_9 = w_2 + w_8;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -3270,10 +3268,10 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_17 = platform_q1 * platform_q2;
         let w_18 = platform_q0 * platform_q3;
         let w_19 = w_17 - w_18;
+        let w_23 = w_17 + w_18;
         let w_20 = w_11 * w_19;
         let w_21 = platform_x - self.R * cos_foot - w_13 * w_14 + w_16 * w_20;
         let w_22 = cos_a1_head_angle * w_15;
-        let w_23 = w_17 + w_18;
         let w_24 = w_11 * w_23;
         let w_25 = platform_q1_squared + platform_q3_squared;
         let w_26 = w_12 * w_25 - S::from_f64(1.0);
@@ -3282,7 +3280,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_29 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_30 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
         let w_31 = w_22 * w_29 + w_16 * w_30;
-        let a1_on_platform_z = w_11 * w_31 + platform_z;
+        let a1_on_platform_z = platform_z + w_11 * w_31;
         let w_32 = w_21 * w_21 + w_28 * w_28 + a1_on_platform_z * a1_on_platform_z;
         let sqrt_w_32 = w_32.sqrt();
         let w_33 = self.r * cos_a2_head_angle;
@@ -3292,7 +3290,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_37 = self.r * sin_a2_head_angle;
         let w_38 = platform_y - self.R * sin_a2_foot_angle + w_24 * w_36 - w_26 * w_37;
         let w_39 = w_29 * w_36 + w_30 * w_34;
-        let a2_on_platform_z = w_11 * w_39 + platform_z;
+        let a2_on_platform_z = platform_z + w_11 * w_39;
         let w_40 = w_35 * w_35 + w_38 * w_38 + a2_on_platform_z * a2_on_platform_z;
         let sqrt_w_40 = w_40.sqrt();
         let w_41 = self.heave * sin_w_2;
@@ -3304,7 +3302,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_47 = self.r * sin_b1_head_angle;
         let w_48 = platform_y - self.R * sin_b1_foot_angle + w_24 * w_46 - w_26 * w_47;
         let w_49 = w_29 * w_46 + w_30 * w_44;
-        let b1_on_platform_z = w_11 * w_49 + platform_z;
+        let b1_on_platform_z = platform_z + w_11 * w_49;
         let w_50 = w_45 * w_45 + w_48 * w_48 + b1_on_platform_z * b1_on_platform_z;
         let sqrt_w_50 = w_50.sqrt();
         let w_51 = self.r * cos_b2_head_angle;
@@ -3314,7 +3312,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_55 = self.r * sin_b2_head_angle;
         let w_56 = platform_y - self.R * sin_b2_foot_angle + w_24 * w_54 - w_26 * w_55;
         let w_57 = w_29 * w_54 + w_30 * w_52;
-        let b2_on_platform_z = w_11 * w_57 + platform_z;
+        let b2_on_platform_z = platform_z + w_11 * w_57;
         let w_58 = w_53 * w_53 + w_56 * w_56 + b2_on_platform_z * b2_on_platform_z;
         let sqrt_w_58 = w_58.sqrt();
         let w_59 = self.sway * sin_w_6;
@@ -3325,134 +3323,131 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_64 = self.r * sin_c1_head_angle;
         let w_65 = platform_y - self.R * sin_c1_foot_angle + w_24 * w_63 - w_26 * w_64;
         let w_66 = w_29 * w_63 + w_30 * w_61;
-        let c1_on_platform_z = w_11 * w_66 + platform_z;
+        let c1_on_platform_z = platform_z + w_11 * w_66;
         let w_67 = w_62 * w_62 + w_65 * w_65 + c1_on_platform_z * c1_on_platform_z;
         let sqrt_w_67 = w_67.sqrt();
         let w_68 = self.r * cos_c2_head_angle;
         let w_69 = w_15 * sin_c2_head_angle;
         let w_70 = platform_x - self.R * cos_c2_foot_angle - w_13 * w_68 + w_20 * w_69;
         let w_71 = w_15 * cos_c2_head_angle;
+        let w_74 = w_29 * w_71 + w_30 * w_69;
         let w_72 = self.r * sin_c2_head_angle;
         let w_73 = platform_y - self.R * sin_c2_foot_angle + w_24 * w_71 - w_26 * w_72;
-        let w_74 = w_29 * w_71 + w_30 * w_69;
-        let c2_on_platform_z = w_11 * w_74 + platform_z;
+        let c2_on_platform_z = platform_z + w_11 * w_74;
         let w_75 = w_70 * w_70 + w_73 * w_73 + c2_on_platform_z * c2_on_platform_z;
         let sqrt_w_75 = w_75.sqrt();
         let w_11_squared = w_11 * w_11;
-        let w_76 = w_11_squared * (w_10 * w_22 - w_19 * w_16);
+        let w_76 = w_10 * w_22 - w_19 * w_16;
         let w_77 = platform_q3 * w_11;
-        let w_78 = w_11_squared * (w_16 * w_25 - w_23 * w_22);
-        let w_79 = w_31 * w_11_squared;
+        let w_78 = w_16 * w_25 - w_23 * w_22;
+        let w_79 = platform_q0 * w_11_squared;
         let w_80 = a1_on_platform_z
-            * (platform_q0 * w_79 + w_11 * (platform_q2 * w_14 - platform_q1 * w_27));
+            * (w_11 * (platform_q2 * w_14 - platform_q1 * w_27) + w_31 * w_79);
         let w_81 = S::from_f64(2.0) * sqrt_w_32;
-        let w_82 = platform_q2 * w_11;
-        let w_83 = w_11_squared * platform_q1 * w_23;
-        let w_84 = w_11 - w_25 * w_11_squared;
-        let w_85 = platform_q1 * w_84;
-        let w_86 = a1_on_platform_z
-            * (w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - platform_q1 * w_79);
-        let w_87 = platform_q1 * w_11;
-        let w_88 = w_11 - w_10 * w_11_squared;
-        let w_89 = platform_q2 * w_88;
-        let w_90 = w_11_squared * platform_q2 * w_19;
-        let w_91 = a1_on_platform_z
-            * (w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - platform_q2 * w_79);
-        let w_92 = platform_q0 * w_11;
-        let w_93 = platform_q3 * w_88;
-        let w_94 = platform_q3 * w_11_squared;
-        let w_95 = w_19 * w_94;
-        let w_96 = w_23 * w_94;
-        let w_97 = platform_q3 * w_84;
-        let w_98 = a1_on_platform_z
-            * (w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - platform_q3 * w_79);
-        let w_99 = w_81
-            * (w_21 * (w_27 * w_92 + w_22 * w_93 + w_16 * w_95)
-                - w_28 * (w_14 * w_92 - w_22 * w_96 - w_16 * w_97) - w_98);
-        let w_100 = w_11_squared * (w_10 * w_36 - w_19 * w_34);
-        let w_101 = w_11_squared * (w_25 * w_34 - w_23 * w_36);
-        let w_102 = w_39 * w_11_squared;
-        let w_103 = a2_on_platform_z
-            * (platform_q0 * w_102 + w_11 * (platform_q2 * w_33 - platform_q1 * w_37));
-        let w_104 = S::from_f64(2.0) * sqrt_w_40;
-        let w_105 = a2_on_platform_z
-            * (w_11 * (platform_q3 * w_33 + platform_q0 * w_37) - platform_q1 * w_102);
+        let w_82 = platform_q1 * w_11_squared;
+        let w_83 = platform_q2 * w_11;
+        let w_84 = w_23 * w_82;
+        let w_85 = w_11 - w_25 * w_11_squared;
+        let w_86 = platform_q1 * w_85;
+        let w_99 = platform_q3 * w_85;
+        let w_87 = a1_on_platform_z
+            * (w_11 * (platform_q3 * w_14 + platform_q0 * w_27) - w_31 * w_82);
+        let w_88 = platform_q1 * w_11;
+        let w_89 = w_11 - w_10 * w_11_squared;
+        let w_90 = platform_q2 * w_89;
+        let w_95 = platform_q3 * w_89;
+        let w_91 = platform_q2 * w_11_squared;
+        let w_92 = w_19 * w_91;
+        let w_93 = a1_on_platform_z
+            * (w_11 * (platform_q3 * w_27 - platform_q0 * w_14) - w_31 * w_91);
+        let w_94 = platform_q0 * w_11;
+        let w_96 = platform_q3 * w_11_squared;
+        let w_100 = a1_on_platform_z
+            * (w_11 * (platform_q2 * w_27 + platform_q1 * w_14) - w_31 * w_96);
+        let w_97 = w_19 * w_96;
+        let w_98 = w_23 * w_96;
+        let w_101 = w_81
+            * (w_21 * (w_27 * w_94 + w_22 * w_95 + w_16 * w_97)
+                - w_28 * (w_14 * w_94 - w_22 * w_98 - w_16 * w_99) - w_100);
+        let w_102 = w_10 * w_36 - w_19 * w_34;
+        let w_103 = w_25 * w_34 - w_23 * w_36;
+        let w_104 = a2_on_platform_z
+            * (w_11 * (platform_q2 * w_33 - platform_q1 * w_37) + w_39 * w_79);
+        let w_105 = S::from_f64(2.0) * sqrt_w_40;
         let w_106 = a2_on_platform_z
-            * (w_11 * (platform_q3 * w_37 - platform_q0 * w_33) - platform_q2 * w_102);
+            * (w_11 * (platform_q3 * w_33 + platform_q0 * w_37) - w_39 * w_82);
         let w_107 = a2_on_platform_z
-            * (w_11 * (platform_q2 * w_37 + platform_q1 * w_33) - platform_q3 * w_102);
-        let w_108 = w_104
-            * (w_35 * (w_37 * w_92 + w_36 * w_93 + w_34 * w_95)
-                - w_38 * (w_33 * w_92 - w_36 * w_96 - w_34 * w_97) - w_107);
-        let w_109 = w_11_squared * (w_10 * w_46 - w_19 * w_44);
-        let w_110 = w_11_squared * (w_25 * w_44 - w_23 * w_46);
-        let w_111 = w_49 * w_11_squared;
+            * (w_11 * (platform_q3 * w_37 - platform_q0 * w_33) - w_39 * w_91);
+        let w_108 = a2_on_platform_z
+            * (w_11 * (platform_q2 * w_37 + platform_q1 * w_33) - w_39 * w_96);
+        let w_109 = w_105
+            * (w_35 * (w_37 * w_94 + w_36 * w_95 + w_34 * w_97)
+                - w_38 * (w_33 * w_94 - w_36 * w_98 - w_34 * w_99) - w_108);
+        let w_110 = w_10 * w_46 - w_19 * w_44;
+        let w_111 = w_25 * w_44 - w_23 * w_46;
         let w_112 = b1_on_platform_z
-            * (platform_q0 * w_111 + w_11 * (platform_q2 * w_43 - platform_q1 * w_47));
+            * (w_11 * (platform_q2 * w_43 - platform_q1 * w_47) + w_49 * w_79);
         let w_113 = S::from_f64(2.0) * sqrt_w_50;
         let w_114 = b1_on_platform_z
-            * (w_11 * (platform_q3 * w_43 + platform_q0 * w_47) - platform_q1 * w_111);
+            * (w_11 * (platform_q3 * w_43 + platform_q0 * w_47) - w_49 * w_82);
         let w_115 = b1_on_platform_z
-            * (w_11 * (platform_q3 * w_47 - platform_q0 * w_43) - platform_q2 * w_111);
+            * (w_11 * (platform_q3 * w_47 - platform_q0 * w_43) - w_49 * w_91);
         let w_116 = b1_on_platform_z
-            * (w_11 * (platform_q2 * w_47 + platform_q1 * w_43) - platform_q3 * w_111);
+            * (w_11 * (platform_q2 * w_47 + platform_q1 * w_43) - w_49 * w_96);
         let w_117 = w_113
-            * (w_45 * (w_47 * w_92 + w_46 * w_93 + w_44 * w_95)
-                - w_48 * (w_43 * w_92 - w_46 * w_96 - w_44 * w_97) - w_116);
-        let w_118 = w_11_squared * (w_10 * w_54 - w_19 * w_52);
-        let w_119 = w_11_squared * (w_25 * w_52 - w_23 * w_54);
-        let w_120 = w_57 * w_11_squared;
-        let w_121 = b2_on_platform_z
-            * (platform_q0 * w_120 + w_11 * (platform_q2 * w_51 - platform_q1 * w_55));
-        let w_122 = S::from_f64(2.0) * sqrt_w_58;
+            * (w_45 * (w_47 * w_94 + w_46 * w_95 + w_44 * w_97)
+                - w_48 * (w_43 * w_94 - w_46 * w_98 - w_44 * w_99) - w_116);
+        let w_118 = w_10 * w_54 - w_19 * w_52;
+        let w_119 = w_25 * w_52 - w_23 * w_54;
+        let w_120 = b2_on_platform_z
+            * (w_11 * (platform_q2 * w_51 - platform_q1 * w_55) + w_57 * w_79);
+        let w_121 = S::from_f64(2.0) * sqrt_w_58;
+        let w_122 = b2_on_platform_z
+            * (w_11 * (platform_q3 * w_51 + platform_q0 * w_55) - w_57 * w_82);
         let w_123 = b2_on_platform_z
-            * (w_11 * (platform_q3 * w_51 + platform_q0 * w_55) - platform_q1 * w_120);
+            * (w_11 * (platform_q3 * w_55 - platform_q0 * w_51) - w_57 * w_91);
         let w_124 = b2_on_platform_z
-            * (w_11 * (platform_q3 * w_55 - platform_q0 * w_51) - platform_q2 * w_120);
-        let w_125 = b2_on_platform_z
-            * (w_11 * (platform_q2 * w_55 + platform_q1 * w_51) - platform_q3 * w_120);
-        let w_126 = w_122
-            * (w_53 * (w_55 * w_92 + w_54 * w_93 + w_52 * w_95)
-                - w_56 * (w_51 * w_92 - w_54 * w_96 - w_52 * w_97) - w_125);
-        let w_127 = w_11_squared * (w_10 * w_63 - w_19 * w_61);
-        let w_128 = w_11_squared * (w_25 * w_61 - w_23 * w_63);
-        let w_129 = w_66 * w_11_squared;
+            * (w_11 * (platform_q2 * w_55 + platform_q1 * w_51) - w_57 * w_96);
+        let w_125 = w_121
+            * (w_53 * (w_55 * w_94 + w_54 * w_95 + w_52 * w_97)
+                - w_56 * (w_51 * w_94 - w_54 * w_98 - w_52 * w_99) - w_124);
+        let w_126 = w_10 * w_63 - w_19 * w_61;
+        let w_134 = w_10 * w_71 - w_19 * w_69;
+        let w_127 = w_25 * w_61 - w_23 * w_63;
+        let w_135 = w_25 * w_69 - w_23 * w_71;
+        let w_128 = c1_on_platform_z
+            * (w_11 * (platform_q2 * w_60 - platform_q1 * w_64) + w_66 * w_79);
+        let w_136 = c2_on_platform_z
+            * (w_11 * (platform_q2 * w_68 - platform_q1 * w_72) + w_74 * w_79);
+        let w_129 = S::from_f64(2.0) * sqrt_w_67;
         let w_130 = c1_on_platform_z
-            * (platform_q0 * w_129 + w_11 * (platform_q2 * w_60 - platform_q1 * w_64));
-        let w_131 = S::from_f64(2.0) * sqrt_w_67;
+            * (w_11 * (platform_q3 * w_60 + platform_q0 * w_64) - w_66 * w_82);
+        let w_131 = c1_on_platform_z
+            * (w_11 * (platform_q3 * w_64 - platform_q0 * w_60) - w_66 * w_91);
         let w_132 = c1_on_platform_z
-            * (w_11 * (platform_q3 * w_60 + platform_q0 * w_64) - platform_q1 * w_129);
-        let w_133 = c1_on_platform_z
-            * (w_11 * (platform_q3 * w_64 - platform_q0 * w_60) - platform_q2 * w_129);
-        let w_134 = c1_on_platform_z
-            * (w_11 * (platform_q2 * w_64 + platform_q1 * w_60) - platform_q3 * w_129);
-        let w_135 = w_131
-            * (w_62 * (w_64 * w_92 + w_63 * w_93 + w_61 * w_95)
-                - w_65 * (w_60 * w_92 - w_63 * w_96 - w_61 * w_97) - w_134);
-        let w_136 = w_11_squared * (w_10 * w_71 - w_19 * w_69);
-        let w_137 = w_11_squared * (w_25 * w_69 - w_23 * w_71);
-        let w_138 = w_74 * w_11_squared;
+            * (w_11 * (platform_q2 * w_64 + platform_q1 * w_60) - w_66 * w_96);
+        let w_133 = w_129
+            * (w_62 * (w_64 * w_94 + w_63 * w_95 + w_61 * w_97)
+                - w_65 * (w_60 * w_94 - w_63 * w_98 - w_61 * w_99) - w_132);
+        let w_140 = c2_on_platform_z
+            * (w_11 * (platform_q2 * w_72 + platform_q1 * w_68) - w_74 * w_96);
+        let w_137 = S::from_f64(2.0) * sqrt_w_75;
+        let w_141 = w_137
+            * (w_70 * (w_72 * w_94 + w_71 * w_95 + w_69 * w_97)
+                - w_73 * (w_68 * w_94 - w_71 * w_98 - w_69 * w_99) - w_140);
+        let w_138 = c2_on_platform_z
+            * (w_11 * (platform_q3 * w_68 + platform_q0 * w_72) - w_74 * w_82);
         let w_139 = c2_on_platform_z
-            * (platform_q0 * w_138 + w_11 * (platform_q2 * w_68 - platform_q1 * w_72));
-        let w_140 = S::from_f64(2.0) * sqrt_w_75;
-        let w_141 = c2_on_platform_z
-            * (w_11 * (platform_q3 * w_68 + platform_q0 * w_72) - platform_q1 * w_138);
-        let w_142 = c2_on_platform_z
-            * (w_11 * (platform_q3 * w_72 - platform_q0 * w_68) - platform_q2 * w_138);
-        let w_143 = c2_on_platform_z
-            * (w_11 * (platform_q2 * w_72 + platform_q1 * w_68) - platform_q3 * w_138);
-        let w_144 = w_140
-            * (w_70 * (w_72 * w_92 + w_71 * w_93 + w_69 * w_95)
-                - w_73 * (w_68 * w_92 - w_71 * w_96 - w_69 * w_97) - w_143);
-        let w_145 = self.heave * self.w;
-        let w_146 = self.w * self.sway;
-        let w_147 = w_146 * cos_w_4;
-        let w_148 = cos_w_2 * w_145;
-        let w_149 = w_146 * cos_w_6;
+            * (w_11 * (platform_q3 * w_72 - platform_q0 * w_68) - w_74 * w_91);
+        let w_142 = self.heave * self.w;
+        let w_143 = self.w * self.sway;
+        let w_144 = w_143 * cos_w_4;
+        let w_145 = cos_w_2 * w_142;
+        let w_146 = w_143 * cos_w_6;
         sim_kernel::ConstraintLinearization {
             values: [
-                platform_q0_squared + platform_q1_squared + platform_q2_squared
-                    + platform_q3_squared - S::from_f64(1.0),
+                platform_q0_squared - S::from_f64(1.0) + platform_q1_squared
+                    + platform_q2_squared + platform_q3_squared,
                 sqrt_w_32 - self.L - sin_w_2 * (self.heave + self.sway),
                 sqrt_w_40 - self.L - w_41 + w_42,
                 sqrt_w_50 - self.L - w_41 - w_42,
@@ -3474,107 +3469,107 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                     w_21 * sqrt_w_32 / w_32,
                     w_28 * sqrt_w_32 / w_32,
                     a1_on_platform_z * sqrt_w_32 / w_32,
-                    (w_21 * (platform_q0 * w_76 - w_27 * w_77)
-                        + w_28 * (platform_q0 * w_78 + w_14 * w_77) - w_80) * w_81
+                    (w_21 * (platform_q0 * w_11_squared * w_76 - w_27 * w_77)
+                        + w_28 * (platform_q0 * w_11_squared * w_78 + w_14 * w_77)
+                        - w_80) * w_81 / w_32,
+                    w_81
+                        * (w_21 * (w_76 * w_82 + w_27 * w_83)
+                            + w_28 * (w_14 * w_83 - w_22 * w_84 - w_16 * w_86) + w_87)
                         / w_32,
                     w_81
-                        * (w_21 * (platform_q1 * w_76 + w_27 * w_82)
-                            + w_28 * (w_14 * w_82 - w_22 * w_83 - w_16 * w_85) + w_86)
-                        / w_32,
-                    w_81
-                        * (w_21 * (w_27 * w_87 - w_22 * w_89 - w_16 * w_90)
-                            + w_28 * (platform_q2 * w_78 + w_14 * w_87) + w_91) / w_32,
-                    -(w_99 / w_32),
+                        * (w_21 * (w_27 * w_88 - w_22 * w_90 - w_16 * w_92)
+                            + w_28 * (w_14 * w_88 + w_78 * w_91) + w_93) / w_32,
+                    -(w_101 / w_32),
                 ],
                 [
                     w_35 * sqrt_w_40 / w_40,
                     w_38 * sqrt_w_40 / w_40,
                     a2_on_platform_z * sqrt_w_40 / w_40,
-                    (w_35 * (platform_q0 * w_100 - w_37 * w_77)
-                        + w_38 * (platform_q0 * w_101 + w_33 * w_77) - w_103) * w_104
+                    (w_35 * (platform_q0 * w_11_squared * w_102 - w_37 * w_77)
+                        + w_38 * (platform_q0 * w_11_squared * w_103 + w_33 * w_77)
+                        - w_104) * w_105 / w_40,
+                    w_105
+                        * (w_35 * (w_82 * w_102 + w_37 * w_83)
+                            + w_38 * (w_33 * w_83 - w_36 * w_84 - w_34 * w_86) + w_106)
                         / w_40,
-                    w_104
-                        * (w_35 * (platform_q1 * w_100 + w_37 * w_82)
-                            + w_38 * (w_33 * w_82 - w_36 * w_83 - w_34 * w_85) + w_105)
-                        / w_40,
-                    w_104
-                        * (w_35 * (w_37 * w_87 - w_36 * w_89 - w_34 * w_90)
-                            + w_38 * (platform_q2 * w_101 + w_33 * w_87) + w_106) / w_40,
-                    -(w_108 / w_40),
+                    w_105
+                        * (w_35 * (w_37 * w_88 - w_36 * w_90 - w_34 * w_92)
+                            + w_38 * (w_33 * w_88 + w_91 * w_103) + w_107) / w_40,
+                    -(w_109 / w_40),
                 ],
                 [
                     w_45 * sqrt_w_50 / w_50,
                     w_48 * sqrt_w_50 / w_50,
                     b1_on_platform_z * sqrt_w_50 / w_50,
-                    (w_45 * (platform_q0 * w_109 - w_47 * w_77)
-                        + w_48 * (platform_q0 * w_110 + w_43 * w_77) - w_112) * w_113
+                    (w_45 * (platform_q0 * w_11_squared * w_110 - w_47 * w_77)
+                        + w_48 * (platform_q0 * w_11_squared * w_111 + w_43 * w_77)
+                        - w_112) * w_113 / w_50,
+                    w_113
+                        * (w_45 * (w_82 * w_110 + w_47 * w_83)
+                            + w_48 * (w_43 * w_83 - w_46 * w_84 - w_44 * w_86) + w_114)
                         / w_50,
                     w_113
-                        * (w_45 * (platform_q1 * w_109 + w_47 * w_82)
-                            + w_48 * (w_43 * w_82 - w_46 * w_83 - w_44 * w_85) + w_114)
-                        / w_50,
-                    w_113
-                        * (w_45 * (w_47 * w_87 - w_46 * w_89 - w_44 * w_90)
-                            + w_48 * (platform_q2 * w_110 + w_43 * w_87) + w_115) / w_50,
+                        * (w_45 * (w_47 * w_88 - w_46 * w_90 - w_44 * w_92)
+                            + w_48 * (w_43 * w_88 + w_91 * w_111) + w_115) / w_50,
                     -(w_117 / w_50),
                 ],
                 [
                     w_53 * sqrt_w_58 / w_58,
                     w_56 * sqrt_w_58 / w_58,
                     b2_on_platform_z * sqrt_w_58 / w_58,
-                    (w_53 * (platform_q0 * w_118 - w_55 * w_77)
-                        + w_56 * (platform_q0 * w_119 + w_51 * w_77) - w_121) * w_122
+                    (w_53 * (platform_q0 * w_11_squared * w_118 - w_55 * w_77)
+                        + w_56 * (platform_q0 * w_11_squared * w_119 + w_51 * w_77)
+                        - w_120) * w_121 / w_58,
+                    w_121
+                        * (w_53 * (w_82 * w_118 + w_55 * w_83)
+                            + w_56 * (w_51 * w_83 - w_54 * w_84 - w_52 * w_86) + w_122)
                         / w_58,
-                    w_122
-                        * (w_53 * (platform_q1 * w_118 + w_55 * w_82)
-                            + w_56 * (w_51 * w_82 - w_54 * w_83 - w_52 * w_85) + w_123)
-                        / w_58,
-                    w_122
-                        * (w_53 * (w_55 * w_87 - w_54 * w_89 - w_52 * w_90)
-                            + w_56 * (platform_q2 * w_119 + w_51 * w_87) + w_124) / w_58,
-                    -(w_126 / w_58),
+                    w_121
+                        * (w_53 * (w_55 * w_88 - w_54 * w_90 - w_52 * w_92)
+                            + w_56 * (w_51 * w_88 + w_91 * w_119) + w_123) / w_58,
+                    -(w_125 / w_58),
                 ],
                 [
                     w_62 * sqrt_w_67 / w_67,
                     w_65 * sqrt_w_67 / w_67,
                     c1_on_platform_z * sqrt_w_67 / w_67,
-                    (w_62 * (platform_q0 * w_127 - w_64 * w_77)
-                        + w_65 * (platform_q0 * w_128 + w_60 * w_77) - w_130) * w_131
+                    (w_62 * (platform_q0 * w_11_squared * w_126 - w_64 * w_77)
+                        + w_65 * (platform_q0 * w_11_squared * w_127 + w_60 * w_77)
+                        - w_128) * w_129 / w_67,
+                    w_129
+                        * (w_62 * (w_82 * w_126 + w_64 * w_83)
+                            + w_65 * (w_60 * w_83 - w_63 * w_84 - w_61 * w_86) + w_130)
                         / w_67,
-                    w_131
-                        * (w_62 * (platform_q1 * w_127 + w_64 * w_82)
-                            + w_65 * (w_60 * w_82 - w_63 * w_83 - w_61 * w_85) + w_132)
-                        / w_67,
-                    w_131
-                        * (w_62 * (w_64 * w_87 - w_63 * w_89 - w_61 * w_90)
-                            + w_65 * (platform_q2 * w_128 + w_60 * w_87) + w_133) / w_67,
-                    -(w_135 / w_67),
+                    w_129
+                        * (w_62 * (w_64 * w_88 - w_63 * w_90 - w_61 * w_92)
+                            + w_65 * (w_60 * w_88 + w_91 * w_127) + w_131) / w_67,
+                    -(w_133 / w_67),
                 ],
                 [
                     w_70 * sqrt_w_75 / w_75,
                     w_73 * sqrt_w_75 / w_75,
                     c2_on_platform_z * sqrt_w_75 / w_75,
-                    (w_70 * (platform_q0 * w_136 - w_72 * w_77)
-                        + w_73 * (platform_q0 * w_137 + w_68 * w_77) - w_139) * w_140
+                    (w_70 * (platform_q0 * w_11_squared * w_134 - w_72 * w_77)
+                        + w_73 * (platform_q0 * w_11_squared * w_135 + w_68 * w_77)
+                        - w_136) * w_137 / w_75,
+                    w_137
+                        * (w_70 * (w_82 * w_134 + w_72 * w_83)
+                            + w_73 * (w_68 * w_83 - w_71 * w_84 - w_69 * w_86) + w_138)
                         / w_75,
-                    w_140
-                        * (w_70 * (platform_q1 * w_136 + w_72 * w_82)
-                            + w_73 * (w_68 * w_82 - w_71 * w_83 - w_69 * w_85) + w_141)
-                        / w_75,
-                    w_140
-                        * (w_70 * (w_72 * w_87 - w_71 * w_89 - w_69 * w_90)
-                            + w_73 * (platform_q2 * w_137 + w_68 * w_87) + w_142) / w_75,
-                    -(w_144 / w_75),
+                    w_137
+                        * (w_70 * (w_72 * w_88 - w_71 * w_90 - w_69 * w_92)
+                            + w_73 * (w_68 * w_88 + w_91 * w_135) + w_139) / w_75,
+                    -(w_141 / w_75),
                 ],
             ],
             time_derivative: [
                 S::from_f64(0.0),
-                -(cos_w_2 * (w_145 + w_146)),
-                w_147 - w_148,
-                -(w_148 + w_147),
-                w_149 - w_148,
-                -(w_148 + w_149),
-                w_146 * cos_w_9 - w_148,
+                -(cos_w_2 * (w_142 + w_143)),
+                w_144 - w_145,
+                -(w_145 + w_144),
+                w_146 - w_145,
+                -(w_145 + w_146),
+                w_143 * cos_w_9 - w_145,
             ],
         }
     }
@@ -3623,9 +3618,9 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w = self.w * t;
         let ([_, _, _, _], [cos_w, w_2, w_3, w_4]) = S::sin_cos_each([
             w,
-            S::from_f64(0.6666666666666666) * S::from_f64(::core::f64::consts::PI) + w,
-            S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333) + w,
-            S::from_f64(::core::f64::consts::PI) * S::from_f64(2.0) + w,
+            w + S::from_f64(0.6666666666666666) * S::from_f64(::core::f64::consts::PI),
+            w + S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333),
+            w + S::from_f64(::core::f64::consts::PI) * S::from_f64(2.0),
         ]);
         let w_5 = self.heave * self.w;
         let w_6 = self.w * self.sway;
@@ -3721,20 +3716,20 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         platform_q3] = *q;
         let w = S::from_f64(0.3333333333333333) * S::from_f64(::core::f64::consts::PI);
         let a1_head_angle = w - self.head;
+        let a2_head_angle = w + self.head;
         let w_2 = S::from_f64(::core::f64::consts::PI) * S::from_f64(0.6666666666666666);
         let a2_foot_angle = w_2 - self.foot;
-        let a2_head_angle = w + self.head;
         let b1_foot_angle = w_2 + self.foot;
         let b1_head_angle = S::from_f64(::core::f64::consts::PI) - self.head;
         let w_3 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.3333333333333333);
         let b2_foot_angle = w_3 - self.foot;
-        let b2_head_angle = S::from_f64(::core::f64::consts::PI) + self.head;
         let c1_foot_angle = w_3 + self.foot;
+        let b2_head_angle = S::from_f64(::core::f64::consts::PI) + self.head;
         let w_4 = S::from_f64(::core::f64::consts::PI) * S::from_f64(1.6666666666666667);
         let c1_head_angle = w_4 - self.head;
+        let c2_head_angle = w_4 + self.head;
         let c2_foot_angle = S::from_f64(2.0) * S::from_f64(::core::f64::consts::PI)
             - self.foot;
-        let c2_head_angle = w_4 + self.head;
         let (
             [sin_foot,
             sin_a1_head_angle,
@@ -3786,57 +3781,57 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
                 + platform_q3_squared);
         let w_6 = S::from_f64(2.0) * w_5;
         let w_7 = (platform_q2_squared + platform_q3_squared) * w_6 - S::from_f64(1.0);
+        let w_15 = w_6 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let w_8 = self.r * S::from_f64(2.0);
         let w_9 = sin_a1_head_angle * w_8;
         let w_10 = platform_q1 * platform_q2;
         let w_11 = platform_q0 * platform_q3;
         let w_12 = w_5 * (w_10 - w_11);
+        let w_14 = w_5 * (w_10 + w_11);
         let a1_on_platform_x = platform_x - w_7 * self.r * cos_a1_head_angle
             + w_9 * w_12;
         let w_13 = cos_a1_head_angle * w_8;
-        let w_14 = w_5 * (w_10 + w_11);
-        let w_15 = w_6 * (platform_q1_squared + platform_q3_squared) - S::from_f64(1.0);
         let a1_on_platform_y = platform_y + w_13 * w_14
             - w_15 * self.r * sin_a1_head_angle;
         let w_16 = platform_q1 * platform_q3 - platform_q0 * platform_q2;
         let w_17 = platform_q2 * platform_q3 + platform_q0 * platform_q1;
-        let a1_on_platform_z = w_5 * (w_13 * w_16 + w_9 * w_17) + platform_z;
+        let a1_on_platform_z = platform_z + w_5 * (w_13 * w_16 + w_9 * w_17);
         let a2_on_ground_x = self.R * cos_a2_foot_angle;
         let a2_on_ground_y = self.R * sin_a2_foot_angle;
         let w_18 = w_8 * sin_a2_head_angle;
         let a2_on_platform_x = platform_x - w_7 * self.r * cos_a2_head_angle
             + w_12 * w_18;
         let w_19 = w_8 * cos_a2_head_angle;
+        let a2_on_platform_z = platform_z + w_5 * (w_16 * w_19 + w_17 * w_18);
         let a2_on_platform_y = platform_y + w_14 * w_19
             - w_15 * self.r * sin_a2_head_angle;
-        let a2_on_platform_z = w_5 * (w_16 * w_19 + w_17 * w_18) + platform_z;
         let b1_on_ground_x = self.R * cos_b1_foot_angle;
         let b1_on_ground_y = self.R * sin_b1_foot_angle;
         let w_20 = w_8 * sin_b1_head_angle;
         let b1_on_platform_x = platform_x - w_7 * self.r * cos_b1_head_angle
             + w_12 * w_20;
         let w_21 = w_8 * cos_b1_head_angle;
+        let b1_on_platform_z = platform_z + w_5 * (w_16 * w_21 + w_17 * w_20);
         let b1_on_platform_y = platform_y + w_14 * w_21
             - w_15 * self.r * sin_b1_head_angle;
-        let b1_on_platform_z = w_5 * (w_16 * w_21 + w_17 * w_20) + platform_z;
         let b2_on_ground_x = self.R * cos_b2_foot_angle;
         let b2_on_ground_y = self.R * sin_b2_foot_angle;
         let w_22 = w_8 * sin_b2_head_angle;
         let b2_on_platform_x = platform_x - w_7 * self.r * cos_b2_head_angle
             + w_12 * w_22;
         let w_23 = w_8 * cos_b2_head_angle;
+        let b2_on_platform_z = platform_z + w_5 * (w_16 * w_23 + w_17 * w_22);
         let b2_on_platform_y = platform_y + w_14 * w_23
             - w_15 * self.r * sin_b2_head_angle;
-        let b2_on_platform_z = w_5 * (w_16 * w_23 + w_17 * w_22) + platform_z;
         let c1_on_ground_x = self.R * cos_c1_foot_angle;
         let c1_on_ground_y = self.R * sin_c1_foot_angle;
         let w_24 = w_8 * sin_c1_head_angle;
         let c1_on_platform_x = platform_x - w_7 * self.r * cos_c1_head_angle
             + w_12 * w_24;
         let w_25 = w_8 * cos_c1_head_angle;
+        let c1_on_platform_z = platform_z + w_5 * (w_16 * w_25 + w_17 * w_24);
         let c1_on_platform_y = platform_y + w_14 * w_25
             - w_15 * self.r * sin_c1_head_angle;
-        let c1_on_platform_z = w_5 * (w_16 * w_25 + w_17 * w_24) + platform_z;
         let c2_on_ground_x = self.R * cos_c2_foot_angle;
         let c2_on_ground_y = self.R * sin_c2_foot_angle;
         let w_26 = w_8 * sin_c2_head_angle;
@@ -3845,7 +3840,7 @@ impl<S: sim_kernel::Scalar> Stewart<S> {
         let w_27 = w_8 * cos_c2_head_angle;
         let c2_on_platform_y = platform_y + w_14 * w_27
             - w_15 * self.r * sin_c2_head_angle;
-        let c2_on_platform_z = w_5 * (w_16 * w_27 + w_17 * w_26) + platform_z;
+        let c2_on_platform_z = platform_z + w_5 * (w_16 * w_27 + w_17 * w_26);
         [
             a1_on_ground_x,
             a1_on_ground_y,
@@ -3972,7 +3967,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 1326 additions, 2004 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
+    /// Operations: 1358 additions, 2056 multiplications, 78 divisions, 4 sine-cosine pairs, 6 square roots.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -3984,12 +3979,12 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         platform_q3] = *q;
         let [platform_x_dot, platform_y_dot, platform_z_dot, platform_q0_dot,
         platform_q1_dot, platform_q2_dot, platform_q3_dot] = *qd;
-        let platform_q0_squared = platform_q0 * platform_q0;
         let platform_q1_squared = platform_q1 * platform_q1;
+        let platform_q0_squared = platform_q0 * platform_q0;
         let platform_q2_squared = platform_q2 * platform_q2;
         let platform_q3_squared = platform_q3 * platform_q3;
         let w = S::from_f64(1.0)
-            / (platform_q0_squared + platform_q1_squared + platform_q2_squared
+            / (platform_q1_squared + platform_q0_squared + platform_q2_squared
                 + platform_q3_squared);
         let w_squared = w * w;
         let w_2 = platform_q0 * platform_q2_dot;
@@ -3997,6 +3992,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let w_4 = platform_q3 * platform_q1_dot;
         let w_5 = platform_q1 * platform_q3_dot;
         let w_6 = w_2 - w_3 - w_4 + w_5;
+        let w_97 = w_2 + w_3 - w_4 - w_5;
         let w_7 = platform_q0 * platform_q3_dot;
         let w_8 = platform_q3 * platform_q0_dot;
         let w_9 = platform_q1 * platform_q2_dot;
@@ -4007,17 +4003,20 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let w_14 = platform_q2 * platform_q3_dot;
         let w_15 = platform_q3 * platform_q2_dot;
         let w_16 = w_12 - w_13 - w_14 + w_15;
+        let w_96 = w_12 + w_13 + w_14 + w_15;
         let w_17 = platform_q1 * platform_q1_dot;
         let w_18 = platform_q2 * platform_q2_dot;
         let w_19 = platform_q3 * platform_q3_dot;
         let w_20 = platform_q0 * platform_q0_dot + w_17 + w_18 + w_19;
+        let w_84 = w_18 + w_19;
+        let w_93 = w_17 + w_19;
         let w_21 = self.A * w_20;
         let w_22 = w_squared * (w_6 * w_11 * self.k_45 - w_16 * w_21);
         let w_23 = w_squared * (w_11 * w_16 * self.k_46 - w_6 * w_21);
+        let w_27 = w_11 * self.k_47;
         let w_24 = w * w_squared;
         let w_25 = w_20 * w_24;
         let w_26 = platform_q3 * w_25;
-        let w_27 = w_11 * self.k_47;
         let w_28 = platform_q0_dot * platform_q0_dot + platform_q1_dot * platform_q1_dot
             + platform_q2_dot * platform_q2_dot + platform_q3_dot * platform_q3_dot;
         let w_29 = self.k_3 * w_28;
@@ -4026,12 +4025,15 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - platform_q0 * w_29;
         let w_30 = platform_q2 * w_25;
         let w_31 = self.k_3 - w_squared * self.k;
-        let w_32 = platform_q2 * platform_q3;
+        let w_32 = platform_q2 * w_squared;
         let mass_platform_q1_platform_q0 = platform_q1 * platform_q0 * w_31
-            + w_squared * self.k_4 * w_32;
+            + platform_q3 * self.k_4 * w_32;
         let w_33 = self.k * (platform_q1_squared + platform_q2_squared);
         let mass_platform_q0_platform_q0 = w_squared
             * (w_33 + platform_q3_squared * self.k_2) + platform_q0_squared * self.k_3;
+        let mass_platform_q3_platform_q3 = w_squared
+            * (w_33 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
+        let w_36 = self.k * (platform_q0_squared + platform_q3_squared);
         let inverse_platform_q0 = S::from_f64(1.0) / mass_platform_q0_platform_q0;
         let l_platform_q1_platform_q0 = mass_platform_q1_platform_q0
             * inverse_platform_q0;
@@ -4039,25 +4041,27 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             * (platform_q3 * w_23 - platform_q0 * w_22) + w_27 * w_30
             - platform_q1 * w_29 - rhs_platform_q0 * l_platform_q1_platform_q0;
         let w_34 = self.k_3 - w_squared * self.k_2;
-        let mass_platform_q3_platform_q0 = platform_q0 * platform_q3 * w_34;
+        let w_35 = platform_q0 * platform_q3;
+        let mass_platform_q3_platform_q0 = w_34 * w_35;
         let l_platform_q3_platform_q0 = mass_platform_q3_platform_q0
             * inverse_platform_q0;
-        let w_35 = self.k * (platform_q0_squared + platform_q3_squared);
         let mass_platform_q1_platform_q1 = w_squared
-            * (w_35 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
+            * (w_36 + platform_q2_squared * self.k_2) + platform_q1_squared * self.k_3;
+        let mass_platform_q2_platform_q2 = w_squared
+            * (w_36 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
+        let w_42 = platform_q2_squared + platform_q3_squared;
+        let w_51 = platform_q1_squared + platform_q3_squared;
         let pivot_platform_q1 = mass_platform_q1_platform_q1
             - mass_platform_q1_platform_q0 * l_platform_q1_platform_q0;
         let inverse_platform_q1 = S::from_f64(1.0) / pivot_platform_q1;
-        let w_36 = platform_q0 * platform_q2;
-        let k_platform_q3_platform_q1 = platform_q1 * platform_q3 * w_31
-            + w_squared * self.k_5 * w_36
+        let w_37 = platform_q1 * platform_q3;
+        let k_platform_q3_platform_q1 = w_31 * w_37 + platform_q0 * w_32 * self.k_5
             - mass_platform_q1_platform_q0 * l_platform_q3_platform_q0;
         let l_platform_q3_platform_q1 = inverse_platform_q1 * k_platform_q3_platform_q1;
-        let mass_platform_q2_platform_q2 = w_squared
-            * (w_35 + platform_q1_squared * self.k_2) + platform_q2_squared * self.k_3;
-        let w_37 = platform_q1 * platform_q3;
-        let mass_platform_q2_platform_q0 = w_squared * (self.k_5 * w_37 - self.k * w_36)
-            + self.k_3 * w_36;
+        let w_38 = platform_q1 * w_squared;
+        let w_39 = platform_q0 * platform_q2;
+        let w_54 = w_37 - w_39;
+        let mass_platform_q2_platform_q0 = platform_q3 * self.k_5 * w_38 + w_31 * w_39;
         let l_platform_q2_platform_q0 = mass_platform_q2_platform_q0
             * inverse_platform_q0;
         let k_platform_q2_platform_q1 = platform_q1 * platform_q2 * w_34
@@ -4067,14 +4071,15 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - mass_platform_q2_platform_q0 * l_platform_q2_platform_q0
             - k_platform_q2_platform_q1 * l_platform_q2_platform_q1;
         let inverse_platform_q2 = S::from_f64(1.0) / pivot_platform_q2;
-        let w_38 = platform_q1 * platform_q0;
-        let k_platform_q3_platform_q2 = w_squared * (self.k_4 * w_38 - self.k * w_32)
-            + self.k_3 * w_32 - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
+        let w_40 = platform_q2 * platform_q3;
+        let k_platform_q3_platform_q2 = platform_q0 * self.k_4 * w_38 + w_31 * w_40
+            - mass_platform_q2_platform_q0 * l_platform_q3_platform_q0
             - k_platform_q2_platform_q1 * l_platform_q3_platform_q1;
+        let w_55 = w_40 + platform_q1 * platform_q0;
         let l_platform_q3_platform_q2 = inverse_platform_q2 * k_platform_q3_platform_q2;
-        let w_39 = platform_q1 * w_25;
+        let w_41 = platform_q1 * w_25;
         let minus_rhs_platform_q2 = S::from_f64(8.0) * w
-            * (platform_q3 * w_22 + platform_q0 * w_23) + w_27 * w_39
+            * (platform_q3 * w_22 + platform_q0 * w_23) + w_27 * w_41
             + platform_q2 * w_29 + rhs_platform_q0 * l_platform_q2_platform_q0
             + l_platform_q2_platform_q1 * rhs_platform_q1;
         let rhs_platform_q3 = S::from_f64(8.0) * w
@@ -4082,6 +4087,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - platform_q3 * w_29 - rhs_platform_q0 * l_platform_q3_platform_q0
             - l_platform_q3_platform_q1 * rhs_platform_q1
             + l_platform_q3_platform_q2 * minus_rhs_platform_q2;
+        let w_129 = S::from_f64(4.0) * w_25;
         let platform_norm_by_platform_q0 = platform_q0 * S::from_f64(2.0);
         let l_lambda_platform_norm_platform_q0 = platform_norm_by_platform_q0
             * inverse_platform_q0;
@@ -4094,8 +4100,6 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_platform_q2_platform_q1 * l_lambda_platform_norm_platform_q1;
         let l_lambda_platform_norm_platform_q2 = inverse_platform_q2
             * k_lambda_platform_norm_platform_q2;
-        let mass_platform_q3_platform_q3 = w_squared
-            * (w_33 + platform_q0_squared * self.k_2) + platform_q3_squared * self.k_3;
         let pivot_platform_q3 = mass_platform_q3_platform_q3
             - mass_platform_q3_platform_q0 * l_platform_q3_platform_q0
             - k_platform_q3_platform_q1 * l_platform_q3_platform_q1
@@ -4112,224 +4116,211 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - rhs_platform_q0 * l_lambda_platform_norm_platform_q0
             - l_lambda_platform_norm_platform_q1 * rhs_platform_q1
             - l_lambda_platform_norm_platform_q3 * rhs_platform_q3;
-        let w_40 = platform_q2_squared + platform_q3_squared;
-        let w_41 = w * S::from_f64(2.0);
-        let w_42 = w_40 * w_41 - S::from_f64(1.0);
-        let w_43 = platform_q1 * platform_q2;
-        let w_44 = platform_q0 * platform_q3;
-        let w_45 = w_43 - w_44;
-        let w_46 = w * w_45;
-        let w_47 = platform_x - self.k_6 - w_42 * self.k_7 + self.k_8 * w_46;
-        let w_48 = w_43 + w_44;
-        let w_49 = w * w_48;
-        let w_50 = platform_q1_squared + platform_q3_squared;
-        let w_51 = w_41 * w_50 - S::from_f64(1.0);
-        let w_52 = platform_y - self.k_9 + self.k_10 * w_49 - w_51 * self.k_11;
-        let w_53 = w_37 - w_36;
-        let w_54 = w_32 + w_38;
-        let w_55 = self.k_10 * w_53 + self.k_8 * w_54;
-        let a1_on_platform_z = w * w_55 + platform_z;
-        let w_56 = w_47 * w_47 + w_52 * w_52 + a1_on_platform_z * a1_on_platform_z;
-        let sqrt_w_56 = w_56.sqrt();
-        let w_57 = S::from_f64(2.0) * sqrt_w_56;
-        let w_58 = platform_q1 * w;
-        let w_59 = w_squared * w_40;
-        let w_60 = w - w_59;
+        let w_43 = w * S::from_f64(2.0);
+        let w_44 = w_42 * w_43 - S::from_f64(1.0);
+        let w_52 = w_43 * w_51 - S::from_f64(1.0);
+        let w_45 = platform_q1 * platform_q2;
+        let w_46 = w_45 - w_35;
+        let w_49 = w_45 + w_35;
+        let w_47 = w * w_46;
+        let w_48 = platform_x - self.k_6 - w_44 * self.k_7 + self.k_8 * w_47;
+        let w_50 = w * w_49;
+        let w_53 = platform_y - self.k_9 + self.k_10 * w_50 - w_52 * self.k_11;
+        let w_56 = self.k_10 * w_54 + self.k_8 * w_55;
+        let a1_on_platform_z = platform_z + w * w_56;
+        let w_57 = w_48 * w_48 + w_53 * w_53 + a1_on_platform_z * a1_on_platform_z;
+        let sqrt_w_57 = w_57.sqrt();
+        let w_58 = S::from_f64(2.0) * sqrt_w_57;
+        let w_59 = platform_q1 * w;
+        let w_60 = w - w_squared * w_42;
         let w_61 = platform_q2 * w_60;
-        let w_62 = w_squared * w_45;
-        let w_63 = platform_q2 * w_62;
-        let w_64 = self.k_11 * w_58 - self.k_10 * w_61 - self.k_8 * w_63;
-        let w_65 = w_squared * (self.k_8 * w_50 - w_48 * self.k_10);
-        let w_66 = platform_q2 * w_65 + self.k_7 * w_58;
-        let w_67 = w_squared * w_55;
-        let w_68 = w * (platform_q3 * self.k_11 - platform_q0 * self.k_7)
-            - platform_q2 * w_67;
-        let w_69 = w_47 * w_64 + w_52 * w_66 + a1_on_platform_z * w_68;
-        let w_70 = w_squared * (w_40 * self.k_10 - w_45 * self.k_8);
-        let w_71 = platform_q3 * w;
-        let w_72 = platform_q0 * w_70 - self.k_11 * w_71;
-        let w_73 = platform_q0 * w_65 + self.k_7 * w_71;
-        let w_74 = platform_q0 * w_67
-            + w * (platform_q2 * self.k_7 - platform_q1 * self.k_11);
-        let w_75 = w_47 * w_72 + w_52 * w_73 - a1_on_platform_z * w_74;
-        let a1_leg_by_platform_q0 = w_75 * w_57 / w_56;
+        let w_62 = w_32 * w_46;
+        let w_63 = self.k_11 * w_59 - self.k_10 * w_61 - self.k_8 * w_62;
+        let w_64 = self.k_8 * w_51 - w_49 * self.k_10;
+        let w_65 = self.k_7 * w_59 + w_32 * w_64;
+        let w_66 = w * (platform_q3 * self.k_11 - platform_q0 * self.k_7) - w_32 * w_56;
+        let w_67 = w_48 * w_63 + w_53 * w_65 + a1_on_platform_z * w_66;
+        let w_68 = w_42 * self.k_10 - w_46 * self.k_8;
+        let w_69 = platform_q3 * w;
+        let w_70 = platform_q0 * w_squared * w_68 - self.k_11 * w_69;
+        let w_71 = platform_q0 * w_squared * w_64 + self.k_7 * w_69;
+        let w_72 = platform_q0 * w_squared;
+        let w_73 = w * (platform_q2 * self.k_7 - platform_q1 * self.k_11) + w_56 * w_72;
+        let w_74 = w_48 * w_70 + w_53 * w_71 - a1_on_platform_z * w_73;
+        let a1_leg_by_platform_q0 = w_74 * w_58 / w_57;
         let l_lambda_a1_leg_platform_q0 = a1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_76 = platform_q2 * w;
-        let w_77 = platform_q1 * w_70 + self.k_11 * w_76;
-        let w_78 = w_squared * w_48;
+        let w_75 = platform_q2 * w;
+        let w_76 = w_38 * w_68 + self.k_11 * w_75;
+        let w_77 = w_38 * w_49;
+        let w_78 = w - w_squared * w_51;
         let w_79 = platform_q1 * w_78;
-        let w_80 = w_squared * w_50;
-        let w_81 = w - w_80;
-        let w_82 = platform_q1 * w_81;
-        let w_83 = self.k_7 * w_76 - self.k_10 * w_79 - self.k_8 * w_82;
-        let w_84 = w * (platform_q3 * self.k_7 + platform_q0 * self.k_11)
-            - platform_q1 * w_67;
-        let w_85 = w_47 * w_77 + w_52 * w_83 + a1_on_platform_z * w_84;
-        let k_lambda_a1_leg_platform_q1 = w_57 * w_85 / w_56
+        let w_80 = self.k_7 * w_75 - self.k_10 * w_77 - self.k_8 * w_79;
+        let w_81 = w * (platform_q3 * self.k_7 + platform_q0 * self.k_11) - w_38 * w_56;
+        let w_82 = w_48 * w_76 + w_53 * w_80 + a1_on_platform_z * w_81;
+        let k_lambda_a1_leg_platform_q1 = w_58 * w_82 / w_57
             - mass_platform_q1_platform_q0 * l_lambda_a1_leg_platform_q0;
         let l_lambda_a1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a1_leg_platform_q1;
-        let k_lambda_a1_leg_platform_q2 = w_57 * w_69 / w_56
+        let k_lambda_a1_leg_platform_q2 = w_58 * w_67 / w_57
             - mass_platform_q2_platform_q0 * l_lambda_a1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a1_leg_platform_q1;
         let l_lambda_a1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a1_leg_platform_q2;
-        let w_86 = w_18 + w_19;
-        let w_87 = w_59 * w_20 - w * w_86;
-        let w_88 = w_62 * w_20;
-        let w_89 = w_7 + w_8 - w_9 - w_10;
-        let w_90 = w * w_89;
-        let w_91 = platform_x_dot + w_87 * self.k_48 - self.k_49 * w_88
-            - self.k_8 * w_90;
-        let w_92 = w_7 + w_8 + w_9 + w_10;
-        let w_93 = w * w_92;
-        let w_94 = w_78 * w_20;
-        let w_95 = w_17 + w_19;
-        let w_96 = w_80 * w_20 - w * w_95;
-        let w_97 = platform_y_dot + self.k_10 * w_93 - self.k_48 * w_94
-            + self.k_49 * w_96;
-        let w_98 = w_12 + w_13 + w_14 + w_15;
-        let w_99 = w_2 + w_3 - w_4 - w_5;
-        let w_100 = w * (self.k_8 * w_98 - self.k_10 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_48 + w_54 * self.k_49) + platform_z_dot;
-        let w_101 = w_47 * w_91 + w_52 * w_97 + a1_on_platform_z * w_100;
-        let w_102 = platform_q0 * w;
-        let w_103 = platform_q3 * w_60;
-        let w_104 = platform_q3 * w_62;
-        let w_105 = self.k_11 * w_102 + self.k_10 * w_103 + self.k_8 * w_104;
-        let w_106 = platform_q3 * w_78;
-        let w_107 = platform_q3 * w_81;
-        let w_108 = self.k_7 * w_102 - self.k_10 * w_106 - self.k_8 * w_107;
+        let w_83 = w_squared * w_20;
+        let w_85 = w_42 * w_83 - w * w_84;
+        let w_86 = w_46 * w_83;
+        let w_87 = w_7 + w_8 - w_9 - w_10;
+        let w_90 = w_7 + w_8 + w_9 + w_10;
+        let w_88 = w * w_87;
+        let w_89 = platform_x_dot + w_85 * self.k_48 - self.k_49 * w_86
+            - self.k_8 * w_88;
+        let w_91 = w * w_90;
+        let w_92 = w_49 * w_83;
+        let w_94 = w_51 * w_83 - w * w_93;
+        let w_95 = platform_y_dot + self.k_10 * w_91 - self.k_48 * w_92
+            + self.k_49 * w_94;
+        let w_98 = self.k_8 * w_96 - self.k_10 * w_97;
+        let w_99 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_48 + w_55 * self.k_49) + w * w_98;
+        let w_100 = w_48 * w_89 + w_53 * w_95 + a1_on_platform_z * w_99;
+        let w_101 = platform_q0 * w;
+        let w_102 = platform_q3 * w_60;
+        let w_103 = platform_q3 * w_squared;
+        let w_104 = w_46 * w_103;
+        let w_105 = self.k_11 * w_101 + self.k_10 * w_102 + self.k_8 * w_104;
+        let w_106 = w_49 * w_103;
+        let w_107 = platform_q3 * w_78;
+        let w_108 = self.k_7 * w_101 - self.k_10 * w_106 - self.k_8 * w_107;
         let w_109 = w * (platform_q2 * self.k_11 + platform_q1 * self.k_7)
-            - platform_q3 * w_67;
-        let w_110 = w_47 * w_105 - w_52 * w_108 - a1_on_platform_z * w_109;
-        let w_56_squared = w_56 * w_56;
-        let w_111 = w_101
-            * ((w_110 * platform_q3_dot - w_75 * platform_q0_dot - w_85 * platform_q1_dot
-                - w_69 * platform_q2_dot) / w_56_squared);
-        let w_112 = platform_q3 * w_20;
-        let w_113 = platform_q0 * w_89 - w_45 * platform_q0_dot + w_112;
-        let w_114 = w_40 * platform_q0_dot;
-        let w_115 = platform_q0 * w_86;
-        let w_116 = w_20 * w_24 * (w_45 * self.k_51 - w_40 * self.k_50);
-        let w_117 = w * platform_q3_dot;
-        let w_118 = w_50 * platform_q0_dot;
-        let w_119 = w_112 + w_48 * platform_q0_dot + platform_q0 * w_92;
-        let w_120 = platform_q0 * w_95;
-        let w_121 = w_20 * w_24 * (w_48 * self.k_50 - w_50 * self.k_51);
-        let w_122 = w_52
-            * (w_squared * (self.k_8 * w_118 - self.k_10 * w_119 + self.k_49 * w_120)
-                + platform_q0 * w_121 + self.k_7 * w_117);
-        let w_123 = platform_q2 * w_20;
-        let w_124 = w_53 * platform_q0_dot - platform_q0 * w_99 - w_123;
-        let w_125 = platform_q1 * w_20;
-        let w_126 = w_125 + w_54 * platform_q0_dot + platform_q0 * w_98;
-        let w_127 = w_20 * w_24 * (w_53 * self.k_50 + w_54 * self.k_51);
-        let w_128 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_124 + self.k_8 * w_126) - platform_q0 * w_127
-                + w * (self.k_7 * platform_q2_dot - self.k_11 * platform_q1_dot));
-        let w_129 = w_72 * w_91
-            + w_47
-                * (w_squared * (self.k_8 * w_113 + self.k_10 * w_114 + self.k_48 * w_115)
-                    + platform_q0 * w_116 - self.k_11 * w_117) + w_73 * w_97 + w_122
-            - w_74 * w_100 - w_128;
-        let w_130 = platform_q1 * w_89 - w_123 - w_45 * platform_q1_dot;
-        let w_131 = w_40 * platform_q1_dot;
-        let w_132 = platform_q1 * w_86;
-        let w_133 = w * platform_q2_dot;
-        let w_134 = w_47
-            * (w_squared * (self.k_8 * w_130 + self.k_10 * w_131 + self.k_48 * w_132)
-                + platform_q1 * w_116 + self.k_11 * w_133);
-        let w_135 = w_squared * (w_123 + w_48 * platform_q1_dot + platform_q1 * w_92);
-        let w_136 = w_48 * w_39;
-        let w_137 = S::from_f64(4.0) * w_25;
-        let w_138 = w_50 * w_137 - S::from_f64(2.0) * w_squared * (w_20 + w_95);
-        let w_139 = platform_q1 * w_138 + w_81 * platform_q1_dot;
-        let w_140 = platform_q1 * w_99 - w_112 - w_53 * platform_q1_dot;
-        let w_141 = platform_q0 * w_20;
-        let w_142 = w_141 + w_54 * platform_q1_dot + platform_q1 * w_98;
-        let w_143 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_140 - self.k_8 * w_142)
-                + w * (self.k_7 * platform_q3_dot + self.k_11 * platform_q0_dot)
-                + platform_q1 * w_127);
-        let w_144 = w_77 * w_91 + w_134 + w_83 * w_97
-            + w_52
-                * (self.k_7 * w_133 - self.k_10 * w_135 + self.k_50 * w_136
-                    - self.k_8 * w_139) + w_84 * w_100 + w_143;
-        let w_145 = w_squared * (platform_q2 * w_89 - w_125 - w_45 * platform_q2_dot);
-        let w_146 = w * platform_q1_dot;
-        let w_147 = w_40 * w_137 - S::from_f64(2.0) * w_squared * (w_20 + w_86);
-        let w_148 = platform_q2 * w_147 + w_60 * platform_q2_dot;
-        let w_149 = w_45 * w_30;
-        let w_150 = w_50 * platform_q2_dot;
-        let w_151 = w_125 + w_48 * platform_q2_dot + platform_q2 * w_92;
-        let w_152 = platform_q2 * w_95;
-        let w_153 = w_52
-            * (w_squared * (self.k_8 * w_150 - self.k_10 * w_151 + self.k_49 * w_152)
-                + platform_q2 * w_121 + self.k_7 * w_146);
-        let w_154 = platform_q2 * w_99 - w_53 * platform_q2_dot + w_141;
-        let w_155 = w_112 + w_54 * platform_q2_dot + platform_q2 * w_98;
-        let w_156 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_154 - self.k_8 * w_155)
-                + w * (self.k_11 * platform_q3_dot - self.k_7 * platform_q0_dot)
-                + platform_q2 * w_127);
-        let w_157 = w_64 * w_91
-            + w_47
-                * (self.k_8 * w_145 + self.k_11 * w_146 - self.k_10 * w_148
-                    + self.k_51 * w_149) + w_66 * w_97 + w_153 + w_68 * w_100 + w_156;
-        let w_158 = w_squared * (w_45 * platform_q3_dot - w_141 - platform_q3 * w_89);
-        let w_159 = w * platform_q0_dot;
-        let w_160 = platform_q3 * w_147 + w_60 * platform_q3_dot;
-        let w_161 = w_45 * w_26;
-        let w_162 = w_squared * (w_141 + w_48 * platform_q3_dot + platform_q3 * w_92);
-        let w_163 = w_48 * w_26;
-        let w_164 = platform_q3 * w_138 + w_81 * platform_q3_dot;
-        let w_165 = w_52
-            * (self.k_7 * w_159 - self.k_10 * w_162 + self.k_50 * w_163
-                - self.k_8 * w_164);
-        let w_166 = platform_q3 * w_99 - w_125 - w_53 * platform_q3_dot;
-        let w_167 = w_123 + w_54 * platform_q3_dot + platform_q3 * w_98;
-        let w_168 = a1_on_platform_z
-            * (w_squared * (self.k_10 * w_166 - self.k_8 * w_167)
-                + w * (self.k_11 * platform_q2_dot + self.k_7 * platform_q1_dot)
-                + platform_q3 * w_127);
-        let w_169 = w_105 * w_91
-            + w_47
-                * (self.k_8 * w_158 + self.k_11 * w_159 + self.k_10 * w_160
-                    - self.k_51 * w_161) - w_108 * w_97 - w_165 - w_109 * w_100 - w_168;
-        let w_170 = S::from_f64(2.0)
-            * (w_111
-                + (platform_q0_dot * w_129 + platform_q1_dot * w_144
-                    + platform_q2_dot * w_157 - platform_q3_dot * w_169) / w_56);
-        let w_171 = w_170
-            + (platform_x_dot * w_91 + platform_y_dot * w_97 + platform_z_dot * w_100)
-                / w_56
-            - w_101
-                * ((w_47 * platform_x_dot + w_52 * platform_y_dot
-                    + a1_on_platform_z * platform_z_dot) / w_56_squared);
-        let w_172 = self.w * t;
-        let w_173 = self.k_12 + w_172;
-        let w_174 = self.k_25 + w_172;
-        let w_175 = self.k_38 + w_172;
-        let (
-            [sin_w_172,
-            sin_w_173,
-            sin_w_174,
-            sin_w_175,
-            ],
-            [cos_w_172,
-            cos_w_173,
-            cos_w_174,
-            cos_w_175,
-            ],
-        ) = S::sin_cos_each([w_172, w_173, w_174, w_175]);
-        let minus_k_lambda_a1_leg_platform_q3 = w_57 * w_110 / w_56
+            - w_56 * w_103;
+        let w_110 = w_48 * w_105 - w_53 * w_108 - a1_on_platform_z * w_109;
+        let minus_k_lambda_a1_leg_platform_q3 = w_58 * w_110 / w_57
             + mass_platform_q3_platform_q0 * l_lambda_a1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a1_leg_platform_q2;
+        let w_57_squared = w_57 * w_57;
+        let w_111 = w_100
+            * ((w_110 * platform_q3_dot - w_74 * platform_q0_dot - w_82 * platform_q1_dot
+                - w_67 * platform_q2_dot) / w_57_squared);
+        let w_112 = w_84 * self.k_48 + self.k_8 * w_87;
+        let w_113 = platform_q3 * w_20;
+        let w_114 = w_46 * self.k_51 - w_42 * self.k_50;
+        let w_115 = w * platform_q3_dot;
+        let w_116 = w_48
+            * (w_squared
+                * (platform_q0 * w_112 + w_68 * platform_q0_dot + self.k_8 * w_113)
+                + platform_q0 * w_20 * w_24 * w_114 - self.k_11 * w_115);
+        let w_117 = w_113 + platform_q0 * w_90;
+        let w_118 = platform_q0 * w_93;
+        let w_119 = w_49 * self.k_50 - w_51 * self.k_51;
+        let w_120 = w_53
+            * (w_squared
+                * (w_64 * platform_q0_dot - self.k_10 * w_117 + self.k_49 * w_118)
+                + platform_q0 * w_20 * w_24 * w_119 + self.k_7 * w_115);
+        let w_121 = w_squared
+            * (w_20 * (platform_q1 * self.k_8 - platform_q2 * self.k_10)
+                + w_56 * platform_q0_dot + platform_q0 * w_98);
+        let w_122 = w_54 * self.k_50 + w_55 * self.k_51;
+        let w_123 = w_70 * w_89 + w_116 + w_71 * w_95 + w_120 - w_73 * w_99
+            - a1_on_platform_z
+                * (w_121 - platform_q0 * w_20 * w_24 * w_122
+                    + w * (self.k_7 * platform_q2_dot - self.k_11 * platform_q1_dot));
+        let w_124 = platform_q2 * w_20;
+        let w_125 = w * platform_q2_dot;
+        let w_126 = w_48
+            * (w_squared
+                * (w_68 * platform_q1_dot + platform_q1 * w_112 - self.k_8 * w_124)
+                + w_41 * w_114 + self.k_11 * w_125);
+        let w_127 = w_squared * (w_124 + w_49 * platform_q1_dot + platform_q1 * w_90);
+        let w_128 = w_49 * w_41;
+        let w_130 = w_51 * w_129;
+        let w_138 = w_42 * w_129;
+        let w_131 = w_20 + w_93;
+        let w_143 = platform_q2 * w_93;
+        let w_132 = platform_q1 * (w_130 - S::from_f64(2.0) * w_squared * w_131)
+            + w_78 * platform_q1_dot;
+        let w_133 = w * (self.k_7 * platform_q3_dot + self.k_11 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_10 + platform_q0 * self.k_8)
+                    + w_56 * platform_q1_dot + platform_q1 * w_98) + w_41 * w_122;
+        let w_134 = w_76 * w_89 + w_126 + w_80 * w_95
+            + w_53
+                * (self.k_7 * w_125 - self.k_10 * w_127 + self.k_50 * w_128
+                    - self.k_8 * w_132) + w_81 * w_99 + a1_on_platform_z * w_133;
+        let w_135 = platform_q1 * w_20;
+        let w_136 = w_squared * (platform_q2 * w_87 - w_135 - w_46 * platform_q2_dot);
+        let w_142 = w_135 + platform_q2 * w_90;
+        let w_137 = w * platform_q1_dot;
+        let w_144 = w_53
+            * (w_squared
+                * (w_64 * platform_q2_dot - self.k_10 * w_142 + self.k_49 * w_143)
+                + self.k_7 * w_137 + w_30 * w_119);
+        let w_139 = w_20 + w_84;
+        let w_140 = platform_q2 * (w_138 - S::from_f64(2.0) * w_squared * w_139)
+            + w_60 * platform_q2_dot;
+        let w_141 = w_46 * w_30;
+        let w_145 = w_squared
+            * (w_20 * (platform_q0 * self.k_10 - platform_q3 * self.k_8)
+                - w_56 * platform_q2_dot - platform_q2 * w_98)
+            + w * (self.k_11 * platform_q3_dot - self.k_7 * platform_q0_dot)
+            + w_30 * w_122;
+        let w_146 = w_63 * w_89
+            + w_48
+                * (self.k_8 * w_136 + self.k_11 * w_137 - self.k_10 * w_140
+                    + self.k_51 * w_141) + w_65 * w_95 + w_144 + w_66 * w_99
+            + a1_on_platform_z * w_145;
+        let w_157 = w * (self.k_11 * platform_q2_dot + self.k_7 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_8 + platform_q1 * self.k_10)
+                    + w_56 * platform_q3_dot + platform_q3 * w_98) + w_26 * w_122;
+        let w_147 = platform_q0 * w_20;
+        let w_153 = w_squared * (w_147 + w_49 * platform_q3_dot + platform_q3 * w_90);
+        let w_148 = w_squared * (w_46 * platform_q3_dot - w_147 - platform_q3 * w_87);
+        let w_149 = w * platform_q0_dot;
+        let w_150 = w_squared * S::from_f64(2.0);
+        let w_151 = platform_q3 * (w_138 - w_139 * w_150) + w_60 * platform_q3_dot;
+        let w_155 = platform_q3 * (w_130 - w_131 * w_150) + w_78 * platform_q3_dot;
+        let w_152 = w_46 * w_26;
+        let w_154 = w_49 * w_26;
+        let w_156 = w_53
+            * (self.k_7 * w_149 - self.k_10 * w_153 + self.k_50 * w_154
+                - self.k_8 * w_155);
+        let w_158 = w_105 * w_89
+            + w_48
+                * (self.k_8 * w_148 + self.k_11 * w_149 + self.k_10 * w_151
+                    - self.k_51 * w_152) - w_108 * w_95 - w_156 - w_109 * w_99
+            - a1_on_platform_z * w_157;
+        let w_159 = S::from_f64(2.0)
+            * (w_111
+                + (platform_q0_dot * w_123 + platform_q1_dot * w_134
+                    + platform_q2_dot * w_146 - platform_q3_dot * w_158) / w_57);
+        let w_160 = w_159
+            + (platform_x_dot * w_89 + platform_y_dot * w_95 + platform_z_dot * w_99)
+                / w_57
+            - w_100
+                * ((w_48 * platform_x_dot + w_53 * platform_y_dot
+                    + a1_on_platform_z * platform_z_dot) / w_57_squared);
+        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_57 / w_57;
+        let a1_leg_by_platform_x = w_48 * sqrt_w_57 / w_57;
+        let a1_leg_by_platform_y = w_53 * sqrt_w_57 / w_57;
+        let w_161 = self.w * t;
+        let w_162 = self.k_12 + w_161;
+        let w_163 = self.k_25 + w_161;
+        let w_164 = self.k_38 + w_161;
+        let (
+            [sin_w_161,
+            sin_w_162,
+            sin_w_163,
+            sin_w_164,
+            ],
+            [cos_w_161,
+            cos_w_162,
+            cos_w_163,
+            cos_w_164,
+            ],
+        ) = S::sin_cos_each([w_161, w_162, w_163, w_164]);
         let minus_l_lambda_a1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a1_leg_platform_q3;
-        let a1_leg_by_platform_z = a1_on_platform_z * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_z = a1_leg_by_platform_z * self.inverse_platform_x;
         let minus_pivot_lambda_platform_norm = platform_norm_by_platform_q0
             * l_lambda_platform_norm_platform_q0
@@ -4346,131 +4337,142 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let minus_l_lambda_a1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a1_leg_lambda_platform_norm;
         let rhs_lambda_a1_leg = l_lambda_a1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_56 * w_171 + sin_w_172 * self.k_54)
+            - (sqrt_w_57 * w_160 + sin_w_161 * self.k_54)
             - rhs_platform_q0 * l_lambda_a1_leg_platform_q0
             - l_lambda_a1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_a1_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_a1_leg_platform_z
             + minus_l_lambda_a1_leg_lambda_platform_norm * rhs_lambda_platform_norm;
-        let w_176 = platform_x - self.k_13 - w_42 * self.k_14 + w_46 * self.k_15;
-        let w_177 = platform_y - self.k_16 + w_49 * self.k_17 - w_51 * self.k_18;
-        let w_178 = w_53 * self.k_17 + w_54 * self.k_15;
-        let a2_on_platform_z = w * w_178 + platform_z;
-        let w_179 = w_176 * w_176 + w_177 * w_177 + a2_on_platform_z * a2_on_platform_z;
-        let sqrt_w_179 = w_179.sqrt();
-        let w_180 = S::from_f64(2.0) * sqrt_w_179;
-        let w_181 = w_58 * self.k_18 - w_61 * self.k_17 - w_63 * self.k_15;
-        let w_182 = w_squared * (w_50 * self.k_15 - w_48 * self.k_17);
-        let w_183 = platform_q2 * w_182 + w_58 * self.k_14;
-        let w_184 = w_squared * w_178;
-        let w_185 = w * (platform_q3 * self.k_18 - platform_q0 * self.k_14)
-            - platform_q2 * w_184;
-        let w_186 = w_176 * w_181 + w_177 * w_183 + a2_on_platform_z * w_185;
-        let w_187 = w_squared * (w_40 * self.k_17 - w_45 * self.k_15);
-        let w_188 = platform_q0 * w_187 - w_71 * self.k_18;
-        let w_189 = platform_q0 * w_182 + w_71 * self.k_14;
-        let w_190 = platform_q0 * w_184
-            + w * (platform_q2 * self.k_14 - platform_q1 * self.k_18);
-        let w_191 = w_176 * w_188 + w_177 * w_189 - a2_on_platform_z * w_190;
-        let a2_leg_by_platform_q0 = w_191 * w_180 / w_179;
+        let w_165 = platform_x - self.k_13 - w_44 * self.k_14 + w_47 * self.k_15;
+        let w_166 = platform_y - self.k_16 + w_50 * self.k_17 - w_52 * self.k_18;
+        let w_167 = w_54 * self.k_17 + w_55 * self.k_15;
+        let a2_on_platform_z = platform_z + w * w_167;
+        let w_168 = w_165 * w_165 + w_166 * w_166 + a2_on_platform_z * a2_on_platform_z;
+        let sqrt_w_168 = w_168.sqrt();
+        let w_169 = S::from_f64(2.0) * sqrt_w_168;
+        let w_170 = w_59 * self.k_18 - w_61 * self.k_17 - w_62 * self.k_15;
+        let w_171 = w_51 * self.k_15 - w_49 * self.k_17;
+        let w_172 = w_59 * self.k_14 + w_32 * w_171;
+        let w_173 = w * (platform_q3 * self.k_18 - platform_q0 * self.k_14)
+            - w_32 * w_167;
+        let w_174 = w_165 * w_170 + w_166 * w_172 + a2_on_platform_z * w_173;
+        let w_175 = w_42 * self.k_17 - w_46 * self.k_15;
+        let w_176 = platform_q0 * w_squared * w_175 - w_69 * self.k_18;
+        let w_177 = platform_q0 * w_squared * w_171 + w_69 * self.k_14;
+        let w_178 = w * (platform_q2 * self.k_14 - platform_q1 * self.k_18)
+            + w_72 * w_167;
+        let w_179 = w_165 * w_176 + w_166 * w_177 - a2_on_platform_z * w_178;
+        let a2_leg_by_platform_q0 = w_179 * w_169 / w_168;
         let l_lambda_a2_leg_platform_q0 = a2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_192 = platform_q1 * w_187 + w_76 * self.k_18;
-        let w_193 = w_76 * self.k_14 - w_79 * self.k_17 - w_82 * self.k_15;
-        let w_194 = w * (platform_q3 * self.k_14 + platform_q0 * self.k_18)
-            - platform_q1 * w_184;
-        let w_195 = w_176 * w_192 + w_177 * w_193 + a2_on_platform_z * w_194;
-        let k_lambda_a2_leg_platform_q1 = w_180 * w_195 / w_179
+        let w_180 = w_38 * w_175 + w_75 * self.k_18;
+        let w_181 = w_75 * self.k_14 - w_77 * self.k_17 - w_79 * self.k_15;
+        let w_182 = w * (platform_q3 * self.k_14 + platform_q0 * self.k_18)
+            - w_38 * w_167;
+        let w_183 = w_165 * w_180 + w_166 * w_181 + a2_on_platform_z * w_182;
+        let k_lambda_a2_leg_platform_q1 = w_169 * w_183 / w_168
             - mass_platform_q1_platform_q0 * l_lambda_a2_leg_platform_q0;
         let l_lambda_a2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_a2_leg_platform_q1;
-        let k_lambda_a2_leg_platform_q2 = w_180 * w_186 / w_179
+        let k_lambda_a2_leg_platform_q2 = w_169 * w_174 / w_168
             - mass_platform_q2_platform_q0 * l_lambda_a2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_a2_leg_platform_q1;
         let l_lambda_a2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_a2_leg_platform_q2;
-        let w_196 = platform_x_dot + w_87 * self.k_55 - w_88 * self.k_56
-            - self.k_15 * w_90;
-        let w_197 = platform_y_dot + self.k_17 * w_93 - w_94 * self.k_55
-            + w_96 * self.k_56;
-        let w_198 = w * (self.k_15 * w_98 - self.k_17 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_55 + w_54 * self.k_56) + platform_z_dot;
-        let w_199 = w_176 * w_196 + w_177 * w_197 + a2_on_platform_z * w_198;
-        let w_200 = w_102 * self.k_18 + w_103 * self.k_17 + w_104 * self.k_15;
-        let w_201 = w_102 * self.k_14 - w_106 * self.k_17 - w_107 * self.k_15;
-        let w_202 = w * (platform_q2 * self.k_18 + platform_q1 * self.k_14)
-            - platform_q3 * w_184;
-        let w_203 = w_176 * w_200 - w_177 * w_201 - a2_on_platform_z * w_202;
-        let w_179_squared = w_179 * w_179;
-        let w_204 = w_199
-            * ((w_203 * platform_q3_dot - w_191 * platform_q0_dot
-                - w_195 * platform_q1_dot - w_186 * platform_q2_dot) / w_179_squared);
-        let w_205 = w_20 * w_24 * (w_45 * self.k_58 - w_40 * self.k_57);
-        let w_206 = w_20 * w_24 * (w_48 * self.k_57 - w_50 * self.k_58);
-        let w_207 = w_177
-            * (w_squared * (self.k_15 * w_118 - self.k_17 * w_119 + w_120 * self.k_56)
-                + platform_q0 * w_206 + self.k_14 * w_117);
-        let w_208 = w_20 * w_24 * (w_53 * self.k_57 + w_54 * self.k_58);
-        let w_209 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_124 + self.k_15 * w_126) - platform_q0 * w_208
-                + w * (self.k_14 * platform_q2_dot - self.k_18 * platform_q1_dot));
-        let w_210 = w_188 * w_196
-            + w_176
-                * (w_squared
-                    * (self.k_15 * w_113 + self.k_17 * w_114 + w_115 * self.k_55)
-                    + platform_q0 * w_205 - self.k_18 * w_117) + w_189 * w_197 + w_207
-            - w_190 * w_198 - w_209;
-        let w_211 = w_176
-            * (w_squared * (self.k_15 * w_130 + self.k_17 * w_131 + w_132 * self.k_55)
-                + platform_q1 * w_205 + self.k_18 * w_133);
-        let w_212 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_140 - self.k_15 * w_142)
-                + w * (self.k_14 * platform_q3_dot + self.k_18 * platform_q0_dot)
-                + platform_q1 * w_208);
-        let w_213 = w_192 * w_196 + w_211 + w_193 * w_197
-            + w_177
-                * (self.k_14 * w_133 - self.k_17 * w_135 + w_136 * self.k_57
-                    - self.k_15 * w_139) + w_194 * w_198 + w_212;
-        let w_214 = w_177
-            * (w_squared * (self.k_15 * w_150 - self.k_17 * w_151 + w_152 * self.k_56)
-                + platform_q2 * w_206 + self.k_14 * w_146);
-        let w_215 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_154 - self.k_15 * w_155)
-                + w * (self.k_18 * platform_q3_dot - self.k_14 * platform_q0_dot)
-                + platform_q2 * w_208);
-        let w_216 = w_181 * w_196
-            + w_176
-                * (self.k_15 * w_145 + self.k_18 * w_146 - self.k_17 * w_148
-                    + w_149 * self.k_58) + w_183 * w_197 + w_214 + w_185 * w_198 + w_215;
-        let w_217 = w_177
-            * (self.k_14 * w_159 - self.k_17 * w_162 + w_163 * self.k_57
-                - self.k_15 * w_164);
-        let w_218 = a2_on_platform_z
-            * (w_squared * (self.k_17 * w_166 - self.k_15 * w_167)
-                + w * (self.k_18 * platform_q2_dot + self.k_14 * platform_q1_dot)
-                + platform_q3 * w_208);
-        let w_219 = w_200 * w_196
-            + w_176
-                * (self.k_15 * w_158 + self.k_18 * w_159 + self.k_17 * w_160
-                    - w_161 * self.k_58) - w_201 * w_197 - w_217 - w_202 * w_198 - w_218;
-        let w_220 = S::from_f64(2.0)
-            * (w_204
-                + (platform_q0_dot * w_210 + platform_q1_dot * w_213
-                    + platform_q2_dot * w_216 - platform_q3_dot * w_219) / w_179);
-        let w_221 = w_220
-            + (platform_x_dot * w_196 + platform_y_dot * w_197 + platform_z_dot * w_198)
-                / w_179
-            - w_199
-                * ((w_176 * platform_x_dot + w_177 * platform_y_dot
-                    + a2_on_platform_z * platform_z_dot) / w_179_squared);
-        let w_222 = sin_w_172 * self.k_52;
-        let w_223 = self.k_53 * sin_w_173;
-        let minus_k_lambda_a2_leg_platform_q3 = w_180 * w_203 / w_179
+        let w_184 = platform_x_dot + w_85 * self.k_55 - w_86 * self.k_56
+            - self.k_15 * w_88;
+        let w_185 = platform_y_dot + self.k_17 * w_91 - w_92 * self.k_55
+            + w_94 * self.k_56;
+        let w_186 = self.k_15 * w_96 - self.k_17 * w_97;
+        let w_187 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_55 + w_55 * self.k_56) + w * w_186;
+        let w_188 = w_165 * w_184 + w_166 * w_185 + a2_on_platform_z * w_187;
+        let w_189 = w_101 * self.k_18 + w_102 * self.k_17 + w_104 * self.k_15;
+        let w_190 = w_101 * self.k_14 - w_106 * self.k_17 - w_107 * self.k_15;
+        let w_191 = w * (platform_q2 * self.k_18 + platform_q1 * self.k_14)
+            - w_103 * w_167;
+        let w_192 = w_165 * w_189 - w_166 * w_190 - a2_on_platform_z * w_191;
+        let minus_k_lambda_a2_leg_platform_q3 = w_169 * w_192 / w_168
             + mass_platform_q3_platform_q0 * l_lambda_a2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_a2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_a2_leg_platform_q2;
+        let w_168_squared = w_168 * w_168;
+        let w_193 = w_188
+            * ((w_192 * platform_q3_dot - w_179 * platform_q0_dot
+                - w_183 * platform_q1_dot - w_174 * platform_q2_dot) / w_168_squared);
+        let w_194 = w_84 * self.k_55 + self.k_15 * w_87;
+        let w_195 = w_46 * self.k_58 - w_42 * self.k_57;
+        let w_196 = w_165
+            * (w_squared
+                * (platform_q0 * w_194 + w_175 * platform_q0_dot + self.k_15 * w_113)
+                + platform_q0 * w_20 * w_24 * w_195 - self.k_18 * w_115);
+        let w_202 = w_165
+            * (w_squared
+                * (w_175 * platform_q1_dot + platform_q1 * w_194 - self.k_15 * w_124)
+                + w_41 * w_195 + self.k_18 * w_125);
+        let w_197 = w_49 * self.k_57 - w_51 * self.k_58;
+        let w_198 = w_166
+            * (w_squared
+                * (w_171 * platform_q0_dot - self.k_17 * w_117 + w_118 * self.k_56)
+                + platform_q0 * w_20 * w_24 * w_197 + self.k_14 * w_115);
+        let w_205 = w_166
+            * (w_squared
+                * (w_171 * platform_q2_dot - self.k_17 * w_142 + w_143 * self.k_56)
+                + self.k_14 * w_137 + w_30 * w_197);
+        let w_199 = w_squared
+            * (w_20 * (platform_q1 * self.k_15 - platform_q2 * self.k_17)
+                + w_167 * platform_q0_dot + platform_q0 * w_186);
+        let w_200 = w_54 * self.k_57 + w_55 * self.k_58;
+        let w_201 = w_176 * w_184 + w_196 + w_177 * w_185 + w_198 - w_178 * w_187
+            - a2_on_platform_z
+                * (w_199 - platform_q0 * w_20 * w_24 * w_200
+                    + w * (self.k_14 * platform_q2_dot - self.k_18 * platform_q1_dot));
+        let w_203 = w * (self.k_14 * platform_q3_dot + self.k_18 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_17 + platform_q0 * self.k_15)
+                    + w_167 * platform_q1_dot + platform_q1 * w_186) + w_41 * w_200;
+        let w_204 = w_180 * w_184 + w_202 + w_181 * w_185
+            + w_166
+                * (self.k_14 * w_125 - self.k_17 * w_127 + w_128 * self.k_57
+                    - self.k_15 * w_132) + w_182 * w_187 + a2_on_platform_z * w_203;
+        let w_206 = w_squared
+            * (w_20 * (platform_q0 * self.k_17 - platform_q3 * self.k_15)
+                - w_167 * platform_q2_dot - platform_q2 * w_186)
+            + w * (self.k_18 * platform_q3_dot - self.k_14 * platform_q0_dot)
+            + w_30 * w_200;
+        let w_207 = w_170 * w_184
+            + w_165
+                * (self.k_15 * w_136 + self.k_18 * w_137 - self.k_17 * w_140
+                    + w_141 * self.k_58) + w_172 * w_185 + w_205 + w_173 * w_187
+            + a2_on_platform_z * w_206;
+        let w_209 = w * (self.k_18 * platform_q2_dot + self.k_14 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_15 + platform_q1 * self.k_17)
+                    + w_167 * platform_q3_dot + platform_q3 * w_186) + w_26 * w_200;
+        let w_208 = w_166
+            * (self.k_14 * w_149 - self.k_17 * w_153 + w_154 * self.k_57
+                - self.k_15 * w_155);
+        let w_210 = w_189 * w_184
+            + w_165
+                * (self.k_15 * w_148 + self.k_18 * w_149 + self.k_17 * w_151
+                    - w_152 * self.k_58) - w_190 * w_185 - w_208 - w_191 * w_187
+            - a2_on_platform_z * w_209;
+        let w_211 = S::from_f64(2.0)
+            * (w_193
+                + (platform_q0_dot * w_201 + platform_q1_dot * w_204
+                    + platform_q2_dot * w_207 - platform_q3_dot * w_210) / w_168);
+        let w_212 = w_211
+            + (platform_x_dot * w_184 + platform_y_dot * w_185 + platform_z_dot * w_187)
+                / w_168
+            - w_188
+                * ((w_165 * platform_x_dot + w_166 * platform_y_dot
+                    + a2_on_platform_z * platform_z_dot) / w_168_squared);
+        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_168 / w_168;
+        let a2_leg_by_platform_x = w_165 * sqrt_w_168 / w_168;
+        let a2_leg_by_platform_y = w_166 * sqrt_w_168 / w_168;
+        let w_213 = sin_w_161 * self.k_52;
+        let w_214 = self.k_53 * sin_w_162;
         let minus_l_lambda_a2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_a2_leg_platform_q3;
-        let a2_leg_by_platform_z = a2_on_platform_z * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_z = a2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_a2_leg_platform_q3
@@ -4479,11 +4481,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_a2_leg_platform_q2;
         let minus_l_lambda_a2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_a2_leg_lambda_platform_norm;
-        let a1_leg_by_platform_x = w_47 * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_x = a1_leg_by_platform_x * self.inverse_platform_x;
-        let a1_leg_by_platform_y = w_52 * sqrt_w_56 / w_56;
         let l_lambda_a1_leg_platform_y = a1_leg_by_platform_y * self.inverse_platform_x;
-        let w_224 = a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
+        let w_215 = a1_leg_by_platform_q0 * l_lambda_a1_leg_platform_q0
             + k_lambda_a1_leg_platform_q1 * l_lambda_a1_leg_platform_q1
             + k_lambda_a1_leg_platform_q2 * l_lambda_a1_leg_platform_q2
             + minus_k_lambda_a1_leg_platform_q3 * minus_l_lambda_a1_leg_platform_q3
@@ -4491,11 +4491,9 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + a1_leg_by_platform_y * l_lambda_a1_leg_platform_y
             + a1_leg_by_platform_z * l_lambda_a1_leg_platform_z;
         let pivot_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
-            * minus_l_lambda_a1_leg_lambda_platform_norm - w_224;
+            * minus_l_lambda_a1_leg_lambda_platform_norm - w_215;
         let inverse_lambda_a1_leg = S::from_f64(1.0) / pivot_lambda_a1_leg;
-        let a2_leg_by_platform_x = w_176 * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_x = a2_leg_by_platform_x * self.inverse_platform_x;
-        let a2_leg_by_platform_y = w_177 * sqrt_w_179 / w_179;
         let l_lambda_a2_leg_platform_y = a2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_a2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_a2_leg_lambda_platform_norm
@@ -4509,130 +4507,141 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_a2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_a2_leg_lambda_a1_leg;
         let rhs_lambda_a2_leg = l_lambda_a2_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_179 * w_221 + w_222 - w_223)
+            - (sqrt_w_168 * w_212 + w_213 - w_214)
             - rhs_platform_q0 * l_lambda_a2_leg_platform_q0
             - l_lambda_a2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_a2_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_a2_leg_platform_z
             + minus_l_lambda_a2_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_a2_leg_lambda_a1_leg * rhs_lambda_a1_leg;
-        let w_225 = platform_x - self.k_19 - w_42 * self.k_20 + w_46 * self.k_21;
-        let w_226 = platform_y - self.k_22 + w_49 * self.k_23 - w_51 * self.k_24;
-        let w_227 = w_53 * self.k_23 + w_54 * self.k_21;
-        let b1_on_platform_z = w * w_227 + platform_z;
-        let w_228 = w_225 * w_225 + w_226 * w_226 + b1_on_platform_z * b1_on_platform_z;
-        let sqrt_w_228 = w_228.sqrt();
-        let w_229 = S::from_f64(2.0) * sqrt_w_228;
-        let w_230 = w_58 * self.k_24 - w_61 * self.k_23 - w_63 * self.k_21;
-        let w_231 = w_squared * (w_50 * self.k_21 - w_48 * self.k_23);
-        let w_232 = platform_q2 * w_231 + w_58 * self.k_20;
-        let w_233 = w_squared * w_227;
-        let w_234 = w * (platform_q3 * self.k_24 - platform_q0 * self.k_20)
-            - platform_q2 * w_233;
-        let w_235 = w_225 * w_230 + w_226 * w_232 + b1_on_platform_z * w_234;
-        let w_236 = w_squared * (w_40 * self.k_23 - w_45 * self.k_21);
-        let w_237 = platform_q0 * w_236 - w_71 * self.k_24;
-        let w_238 = platform_q0 * w_231 + w_71 * self.k_20;
-        let w_239 = platform_q0 * w_233
-            + w * (platform_q2 * self.k_20 - platform_q1 * self.k_24);
-        let w_240 = w_225 * w_237 + w_226 * w_238 - b1_on_platform_z * w_239;
-        let b1_leg_by_platform_q0 = w_240 * w_229 / w_228;
+        let w_216 = platform_x - self.k_19 - w_44 * self.k_20 + w_47 * self.k_21;
+        let w_217 = platform_y - self.k_22 + w_50 * self.k_23 - w_52 * self.k_24;
+        let w_218 = w_54 * self.k_23 + w_55 * self.k_21;
+        let b1_on_platform_z = platform_z + w * w_218;
+        let w_219 = w_216 * w_216 + w_217 * w_217 + b1_on_platform_z * b1_on_platform_z;
+        let sqrt_w_219 = w_219.sqrt();
+        let w_220 = S::from_f64(2.0) * sqrt_w_219;
+        let w_221 = w_59 * self.k_24 - w_61 * self.k_23 - w_62 * self.k_21;
+        let w_222 = w_51 * self.k_21 - w_49 * self.k_23;
+        let w_223 = w_59 * self.k_20 + w_32 * w_222;
+        let w_224 = w * (platform_q3 * self.k_24 - platform_q0 * self.k_20)
+            - w_32 * w_218;
+        let w_225 = w_216 * w_221 + w_217 * w_223 + b1_on_platform_z * w_224;
+        let w_226 = w_42 * self.k_23 - w_46 * self.k_21;
+        let w_227 = platform_q0 * w_squared * w_226 - w_69 * self.k_24;
+        let w_228 = platform_q0 * w_squared * w_222 + w_69 * self.k_20;
+        let w_229 = w * (platform_q2 * self.k_20 - platform_q1 * self.k_24)
+            + w_72 * w_218;
+        let w_230 = w_216 * w_227 + w_217 * w_228 - b1_on_platform_z * w_229;
+        let b1_leg_by_platform_q0 = w_230 * w_220 / w_219;
         let l_lambda_b1_leg_platform_q0 = b1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_241 = platform_q1 * w_236 + w_76 * self.k_24;
-        let w_242 = w_76 * self.k_20 - w_79 * self.k_23 - w_82 * self.k_21;
-        let w_243 = w * (platform_q3 * self.k_20 + platform_q0 * self.k_24)
-            - platform_q1 * w_233;
-        let w_244 = w_225 * w_241 + w_226 * w_242 + b1_on_platform_z * w_243;
-        let k_lambda_b1_leg_platform_q1 = w_229 * w_244 / w_228
+        let w_231 = w_38 * w_226 + w_75 * self.k_24;
+        let w_232 = w_75 * self.k_20 - w_77 * self.k_23 - w_79 * self.k_21;
+        let w_233 = w * (platform_q3 * self.k_20 + platform_q0 * self.k_24)
+            - w_38 * w_218;
+        let w_234 = w_216 * w_231 + w_217 * w_232 + b1_on_platform_z * w_233;
+        let k_lambda_b1_leg_platform_q1 = w_220 * w_234 / w_219
             - mass_platform_q1_platform_q0 * l_lambda_b1_leg_platform_q0;
         let l_lambda_b1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b1_leg_platform_q1;
-        let k_lambda_b1_leg_platform_q2 = w_229 * w_235 / w_228
+        let k_lambda_b1_leg_platform_q2 = w_220 * w_225 / w_219
             - mass_platform_q2_platform_q0 * l_lambda_b1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b1_leg_platform_q1;
         let l_lambda_b1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b1_leg_platform_q2;
-        let w_245 = platform_x_dot + w_87 * self.k_59 - w_88 * self.k_60
-            - self.k_21 * w_90;
-        let w_246 = platform_y_dot + self.k_23 * w_93 - w_94 * self.k_59
-            + w_96 * self.k_60;
-        let w_247 = w * (self.k_21 * w_98 - self.k_23 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_59 + w_54 * self.k_60) + platform_z_dot;
-        let w_248 = w_225 * w_245 + w_226 * w_246 + b1_on_platform_z * w_247;
-        let w_249 = w_102 * self.k_24 + w_103 * self.k_23 + w_104 * self.k_21;
-        let w_250 = w_102 * self.k_20 - w_106 * self.k_23 - w_107 * self.k_21;
-        let w_251 = w * (platform_q2 * self.k_24 + platform_q1 * self.k_20)
-            - platform_q3 * w_233;
-        let w_252 = w_225 * w_249 - w_226 * w_250 - b1_on_platform_z * w_251;
-        let w_228_squared = w_228 * w_228;
-        let w_253 = w_248
-            * ((w_252 * platform_q3_dot - w_240 * platform_q0_dot
-                - w_244 * platform_q1_dot - w_235 * platform_q2_dot) / w_228_squared);
-        let w_254 = w_20 * w_24 * (w_45 * self.k_62 - w_40 * self.k_61);
-        let w_255 = w_20 * w_24 * (w_48 * self.k_61 - w_50 * self.k_62);
-        let w_256 = w_226
-            * (w_squared * (self.k_21 * w_118 - self.k_23 * w_119 + w_120 * self.k_60)
-                + platform_q0 * w_255 + self.k_20 * w_117);
-        let w_257 = w_20 * w_24 * (w_53 * self.k_61 + w_54 * self.k_62);
-        let w_258 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_124 + self.k_21 * w_126) - platform_q0 * w_257
-                + w * (self.k_20 * platform_q2_dot - self.k_24 * platform_q1_dot));
-        let w_259 = w_237 * w_245
-            + w_225
-                * (w_squared
-                    * (self.k_21 * w_113 + self.k_23 * w_114 + w_115 * self.k_59)
-                    + platform_q0 * w_254 - self.k_24 * w_117) + w_238 * w_246 + w_256
-            - w_239 * w_247 - w_258;
-        let w_260 = w_225
-            * (w_squared * (self.k_21 * w_130 + self.k_23 * w_131 + w_132 * self.k_59)
-                + platform_q1 * w_254 + self.k_24 * w_133);
-        let w_261 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_140 - self.k_21 * w_142)
-                + w * (self.k_20 * platform_q3_dot + self.k_24 * platform_q0_dot)
-                + platform_q1 * w_257);
-        let w_262 = w_241 * w_245 + w_260 + w_242 * w_246
-            + w_226
-                * (self.k_20 * w_133 - self.k_23 * w_135 + w_136 * self.k_61
-                    - self.k_21 * w_139) + w_243 * w_247 + w_261;
-        let w_263 = w_226
-            * (w_squared * (self.k_21 * w_150 - self.k_23 * w_151 + w_152 * self.k_60)
-                + platform_q2 * w_255 + self.k_20 * w_146);
-        let w_264 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_154 - self.k_21 * w_155)
-                + w * (self.k_24 * platform_q3_dot - self.k_20 * platform_q0_dot)
-                + platform_q2 * w_257);
-        let w_265 = w_230 * w_245
-            + w_225
-                * (self.k_21 * w_145 + self.k_24 * w_146 - self.k_23 * w_148
-                    + w_149 * self.k_62) + w_232 * w_246 + w_263 + w_234 * w_247 + w_264;
-        let w_266 = w_226
-            * (self.k_20 * w_159 - self.k_23 * w_162 + w_163 * self.k_61
-                - self.k_21 * w_164);
-        let w_267 = b1_on_platform_z
-            * (w_squared * (self.k_23 * w_166 - self.k_21 * w_167)
-                + w * (self.k_24 * platform_q2_dot + self.k_20 * platform_q1_dot)
-                + platform_q3 * w_257);
-        let w_268 = w_249 * w_245
-            + w_225
-                * (self.k_21 * w_158 + self.k_24 * w_159 + self.k_23 * w_160
-                    - w_161 * self.k_62) - w_250 * w_246 - w_266 - w_251 * w_247 - w_267;
-        let w_269 = S::from_f64(2.0)
-            * (w_253
-                + (platform_q0_dot * w_259 + platform_q1_dot * w_262
-                    + platform_q2_dot * w_265 - platform_q3_dot * w_268) / w_228);
-        let w_270 = w_269
-            + (platform_x_dot * w_245 + platform_y_dot * w_246 + platform_z_dot * w_247)
-                / w_228
-            - w_248
-                * ((w_225 * platform_x_dot + w_226 * platform_y_dot
-                    + b1_on_platform_z * platform_z_dot) / w_228_squared);
-        let minus_k_lambda_b1_leg_platform_q3 = w_229 * w_252 / w_228
+        let w_235 = platform_x_dot + w_85 * self.k_59 - w_86 * self.k_60
+            - self.k_21 * w_88;
+        let w_236 = platform_y_dot + self.k_23 * w_91 - w_92 * self.k_59
+            + w_94 * self.k_60;
+        let w_237 = self.k_21 * w_96 - self.k_23 * w_97;
+        let w_238 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_59 + w_55 * self.k_60) + w * w_237;
+        let w_239 = w_216 * w_235 + w_217 * w_236 + b1_on_platform_z * w_238;
+        let w_240 = w_101 * self.k_24 + w_102 * self.k_23 + w_104 * self.k_21;
+        let w_241 = w_101 * self.k_20 - w_106 * self.k_23 - w_107 * self.k_21;
+        let w_242 = w * (platform_q2 * self.k_24 + platform_q1 * self.k_20)
+            - w_103 * w_218;
+        let w_243 = w_216 * w_240 - w_217 * w_241 - b1_on_platform_z * w_242;
+        let minus_k_lambda_b1_leg_platform_q3 = w_220 * w_243 / w_219
             + mass_platform_q3_platform_q0 * l_lambda_b1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b1_leg_platform_q2;
+        let w_219_squared = w_219 * w_219;
+        let w_244 = w_239
+            * ((w_243 * platform_q3_dot - w_230 * platform_q0_dot
+                - w_234 * platform_q1_dot - w_225 * platform_q2_dot) / w_219_squared);
+        let w_245 = w_84 * self.k_59 + self.k_21 * w_87;
+        let w_246 = w_46 * self.k_62 - w_42 * self.k_61;
+        let w_247 = w_216
+            * (w_squared
+                * (platform_q0 * w_245 + w_226 * platform_q0_dot + self.k_21 * w_113)
+                + platform_q0 * w_20 * w_24 * w_246 - self.k_24 * w_115);
+        let w_253 = w_216
+            * (w_squared
+                * (w_226 * platform_q1_dot + platform_q1 * w_245 - self.k_21 * w_124)
+                + w_41 * w_246 + self.k_24 * w_125);
+        let w_248 = w_49 * self.k_61 - w_51 * self.k_62;
+        let w_249 = w_217
+            * (w_squared
+                * (w_222 * platform_q0_dot - self.k_23 * w_117 + w_118 * self.k_60)
+                + platform_q0 * w_20 * w_24 * w_248 + self.k_20 * w_115);
+        let w_256 = w_217
+            * (w_squared
+                * (w_222 * platform_q2_dot - self.k_23 * w_142 + w_143 * self.k_60)
+                + self.k_20 * w_137 + w_30 * w_248);
+        let w_250 = w_squared
+            * (w_20 * (platform_q1 * self.k_21 - platform_q2 * self.k_23)
+                + w_218 * platform_q0_dot + platform_q0 * w_237);
+        let w_251 = w_54 * self.k_61 + w_55 * self.k_62;
+        let w_252 = w_227 * w_235 + w_247 + w_228 * w_236 + w_249 - w_229 * w_238
+            - b1_on_platform_z
+                * (w_250 - platform_q0 * w_20 * w_24 * w_251
+                    + w * (self.k_20 * platform_q2_dot - self.k_24 * platform_q1_dot));
+        let w_254 = w * (self.k_20 * platform_q3_dot + self.k_24 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_23 + platform_q0 * self.k_21)
+                    + w_218 * platform_q1_dot + platform_q1 * w_237) + w_41 * w_251;
+        let w_255 = w_231 * w_235 + w_253 + w_232 * w_236
+            + w_217
+                * (self.k_20 * w_125 - self.k_23 * w_127 + w_128 * self.k_61
+                    - self.k_21 * w_132) + w_233 * w_238 + b1_on_platform_z * w_254;
+        let w_257 = w_squared
+            * (w_20 * (platform_q0 * self.k_23 - platform_q3 * self.k_21)
+                - w_218 * platform_q2_dot - platform_q2 * w_237)
+            + w * (self.k_24 * platform_q3_dot - self.k_20 * platform_q0_dot)
+            + w_30 * w_251;
+        let w_258 = w_221 * w_235
+            + w_216
+                * (self.k_21 * w_136 + self.k_24 * w_137 - self.k_23 * w_140
+                    + w_141 * self.k_62) + w_223 * w_236 + w_256 + w_224 * w_238
+            + b1_on_platform_z * w_257;
+        let w_260 = w * (self.k_24 * platform_q2_dot + self.k_20 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_21 + platform_q1 * self.k_23)
+                    + w_218 * platform_q3_dot + platform_q3 * w_237) + w_26 * w_251;
+        let w_259 = w_217
+            * (self.k_20 * w_149 - self.k_23 * w_153 + w_154 * self.k_61
+                - self.k_21 * w_155);
+        let w_261 = w_240 * w_235
+            + w_216
+                * (self.k_21 * w_148 + self.k_24 * w_149 + self.k_23 * w_151
+                    - w_152 * self.k_62) - w_241 * w_236 - w_259 - w_242 * w_238
+            - b1_on_platform_z * w_260;
+        let w_262 = S::from_f64(2.0)
+            * (w_244
+                + (platform_q0_dot * w_252 + platform_q1_dot * w_255
+                    + platform_q2_dot * w_258 - platform_q3_dot * w_261) / w_219);
+        let w_263 = w_262
+            + (platform_x_dot * w_235 + platform_y_dot * w_236 + platform_z_dot * w_238)
+                / w_219
+            - w_239
+                * ((w_216 * platform_x_dot + w_217 * platform_y_dot
+                    + b1_on_platform_z * platform_z_dot) / w_219_squared);
+        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_219 / w_219;
+        let b1_leg_by_platform_x = w_216 * sqrt_w_219 / w_219;
+        let b1_leg_by_platform_y = w_217 * sqrt_w_219 / w_219;
         let minus_l_lambda_b1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b1_leg_platform_q3;
-        let b1_leg_by_platform_z = b1_on_platform_z * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_z = b1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b1_leg_platform_q3
@@ -4641,9 +4650,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b1_leg_platform_q2;
         let minus_l_lambda_b1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b1_leg_lambda_platform_norm;
-        let b1_leg_by_platform_x = w_225 * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_x = b1_leg_by_platform_x * self.inverse_platform_x;
-        let b1_leg_by_platform_y = w_226 * sqrt_w_228 / w_228;
         let l_lambda_b1_leg_platform_y = b1_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_b1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b1_leg_lambda_platform_norm
@@ -4656,7 +4663,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - a1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
         let l_lambda_b1_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_b1_leg_lambda_a1_leg;
-        let w_271 = a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
+        let w_264 = a2_leg_by_platform_q0 * l_lambda_a2_leg_platform_q0
             + k_lambda_a2_leg_platform_q1 * l_lambda_a2_leg_platform_q1
             + k_lambda_a2_leg_platform_q2 * l_lambda_a2_leg_platform_q2
             + minus_k_lambda_a2_leg_platform_q3 * minus_l_lambda_a2_leg_platform_q3
@@ -4664,7 +4671,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + a2_leg_by_platform_y * l_lambda_a2_leg_platform_y
             + a2_leg_by_platform_z * l_lambda_a2_leg_platform_z;
         let pivot_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
-            * minus_l_lambda_a2_leg_lambda_platform_norm - w_271
+            * minus_l_lambda_a2_leg_lambda_platform_norm - w_264
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_a2_leg_lambda_a1_leg;
         let inverse_lambda_a2_leg = S::from_f64(1.0) / pivot_lambda_a2_leg;
         let k_lambda_b1_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
@@ -4680,7 +4687,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_b1_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b1_leg_lambda_a2_leg;
         let rhs_lambda_b1_leg = l_lambda_b1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_228 * w_270 + w_222 + w_223)
+            - (w_213 + w_214 + sqrt_w_219 * w_263)
             - rhs_platform_q0 * l_lambda_b1_leg_platform_q0
             - l_lambda_b1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_b1_leg_platform_q3 * rhs_platform_q3
@@ -4688,124 +4695,135 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + minus_l_lambda_b1_leg_lambda_platform_norm * rhs_lambda_platform_norm
             - l_lambda_b1_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b1_leg_lambda_a2_leg * rhs_lambda_a2_leg;
-        let w_272 = platform_x - self.k_26 - w_42 * self.k_27 + w_46 * self.k_28;
-        let w_273 = platform_y - self.k_29 + w_49 * self.k_30 - w_51 * self.k_31;
-        let w_274 = w_53 * self.k_30 + w_54 * self.k_28;
-        let b2_on_platform_z = w * w_274 + platform_z;
-        let w_275 = w_272 * w_272 + w_273 * w_273 + b2_on_platform_z * b2_on_platform_z;
-        let sqrt_w_275 = w_275.sqrt();
-        let w_276 = S::from_f64(2.0) * sqrt_w_275;
-        let w_277 = w_58 * self.k_31 - w_61 * self.k_30 - w_63 * self.k_28;
-        let w_278 = w_squared * (w_50 * self.k_28 - w_48 * self.k_30);
-        let w_279 = platform_q2 * w_278 + w_58 * self.k_27;
-        let w_280 = w_squared * w_274;
-        let w_281 = w * (platform_q3 * self.k_31 - platform_q0 * self.k_27)
-            - platform_q2 * w_280;
-        let w_282 = w_272 * w_277 + w_273 * w_279 + b2_on_platform_z * w_281;
-        let w_283 = w_squared * (w_40 * self.k_30 - w_45 * self.k_28);
-        let w_284 = platform_q0 * w_283 - w_71 * self.k_31;
-        let w_285 = platform_q0 * w_278 + w_71 * self.k_27;
-        let w_286 = platform_q0 * w_280
-            + w * (platform_q2 * self.k_27 - platform_q1 * self.k_31);
-        let w_287 = w_272 * w_284 + w_273 * w_285 - b2_on_platform_z * w_286;
-        let b2_leg_by_platform_q0 = w_287 * w_276 / w_275;
+        let w_265 = platform_x - self.k_26 - w_44 * self.k_27 + w_47 * self.k_28;
+        let w_266 = platform_y - self.k_29 + w_50 * self.k_30 - w_52 * self.k_31;
+        let w_267 = w_54 * self.k_30 + w_55 * self.k_28;
+        let b2_on_platform_z = platform_z + w * w_267;
+        let w_268 = w_265 * w_265 + w_266 * w_266 + b2_on_platform_z * b2_on_platform_z;
+        let sqrt_w_268 = w_268.sqrt();
+        let w_269 = S::from_f64(2.0) * sqrt_w_268;
+        let w_270 = w_59 * self.k_31 - w_61 * self.k_30 - w_62 * self.k_28;
+        let w_271 = w_51 * self.k_28 - w_49 * self.k_30;
+        let w_272 = w_59 * self.k_27 + w_32 * w_271;
+        let w_273 = w * (platform_q3 * self.k_31 - platform_q0 * self.k_27)
+            - w_32 * w_267;
+        let w_274 = w_265 * w_270 + w_266 * w_272 + b2_on_platform_z * w_273;
+        let w_275 = w_42 * self.k_30 - w_46 * self.k_28;
+        let w_276 = platform_q0 * w_squared * w_275 - w_69 * self.k_31;
+        let w_277 = platform_q0 * w_squared * w_271 + w_69 * self.k_27;
+        let w_278 = w * (platform_q2 * self.k_27 - platform_q1 * self.k_31)
+            + w_72 * w_267;
+        let w_279 = w_265 * w_276 + w_266 * w_277 - b2_on_platform_z * w_278;
+        let b2_leg_by_platform_q0 = w_279 * w_269 / w_268;
         let l_lambda_b2_leg_platform_q0 = b2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_288 = platform_q1 * w_283 + w_76 * self.k_31;
-        let w_289 = w_76 * self.k_27 - w_79 * self.k_30 - w_82 * self.k_28;
-        let w_290 = w * (platform_q3 * self.k_27 + platform_q0 * self.k_31)
-            - platform_q1 * w_280;
-        let w_291 = w_272 * w_288 + w_273 * w_289 + b2_on_platform_z * w_290;
-        let k_lambda_b2_leg_platform_q1 = w_276 * w_291 / w_275
+        let w_280 = w_38 * w_275 + w_75 * self.k_31;
+        let w_281 = w_75 * self.k_27 - w_77 * self.k_30 - w_79 * self.k_28;
+        let w_282 = w * (platform_q3 * self.k_27 + platform_q0 * self.k_31)
+            - w_38 * w_267;
+        let w_283 = w_265 * w_280 + w_266 * w_281 + b2_on_platform_z * w_282;
+        let k_lambda_b2_leg_platform_q1 = w_269 * w_283 / w_268
             - mass_platform_q1_platform_q0 * l_lambda_b2_leg_platform_q0;
         let l_lambda_b2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_b2_leg_platform_q1;
-        let k_lambda_b2_leg_platform_q2 = w_276 * w_282 / w_275
+        let k_lambda_b2_leg_platform_q2 = w_269 * w_274 / w_268
             - mass_platform_q2_platform_q0 * l_lambda_b2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_b2_leg_platform_q1;
         let l_lambda_b2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_b2_leg_platform_q2;
-        let w_292 = platform_x_dot + w_87 * self.k_63 - w_88 * self.k_64
-            - self.k_28 * w_90;
-        let w_293 = platform_y_dot + self.k_30 * w_93 - w_94 * self.k_63
-            + w_96 * self.k_64;
-        let w_294 = w * (self.k_28 * w_98 - self.k_30 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_63 + w_54 * self.k_64) + platform_z_dot;
-        let w_295 = w_272 * w_292 + w_273 * w_293 + b2_on_platform_z * w_294;
-        let w_296 = w_102 * self.k_31 + w_103 * self.k_30 + w_104 * self.k_28;
-        let w_297 = w_102 * self.k_27 - w_106 * self.k_30 - w_107 * self.k_28;
-        let w_298 = w * (platform_q2 * self.k_31 + platform_q1 * self.k_27)
-            - platform_q3 * w_280;
-        let w_299 = w_272 * w_296 - w_273 * w_297 - b2_on_platform_z * w_298;
-        let w_275_squared = w_275 * w_275;
-        let w_300 = w_295
-            * ((w_299 * platform_q3_dot - w_287 * platform_q0_dot
-                - w_291 * platform_q1_dot - w_282 * platform_q2_dot) / w_275_squared);
-        let w_301 = w_20 * w_24 * (w_45 * self.k_66 - w_40 * self.k_65);
-        let w_302 = w_20 * w_24 * (w_48 * self.k_65 - w_50 * self.k_66);
-        let w_303 = w_273
-            * (w_squared * (self.k_28 * w_118 - self.k_30 * w_119 + w_120 * self.k_64)
-                + platform_q0 * w_302 + self.k_27 * w_117);
-        let w_304 = w_20 * w_24 * (w_53 * self.k_65 + w_54 * self.k_66);
-        let w_305 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_124 + self.k_28 * w_126) - platform_q0 * w_304
-                + w * (self.k_27 * platform_q2_dot - self.k_31 * platform_q1_dot));
-        let w_306 = w_284 * w_292
-            + w_272
-                * (w_squared
-                    * (self.k_28 * w_113 + self.k_30 * w_114 + w_115 * self.k_63)
-                    + platform_q0 * w_301 - self.k_31 * w_117) + w_285 * w_293 + w_303
-            - w_286 * w_294 - w_305;
-        let w_307 = w_272
-            * (w_squared * (self.k_28 * w_130 + self.k_30 * w_131 + w_132 * self.k_63)
-                + platform_q1 * w_301 + self.k_31 * w_133);
-        let w_308 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_140 - self.k_28 * w_142)
-                + w * (self.k_27 * platform_q3_dot + self.k_31 * platform_q0_dot)
-                + platform_q1 * w_304);
-        let w_309 = w_288 * w_292 + w_307 + w_289 * w_293
-            + w_273
-                * (self.k_27 * w_133 - self.k_30 * w_135 + w_136 * self.k_65
-                    - self.k_28 * w_139) + w_290 * w_294 + w_308;
-        let w_310 = w_273
-            * (w_squared * (self.k_28 * w_150 - self.k_30 * w_151 + w_152 * self.k_64)
-                + platform_q2 * w_302 + self.k_27 * w_146);
-        let w_311 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_154 - self.k_28 * w_155)
-                + w * (self.k_31 * platform_q3_dot - self.k_27 * platform_q0_dot)
-                + platform_q2 * w_304);
-        let w_312 = w_277 * w_292
-            + w_272
-                * (self.k_28 * w_145 + self.k_31 * w_146 - self.k_30 * w_148
-                    + w_149 * self.k_66) + w_279 * w_293 + w_310 + w_281 * w_294 + w_311;
-        let w_313 = w_273
-            * (self.k_27 * w_159 - self.k_30 * w_162 + w_163 * self.k_65
-                - self.k_28 * w_164);
-        let w_314 = b2_on_platform_z
-            * (w_squared * (self.k_30 * w_166 - self.k_28 * w_167)
-                + w * (self.k_31 * platform_q2_dot + self.k_27 * platform_q1_dot)
-                + platform_q3 * w_304);
-        let w_315 = w_296 * w_292
-            + w_272
-                * (self.k_28 * w_158 + self.k_31 * w_159 + self.k_30 * w_160
-                    - w_161 * self.k_66) - w_297 * w_293 - w_313 - w_298 * w_294 - w_314;
-        let w_316 = S::from_f64(2.0)
-            * (w_300
-                + (platform_q0_dot * w_306 + platform_q1_dot * w_309
-                    + platform_q2_dot * w_312 - platform_q3_dot * w_315) / w_275);
-        let w_317 = w_316
-            + (platform_x_dot * w_292 + platform_y_dot * w_293 + platform_z_dot * w_294)
-                / w_275
-            - w_295
-                * ((w_272 * platform_x_dot + w_273 * platform_y_dot
-                    + b2_on_platform_z * platform_z_dot) / w_275_squared);
-        let w_318 = self.k_53 * sin_w_174;
-        let minus_k_lambda_b2_leg_platform_q3 = w_276 * w_299 / w_275
+        let w_284 = platform_x_dot + w_85 * self.k_63 - w_86 * self.k_64
+            - self.k_28 * w_88;
+        let w_285 = platform_y_dot + self.k_30 * w_91 - w_92 * self.k_63
+            + w_94 * self.k_64;
+        let w_286 = self.k_28 * w_96 - self.k_30 * w_97;
+        let w_287 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_63 + w_55 * self.k_64) + w * w_286;
+        let w_288 = w_265 * w_284 + w_266 * w_285 + b2_on_platform_z * w_287;
+        let w_289 = w_101 * self.k_31 + w_102 * self.k_30 + w_104 * self.k_28;
+        let w_290 = w_101 * self.k_27 - w_106 * self.k_30 - w_107 * self.k_28;
+        let w_291 = w * (platform_q2 * self.k_31 + platform_q1 * self.k_27)
+            - w_103 * w_267;
+        let w_292 = w_265 * w_289 - w_266 * w_290 - b2_on_platform_z * w_291;
+        let minus_k_lambda_b2_leg_platform_q3 = w_269 * w_292 / w_268
             + mass_platform_q3_platform_q0 * l_lambda_b2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_b2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_b2_leg_platform_q2;
+        let w_268_squared = w_268 * w_268;
+        let w_293 = w_288
+            * ((w_292 * platform_q3_dot - w_279 * platform_q0_dot
+                - w_283 * platform_q1_dot - w_274 * platform_q2_dot) / w_268_squared);
+        let w_294 = w_84 * self.k_63 + self.k_28 * w_87;
+        let w_295 = w_46 * self.k_66 - w_42 * self.k_65;
+        let w_296 = w_265
+            * (w_squared
+                * (platform_q0 * w_294 + w_275 * platform_q0_dot + self.k_28 * w_113)
+                + platform_q0 * w_20 * w_24 * w_295 - self.k_31 * w_115);
+        let w_302 = w_265
+            * (w_squared
+                * (w_275 * platform_q1_dot + platform_q1 * w_294 - self.k_28 * w_124)
+                + w_41 * w_295 + self.k_31 * w_125);
+        let w_297 = w_49 * self.k_65 - w_51 * self.k_66;
+        let w_298 = w_266
+            * (w_squared
+                * (w_271 * platform_q0_dot - self.k_30 * w_117 + w_118 * self.k_64)
+                + platform_q0 * w_20 * w_24 * w_297 + self.k_27 * w_115);
+        let w_305 = w_266
+            * (w_squared
+                * (w_271 * platform_q2_dot - self.k_30 * w_142 + w_143 * self.k_64)
+                + self.k_27 * w_137 + w_30 * w_297);
+        let w_299 = w_squared
+            * (w_20 * (platform_q1 * self.k_28 - platform_q2 * self.k_30)
+                + w_267 * platform_q0_dot + platform_q0 * w_286);
+        let w_300 = w_54 * self.k_65 + w_55 * self.k_66;
+        let w_301 = w_276 * w_284 + w_296 + w_277 * w_285 + w_298 - w_278 * w_287
+            - b2_on_platform_z
+                * (w_299 - platform_q0 * w_20 * w_24 * w_300
+                    + w * (self.k_27 * platform_q2_dot - self.k_31 * platform_q1_dot));
+        let w_303 = w * (self.k_27 * platform_q3_dot + self.k_31 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_30 + platform_q0 * self.k_28)
+                    + w_267 * platform_q1_dot + platform_q1 * w_286) + w_41 * w_300;
+        let w_304 = w_280 * w_284 + w_302 + w_281 * w_285
+            + w_266
+                * (self.k_27 * w_125 - self.k_30 * w_127 + w_128 * self.k_65
+                    - self.k_28 * w_132) + w_282 * w_287 + b2_on_platform_z * w_303;
+        let w_306 = w_squared
+            * (w_20 * (platform_q0 * self.k_30 - platform_q3 * self.k_28)
+                - w_267 * platform_q2_dot - platform_q2 * w_286)
+            + w * (self.k_31 * platform_q3_dot - self.k_27 * platform_q0_dot)
+            + w_30 * w_300;
+        let w_307 = w_270 * w_284
+            + w_265
+                * (self.k_28 * w_136 + self.k_31 * w_137 - self.k_30 * w_140
+                    + w_141 * self.k_66) + w_272 * w_285 + w_305 + w_273 * w_287
+            + b2_on_platform_z * w_306;
+        let w_309 = w * (self.k_31 * platform_q2_dot + self.k_27 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_28 + platform_q1 * self.k_30)
+                    + w_267 * platform_q3_dot + platform_q3 * w_286) + w_26 * w_300;
+        let w_308 = w_266
+            * (self.k_27 * w_149 - self.k_30 * w_153 + w_154 * self.k_65
+                - self.k_28 * w_155);
+        let w_310 = w_289 * w_284
+            + w_265
+                * (self.k_28 * w_148 + self.k_31 * w_149 + self.k_30 * w_151
+                    - w_152 * self.k_66) - w_290 * w_285 - w_308 - w_291 * w_287
+            - b2_on_platform_z * w_309;
+        let w_311 = S::from_f64(2.0)
+            * (w_293
+                + (platform_q0_dot * w_301 + platform_q1_dot * w_304
+                    + platform_q2_dot * w_307 - platform_q3_dot * w_310) / w_268);
+        let w_312 = w_311
+            + (platform_x_dot * w_284 + platform_y_dot * w_285 + platform_z_dot * w_287)
+                / w_268
+            - w_288
+                * ((w_265 * platform_x_dot + w_266 * platform_y_dot
+                    + b2_on_platform_z * platform_z_dot) / w_268_squared);
+        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_268 / w_268;
+        let b2_leg_by_platform_x = w_265 * sqrt_w_268 / w_268;
+        let b2_leg_by_platform_y = w_266 * sqrt_w_268 / w_268;
+        let w_313 = self.k_53 * sin_w_163;
         let minus_l_lambda_b2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_b2_leg_platform_q3;
-        let b2_leg_by_platform_z = b2_on_platform_z * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_z = b2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_b2_leg_platform_q3
@@ -4814,9 +4832,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_b2_leg_platform_q2;
         let minus_l_lambda_b2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_b2_leg_lambda_platform_norm;
-        let b2_leg_by_platform_x = w_272 * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_x = b2_leg_by_platform_x * self.inverse_platform_x;
-        let b2_leg_by_platform_y = w_273 * sqrt_w_275 / w_275;
         let l_lambda_b2_leg_platform_y = b2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_b2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_b2_leg_lambda_platform_norm
@@ -4841,7 +4857,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_a2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg;
         let l_lambda_b2_leg_lambda_a2_leg = inverse_lambda_a2_leg
             * k_lambda_b2_leg_lambda_a2_leg;
-        let w_319 = b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
+        let w_314 = b1_leg_by_platform_q0 * l_lambda_b1_leg_platform_q0
             + k_lambda_b1_leg_platform_q1 * l_lambda_b1_leg_platform_q1
             + k_lambda_b1_leg_platform_q2 * l_lambda_b1_leg_platform_q2
             + minus_k_lambda_b1_leg_platform_q3 * minus_l_lambda_b1_leg_platform_q3
@@ -4849,7 +4865,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + b1_leg_by_platform_y * l_lambda_b1_leg_platform_y
             + b1_leg_by_platform_z * l_lambda_b1_leg_platform_z;
         let pivot_lambda_b1_leg = k_lambda_b1_leg_lambda_platform_norm
-            * minus_l_lambda_b1_leg_lambda_platform_norm - w_319
+            * minus_l_lambda_b1_leg_lambda_platform_norm - w_314
             - k_lambda_b1_leg_lambda_a1_leg * l_lambda_b1_leg_lambda_a1_leg
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_b1_leg_lambda_a2_leg;
         let inverse_lambda_b1_leg = S::from_f64(1.0) / pivot_lambda_b1_leg;
@@ -4867,7 +4883,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_b2_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_b2_leg_lambda_b1_leg;
         let rhs_lambda_b2_leg = l_lambda_b2_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_275 * w_317 + w_222 - w_318)
+            - (w_213 + sqrt_w_268 * w_312 - w_313)
             - rhs_platform_q0 * l_lambda_b2_leg_platform_q0
             - l_lambda_b2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_b2_leg_platform_q3 * rhs_platform_q3
@@ -4876,123 +4892,149 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_b2_leg_lambda_a1_leg * rhs_lambda_a1_leg
             - l_lambda_b2_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_b2_leg_lambda_b1_leg * rhs_lambda_b1_leg;
-        let w_320 = platform_x - self.k_32 - w_42 * self.k_33 + w_46 * self.k_34;
-        let w_321 = platform_y - self.k_35 + w_49 * self.k_36 - w_51 * self.k_37;
-        let w_322 = w_53 * self.k_36 + w_54 * self.k_34;
-        let c1_on_platform_z = w * w_322 + platform_z;
-        let w_323 = w_320 * w_320 + w_321 * w_321 + c1_on_platform_z * c1_on_platform_z;
-        let sqrt_w_323 = w_323.sqrt();
-        let w_324 = S::from_f64(2.0) * sqrt_w_323;
-        let w_325 = w_58 * self.k_37 - w_61 * self.k_36 - w_63 * self.k_34;
-        let w_326 = w_squared * (w_50 * self.k_34 - w_48 * self.k_36);
-        let w_327 = platform_q2 * w_326 + w_58 * self.k_33;
-        let w_328 = w_squared * w_322;
-        let w_329 = w * (platform_q3 * self.k_37 - platform_q0 * self.k_33)
-            - platform_q2 * w_328;
-        let w_330 = w_320 * w_325 + w_321 * w_327 + c1_on_platform_z * w_329;
-        let w_331 = w_squared * (w_40 * self.k_36 - w_45 * self.k_34);
-        let w_332 = platform_q0 * w_331 - w_71 * self.k_37;
-        let w_333 = platform_q0 * w_326 + w_71 * self.k_33;
-        let w_334 = platform_q0 * w_328
-            + w * (platform_q2 * self.k_33 - platform_q1 * self.k_37);
-        let w_335 = w_320 * w_332 + w_321 * w_333 - c1_on_platform_z * w_334;
-        let c1_leg_by_platform_q0 = w_335 * w_324 / w_323;
+        let w_315 = platform_x - self.k_32 - w_44 * self.k_33 + w_47 * self.k_34;
+        let w_364 = platform_x - self.k_39 - w_44 * self.k_40 + w_47 * self.k_41;
+        let w_316 = platform_y - self.k_35 + w_50 * self.k_36 - w_52 * self.k_37;
+        let w_365 = platform_y - self.k_42 + w_50 * self.k_43 - w_52 * self.k_44;
+        let w_317 = w_54 * self.k_36 + w_55 * self.k_34;
+        let c1_on_platform_z = platform_z + w * w_317;
+        let w_318 = w_315 * w_315 + w_316 * w_316 + c1_on_platform_z * c1_on_platform_z;
+        let sqrt_w_318 = w_318.sqrt();
+        let w_319 = S::from_f64(2.0) * sqrt_w_318;
+        let w_320 = w_59 * self.k_37 - w_61 * self.k_36 - w_62 * self.k_34;
+        let w_369 = w_59 * self.k_44 - w_61 * self.k_43 - w_62 * self.k_41;
+        let w_321 = w_51 * self.k_34 - w_49 * self.k_36;
+        let w_322 = w_59 * self.k_33 + w_32 * w_321;
+        let w_323 = w * (platform_q3 * self.k_37 - platform_q0 * self.k_33)
+            - w_32 * w_317;
+        let w_324 = w_315 * w_320 + w_316 * w_322 + c1_on_platform_z * w_323;
+        let w_325 = w_42 * self.k_36 - w_46 * self.k_34;
+        let w_326 = platform_q0 * w_squared * w_325 - w_69 * self.k_37;
+        let w_327 = platform_q0 * w_squared * w_321 + w_69 * self.k_33;
+        let w_328 = w * (platform_q2 * self.k_33 - platform_q1 * self.k_37)
+            + w_72 * w_317;
+        let w_329 = w_315 * w_326 + w_316 * w_327 - c1_on_platform_z * w_328;
+        let c1_leg_by_platform_q0 = w_329 * w_319 / w_318;
         let l_lambda_c1_leg_platform_q0 = c1_leg_by_platform_q0 * inverse_platform_q0;
-        let w_336 = platform_q1 * w_331 + w_76 * self.k_37;
-        let w_337 = w_76 * self.k_33 - w_79 * self.k_36 - w_82 * self.k_34;
-        let w_338 = w * (platform_q3 * self.k_33 + platform_q0 * self.k_37)
-            - platform_q1 * w_328;
-        let w_339 = w_320 * w_336 + w_321 * w_337 + c1_on_platform_z * w_338;
-        let k_lambda_c1_leg_platform_q1 = w_324 * w_339 / w_323
+        let w_330 = w_38 * w_325 + w_75 * self.k_37;
+        let w_331 = w_75 * self.k_33 - w_77 * self.k_36 - w_79 * self.k_34;
+        let w_380 = w_75 * self.k_40 - w_77 * self.k_43 - w_79 * self.k_41;
+        let w_332 = w * (platform_q3 * self.k_33 + platform_q0 * self.k_37)
+            - w_38 * w_317;
+        let w_333 = w_315 * w_330 + w_316 * w_331 + c1_on_platform_z * w_332;
+        let k_lambda_c1_leg_platform_q1 = w_319 * w_333 / w_318
             - mass_platform_q1_platform_q0 * l_lambda_c1_leg_platform_q0;
         let l_lambda_c1_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c1_leg_platform_q1;
-        let k_lambda_c1_leg_platform_q2 = w_324 * w_330 / w_323
+        let k_lambda_c1_leg_platform_q2 = w_319 * w_324 / w_318
             - mass_platform_q2_platform_q0 * l_lambda_c1_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c1_leg_platform_q1;
         let l_lambda_c1_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c1_leg_platform_q2;
-        let w_340 = platform_x_dot + w_87 * self.k_67 - w_88 * self.k_68
-            - self.k_34 * w_90;
-        let w_341 = platform_y_dot + self.k_36 * w_93 - w_94 * self.k_67
-            + w_96 * self.k_68;
-        let w_342 = w * (self.k_34 * w_98 - self.k_36 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_67 + w_54 * self.k_68) + platform_z_dot;
-        let w_343 = w_320 * w_340 + w_321 * w_341 + c1_on_platform_z * w_342;
-        let w_344 = w_102 * self.k_37 + w_103 * self.k_36 + w_104 * self.k_34;
-        let w_345 = w_102 * self.k_33 - w_106 * self.k_36 - w_107 * self.k_34;
-        let w_346 = w * (platform_q2 * self.k_37 + platform_q1 * self.k_33)
-            - platform_q3 * w_328;
-        let w_347 = w_320 * w_344 - w_321 * w_345 - c1_on_platform_z * w_346;
-        let w_323_squared = w_323 * w_323;
-        let w_348 = w_343
-            * ((w_347 * platform_q3_dot - w_335 * platform_q0_dot
-                - w_339 * platform_q1_dot - w_330 * platform_q2_dot) / w_323_squared);
-        let w_349 = w_20 * w_24 * (w_45 * self.k_70 - w_40 * self.k_69);
-        let w_350 = w_20 * w_24 * (w_48 * self.k_69 - w_50 * self.k_70);
-        let w_351 = w_321
-            * (w_squared * (self.k_34 * w_118 - self.k_36 * w_119 + w_120 * self.k_68)
-                + platform_q0 * w_350 + self.k_33 * w_117);
-        let w_352 = w_20 * w_24 * (w_53 * self.k_69 + w_54 * self.k_70);
-        let w_353 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_124 + self.k_34 * w_126) - platform_q0 * w_352
-                + w * (self.k_33 * platform_q2_dot - self.k_37 * platform_q1_dot));
-        let w_354 = w_332 * w_340
-            + w_320
-                * (w_squared
-                    * (self.k_34 * w_113 + self.k_36 * w_114 + w_115 * self.k_67)
-                    + platform_q0 * w_349 - self.k_37 * w_117) + w_333 * w_341 + w_351
-            - w_334 * w_342 - w_353;
-        let w_355 = w_320
-            * (w_squared * (self.k_34 * w_130 + self.k_36 * w_131 + w_132 * self.k_67)
-                + platform_q1 * w_349 + self.k_37 * w_133);
-        let w_356 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_140 - self.k_34 * w_142)
-                + w * (self.k_33 * platform_q3_dot + self.k_37 * platform_q0_dot)
-                + platform_q1 * w_352);
-        let w_357 = w_336 * w_340 + w_355 + w_337 * w_341
-            + w_321
-                * (self.k_33 * w_133 - self.k_36 * w_135 + w_136 * self.k_69
-                    - self.k_34 * w_139) + w_338 * w_342 + w_356;
-        let w_358 = w_321
-            * (w_squared * (self.k_34 * w_150 - self.k_36 * w_151 + w_152 * self.k_68)
-                + platform_q2 * w_350 + self.k_33 * w_146);
-        let w_359 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_154 - self.k_34 * w_155)
-                + w * (self.k_37 * platform_q3_dot - self.k_33 * platform_q0_dot)
-                + platform_q2 * w_352);
-        let w_360 = w_325 * w_340
-            + w_320
-                * (self.k_34 * w_145 + self.k_37 * w_146 - self.k_36 * w_148
-                    + w_149 * self.k_70) + w_327 * w_341 + w_358 + w_329 * w_342 + w_359;
-        let w_361 = w_321
-            * (self.k_33 * w_159 - self.k_36 * w_162 + w_163 * self.k_69
-                - self.k_34 * w_164);
-        let w_362 = c1_on_platform_z
-            * (w_squared * (self.k_36 * w_166 - self.k_34 * w_167)
-                + w * (self.k_37 * platform_q2_dot + self.k_33 * platform_q1_dot)
-                + platform_q3 * w_352);
-        let w_363 = w_344 * w_340
-            + w_320
-                * (self.k_34 * w_158 + self.k_37 * w_159 + self.k_36 * w_160
-                    - w_161 * self.k_70) - w_345 * w_341 - w_361 - w_346 * w_342 - w_362;
-        let w_364 = S::from_f64(2.0)
-            * (w_348
-                + (platform_q0_dot * w_354 + platform_q1_dot * w_357
-                    + platform_q2_dot * w_360 - platform_q3_dot * w_363) / w_323);
-        let w_365 = w_364
-            + (platform_x_dot * w_340 + platform_y_dot * w_341 + platform_z_dot * w_342)
-                / w_323
-            - w_343
-                * ((w_320 * platform_x_dot + w_321 * platform_y_dot
-                    + c1_on_platform_z * platform_z_dot) / w_323_squared);
-        let minus_k_lambda_c1_leg_platform_q3 = w_324 * w_347 / w_323
+        let w_334 = platform_x_dot + w_85 * self.k_67 - w_86 * self.k_68
+            - self.k_34 * w_88;
+        let w_383 = platform_x_dot + w_85 * self.k_71 - w_86 * self.k_72
+            - self.k_41 * w_88;
+        let w_335 = platform_y_dot + self.k_36 * w_91 - w_92 * self.k_67
+            + w_94 * self.k_68;
+        let w_384 = platform_y_dot + self.k_43 * w_91 - w_92 * self.k_71
+            + w_94 * self.k_72;
+        let w_336 = self.k_34 * w_96 - self.k_36 * w_97;
+        let w_385 = self.k_41 * w_96 - self.k_43 * w_97;
+        let w_337 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_67 + w_55 * self.k_68) + w * w_336;
+        let w_338 = w_315 * w_334 + w_316 * w_335 + c1_on_platform_z * w_337;
+        let w_339 = w_101 * self.k_37 + w_102 * self.k_36 + w_104 * self.k_34;
+        let w_388 = w_101 * self.k_44 + w_102 * self.k_43 + w_104 * self.k_41;
+        let w_340 = w_101 * self.k_33 - w_106 * self.k_36 - w_107 * self.k_34;
+        let w_389 = w_101 * self.k_40 - w_106 * self.k_43 - w_107 * self.k_41;
+        let w_341 = w * (platform_q2 * self.k_37 + platform_q1 * self.k_33)
+            - w_103 * w_317;
+        let w_342 = w_315 * w_339 - w_316 * w_340 - c1_on_platform_z * w_341;
+        let minus_k_lambda_c1_leg_platform_q3 = w_319 * w_342 / w_318
             + mass_platform_q3_platform_q0 * l_lambda_c1_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c1_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c1_leg_platform_q2;
+        let w_318_squared = w_318 * w_318;
+        let w_343 = w_338
+            * ((w_342 * platform_q3_dot - w_329 * platform_q0_dot
+                - w_333 * platform_q1_dot - w_324 * platform_q2_dot) / w_318_squared);
+        let w_344 = w_84 * self.k_67 + self.k_34 * w_87;
+        let w_393 = w_84 * self.k_71 + self.k_41 * w_87;
+        let w_345 = w_46 * self.k_70 - w_42 * self.k_69;
+        let w_346 = w_315
+            * (w_squared
+                * (platform_q0 * w_344 + w_325 * platform_q0_dot + self.k_34 * w_113)
+                + platform_q0 * w_20 * w_24 * w_345 - self.k_37 * w_115);
+        let w_352 = w_315
+            * (w_squared
+                * (w_325 * platform_q1_dot + platform_q1 * w_344 - self.k_34 * w_124)
+                + w_41 * w_345 + self.k_37 * w_125);
+        let w_347 = w_49 * self.k_69 - w_51 * self.k_70;
+        let w_348 = w_316
+            * (w_squared
+                * (w_321 * platform_q0_dot - self.k_36 * w_117 + w_118 * self.k_68)
+                + platform_q0 * w_20 * w_24 * w_347 + self.k_33 * w_115);
+        let w_355 = w_316
+            * (w_squared
+                * (w_321 * platform_q2_dot - self.k_36 * w_142 + w_143 * self.k_68)
+                + self.k_33 * w_137 + w_30 * w_347);
+        let w_349 = w_squared
+            * (w_20 * (platform_q1 * self.k_34 - platform_q2 * self.k_36)
+                + w_317 * platform_q0_dot + platform_q0 * w_336);
+        let w_350 = w_54 * self.k_69 + w_55 * self.k_70;
+        let w_351 = w_326 * w_334 + w_346 + w_327 * w_335 + w_348 - w_328 * w_337
+            - c1_on_platform_z
+                * (w_349 - platform_q0 * w_20 * w_24 * w_350
+                    + w * (self.k_33 * platform_q2_dot - self.k_37 * platform_q1_dot));
+        let w_353 = w * (self.k_33 * platform_q3_dot + self.k_37 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_36 + platform_q0 * self.k_34)
+                    + w_317 * platform_q1_dot + platform_q1 * w_336) + w_41 * w_350;
+        let w_354 = w_330 * w_334 + w_352 + w_331 * w_335
+            + w_316
+                * (self.k_33 * w_125 - self.k_36 * w_127 + w_128 * self.k_69
+                    - self.k_34 * w_132) + w_332 * w_337 + c1_on_platform_z * w_353;
+        let w_356 = w_squared
+            * (w_20 * (platform_q0 * self.k_36 - platform_q3 * self.k_34)
+                - w_317 * platform_q2_dot - platform_q2 * w_336)
+            + w * (self.k_37 * platform_q3_dot - self.k_33 * platform_q0_dot)
+            + w_30 * w_350;
+        let w_357 = w_320 * w_334
+            + w_315
+                * (self.k_34 * w_136 + self.k_37 * w_137 - self.k_36 * w_140
+                    + w_141 * self.k_70) + w_322 * w_335 + w_355 + w_323 * w_337
+            + c1_on_platform_z * w_356;
+        let w_359 = w * (self.k_37 * platform_q2_dot + self.k_33 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_34 + platform_q1 * self.k_36)
+                    + w_317 * platform_q3_dot + platform_q3 * w_336) + w_26 * w_350;
+        let w_358 = w_316
+            * (self.k_33 * w_149 - self.k_36 * w_153 + w_154 * self.k_69
+                - self.k_34 * w_155);
+        let w_360 = w_339 * w_334
+            + w_315
+                * (self.k_34 * w_148 + self.k_37 * w_149 + self.k_36 * w_151
+                    - w_152 * self.k_70) - w_340 * w_335 - w_358 - w_341 * w_337
+            - c1_on_platform_z * w_359;
+        let w_361 = S::from_f64(2.0)
+            * (w_343
+                + (platform_q0_dot * w_351 + platform_q1_dot * w_354
+                    + platform_q2_dot * w_357 - platform_q3_dot * w_360) / w_318);
+        let w_362 = w_361
+            + (platform_x_dot * w_334 + platform_y_dot * w_335 + platform_z_dot * w_337)
+                / w_318
+            - w_338
+                * ((w_315 * platform_x_dot + w_316 * platform_y_dot
+                    + c1_on_platform_z * platform_z_dot) / w_318_squared);
+        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_318 / w_318;
+        let c1_leg_by_platform_x = w_315 * sqrt_w_318 / w_318;
+        let c1_leg_by_platform_y = w_316 * sqrt_w_318 / w_318;
+        let w_407 = w_365
+            * (self.k_40 * w_149 - self.k_43 * w_153 + w_154 * self.k_73
+                - self.k_41 * w_155);
         let minus_l_lambda_c1_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c1_leg_platform_q3;
-        let c1_leg_by_platform_z = c1_on_platform_z * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_z = c1_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c1_leg_platform_q3
@@ -5001,9 +5043,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_platform_norm_platform_q2 * l_lambda_c1_leg_platform_q2;
         let minus_l_lambda_c1_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c1_leg_lambda_platform_norm;
-        let c1_leg_by_platform_x = w_320 * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_x = c1_leg_by_platform_x * self.inverse_platform_x;
-        let c1_leg_by_platform_y = w_321 * sqrt_w_323 / w_323;
         let l_lambda_c1_leg_platform_y = c1_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_c1_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c1_leg_lambda_platform_norm
@@ -5041,7 +5081,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_b1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg;
         let l_lambda_c1_leg_lambda_b1_leg = inverse_lambda_b1_leg
             * k_lambda_c1_leg_lambda_b1_leg;
-        let w_366 = b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
+        let w_363 = b2_leg_by_platform_q0 * l_lambda_b2_leg_platform_q0
             + k_lambda_b2_leg_platform_q1 * l_lambda_b2_leg_platform_q1
             + k_lambda_b2_leg_platform_q2 * l_lambda_b2_leg_platform_q2
             + minus_k_lambda_b2_leg_platform_q3 * minus_l_lambda_b2_leg_platform_q3
@@ -5049,7 +5089,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             + b2_leg_by_platform_y * l_lambda_b2_leg_platform_y
             + b2_leg_by_platform_z * l_lambda_b2_leg_platform_z;
         let pivot_lambda_b2_leg = k_lambda_b2_leg_lambda_platform_norm
-            * minus_l_lambda_b2_leg_lambda_platform_norm - w_366
+            * minus_l_lambda_b2_leg_lambda_platform_norm - w_363
             - k_lambda_b2_leg_lambda_a1_leg * l_lambda_b2_leg_lambda_a1_leg
             - k_lambda_b2_leg_lambda_a2_leg * l_lambda_b2_leg_lambda_a2_leg
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_b2_leg_lambda_b1_leg;
@@ -5069,7 +5109,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
         let l_lambda_c1_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c1_leg_lambda_b2_leg;
         let rhs_lambda_c1_leg = l_lambda_c1_leg_platform_q2 * minus_rhs_platform_q2
-            - (sqrt_w_323 * w_365 + w_222 + w_318)
+            - (w_213 + w_313 + sqrt_w_318 * w_362)
             - rhs_platform_q0 * l_lambda_c1_leg_platform_q0
             - l_lambda_c1_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_c1_leg_platform_q3 * rhs_platform_q3
@@ -5079,135 +5119,129 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_c1_leg_lambda_a2_leg * rhs_lambda_a2_leg
             - l_lambda_c1_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c1_leg_lambda_b2_leg * rhs_lambda_b2_leg;
-        let w_367 = platform_x - self.k_39 - w_42 * self.k_40 + w_46 * self.k_41;
-        let w_368 = platform_y - self.k_42 + w_49 * self.k_43 - w_51 * self.k_44;
-        let w_369 = w_53 * self.k_43 + w_54 * self.k_41;
-        let c2_on_platform_z = w * w_369 + platform_z;
-        let w_370 = w_367 * w_367 + w_368 * w_368 + c2_on_platform_z * c2_on_platform_z;
-        let sqrt_w_370 = w_370.sqrt();
-        let w_371 = S::from_f64(2.0) * sqrt_w_370;
-        let w_372 = w_58 * self.k_44 - w_61 * self.k_43 - w_63 * self.k_41;
-        let w_373 = w_squared * (w_50 * self.k_41 - w_48 * self.k_43);
-        let w_374 = platform_q2 * w_373 + w_58 * self.k_40;
-        let w_375 = w_squared * w_369;
-        let w_376 = w * (platform_q3 * self.k_44 - platform_q0 * self.k_40)
-            - platform_q2 * w_375;
-        let w_377 = w_367 * w_372 + w_368 * w_374 + c2_on_platform_z * w_376;
-        let w_378 = w_squared * (w_40 * self.k_43 - w_45 * self.k_41);
-        let w_379 = platform_q0 * w_378 - w_71 * self.k_44;
-        let w_380 = platform_q0 * w_373 + w_71 * self.k_40;
-        let w_381 = platform_q0 * w_375
-            + w * (platform_q2 * self.k_40 - platform_q1 * self.k_44);
-        let w_382 = w_367 * w_379 + w_368 * w_380 - c2_on_platform_z * w_381;
-        let c2_leg_by_platform_q0 = w_382 * w_371 / w_370;
+        let w_366 = w_54 * self.k_43 + w_55 * self.k_41;
+        let w_377 = w * (platform_q2 * self.k_40 - platform_q1 * self.k_44)
+            + w_72 * w_366;
+        let w_390 = w * (platform_q2 * self.k_44 + platform_q1 * self.k_40)
+            - w_103 * w_366;
+        let c2_on_platform_z = platform_z + w * w_366;
+        let w_367 = w_364 * w_364 + w_365 * w_365 + c2_on_platform_z * c2_on_platform_z;
+        let sqrt_w_367 = w_367.sqrt();
+        let w_368 = S::from_f64(2.0) * sqrt_w_367;
+        let w_370 = w_51 * self.k_41 - w_49 * self.k_43;
+        let w_371 = w_59 * self.k_40 + w_32 * w_370;
+        let w_372 = w * (platform_q3 * self.k_44 - platform_q0 * self.k_40)
+            - w_32 * w_366;
+        let w_396 = w_49 * self.k_73 - w_51 * self.k_74;
+        let w_397 = w_365
+            * (w_squared
+                * (w_370 * platform_q0_dot - self.k_43 * w_117 + w_118 * self.k_72)
+                + platform_q0 * w_20 * w_24 * w_396 + self.k_40 * w_115);
+        let w_404 = w_365
+            * (w_squared
+                * (w_370 * platform_q2_dot - self.k_43 * w_142 + w_143 * self.k_72)
+                + self.k_40 * w_137 + w_30 * w_396);
+        let w_376 = platform_q0 * w_squared * w_370 + w_69 * self.k_40;
+        let w_373 = w_364 * w_369 + w_365 * w_371 + c2_on_platform_z * w_372;
+        let w_374 = w_42 * self.k_43 - w_46 * self.k_41;
+        let w_375 = platform_q0 * w_squared * w_374 - w_69 * self.k_44;
+        let w_379 = w_38 * w_374 + w_75 * self.k_44;
+        let w_381 = w * (platform_q3 * self.k_40 + platform_q0 * self.k_44)
+            - w_38 * w_366;
+        let w_394 = w_46 * self.k_74 - w_42 * self.k_73;
+        let w_395 = w_364
+            * (w_squared
+                * (platform_q0 * w_393 + w_374 * platform_q0_dot + self.k_41 * w_113)
+                + platform_q0 * w_20 * w_24 * w_394 - self.k_44 * w_115);
+        let w_401 = w_364
+            * (w_squared
+                * (w_374 * platform_q1_dot + platform_q1 * w_393 - self.k_41 * w_124)
+                + w_41 * w_394 + self.k_44 * w_125);
+        let w_378 = w_364 * w_375 + w_365 * w_376 - c2_on_platform_z * w_377;
+        let c2_leg_by_platform_q0 = w_378 * w_368 / w_367;
         let l_lambda_c2_leg_platform_q0 = c2_leg_by_platform_q0 * inverse_platform_q0;
-        let w_383 = platform_q1 * w_378 + w_76 * self.k_44;
-        let w_384 = w_76 * self.k_40 - w_79 * self.k_43 - w_82 * self.k_41;
-        let w_385 = w * (platform_q3 * self.k_40 + platform_q0 * self.k_44)
-            - platform_q1 * w_375;
-        let w_386 = w_367 * w_383 + w_368 * w_384 + c2_on_platform_z * w_385;
-        let k_lambda_c2_leg_platform_q1 = w_371 * w_386 / w_370
+        let w_382 = w_364 * w_379 + w_365 * w_380 + c2_on_platform_z * w_381;
+        let k_lambda_c2_leg_platform_q1 = w_368 * w_382 / w_367
             - mass_platform_q1_platform_q0 * l_lambda_c2_leg_platform_q0;
         let l_lambda_c2_leg_platform_q1 = inverse_platform_q1
             * k_lambda_c2_leg_platform_q1;
-        let k_lambda_c2_leg_platform_q2 = w_371 * w_377 / w_370
+        let k_lambda_c2_leg_platform_q2 = w_368 * w_373 / w_367
             - mass_platform_q2_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_platform_q2_platform_q1 * l_lambda_c2_leg_platform_q1;
         let l_lambda_c2_leg_platform_q2 = inverse_platform_q2
             * k_lambda_c2_leg_platform_q2;
-        let w_387 = platform_x_dot + w_87 * self.k_71 - w_88 * self.k_72
-            - self.k_41 * w_90;
-        let w_388 = platform_y_dot + self.k_43 * w_93 - w_94 * self.k_71
-            + w_96 * self.k_72;
-        let w_389 = w * (self.k_41 * w_98 - self.k_43 * w_99)
-            - w_squared * w_20 * (w_53 * self.k_71 + w_54 * self.k_72) + platform_z_dot;
-        let w_390 = w_367 * w_387 + w_368 * w_388 + c2_on_platform_z * w_389;
-        let w_391 = w_102 * self.k_44 + w_103 * self.k_43 + w_104 * self.k_41;
-        let w_392 = w_102 * self.k_40 - w_106 * self.k_43 - w_107 * self.k_41;
-        let w_393 = w * (platform_q2 * self.k_44 + platform_q1 * self.k_40)
-            - platform_q3 * w_375;
-        let w_394 = w_367 * w_391 - w_368 * w_392 - c2_on_platform_z * w_393;
-        let w_370_squared = w_370 * w_370;
-        let w_395 = w_390
-            * ((w_394 * platform_q3_dot - w_382 * platform_q0_dot
-                - w_386 * platform_q1_dot - w_377 * platform_q2_dot) / w_370_squared);
-        let w_396 = w_20 * w_24 * (w_45 * self.k_74 - w_40 * self.k_73);
-        let w_397 = w_20 * w_24 * (w_48 * self.k_73 - w_50 * self.k_74);
-        let w_398 = w_368
-            * (w_squared * (self.k_41 * w_118 - self.k_43 * w_119 + w_120 * self.k_72)
-                + platform_q0 * w_397 + self.k_40 * w_117);
-        let w_399 = w_20 * w_24 * (w_53 * self.k_73 + w_54 * self.k_74);
-        let w_400 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_124 + self.k_41 * w_126) - platform_q0 * w_399
-                + w * (self.k_40 * platform_q2_dot - self.k_44 * platform_q1_dot));
-        let w_401 = w_379 * w_387
-            + w_367
-                * (w_squared
-                    * (self.k_41 * w_113 + self.k_43 * w_114 + w_115 * self.k_71)
-                    + platform_q0 * w_396 - self.k_44 * w_117) + w_380 * w_388 + w_398
-            - w_381 * w_389 - w_400;
-        let w_402 = w_367
-            * (w_squared * (self.k_41 * w_130 + self.k_43 * w_131 + w_132 * self.k_71)
-                + platform_q1 * w_396 + self.k_44 * w_133);
-        let w_403 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_140 - self.k_41 * w_142)
-                + w * (self.k_40 * platform_q3_dot + self.k_44 * platform_q0_dot)
-                + platform_q1 * w_399);
-        let w_404 = w_383 * w_387 + w_402 + w_384 * w_388
-            + w_368
-                * (self.k_40 * w_133 - self.k_43 * w_135 + w_136 * self.k_73
-                    - self.k_41 * w_139) + w_385 * w_389 + w_403;
-        let w_405 = w_368
-            * (w_squared * (self.k_41 * w_150 - self.k_43 * w_151 + w_152 * self.k_72)
-                + platform_q2 * w_397 + self.k_40 * w_146);
-        let w_406 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_154 - self.k_41 * w_155)
-                + w * (self.k_44 * platform_q3_dot - self.k_40 * platform_q0_dot)
-                + platform_q2 * w_399);
-        let w_407 = w_372 * w_387
-            + w_367
-                * (self.k_41 * w_145 + self.k_44 * w_146 - self.k_43 * w_148
-                    + w_149 * self.k_74) + w_374 * w_388 + w_405 + w_376 * w_389 + w_406;
-        let w_408 = w_368
-            * (self.k_40 * w_159 - self.k_43 * w_162 + w_163 * self.k_73
-                - self.k_41 * w_164);
-        let w_409 = c2_on_platform_z
-            * (w_squared * (self.k_43 * w_166 - self.k_41 * w_167)
-                + w * (self.k_44 * platform_q2_dot + self.k_40 * platform_q1_dot)
-                + platform_q3 * w_399);
-        let w_410 = w_391 * w_387
-            + w_367
-                * (self.k_41 * w_158 + self.k_44 * w_159 + self.k_43 * w_160
-                    - w_161 * self.k_74) - w_392 * w_388 - w_408 - w_393 * w_389 - w_409;
-        let w_411 = S::from_f64(2.0)
-            * (w_395
-                + (platform_q0_dot * w_401 + platform_q1_dot * w_404
-                    + platform_q2_dot * w_407 - platform_q3_dot * w_410) / w_370);
-        let w_412 = w_411
-            + (platform_x_dot * w_387 + platform_y_dot * w_388 + platform_z_dot * w_389)
-                / w_370
-            - w_390
-                * ((w_367 * platform_x_dot + w_368 * platform_y_dot
-                    + c2_on_platform_z * platform_z_dot) / w_370_squared);
-        let w_413 = sqrt_w_370 * w_412 + w_222 - self.k_53 * sin_w_175;
-        let minus_k_lambda_c2_leg_platform_q3 = w_371 * w_394 / w_370
+        let w_386 = platform_z_dot
+            - w_squared * w_20 * (w_54 * self.k_71 + w_55 * self.k_72) + w * w_385;
+        let w_399 = w_54 * self.k_73 + w_55 * self.k_74;
+        let w_402 = w * (self.k_40 * platform_q3_dot + self.k_44 * platform_q0_dot)
+            - w_squared
+                * (w_20 * (platform_q3 * self.k_43 + platform_q0 * self.k_41)
+                    + w_366 * platform_q1_dot + platform_q1 * w_385) + w_41 * w_399;
+        let w_403 = w_379 * w_383 + w_401 + w_380 * w_384
+            + w_365
+                * (self.k_40 * w_125 - self.k_43 * w_127 + w_128 * self.k_73
+                    - self.k_41 * w_132) + w_381 * w_386 + c2_on_platform_z * w_402;
+        let w_405 = w_squared
+            * (w_20 * (platform_q0 * self.k_43 - platform_q3 * self.k_41)
+                - w_366 * platform_q2_dot - platform_q2 * w_385)
+            + w * (self.k_44 * platform_q3_dot - self.k_40 * platform_q0_dot)
+            + w_30 * w_399;
+        let w_406 = w_369 * w_383
+            + w_364
+                * (self.k_41 * w_136 + self.k_44 * w_137 - self.k_43 * w_140
+                    + w_141 * self.k_74) + w_371 * w_384 + w_404 + w_372 * w_386
+            + c2_on_platform_z * w_405;
+        let w_408 = w * (self.k_44 * platform_q2_dot + self.k_40 * platform_q1_dot)
+            - w_squared
+                * (w_20 * (platform_q2 * self.k_41 + platform_q1 * self.k_43)
+                    + w_366 * platform_q3_dot + platform_q3 * w_385) + w_26 * w_399;
+        let w_398 = w_squared
+            * (w_20 * (platform_q1 * self.k_41 - platform_q2 * self.k_43)
+                + w_366 * platform_q0_dot + platform_q0 * w_385);
+        let w_400 = w_375 * w_383 + w_395 + w_376 * w_384 + w_397 - w_377 * w_386
+            - c2_on_platform_z
+                * (w_398 - platform_q0 * w_20 * w_24 * w_399
+                    + w * (self.k_40 * platform_q2_dot - self.k_44 * platform_q1_dot));
+        let w_409 = w_388 * w_383
+            + w_364
+                * (self.k_41 * w_148 + self.k_44 * w_149 + self.k_43 * w_151
+                    - w_152 * self.k_74) - w_389 * w_384 - w_407 - w_390 * w_386
+            - c2_on_platform_z * w_408;
+        let w_391 = w_364 * w_388 - w_365 * w_389 - c2_on_platform_z * w_390;
+        let minus_k_lambda_c2_leg_platform_q3 = w_368 * w_391 / w_367
             + mass_platform_q3_platform_q0 * l_lambda_c2_leg_platform_q0
             + k_platform_q3_platform_q1 * l_lambda_c2_leg_platform_q1
             + k_platform_q3_platform_q2 * l_lambda_c2_leg_platform_q2;
+        let w_387 = w_364 * w_383 + w_365 * w_384 + c2_on_platform_z * w_386;
+        let w_367_squared = w_367 * w_367;
+        let w_392 = w_387
+            * ((w_391 * platform_q3_dot - w_378 * platform_q0_dot
+                - w_382 * platform_q1_dot - w_373 * platform_q2_dot) / w_367_squared);
+        let w_410 = S::from_f64(2.0)
+            * (w_392
+                + (platform_q0_dot * w_400 + platform_q1_dot * w_403
+                    + platform_q2_dot * w_406 - platform_q3_dot * w_409) / w_367);
+        let w_411 = w_410
+            + (platform_x_dot * w_383 + platform_y_dot * w_384 + platform_z_dot * w_386)
+                / w_367
+            - w_387
+                * ((w_364 * platform_x_dot + w_365 * platform_y_dot
+                    + c2_on_platform_z * platform_z_dot) / w_367_squared);
+        let w_412 = w_213 + sqrt_w_367 * w_411 - self.k_53 * sin_w_164;
+        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_367 / w_367;
+        let c2_leg_by_platform_x = w_364 * sqrt_w_367 / w_367;
+        let c2_leg_by_platform_y = w_365 * sqrt_w_367 / w_367;
         let minus_l_lambda_c2_leg_platform_q3 = inverse_platform_q3
             * minus_k_lambda_c2_leg_platform_q3;
-        let c2_leg_by_platform_z = c2_on_platform_z * sqrt_w_370 / w_370;
-        let l_lambda_c2_leg_platform_z = c2_leg_by_platform_z * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_platform_norm = k_lambda_platform_norm_platform_q3
             * minus_l_lambda_c2_leg_platform_q3
             - platform_norm_by_platform_q0 * l_lambda_c2_leg_platform_q0
             - k_lambda_platform_norm_platform_q1 * l_lambda_c2_leg_platform_q1
             - k_lambda_platform_norm_platform_q2 * l_lambda_c2_leg_platform_q2;
+        let l_lambda_c2_leg_platform_z = c2_leg_by_platform_z * self.inverse_platform_x;
         let minus_l_lambda_c2_leg_lambda_platform_norm = minus_inverse_lambda_platform_norm
             * k_lambda_c2_leg_lambda_platform_norm;
-        let c2_leg_by_platform_x = w_367 * sqrt_w_370 / w_370;
         let l_lambda_c2_leg_platform_x = c2_leg_by_platform_x * self.inverse_platform_x;
-        let c2_leg_by_platform_y = w_368 * sqrt_w_370 / w_370;
         let l_lambda_c2_leg_platform_y = c2_leg_by_platform_y * self.inverse_platform_x;
         let k_lambda_c2_leg_lambda_a1_leg = k_lambda_a1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
@@ -5218,6 +5252,13 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - a1_leg_by_platform_x * l_lambda_c2_leg_platform_x
             - a1_leg_by_platform_y * l_lambda_c2_leg_platform_y
             - a1_leg_by_platform_z * l_lambda_c2_leg_platform_z;
+        let w_414 = c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
+            + k_lambda_c2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
+            + k_lambda_c2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
+            + minus_k_lambda_c2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
+            + c2_leg_by_platform_x * l_lambda_c2_leg_platform_x
+            + c2_leg_by_platform_y * l_lambda_c2_leg_platform_y
+            + c2_leg_by_platform_z * l_lambda_c2_leg_platform_z;
         let l_lambda_c2_leg_lambda_a1_leg = inverse_lambda_a1_leg
             * k_lambda_c2_leg_lambda_a1_leg;
         let k_lambda_c2_leg_lambda_a2_leg = k_lambda_a2_leg_lambda_platform_norm
@@ -5259,20 +5300,13 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_b2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg;
         let l_lambda_c2_leg_lambda_b2_leg = inverse_lambda_b2_leg
             * k_lambda_c2_leg_lambda_b2_leg;
-        let w_414 = c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
+        let w_413 = c1_leg_by_platform_q0 * l_lambda_c1_leg_platform_q0
             + k_lambda_c1_leg_platform_q1 * l_lambda_c1_leg_platform_q1
             + k_lambda_c1_leg_platform_q2 * l_lambda_c1_leg_platform_q2
             + minus_k_lambda_c1_leg_platform_q3 * minus_l_lambda_c1_leg_platform_q3
             + c1_leg_by_platform_x * l_lambda_c1_leg_platform_x
             + c1_leg_by_platform_y * l_lambda_c1_leg_platform_y
             + c1_leg_by_platform_z * l_lambda_c1_leg_platform_z;
-        let pivot_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
-            * minus_l_lambda_c1_leg_lambda_platform_norm - w_414
-            - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
-            - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
-            - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg
-            - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c1_leg_lambda_b2_leg;
-        let inverse_lambda_c1_leg = S::from_f64(1.0) / pivot_lambda_c1_leg;
         let k_lambda_c2_leg_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
             * minus_l_lambda_c2_leg_lambda_platform_norm
             - c1_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
@@ -5286,10 +5320,17 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
             - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
             - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c2_leg_lambda_b2_leg;
+        let pivot_lambda_c1_leg = k_lambda_c1_leg_lambda_platform_norm
+            * minus_l_lambda_c1_leg_lambda_platform_norm - w_413
+            - k_lambda_c1_leg_lambda_a1_leg * l_lambda_c1_leg_lambda_a1_leg
+            - k_lambda_c1_leg_lambda_a2_leg * l_lambda_c1_leg_lambda_a2_leg
+            - k_lambda_c1_leg_lambda_b1_leg * l_lambda_c1_leg_lambda_b1_leg
+            - k_lambda_c1_leg_lambda_b2_leg * l_lambda_c1_leg_lambda_b2_leg;
+        let inverse_lambda_c1_leg = S::from_f64(1.0) / pivot_lambda_c1_leg;
         let l_lambda_c2_leg_lambda_c1_leg = inverse_lambda_c1_leg
             * k_lambda_c2_leg_lambda_c1_leg;
         let rhs_lambda_c2_leg = l_lambda_c2_leg_platform_q2 * minus_rhs_platform_q2
-            - w_413 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
+            - w_412 - rhs_platform_q0 * l_lambda_c2_leg_platform_q0
             - l_lambda_c2_leg_platform_q1 * rhs_platform_q1
             + minus_l_lambda_c2_leg_platform_q3 * rhs_platform_q3
             + self.minus_rhs_platform_z * l_lambda_c2_leg_platform_z
@@ -5299,15 +5340,8 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_c2_leg_lambda_b1_leg * rhs_lambda_b1_leg
             - l_lambda_c2_leg_lambda_b2_leg * rhs_lambda_b2_leg
             - l_lambda_c2_leg_lambda_c1_leg * rhs_lambda_c1_leg;
-        let w_415 = c2_leg_by_platform_q0 * l_lambda_c2_leg_platform_q0
-            + k_lambda_c2_leg_platform_q1 * l_lambda_c2_leg_platform_q1
-            + k_lambda_c2_leg_platform_q2 * l_lambda_c2_leg_platform_q2
-            + minus_k_lambda_c2_leg_platform_q3 * minus_l_lambda_c2_leg_platform_q3
-            + c2_leg_by_platform_x * l_lambda_c2_leg_platform_x
-            + c2_leg_by_platform_y * l_lambda_c2_leg_platform_y
-            + c2_leg_by_platform_z * l_lambda_c2_leg_platform_z;
         let pivot_lambda_c2_leg = k_lambda_c2_leg_lambda_platform_norm
-            * minus_l_lambda_c2_leg_lambda_platform_norm - w_415
+            * minus_l_lambda_c2_leg_lambda_platform_norm - w_414
             - k_lambda_c2_leg_lambda_a1_leg * l_lambda_c2_leg_lambda_a1_leg
             - k_lambda_c2_leg_lambda_a2_leg * l_lambda_c2_leg_lambda_a2_leg
             - k_lambda_c2_leg_lambda_b1_leg * l_lambda_c2_leg_lambda_b1_leg
@@ -5369,14 +5403,14 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
             - l_lambda_b2_leg_platform_q1 * lambda_b2_leg
             - l_lambda_c1_leg_platform_q1 * lambda_c1_leg
             - l_lambda_c2_leg_platform_q1 * lambda_c2_leg;
-        let w_416 = cos_w_172 * self.k_76;
-        let w_417 = self.k_77 * cos_w_173;
-        let w_418 = self.k_77 * cos_w_174;
-        let w_419 = self.minus_rhs_platform_z * platform_z_dot
-            + lambda_a1_leg * cos_w_172 * self.k_78 + lambda_a2_leg * (w_416 - w_417)
-            + lambda_b1_leg * (w_416 + w_417) + lambda_b2_leg * (w_416 - w_418)
-            + lambda_c1_leg * (w_416 + w_418)
-            + lambda_c2_leg * (w_416 - self.k_77 * cos_w_175);
+        let w_415 = cos_w_161 * self.k_76;
+        let w_416 = self.k_77 * cos_w_162;
+        let w_417 = self.k_77 * cos_w_163;
+        let w_418 = self.minus_rhs_platform_z * platform_z_dot
+            + lambda_a1_leg * cos_w_161 * self.k_78 + lambda_a2_leg * (w_415 - w_416)
+            + lambda_b1_leg * (w_415 + w_416) + lambda_b2_leg * (w_415 - w_417)
+            + lambda_c1_leg * (w_415 + w_417)
+            + lambda_c2_leg * (w_415 - self.k_77 * cos_w_164);
         sim_kernel::Dynamics {
             accelerations: [
                 -(l_lambda_a1_leg_platform_x * lambda_a1_leg
@@ -5421,7 +5455,7 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 lambda_c1_leg,
                 lambda_c2_leg,
             ],
-            power: -w_419,
+            power: -w_418,
             refused: sim_kernel::pivot_is_refused(
                 mass_platform_q0_platform_q0,
                 mass_platform_q0_platform_q0,
@@ -5443,12 +5477,12 @@ impl<S: sim_kernel::Scalar> StewartPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_platform_norm,
                     minus_pivot_lambda_platform_norm,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_224)
-                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_271)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_319)
-                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_366)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_414)
-                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_415),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_a1_leg, w_215)
+                | sim_kernel::pivot_is_refused(pivot_lambda_a2_leg, w_264)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b1_leg, w_314)
+                | sim_kernel::pivot_is_refused(pivot_lambda_b2_leg, w_363)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c1_leg, w_413)
+                | sim_kernel::pivot_is_refused(pivot_lambda_c2_leg, w_414),
         }
     }
 }

@@ -283,9 +283,9 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
         let w_4 = sin_phi_squared * w_3;
         let w_5 = sin_theta * theta_dot
             * (psi_dot * cos_theta
-                * (sin_phi_squared * w + cos_phi_squared * w_2
-                    - self.C * S::from_f64(2.0))
-                + phi_dot * (w_4 + (self.A - self.C - self.B)));
+                * (sin_phi_squared * w - self.C * S::from_f64(2.0)
+                    + cos_phi_squared * w_2)
+                + phi_dot * (self.A - self.C - self.B + w_4));
         let w_6 = sin_theta
             * (cos_theta * psi_dot * psi_dot
                 * (self.C - self.B * cos_phi_squared - self.A * sin_phi_squared)
@@ -433,7 +433,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// Rates of the outputs that depend on neither accelerations nor multipliers, 7, in SI units per second.
     ///
-    /// Operations: 48 additions, 88 multiplications, 3 sine-cosine pairs.
+    /// Operations: 44 additions, 82 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn output_rates(
         &self,
@@ -451,55 +451,52 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             psi,
         ]);
         let w = psi_dot * cos_theta;
-        let w_2 = sin_theta * psi_ddot;
-        let w_3 = theta_dot * (w - phi_dot) + w_2;
-        let w_4 = psi_dot * sin_theta;
-        let w_5 = theta_ddot + phi_dot * w_4;
-        let w_6 = sin_phi * w_3 + cos_phi * w_5;
-        let w_7 = sin_phi * w_5;
-        let w_8 = phi_ddot - theta_dot * w_4 + cos_theta * psi_ddot;
+        let w_2 = theta_dot * (w - phi_dot) + sin_theta * psi_ddot;
         let w_z = phi_dot + w;
+        let w_3 = psi_dot * sin_theta;
+        let w_4 = theta_ddot + phi_dot * w_3;
+        let w_5 = sin_phi * w_2 + cos_phi * w_4;
+        let w_6 = cos_phi * w_2;
+        let w_7 = sin_phi * w_4;
+        let w_8 = phi_ddot - theta_dot * w_3 + cos_theta * psi_ddot;
         let w_9 = cos_psi * w_z;
-        let w_10 = cos_theta * sin_psi;
-        let w_11 = theta_dot * w_z;
+        let w_10 = theta_dot * w_z;
+        let w_11 = cos_theta * w_10;
         let w_12 = cos_phi * cos_psi;
-        let w_x = cos_phi * theta_dot + sin_phi * w_4;
-        let w_13 = cos_theta * phi_dot;
-        let w_14 = psi_dot + w_13;
+        let w_13 = sin_phi * sin_psi;
+        let w_x = cos_phi * theta_dot + sin_phi * w_3;
+        let w_14 = psi_dot + cos_theta * phi_dot;
         let w_15 = theta_dot * sin_theta;
         let w_16 = cos_phi * w_14 - sin_phi * w_15;
         let w_17 = self.A
-            * (w_6 * (w_12 - sin_phi * w_10) - w_x * (sin_psi * w_16 + sin_phi * w_9));
+            * (w_5 * (w_12 - cos_theta * w_13) - w_x * (sin_psi * w_16 + sin_phi * w_9));
         let w_18 = sin_phi * cos_psi;
-        let w_19 = cos_phi * (theta_dot * (phi_dot - w) - w_2) + w_7;
-        let w_y = cos_phi * w_4 - theta_dot * sin_phi;
-        let w_20 = self.B
-            * ((w_18 + cos_phi * w_10) * w_19
-                - w_y * (cos_phi * (w_9 - sin_psi * w_15) - sin_phi * sin_psi * w_14));
-        let w_21 = sin_psi * w_z;
-        let w_22 = self.A
-            * (w_6 * (cos_phi * sin_psi + cos_theta * w_18)
-                + w_x * (cos_psi * w_16 - sin_phi * w_21));
-        let w_23 = w_19 * (cos_theta * w_12 - sin_phi * sin_psi)
-            + w_y
-                * (cos_phi * (sin_psi * (w + phi_dot) + cos_psi * w_15)
-                    + sin_phi * cos_psi * (w_13 + psi_dot));
-        let w_24 = sin_theta
-            * (self.A * (cos_phi * phi_dot * w_x + sin_phi * w_6)
-                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_19) - self.C * w_11);
-        let w_25 = self.A * w_x;
-        let w_26 = self.B * w_y;
-        let w_27 = w_8 * self.C;
+        let w_19 = cos_phi * sin_psi;
+        let w_20 = w_18 + cos_theta * w_19;
+        let w_23 = w_19 + cos_theta * w_18;
+        let w_21 = w_7 - w_6;
+        let w_y = cos_phi * w_3 - theta_dot * sin_phi;
+        let w_22 = self.B
+            * (w_20 * w_21 - w_y * (cos_phi * (w_9 - sin_psi * w_15) - w_13 * w_14));
+        let w_24 = self.B
+            * (w_21 * (cos_theta * w_12 - w_13)
+                + w_y * (psi_dot * w_20 + w_12 * w_15 + phi_dot * w_23));
+        let w_25 = sin_theta
+            * (self.A * (cos_phi * phi_dot * w_x + sin_phi * w_5)
+                - self.B * (sin_phi * phi_dot * w_y + cos_phi * w_21) - self.C * w_10);
+        let w_27 = self.B * w_y;
+        let w_26 = self.A * w_x;
+        let w_28 = w_8 * self.C;
         [
-            w_6,
-            cos_phi * w_3 - w_7,
+            w_5,
+            w_6 - w_7,
             w_8,
-            self.C * (sin_theta * (psi_dot * w_9 + w_8 * sin_psi) + w_10 * w_11) + w_17
-                + w_20,
-            self.C * (w_4 * w_21 - cos_psi * (cos_theta * w_11 + sin_theta * w_8)) + w_22
-                - self.B * w_23,
-            w_24 + cos_theta * (theta_dot * (sin_phi * w_25 + cos_phi * w_26) + w_27),
-            w_6 * w_25 - w_19 * w_26 + w_z * w_27,
+            self.C * (sin_theta * (psi_dot * w_9 + w_8 * sin_psi) + sin_psi * w_11)
+                + w_17 + w_22,
+            self.C * (w_3 * sin_psi * w_z - cos_psi * (w_11 + sin_theta * w_8))
+                + self.A * (w_5 * w_23 + w_x * (cos_psi * w_16 - w_13 * w_z)) - w_24,
+            w_25 + cos_theta * (theta_dot * (sin_phi * w_26 + cos_phi * w_27) + w_28),
+            w_5 * w_26 - w_21 * w_27 + w_z * w_28,
         ]
             .into()
     }
@@ -519,7 +516,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
     }
     /// The numbers of each shape of the drawing, in metres and radians.
     ///
-    /// Operations: 13 additions, 22 multiplications, 3 sine-cosine pairs.
+    /// Operations: 13 additions, 21 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn drawing(&self, t: S, q: &[S; 3]) -> [S; 30] {
         let [psi, theta, phi] = *q;
@@ -537,7 +534,7 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
         let w_7 = w_5 + cos_theta * w_6;
         let w_8 = sin_phi * sin_theta;
         let w_9 = S::from_f64(0.7) * (w_6 + cos_theta * w_5);
-        let w_10 = cos_theta * w;
+        let w_10 = S::from_f64(0.7) * (cos_theta * w - w_2);
         let w_11 = cos_phi * sin_theta * S::from_f64(0.7);
         let w_12 = sin_psi * sin_theta;
         let w_13 = cos_psi * sin_theta;
@@ -546,13 +543,13 @@ impl<S: sim_kernel::Scalar> Tumbling<S> {
             w_7,
             w_8,
             -w_9,
-            S::from_f64(0.7) * (w_10 - w_2),
+            w_10,
             w_11,
             w_3 - w,
             -w_7,
             -w_8,
             w_9,
-            S::from_f64(0.7) * (w_2 - w_10),
+            -w_10,
             -w_11,
             w_4,
             w_7,
@@ -626,7 +623,7 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 23 additions, 60 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 22 additions, 60 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -637,38 +634,36 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let cos_phi_squared = cos_phi * cos_phi;
-        let w = self.B * cos_phi_squared;
         let sin_phi_squared = sin_phi * sin_phi;
-        let w_2 = self.A * sin_phi_squared;
-        let w_3 = sin_phi_squared * self.k_9;
-        let w_4 = sin_phi * theta_dot;
+        let cos_phi_squared = cos_phi * cos_phi;
+        let w = self.A * sin_phi_squared + self.B * cos_phi_squared;
+        let w_2 = sin_phi_squared * self.k_9;
+        let w_3 = sin_phi * theta_dot;
         let rhs_theta = sin_theta
-            * (cos_theta * psi_dot * psi_dot * (w + w_2 - self.C)
-                + psi_dot * phi_dot * (w_3 + self.k_11))
-            + cos_phi * w_4 * phi_dot * self.k_9;
-        let w_5 = sin_theta * sin_phi;
-        let rhs_phi = self.k * (sin_theta * cos_phi * psi_dot - w_4)
-            * (cos_phi * theta_dot + w_5 * psi_dot)
-            + sin_theta * self.C * psi_dot * theta_dot;
-        let w_6 = sin_theta * theta_dot
+            * (cos_theta * psi_dot * psi_dot * (w - self.C)
+                + psi_dot * phi_dot * (w_2 + self.k_11))
+            + cos_phi * w_3 * phi_dot * self.k_9;
+        let w_5 = sin_theta * theta_dot
             * (cos_theta * psi_dot
                 * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
-                + phi_dot * (w_3 + self.k_10));
-        let sin_theta_squared = sin_theta * sin_theta;
-        let mass_theta_psi = cos_phi * self.k * w_5;
+                + phi_dot * (self.k_10 + w_2));
         let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
+        let w_4 = sin_theta * sin_phi;
+        let rhs_phi = sin_theta * self.C * psi_dot * theta_dot
+            + self.k * (sin_theta * cos_phi * psi_dot - w_3)
+                * (cos_phi * theta_dot + w_4 * psi_dot);
+        let mass_theta_psi = cos_phi * self.k * w_4;
+        let sin_theta_squared = sin_theta * sin_theta;
+        let mass_psi_psi = sin_theta_squared * w + self.C * cos_theta * cos_theta;
         let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
         let l_psi_theta = mass_theta_psi * inverse_theta;
         let mass_phi_psi = self.C * cos_theta;
         let l_psi_phi = mass_phi_psi * self.inverse_phi;
-        let rhs_psi = w_6
+        let rhs_psi = w_5
             + sin_phi * cos_phi
                 * (sin_theta_squared * psi_dot * phi_dot * self.k_8
                     + cos_theta * self.k_4 * theta_dot * theta_dot)
             - rhs_theta * l_psi_theta - rhs_phi * l_psi_phi;
-        let mass_psi_psi = sin_theta_squared * (w_2 + w)
-            + self.C * cos_theta * cos_theta;
         let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta
             - mass_phi_psi * l_psi_phi;
         let psi_ddot = S::from_f64(1.0) / pivot_psi * rhs_psi;
@@ -687,7 +682,7 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
     }
     /// The derivatives of accelerations (3 rows) and multipliers (0 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 108 additions, 220 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 105 additions, 222 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -698,115 +693,117 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let cos_phi_squared = cos_phi * cos_phi;
-        let w = self.B * cos_phi_squared;
         let sin_phi_squared = sin_phi * sin_phi;
-        let w_2 = self.A * sin_phi_squared;
+        let cos_phi_squared = cos_phi * cos_phi;
+        let w = self.A * sin_phi_squared + self.B * cos_phi_squared;
+        let w_2 = w - self.C;
         let w_3 = sin_phi_squared * self.k_9;
         let w_4 = cos_phi * theta_dot;
         let rhs_theta = sin_theta
-            * (cos_theta * psi_dot * psi_dot * (w + w_2 - self.C)
+            * (cos_theta * psi_dot * psi_dot * w_2
                 + psi_dot * phi_dot * (w_3 + self.k_11))
             + sin_phi * phi_dot * w_4 * self.k_9;
-        let w_5 = sin_theta * cos_phi;
-        let w_y = psi_dot * w_5 - sin_phi * theta_dot;
-        let w_6 = sin_theta * sin_phi;
-        let w_x = w_4 + w_6 * psi_dot;
-        let w_7 = w_y * w_x;
-        let w_8 = psi_dot * theta_dot;
-        let w_9 = sin_theta * self.C;
-        let w_10 = w_8 * w_9;
-        let rhs_phi = self.k * w_7 + w_10;
+        let w_5 = psi_dot * theta_dot;
+        let w_6 = sin_theta * self.C;
+        let w_7 = w_5 * w_6;
+        let w_8 = sin_theta * cos_phi;
+        let w_y = psi_dot * w_8 - sin_phi * theta_dot;
+        let w_9 = sin_theta * sin_phi;
+        let w_x = w_4 + w_9 * psi_dot;
+        let w_10 = w_y * w_x;
+        let rhs_phi = w_7 + self.k * w_10;
         let w_11 = sin_theta * theta_dot
             * (cos_theta * psi_dot
                 * (self.k_7 - sin_phi_squared * self.k_6 - cos_phi_squared * self.k_5)
-                + phi_dot * (w_3 + self.k_10));
-        let sin_theta_squared = sin_theta * sin_theta;
-        let w_12 = cos_phi * self.k;
-        let mass_theta_psi = w_6 * w_12;
+                + phi_dot * (self.k_10 + w_3));
         let mass_theta_theta = self.A * cos_phi_squared + sin_phi_squared * self.B;
+        let w_39 = sin_theta * (self.k_4 + w_3);
+        let sin_theta_squared = sin_theta * sin_theta;
+        let mass_psi_psi = sin_theta_squared * w + self.C * cos_theta * cos_theta;
+        let w_12 = cos_phi * self.k;
+        let mass_theta_psi = w_9 * w_12;
         let inverse_theta = S::from_f64(1.0) / mass_theta_theta;
         let l_psi_theta = mass_theta_psi * inverse_theta;
         let mass_phi_psi = self.C * cos_theta;
         let l_psi_phi = mass_phi_psi * self.inverse_phi;
-        let mass_psi_psi = sin_theta_squared * (w_2 + w)
-            + self.C * cos_theta * cos_theta;
         let pivot_psi = mass_psi_psi - mass_theta_psi * l_psi_theta
             - mass_phi_psi * l_psi_phi;
         let inverse_psi = S::from_f64(1.0) / pivot_psi;
-        let w_13 = cos_theta * psi_dot;
-        let w_z = phi_dot + w_13;
-        let w_14 = w_z * self.k_2;
-        let w_15 = cos_phi * cos_theta;
-        let w_16 = psi_dot * (w_14 * w_15 + sin_theta * w_y * self.k_12)
-            + self.A * psi_dot * (phi_dot * w_15 - w_6 * theta_dot);
-        let w_17 = sin_phi * cos_theta;
-        let w_18 = w_z * self.k_3;
-        let w_19 = psi_dot * (w_17 * w_18 + sin_theta * w_x * self.k_13)
-            - self.B * psi_dot * (phi_dot * w_17 + sin_theta * w_4);
         let psi_ddot = inverse_psi
             * (w_11
                 + sin_phi * cos_phi
                     * (sin_theta_squared * psi_dot * phi_dot * self.k_8
                         + cos_theta * self.k_4 * theta_dot * theta_dot)
                 - rhs_theta * l_psi_theta - rhs_phi * l_psi_phi);
-        let w_20 = sin_theta
-            * (self.k_4 * w_7 - w_10 - sin_phi * w_16 - cos_phi * w_19
-                + self.C * (rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot));
-        let w_21 = w_y * phi_dot + w_17 * w_8;
+        let theta_ddot = rhs_theta * inverse_theta - l_psi_theta * psi_ddot;
+        let w_13 = cos_theta * psi_dot;
+        let w_z = phi_dot + w_13;
+        let w_14 = w_z * self.k_2;
+        let w_15 = cos_phi * cos_theta;
+        let w_16 = psi_dot * (w_14 * w_15 + sin_theta * w_y * self.k_12)
+            + self.A * psi_dot * (phi_dot * w_15 - w_9 * theta_dot);
+        let w_44 = self.k_3 * (w_9 * w_z + cos_theta * w_x)
+            - self.B * (w_9 * phi_dot - cos_theta * w_4);
+        let w_17 = sin_phi * cos_theta;
+        let w_21 = w_y * phi_dot + w_17 * w_5;
+        let w_43 = self.k_2 * (w_8 * w_z + cos_theta * w_y)
+            + self.A * (w_8 * phi_dot + theta_dot * w_17);
+        let w_18 = w_z * self.k_3;
+        let w_36 = w_y * w_z * self.k_13 + self.B * w_21;
         let w_22 = w_y * w_14 + self.A * w_21;
+        let w_19 = psi_dot * (w_17 * w_18 + sin_theta * w_x * self.k_13)
+            - self.B * psi_dot * (phi_dot * w_17 + sin_theta * w_4);
+        let w_20 = sin_theta
+            * (self.k_4 * w_10 - w_7 - sin_phi * w_16 - cos_phi * w_19
+                + self.C * (rhs_phi * self.inverse_phi - l_psi_phi * psi_ddot));
         let w_23 = phi_dot * w_x - w_13 * w_4;
+        let w_48 = w_13 - phi_dot;
+        let w_29 = w_12 * w_17;
+        let w_31 = sin_phi * w_19 - cos_phi * w_16 - psi_ddot * w_29;
         let w_24 = w_x * w_18 - self.B * w_23;
+        let w_35 = w_14 * w_x + self.A * w_23;
+        let w_49 = sin_phi * w_14 - self.A * sin_phi * w_48;
+        let w_50 = cos_phi * w_18 + self.B * cos_phi * w_48;
         let w_25 = sin_phi * w_y + cos_phi * w_x;
         let w_26 = self.C * theta_dot;
         let w_27 = self.k_4 * w_25 - w_26;
+        let w_32 = w_26 + self.k * w_25;
         let w_28 = S::from_f64(2.0) * psi_ddot;
-        let theta_ddot = rhs_theta * inverse_theta - l_psi_theta * psi_ddot;
-        let w_29 = w_12 * w_17;
         let w_30 = w_20
             - cos_theta * (sin_phi * w_22 + cos_phi * w_24 + cos_theta * psi_dot * w_27)
-            - sin_theta * cos_theta * (w_2 + w - self.C) * w_28 - theta_ddot * w_29;
-        let w_31 = sin_phi * w_19 - cos_phi * w_16 - psi_ddot * w_29;
-        let w_32 = self.k * w_25 + w_26;
-        let w_33 = cos_theta * psi_dot * w_32 + w_9 * psi_ddot;
+            - sin_theta * cos_theta * w_2 * w_28 - theta_ddot * w_29;
+        let w_33 = cos_theta * psi_dot * w_32 + w_6 * psi_ddot;
         let w_34 = inverse_psi * (w_30 - l_psi_theta * w_31 - l_psi_phi * w_33);
-        let w_35 = w_y * w_z * self.k_13 + self.B * w_21;
-        let w_36 = w_14 * w_x + self.A * w_23 + w_24;
+        let w_46 = sin_theta * w_32;
+        let w_52 = psi_dot * w_6;
+        let w_37 = sin_theta
+            * (sin_phi * w_24 - cos_phi * w_22 + sin_phi * w_35 + cos_phi * w_36);
         let w_x_squared = w_x * w_x;
         let w_y_squared = w_y * w_y;
-        let w_37 = sin_phi * w_12;
-        let w_38 = sin_theta * (w_3 + self.k_4);
-        let w_39 = sin_theta * (cos_phi * (w_35 - w_22) + sin_phi * w_36)
-            - cos_theta * (self.k * w_x_squared + self.k_4 * w_y_squared)
-            - w_28 * sin_theta_squared * w_37 + theta_ddot * w_38;
-        let w_40 = sin_phi * (w_22 - w_35) + cos_phi * w_36 + psi_ddot * w_38
-            + S::from_f64(2.0) * theta_ddot * w_37;
+        let w_38 = sin_phi * w_12;
+        let w_40 = sin_phi * (w_22 - w_36) + cos_phi * (w_24 + w_35) + psi_ddot * w_39
+            + S::from_f64(2.0) * theta_ddot * w_38;
         let w_41 = self.k_4 * w_x_squared + self.k * w_y_squared;
-        let w_42 = inverse_psi * (w_39 - l_psi_theta * w_40 - l_psi_phi * w_41);
-        let w_43 = self.k_2 * (w_5 * w_z + cos_theta * w_y)
-            + self.A * (w_5 * phi_dot + theta_dot * w_17);
-        let w_44 = self.k_3 * (w_6 * w_z + cos_theta * w_x)
-            - self.B * (w_6 * phi_dot - cos_theta * w_4);
+        let w_42 = inverse_psi
+            * (w_37 - cos_theta * (self.k * w_x_squared + self.k_4 * w_y_squared)
+                - w_28 * sin_theta_squared * w_38 + theta_ddot * w_39
+                - l_psi_theta * w_40 - l_psi_phi * w_41);
         let w_45 = sin_phi * w_44 - cos_phi * w_43;
-        let w_46 = sin_theta * w_32;
         let w_47 = inverse_psi
             * (sin_theta * (sin_phi * w_43 + cos_phi * w_44)
                 + cos_theta * sin_theta * w_27 + l_psi_theta * w_45 + l_psi_phi * w_46);
-        let w_48 = sin_phi * w_14 - self.A * sin_phi * (w_13 - phi_dot);
-        let w_49 = cos_phi * w_18 - self.B * cos_phi * (phi_dot - w_13);
-        let w_50 = sin_phi * w_x;
-        let w_51 = psi_dot * w_9;
-        let w_52 = cos_phi * w_48 + sin_phi * w_49;
-        let w_53 = w_12 * w_y + self.k_4 * w_50 + w_51;
-        let w_54 = sin_theta * (sin_phi * w_48 - cos_phi * w_49)
-            - cos_theta * (cos_phi * w_y * self.k_4 + self.k * w_50 - w_51)
-            - l_psi_theta * w_52 - l_psi_phi * w_53;
-        let w_55 = inverse_psi * w_54;
-        let w_56 = w_y * self.k_14;
-        let w_57 = w_x * self.k_15;
-        let w_58 = cos_phi * w_56 + sin_phi * w_57;
-        let w_59 = inverse_psi
-            * (sin_theta * (sin_phi * w_56 - cos_phi * w_57) - l_psi_theta * w_58);
+        let w_51 = sin_phi * w_x;
+        let w_54 = w_52 + w_12 * w_y + self.k_4 * w_51;
+        let w_58 = w_x * self.k_15;
+        let w_53 = cos_phi * w_49 + sin_phi * w_50;
+        let w_55 = sin_theta * (sin_phi * w_49 - cos_phi * w_50)
+            - cos_theta * (cos_phi * w_y * self.k_4 + self.k * w_51 - w_52)
+            - l_psi_theta * w_53 - l_psi_phi * w_54;
+        let w_56 = inverse_psi * w_55;
+        let w_57 = w_y * self.k_14;
+        let w_59 = cos_phi * w_57 + sin_phi * w_58;
+        let w_60 = inverse_psi
+            * (sin_theta * (sin_phi * w_57 - cos_phi * w_58) - l_psi_theta * w_59);
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [S::from_f64(0.0), w_34, w_42],
@@ -822,16 +819,16 @@ impl<S: sim_kernel::Scalar> TumblingPrepared<S> {
                 ],
             ],
             accelerations_by_speeds: [
-                [-w_47, w_55, w_59],
+                [-w_47, w_56, w_60],
                 [
                     inverse_theta * w_45 + l_psi_theta * w_47,
-                    inverse_theta * w_52 - l_psi_theta * w_55,
-                    inverse_theta * w_58 - l_psi_theta * w_59,
+                    inverse_theta * w_53 - l_psi_theta * w_56,
+                    inverse_theta * w_59 - l_psi_theta * w_60,
                 ],
                 [
                     self.inverse_phi * w_46 + l_psi_phi * w_47,
-                    self.inverse_phi * w_53 - l_psi_phi * w_55,
-                    -(l_psi_phi * w_59),
+                    self.inverse_phi * w_54 - l_psi_phi * w_56,
+                    -(l_psi_phi * w_60),
                 ],
             ],
             multipliers_by_positions: [],

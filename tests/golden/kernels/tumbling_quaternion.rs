@@ -410,35 +410,36 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
     ///
-    /// Operations: 31 additions, 59 multiplications, 1 division.
+    /// Operations: 31 additions, 58 multiplications, 1 division.
     #[inline]
     pub fn mass_matrix(&self, t: S, q: &[S; 7]) -> [[S; 7]; 7] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
-        let body_q0_squared = body_q0 * body_q0;
         let body_q1_squared = body_q1 * body_q1;
+        let body_q0_squared = body_q0 * body_q0;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
         let w = S::from_f64(1.0)
-            / (body_q0_squared + body_q1_squared + body_q2_squared + body_q3_squared);
+            / (body_q1_squared + body_q0_squared + body_q2_squared + body_q3_squared);
         let w_squared = w * w;
         let w_2 = S::from_f64(4.0) * self.A;
         let w_3 = S::from_f64(4.0) * self.B;
         let w_4 = S::from_f64(4.0) * self.C;
         let w_5 = S::from_f64(1.3333333333333333) * (self.A + self.B + self.C);
         let w_6 = w_5 - w_squared * w_2;
-        let w_7 = w_squared * (w_3 - w_4);
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_6 + body_q2 * body_q3 * w_7;
-        let w_8 = w_4 - w_2;
-        let w_9 = body_q1 * body_q3;
-        let w_10 = body_q0 * body_q2;
-        let mass_body_q2_body_q0 = w_squared * (w_8 * w_9 - w_3 * w_10) + w_5 * w_10;
-        let w_11 = w_2 - w_3;
-        let w_12 = body_q1 * body_q2;
-        let w_13 = body_q0 * body_q3;
-        let mass_body_q3_body_q0 = w_squared * (w_11 * w_12 - w_4 * w_13) + w_5 * w_13;
-        let mass_body_q2_body_q1 = w_squared * (w_11 * w_13 - w_4 * w_12) + w_5 * w_12;
-        let mass_body_q3_body_q1 = w_squared * (w_8 * w_10 - w_3 * w_9) + w_5 * w_9;
-        let mass_body_q3_body_q2 = body_q2 * body_q3 * w_6 + body_q1 * body_q0 * w_7;
+        let w_7 = body_q2 * body_q3;
+        let w_8 = w_squared * (w_3 - w_4);
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_6 + w_7 * w_8;
+        let mass_body_q3_body_q2 = w_6 * w_7 + body_q1 * body_q0 * w_8;
+        let w_9 = w_4 - w_2;
+        let w_10 = body_q1 * body_q3;
+        let w_11 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (w_9 * w_10 - w_3 * w_11) + w_5 * w_11;
+        let mass_body_q3_body_q1 = w_squared * (w_9 * w_11 - w_3 * w_10) + w_5 * w_10;
+        let w_12 = w_2 - w_3;
+        let w_13 = body_q1 * body_q2;
+        let w_14 = body_q0 * body_q3;
+        let mass_body_q3_body_q0 = w_squared * (w_12 * w_13 - w_4 * w_14) + w_5 * w_14;
+        let mass_body_q2_body_q1 = w_squared * (w_12 * w_14 - w_4 * w_13) + w_5 * w_13;
         [
             [
                 self.m,
@@ -575,8 +576,8 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     pub fn constraints(&self, t: S, q: &[S; 7]) -> [S; 1] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         [
-            body_q0 * body_q0 + body_q1 * body_q1 + body_q2 * body_q2 + body_q3 * body_q3
-                - S::from_f64(1.0),
+            body_q0 * body_q0 - S::from_f64(1.0) + body_q1 * body_q1 + body_q2 * body_q2
+                + body_q3 * body_q3,
         ]
     }
     /// The sum of the magnitudes of the terms of `C`, 1, in SI units: what its rounding is relative to.
@@ -586,9 +587,8 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
     pub fn constraint_magnitudes(&self, t: S, q: &[S; 7]) -> [S; 1] {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         [
-            (body_q0 * body_q0).abs() + (body_q1 * body_q1).abs()
-                + (body_q2 * body_q2).abs() + (body_q3 * body_q3).abs()
-                + S::from_f64(1.0),
+            S::from_f64(1.0) + (body_q0 * body_q0).abs() + (body_q1 * body_q1).abs()
+                + (body_q2 * body_q2).abs() + (body_q3 * body_q3).abs(),
         ]
     }
     /// Constraint Jacobian `C_q`, 1 x 7: units of each constraint per unit of each coordinate.
@@ -640,8 +640,8 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         sim_kernel::ConstraintLinearization {
             values: [
-                body_q0 * body_q0 + body_q1 * body_q1 + body_q2 * body_q2
-                    + body_q3 * body_q3 - S::from_f64(1.0),
+                body_q0 * body_q0 - S::from_f64(1.0) + body_q1 * body_q1
+                    + body_q2 * body_q2 + body_q3 * body_q3,
             ],
             jacobian: [
                 [
@@ -813,12 +813,16 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_28 = body_q1 * body_q2;
         let w_29 = body_q0 * body_q3;
         let w_30 = w_28 - w_29;
+        let w_46 = w_28 + w_29;
         let w_31 = S::from_f64(4.0) * self.C;
         let w_32 = body_q1 * body_q3;
         let w_33 = body_q0 * body_q2;
         let w_34 = w_32 + w_33;
+        let w_58 = w_32 - w_33;
         let w_35 = w_31 * (w_26 * (w_16 + w_17 + w_18 + w_19) + w_21 * w_34);
         let w_36 = body_q2_squared + body_q3_squared;
+        let w_51 = body_q1_squared + body_q3_squared;
+        let w_61 = body_q1_squared + body_q2_squared;
         let w_37 = w_3 * w_36 - S::from_f64(1.0);
         let w_38 = S::from_f64(4.0) * self.A;
         let w_39 = w_8 * w_38;
@@ -832,14 +836,15 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_43 = w_2 * w_2_squared;
         let w_44 = w_20 * self.B * S::from_f64(16.0);
         let w_45 = w_26 * S::from_f64(16.0) * self.C;
-        let w_46 = w_28 + w_29;
         let w_47 = body_q2 * body_q3;
         let w_48 = body_q0 * body_q1;
         let w_49 = w_47 - w_48;
+        let w_59 = w_47 + w_48;
         let w_50 = w_31 * (w_21 * w_49 - w_26 * (w_4 + w_5 - w_6 - w_7));
-        let w_51 = body_q1_squared + body_q3_squared;
-        let w_52 = w_3 * w_51 - S::from_f64(1.0);
+        let w_60 = w_27 * (w_20 * (w_4 + w_5 + w_6 + w_7) + w_15 * w_59);
         let w_53 = w_20 * w_27;
+        let w_63 = w_26 * w_31;
+        let w_52 = w_3 * w_51 - S::from_f64(1.0);
         let w_54 = w_2_squared
             * (w_38 * (w_8 * (w_22 + w_23 + w_24 + w_25) + w * w_46) + w_50
                 + w_12 * w_52 * w_53);
@@ -848,12 +853,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_57 = w_2
             * (w_20 * (w_13 * w_51 - w_2 * (w_9 + w_11)) * w_56
                 - w_15 * w_52 * S::from_f64(2.0) * self.B);
-        let w_58 = w_32 - w_33;
-        let w_59 = w_47 + w_48;
-        let w_60 = w_27 * (w_20 * (w_4 + w_5 + w_6 + w_7) + w_15 * w_59);
-        let w_61 = body_q1_squared + body_q2_squared;
         let w_62 = w_3 * w_61 - S::from_f64(1.0);
-        let w_63 = w_26 * w_31;
         let w_64 = w_2_squared
             * (w_38 * (w * w_58 - w_8 * (w_16 + w_17 - w_18 - w_19)) + w_60
                 + w_12 * w_62 * w_63);
@@ -901,7 +901,8 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
             / (body_q0 * body_q0 + body_q1_squared + body_q2_squared + body_q3_squared);
         let w_2 = S::from_f64(2.0) * w;
         let w_3 = (body_q2_squared + body_q3_squared) * w_2;
-        let w_4 = body_x - w_3 + S::from_f64(1.0);
+        let w_22 = body_q1_squared + body_q2_squared;
+        let w_4 = S::from_f64(1.0) + body_x - w_3;
         let w_5 = body_q1 * body_q2;
         let w_6 = body_q0 * body_q3;
         let w_7 = w_2 * (w_5 + w_6);
@@ -909,6 +910,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_9 = body_q1 * body_q3;
         let w_10 = body_q0 * body_q2;
         let w_11 = w_2 * (w_9 - w_10);
+        let w_19 = w_9 + w_10;
         let w_12 = body_z + w_11;
         let w_13 = w * S::from_f64(1.4);
         let w_14 = (w_5 - w_6) * w_13;
@@ -916,32 +918,30 @@ impl<S: sim_kernel::Scalar> TumblingQuaternion<S> {
         let w_16 = body_q2 * body_q3;
         let w_17 = body_q0 * body_q1;
         let w_18 = w_13 * (w_16 + w_17);
-        let w_19 = w_9 + w_10;
-        let w_20 = w * S::from_f64(0.6);
         let w_21 = w_16 - w_17;
-        let w_22 = body_q1_squared + body_q2_squared;
+        let w_20 = w * S::from_f64(0.6);
         [
             w_4,
             w_8,
             w_12,
             body_x + w_14,
-            body_y - w_15 + S::from_f64(0.7),
+            body_y + S::from_f64(0.7) - w_15,
             body_z + w_18,
-            body_x + w_3 - S::from_f64(1.0),
+            body_x - S::from_f64(1.0) + w_3,
             body_y - w_7,
             body_z - w_11,
             body_x - w_14,
-            body_y + w_15 - S::from_f64(0.7),
+            body_y - S::from_f64(0.7) + w_15,
             body_z - w_18,
             w_4,
             w_8,
             w_12,
             body_x - w_19 * w_20,
             body_y - w_20 * w_21,
-            body_z + w_20 * w_22 - S::from_f64(0.3),
+            body_z - S::from_f64(0.3) + w_20 * w_22,
             body_x + w * w_19,
             body_y + w * w_21,
-            body_z - w * w_22 + S::from_f64(0.5),
+            body_z + S::from_f64(0.5) - w * w_22,
             S::from_f64(0.0),
             S::from_f64(0.0),
             S::from_f64(0.0),
@@ -1024,7 +1024,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 96 additions, 175 multiplications, 6 divisions.
+    /// Operations: 96 additions, 174 multiplications, 6 divisions.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1034,12 +1034,12 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 7], [S; 1]> {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         let [_, _, _, body_q0_dot, body_q1_dot, body_q2_dot, body_q3_dot] = *qd;
-        let body_q0_squared = body_q0 * body_q0;
         let body_q1_squared = body_q1 * body_q1;
+        let body_q0_squared = body_q0 * body_q0;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
         let w = S::from_f64(1.0)
-            / (body_q0_squared + body_q1_squared + body_q2_squared + body_q3_squared);
+            / (body_q1_squared + body_q0_squared + body_q2_squared + body_q3_squared);
         let w_squared = w * w;
         let w_2 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
             + body_q1 * body_q3_dot;
@@ -1058,8 +1058,9 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let rhs_body_q0 = S::from_f64(8.0) * w
             * (body_q1 * w_6 + body_q2 * w_7 + body_q3 * w_8) - body_q0 * w_10;
         let w_11 = self.k_5 - w_squared * self.k_2;
-        let w_12 = w_squared * self.k_6;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_11 + body_q2 * body_q3 * w_12;
+        let w_12 = body_q2 * body_q3;
+        let w_13 = w_squared * self.k_6;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_11 + w_12 * w_13;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
@@ -1068,10 +1069,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let rhs_body_q1 = S::from_f64(8.0) * w
             * (body_q3 * w_7 - body_q0 * w_6 - body_q2 * w_8) - body_q1 * w_10
             - rhs_body_q0 * l_body_q1_body_q0;
-        let w_13 = body_q1 * body_q3;
-        let w_14 = body_q0 * body_q2;
-        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_13 - self.k_3 * w_14)
-            + self.k_5 * w_14;
+        let w_14 = body_q1 * body_q3;
+        let w_15 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_14 - self.k_3 * w_15)
+            + self.k_5 * w_15;
         let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
@@ -1079,38 +1080,38 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let w_15 = body_q0 * body_q3;
-        let w_16 = body_q1 * body_q2;
-        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_15 - self.k_4 * w_16)
-            + self.k_5 * w_16 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_16 = body_q0 * body_q3;
+        let w_17 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_16 - self.k_4 * w_17)
+            + self.k_5 * w_17 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_17 - self.k_4 * w_16)
+            + self.k_5 * w_16;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
         let rhs_body_q2 = S::from_f64(8.0) * w
             * (body_q1 * w_8 - body_q3 * w_6 - body_q0 * w_7) - body_q2 * w_10
             - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
-        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_16 - self.k_4 * w_15)
-            + self.k_5 * w_15;
         let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_14 - self.k_3 * w_13)
-            + self.k_5 * w_13 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_15 - self.k_3 * w_14)
+            + self.k_5 * w_14 - mass_body_q1_body_q0 * l_body_q3_body_q0;
         let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
+        let k_body_q3_body_q2 = w_11 * w_12 + body_q1 * body_q0 * w_13
+            - mass_body_q2_body_q0 * l_body_q3_body_q0
+            - k_body_q2_body_q1 * l_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
                 + body_q1_squared * self.k_4) + body_q2_squared * self.k_5;
+        let mass_body_q3_body_q3 = w_squared
+            * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
+                + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
         let pivot_body_q2 = mass_body_q2_body_q2
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let k_body_q3_body_q2 = body_q2 * body_q3 * w_11 + body_q1 * body_q0 * w_12
-            - mass_body_q2_body_q0 * l_body_q3_body_q0
-            - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
         let rhs_body_q3 = S::from_f64(8.0) * w
             * (body_q2 * w_6 - body_q1 * w_7 - body_q0 * w_8) - body_q3 * w_10
             - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
             - l_body_q3_body_q2 * rhs_body_q2;
-        let mass_body_q3_body_q3 = w_squared
-            * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
-                + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
         let pivot_body_q3 = mass_body_q3_body_q3
             - mass_body_q3_body_q0 * l_body_q3_body_q0
             - k_body_q3_body_q1 * l_body_q3_body_q1
@@ -1179,7 +1180,7 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     }
     /// The derivatives of accelerations (7 rows) and multipliers (1 rows) with respect to coordinates and speeds (7 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 666 additions, 1039 multiplications, 6 divisions.
+    /// Operations: 663 additions, 1039 multiplications, 6 divisions.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -1189,12 +1190,12 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 7]; 7], [[S; 7]; 1]> {
         let [_, _, _, body_q0, body_q1, body_q2, body_q3] = *q;
         let [_, _, _, body_q0_dot, body_q1_dot, body_q2_dot, body_q3_dot] = *qd;
-        let body_q0_squared = body_q0 * body_q0;
         let body_q1_squared = body_q1 * body_q1;
+        let body_q0_squared = body_q0 * body_q0;
         let body_q2_squared = body_q2 * body_q2;
         let body_q3_squared = body_q3 * body_q3;
         let w = S::from_f64(1.0)
-            / (body_q0_squared + body_q1_squared + body_q2_squared + body_q3_squared);
+            / (body_q1_squared + body_q0_squared + body_q2_squared + body_q3_squared);
         let w_squared = w * w;
         let w_2 = body_q0 * body_q2_dot - body_q2 * body_q0_dot - body_q3 * body_q1_dot
             + body_q1 * body_q3_dot;
@@ -1207,14 +1208,17 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             + body_q3 * body_q3_dot;
         let w_7 = w_5 * w_6;
         let w_8 = w_squared * (w_2 * w_4 - self.A * w_7);
+        let w_43 = self.k_2 * w_7;
         let w_9 = body_q1 * w_8;
         let w_10 = w_5 * self.k_10;
         let w_11 = w_2 * w_6;
         let w_12 = w_squared * (w_3 * w_10 - self.B * w_11);
+        let w_51 = self.k_3 * w_11;
         let w_13 = body_q2 * w_12;
         let w_14 = w_2 * self.k_11;
         let w_15 = w_3 * w_6;
         let w_16 = w_squared * (w_5 * w_14 - self.C * w_15);
+        let w_59 = self.k_4 * w_15;
         let w_17 = body_q3 * w_16;
         let w_18 = w_9 + w_13 + w_17;
         let w_19 = body_q0_dot * body_q0_dot + body_q1_dot * body_q1_dot
@@ -1225,8 +1229,9 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let w_22 = body_q0 * w_8;
         let w_23 = body_q2 * w_16;
         let w_24 = self.k_5 - w_squared * self.k_2;
-        let w_25 = body_q3 * w_squared;
-        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_24 + body_q2 * self.k_6 * w_25;
+        let w_25 = body_q2 * body_q3;
+        let w_26 = w_squared * self.k_6;
+        let mass_body_q1_body_q0 = body_q1 * body_q0 * w_24 + w_25 * w_26;
         let mass_body_q0_body_q0 = w_squared
             * (body_q1_squared * self.k_2 + body_q2_squared * self.k_3
                 + body_q3_squared * self.k_4) + body_q0_squared * self.k_5;
@@ -1234,13 +1239,13 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let l_body_q1_body_q0 = mass_body_q1_body_q0 * inverse_body_q0;
         let rhs_body_q1 = S::from_f64(8.0) * w * (w_21 - w_22 - w_23) - body_q1 * w_20
             - rhs_body_q0 * l_body_q1_body_q0;
-        let w_26 = body_q1 * w_16;
-        let w_27 = body_q3 * w_8;
-        let w_28 = body_q0 * w_12;
-        let w_29 = body_q1 * body_q3;
-        let w_30 = body_q0 * body_q2;
-        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_29 - self.k_3 * w_30)
-            + self.k_5 * w_30;
+        let w_27 = body_q1 * w_16;
+        let w_28 = body_q3 * w_8;
+        let w_29 = body_q0 * w_12;
+        let w_30 = body_q1 * body_q3;
+        let w_31 = body_q0 * body_q2;
+        let mass_body_q2_body_q0 = w_squared * (self.k_7 * w_30 - self.k_3 * w_31)
+            + self.k_5 * w_31;
         let l_body_q2_body_q0 = mass_body_q2_body_q0 * inverse_body_q0;
         let mass_body_q1_body_q1 = w_squared
             * (body_q0_squared * self.k_2 + body_q3_squared * self.k_3
@@ -1248,22 +1253,26 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let pivot_body_q1 = mass_body_q1_body_q1
             - mass_body_q1_body_q0 * l_body_q1_body_q0;
         let inverse_body_q1 = S::from_f64(1.0) / pivot_body_q1;
-        let w_31 = body_q0 * body_q3;
-        let w_32 = body_q1 * body_q2;
-        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_31 - self.k_4 * w_32)
-            + self.k_5 * w_32 - mass_body_q1_body_q0 * l_body_q2_body_q0;
+        let w_32 = body_q0 * body_q3;
+        let w_33 = body_q1 * body_q2;
+        let k_body_q2_body_q1 = w_squared * (self.k_8 * w_32 - self.k_4 * w_33)
+            + self.k_5 * w_33 - mass_body_q1_body_q0 * l_body_q2_body_q0;
         let l_body_q2_body_q1 = inverse_body_q1 * k_body_q2_body_q1;
-        let rhs_body_q2 = S::from_f64(8.0) * w * (w_26 - w_27 - w_28) - body_q2 * w_20
+        let rhs_body_q2 = S::from_f64(8.0) * w * (w_27 - w_28 - w_29) - body_q2 * w_20
             - rhs_body_q0 * l_body_q2_body_q0 - l_body_q2_body_q1 * rhs_body_q1;
-        let w_33 = body_q2 * w_8;
-        let w_34 = body_q1 * w_12;
-        let w_35 = body_q0 * w_16;
-        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_32 - self.k_4 * w_31)
-            + self.k_5 * w_31;
+        let w_34 = body_q2 * w_8;
+        let w_35 = body_q1 * w_12;
+        let w_36 = body_q0 * w_16;
+        let mass_body_q3_body_q0 = w_squared * (self.k_8 * w_33 - self.k_4 * w_32)
+            + self.k_5 * w_32;
+        let w_97 = self.k_2 * w_32;
         let l_body_q3_body_q0 = mass_body_q3_body_q0 * inverse_body_q0;
-        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_30 - self.k_3 * w_29)
-            + self.k_5 * w_29 - mass_body_q1_body_q0 * l_body_q3_body_q0;
+        let k_body_q3_body_q1 = w_squared * (self.k_7 * w_31 - self.k_3 * w_30)
+            + self.k_5 * w_30 - mass_body_q1_body_q0 * l_body_q3_body_q0;
         let l_body_q3_body_q1 = inverse_body_q1 * k_body_q3_body_q1;
+        let k_body_q3_body_q2 = w_24 * w_25 + body_q1 * body_q0 * w_26
+            - mass_body_q2_body_q0 * l_body_q3_body_q0
+            - k_body_q2_body_q1 * l_body_q3_body_q1;
         let mass_body_q2_body_q2 = w_squared
             * (body_q3_squared * self.k_2 + body_q0_squared * self.k_3
                 + body_q1_squared * self.k_4) + body_q2_squared * self.k_5;
@@ -1271,43 +1280,44 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
             - mass_body_q2_body_q0 * l_body_q2_body_q0
             - k_body_q2_body_q1 * l_body_q2_body_q1;
         let inverse_body_q2 = S::from_f64(1.0) / pivot_body_q2;
-        let k_body_q3_body_q2 = body_q2 * body_q3 * w_24
-            + body_q1 * body_q0 * w_squared * self.k_6
-            - mass_body_q2_body_q0 * l_body_q3_body_q0
-            - k_body_q2_body_q1 * l_body_q3_body_q1;
         let l_body_q3_body_q2 = inverse_body_q2 * k_body_q3_body_q2;
-        let rhs_body_q3 = S::from_f64(8.0) * w * (w_33 - w_34 - w_35) - body_q3 * w_20
+        let rhs_body_q3 = S::from_f64(8.0) * w * (w_34 - w_35 - w_36) - body_q3 * w_20
             - rhs_body_q0 * l_body_q3_body_q0 - l_body_q3_body_q1 * rhs_body_q1
             - l_body_q3_body_q2 * rhs_body_q2;
-        let w_36 = body_q2_dot * w_3;
-        let w_37 = body_q3_dot * w_2;
-        let w_38 = body_q1_dot * w_6;
-        let w_39 = body_q0_dot * w_5;
-        let w_40 = w * w_squared;
-        let w_41 = w_2 * w_3;
-        let w_42 = self.k_2 * w_7;
-        let w_43 = w_40 * (self.k_6 * w_41 + w_42);
-        let w_44 = w_squared * (self.k_9 * (w_36 + w_37) - self.A * (w_38 + w_39))
-            + body_q0 * w_43;
-        let w_45 = body_q1_dot * w_3;
-        let w_46 = body_q3_dot * w_5;
-        let w_47 = body_q2_dot * w_6;
-        let w_48 = body_q0_dot * w_2;
-        let w_49 = w_3 * w_5;
-        let w_50 = self.k_3 * w_11;
-        let w_51 = w_40 * (self.k_7 * w_49 + w_50);
-        let w_52 = w_squared * (self.k_10 * (w_45 + w_46) - self.B * (w_47 + w_48))
-            + body_q0 * w_51;
-        let w_53 = body_q1_dot * w_2;
-        let w_54 = body_q2_dot * w_5;
-        let w_55 = body_q3_dot * w_6;
-        let w_56 = body_q0_dot * w_3;
-        let w_57 = w_2 * w_5;
-        let w_58 = self.k_4 * w_15;
-        let w_59 = w_squared * (self.k_11 * (w_53 + w_54) - self.C * (w_55 + w_56))
-            + body_q0 * w_40 * (self.k_8 * w_57 + w_58);
-        let w_60 = S::from_f64(8.0) * w
-            * (body_q1 * w_44 + body_q2 * w_52 + body_q3 * w_59);
+        let w_37 = body_q2_dot * w_3;
+        let w_38 = body_q3_dot * w_2;
+        let w_39 = body_q1_dot * w_6;
+        let w_40 = body_q0_dot * w_5;
+        let w_41 = w * w_squared;
+        let w_42 = w_2 * w_3;
+        let w_44 = w_41 * (self.k_6 * w_42 + w_43);
+        let w_153 = w_42 * self.k_30 - w_43;
+        let w_45 = w_squared * (self.k_9 * (w_37 + w_38) - self.A * (w_39 + w_40))
+            + body_q0 * w_44;
+        let w_46 = body_q1_dot * w_3;
+        let w_47 = body_q3_dot * w_5;
+        let w_48 = body_q2_dot * w_6;
+        let w_49 = body_q0_dot * w_2;
+        let w_50 = w_3 * w_5;
+        let w_52 = self.k_7 * w_50 + w_51;
+        let w_117 = w_50 * self.k_31 - w_51;
+        let w_53 = w_squared * (self.k_10 * (w_46 + w_47) - self.B * (w_48 + w_49))
+            + body_q0 * w_41 * w_52;
+        let w_54 = body_q1_dot * w_2;
+        let w_55 = body_q2_dot * w_5;
+        let w_56 = body_q3_dot * w_6;
+        let w_57 = body_q0_dot * w_3;
+        let w_58 = w_2 * w_5;
+        let w_60 = w_squared * (self.k_11 * (w_54 + w_55) - self.C * (w_56 + w_57))
+            + body_q0 * w_41 * (self.k_8 * w_58 + w_59);
+        let w_118 = w_squared * (self.B * (w_54 + w_56) + self.k_10 * (w_55 + w_57))
+            + body_q1 * w_41 * w_117;
+        let w_154 = w_squared
+            * (self.A * (w_55 - w_56) + w_54 * self.k_29 + body_q0_dot * w_4)
+            + body_q2 * w_41 * w_153;
+        let w_120 = w_58 * self.k_28 - w_59;
+        let w_61 = S::from_f64(8.0) * w
+            * (body_q1 * w_45 + body_q2 * w_53 + body_q3 * w_60);
         let mass_body_q3_body_q3 = w_squared
             * (body_q2_squared * self.k_2 + body_q1_squared * self.k_3
                 + body_q0_squared * self.k_4) + body_q3_squared * self.k_5;
@@ -1350,419 +1360,408 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
         let body_q1_ddot = inverse_body_q1 * rhs_body_q1
             - l_body_q2_body_q1 * body_q2_ddot - l_body_q3_body_q1 * body_q3_ddot
             - l_lambda_body_norm_body_q1 * lambda_body_norm;
-        let w_61 = w_squared * self.k_15;
-        let w_62 = body_q0_squared * w_40;
-        let w_63 = body_q3 * w_40;
-        let w_64 = body_q0 * w_63;
-        let w_65 = body_q2 * w_64;
-        let w_66 = body_q1 * (w_61 - self.k_16 * w_62 - self.k) + self.k_19 * w_65;
-        let w_67 = w_squared * self.k_20;
-        let w_68 = body_q1 * w_64;
-        let w_69 = body_q2 * (self.k_17 * w_62 - w_67 + self.k) + self.k_21 * w_68;
-        let w_70 = w_squared * self.k_22;
-        let w_71 = body_q0 * w_32;
-        let w_72 = w_40 * w_71;
-        let w_73 = body_q3 * (w_70 - self.k_18 * w_62 - self.k) + self.k_23 * w_72;
-        let w_74 = S::from_f64(2.0) * lambda_body_norm;
         let body_q0_ddot = rhs_body_q0 * inverse_body_q0
             - l_body_q1_body_q0 * body_q1_ddot - l_body_q2_body_q0 * body_q2_ddot
             - l_body_q3_body_q0 * body_q3_ddot
             - l_lambda_body_norm_body_q0 * lambda_body_norm;
-        let w_75 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
-            * (w_40
+        let w_75 = S::from_f64(2.0) * lambda_body_norm;
+        let w_62 = w_squared * self.k_15;
+        let w_63 = body_q0_squared * w_41;
+        let w_64 = body_q3 * w_41;
+        let w_187 = w_squared * (self.A * (w_47 + w_48) + self.k_9 * (w_46 + w_49))
+            + w_64 * w_153;
+        let w_65 = body_q0 * w_64;
+        let w_66 = body_q2 * w_65;
+        let w_69 = body_q1 * w_65;
+        let w_67 = body_q1 * (w_62 - self.k - self.k_16 * w_63) + self.k_19 * w_66;
+        let w_68 = w_squared * self.k_20;
+        let w_70 = body_q2 * (self.k - w_68 + self.k_17 * w_63) + self.k_21 * w_69;
+        let w_71 = w_squared * self.k_22;
+        let w_72 = body_q0 * w_33;
+        let w_129 = w_33 * w_64;
+        let w_73 = w_41 * w_72;
+        let w_74 = body_q3 * (w_71 - self.k - self.k_18 * w_63) + self.k_23 * w_73;
+        let w_76 = body_q0_ddot * S::from_f64(2.6666666666666665) * body_q0
+            * (w_41
                 * (body_q1_squared * self.k_12 + body_q2_squared * self.k_13
                     + body_q3_squared * self.k_14) - self.k);
-        let w_76 = w_60 - S::from_f64(16.0) * body_q0 * w_squared * w_18
+        let w_77 = w_61 - S::from_f64(16.0) * body_q0 * w_squared * w_18
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_66 - body_q2_ddot * w_69 + body_q3_ddot * w_73)
-            - w_74 - w_20 + w_75;
-        let w_77 = self.A * w_squared;
-        let w_78 = body_q3_squared * self.k_25;
-        let w_79 = body_q2_squared * self.k_26;
-        let w_80 = body_q0 * body_q0_squared;
-        let w_81 = w_40 * self.k_24;
-        let w_82 = w * (body_q3 * w_52 - w_8 - body_q0 * w_44 - body_q2 * w_59)
-            - body_q1_ddot * (body_q0 * (w_77 - w_40 * (w_78 + w_79)) - w_80 * w_81);
-        let w_83 = w_squared * self.k_10;
-        let w_84 = body_q2 * (w_83 + self.k_7 * w_62) - self.k_3 * w_68;
-        let w_85 = w_squared * self.k_27;
-        let w_86 = body_q3 * (w_85 + w_62 * self.k_28) + self.k_4 * w_72;
-        let w_87 = S::from_f64(1.3333333333333333) * body_q0_ddot;
-        let w_88 = S::from_f64(8.0) * w_82
+                * (body_q1_ddot * w_67 - body_q2_ddot * w_70 + body_q3_ddot * w_74)
+            - w_75 - w_20 + w_76;
+        let w_78 = self.A * w_squared;
+        let w_79 = body_q3_squared * self.k_25;
+        let w_80 = body_q2_squared * self.k_26;
+        let w_81 = body_q0 * body_q0_squared;
+        let w_82 = w_41 * self.k_24;
+        let w_83 = w * (body_q3 * w_53 - w_8 - body_q0 * w_45 - body_q2 * w_60)
+            - body_q1_ddot * (body_q0 * (w_78 - w_41 * (w_79 + w_80)) - w_81 * w_82);
+        let w_84 = w_23 - w_21;
+        let w_85 = w_squared * self.k_10;
+        let w_86 = body_q2 * (w_85 + self.k_7 * w_63) - self.k_3 * w_69;
+        let w_87 = w_squared * self.k_27;
+        let w_88 = body_q3 * (w_87 + w_63 * self.k_28) + self.k_4 * w_73;
+        let w_89 = S::from_f64(1.3333333333333333) * body_q0_ddot;
+        let w_90 = S::from_f64(8.0) * w_83
+            + S::from_f64(16.0) * w_squared * (body_q0 * w_84 + body_q0_squared * w_8)
+            + S::from_f64(4.0) * (body_q3_ddot * w_86 - body_q2_ddot * w_88)
+            + w_67 * w_89;
+        let w_91 = w_90 - l_body_q1_body_q0 * w_77;
+        let w_92 = body_q3_squared * self.k_24;
+        let w_93 = body_q1_squared * self.k_26;
+        let w_94 = w_squared * self.B;
+        let w_95 = w_41 * self.k_25;
+        let w_96 = w * (body_q1 * w_60 - w_12 - body_q3 * w_45 - body_q0 * w_53)
+            + body_q2_ddot * (body_q0 * (w_41 * (w_92 + w_93) - w_94) + w_81 * w_95);
+        let w_98 = w_squared * self.k_29;
+        let w_99 = w_41 * (body_q2 * w_97 + body_q1 * body_q0_squared * self.k_30)
+            + body_q1 * w_98;
+        let w_100 = S::from_f64(8.0) * w_96
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_23 - w_21) + body_q0_squared * w_8)
-            + S::from_f64(4.0) * (body_q3_ddot * w_84 - body_q2_ddot * w_86)
-            + w_66 * w_87;
-        let w_89 = w_88 - l_body_q1_body_q0 * w_76;
-        let w_90 = body_q3_squared * self.k_24;
-        let w_91 = body_q1_squared * self.k_26;
-        let w_92 = w_squared * self.B;
-        let w_93 = w_40 * self.k_25;
-        let w_94 = w * (body_q1 * w_59 - body_q3 * w_44 - w_12 - body_q0 * w_52)
-            + body_q2_ddot * (body_q0 * (w_40 * (w_90 + w_91) - w_92) + w_80 * w_93);
-        let w_95 = self.k_2 * w_31;
-        let w_96 = w_squared * self.k_29;
-        let w_97 = w_40 * (body_q2 * w_95 + body_q1 * body_q0_squared * self.k_30)
-            + body_q1 * w_96;
-        let w_98 = S::from_f64(8.0) * w_94
+                * (body_q0 * (w_28 - w_27) + body_q0_squared * w_12)
+            - S::from_f64(4.0) * (body_q1_ddot * w_88 + body_q3_ddot * w_99)
+            - w_70 * w_89;
+        let w_101 = w_100 - l_body_q2_body_q0 * w_77 - l_body_q2_body_q1 * w_91;
+        let w_141 = w_28 + w_29;
+        let w_194 = w_41 * (body_q1 * w_97 + body_q2 * body_q3_squared * self.k_30)
+            + body_q2 * w_98;
+        let w_102 = body_q2_squared * self.k_24;
+        let w_103 = body_q1_squared * self.k_25;
+        let w_104 = w_squared * self.C;
+        let w_105 = w_41 * self.k_26;
+        let w_106 = w * (body_q2 * w_45 - w_16 - body_q1 * w_53 - body_q0 * w_60)
+            + body_q3_ddot * (body_q0 * (w_41 * (w_102 + w_103) - w_104) + w_81 * w_105);
+        let w_107 = S::from_f64(8.0) * w_106
             + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_27 - w_26) + body_q0_squared * w_12)
-            - S::from_f64(4.0) * (body_q1_ddot * w_86 + body_q3_ddot * w_97)
-            - w_69 * w_87;
-        let w_99 = w_98 - l_body_q2_body_q0 * w_76 - l_body_q2_body_q1 * w_89;
-        let w_100 = body_q2_squared * self.k_24;
-        let w_101 = body_q1_squared * self.k_25;
-        let w_102 = w_squared * self.C;
-        let w_103 = w_40 * self.k_26;
-        let w_104 = w * (body_q2 * w_44 - body_q1 * w_52 - w_16 - body_q0 * w_59)
-            + body_q3_ddot * (body_q0 * (w_40 * (w_100 + w_101) - w_102) + w_80 * w_103);
-        let w_105 = S::from_f64(8.0) * w_104
-            + S::from_f64(16.0) * w_squared
-                * (body_q0 * (w_34 - w_33) + body_q0_squared * w_16)
-            + S::from_f64(4.0) * (body_q1_ddot * w_84 - body_q2_ddot * w_97)
-            + w_73 * w_87;
-        let w_106 = w_105 - l_body_q3_body_q0 * w_76 - l_body_q3_body_q1 * w_89
-            - l_body_q3_body_q2 * w_99;
-        let w_107 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_76
-                + l_lambda_body_norm_body_q1 * w_89 + l_lambda_body_norm_body_q2 * w_99
-                + l_lambda_body_norm_body_q3 * w_106);
-        let w_108 = inverse_body_q3 * w_106 - l_lambda_body_norm_body_q3 * w_107;
-        let w_109 = inverse_body_q2 * w_99 - l_body_q3_body_q2 * w_108
-            - l_lambda_body_norm_body_q2 * w_107;
-        let w_110 = inverse_body_q1 * w_89 - l_body_q2_body_q1 * w_109
-            - l_body_q3_body_q1 * w_108 - l_lambda_body_norm_body_q1 * w_107;
-        let w_111 = body_q0_dot * w_6;
-        let w_112 = body_q1_dot * w_5;
-        let w_113 = body_q2_dot * w_2;
-        let w_114 = w_squared
-            * (self.A * (w_111 - w_112) + body_q3_dot * w_4 + self.k_29 * w_113)
-            + body_q1 * w_43;
-        let w_115 = w_40 * (w_49 * self.k_31 - w_50);
-        let w_116 = w_squared * (self.B * (w_53 + w_55) + self.k_10 * (w_54 + w_56))
-            + body_q1 * w_115;
-        let w_117 = w_5 * self.k_27;
-        let w_118 = w_40 * (w_57 * self.k_28 - w_58);
-        let w_119 = w_squared
-            * (self.C * (w_45 - w_47) + body_q3_dot * w_117 + body_q0_dot * w_14)
-            + body_q1 * w_118;
-        let w_120 = body_q2_squared * self.k_25;
-        let w_121 = body_q3_squared * self.k_26;
-        let w_122 = body_q1 * body_q1_squared;
-        let w_123 = w * (w_8 + body_q1 * w_114 - body_q2 * w_116 - body_q3 * w_119)
-            - body_q0_ddot * (body_q1 * (w_77 - w_40 * (w_120 + w_121)) - w_81 * w_122);
-        let w_124 = body_q1_squared * w_40;
-        let w_125 = body_q2 * (w_squared * self.k_11 + self.k_8 * w_124)
-            - self.k_4 * w_68;
-        let w_126 = w_40 * (self.k_3 * w_71 + body_q1_squared * body_q3 * self.k_31)
-            + w_25 * self.k_33;
-        let w_127 = w_32 * w_63;
-        let w_128 = body_q0 * (self.k_16 * w_124 + self.k - w_61) + self.k_32 * w_127;
-        let w_129 = S::from_f64(1.3333333333333333) * body_q1_ddot;
-        let w_130 = S::from_f64(8.0) * w_123
+                * (body_q0 * (w_35 - w_34) + body_q0_squared * w_16)
+            + S::from_f64(4.0) * (body_q1_ddot * w_86 - body_q2_ddot * w_99)
+            + w_74 * w_89;
+        let w_108 = w_107 - l_body_q3_body_q0 * w_77 - l_body_q3_body_q1 * w_91
+            - l_body_q3_body_q2 * w_101;
+        let w_180 = w_35 + w_36;
+        let w_109 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q0_ddot + l_lambda_body_norm_body_q0 * w_77
+                + l_lambda_body_norm_body_q1 * w_91 + l_lambda_body_norm_body_q2 * w_101
+                + l_lambda_body_norm_body_q3 * w_108);
+        let w_110 = inverse_body_q3 * w_108 - l_lambda_body_norm_body_q3 * w_109;
+        let w_111 = inverse_body_q2 * w_101 - l_body_q3_body_q2 * w_110
+            - l_lambda_body_norm_body_q2 * w_109;
+        let w_112 = inverse_body_q1 * w_91 - l_body_q2_body_q1 * w_111
+            - l_body_q3_body_q1 * w_110 - l_lambda_body_norm_body_q1 * w_109;
+        let w_113 = body_q0_dot * w_6;
+        let w_114 = body_q1_dot * w_5;
+        let w_115 = body_q2_dot * w_2;
+        let w_116 = w_squared
+            * (self.A * (w_113 - w_114) + body_q3_dot * w_4 + self.k_29 * w_115)
+            + body_q1 * w_44;
+        let w_189 = w_squared
+            * (self.C * (body_q3_dot * w_3 - w_113) + self.k_27 * w_115
+                + self.k_11 * w_114) + w_64 * w_120;
+        let w_119 = w_5 * self.k_27;
+        let w_121 = w_squared
+            * (self.C * (w_46 - w_48) + body_q3_dot * w_119 + body_q0_dot * w_14)
+            + body_q1 * w_41 * w_120;
+        let w_122 = body_q2_squared * self.k_25;
+        let w_123 = body_q3_squared * self.k_26;
+        let w_124 = body_q1 * body_q1_squared;
+        let w_125 = w * (w_8 + body_q1 * w_116 - body_q2 * w_118 - body_q3 * w_121)
+            - body_q0_ddot * (body_q1 * (w_78 - w_41 * (w_122 + w_123)) - w_82 * w_124);
+        let w_126 = body_q1_squared * w_41;
+        let w_127 = body_q2 * (w_squared * self.k_11 + self.k_8 * w_126)
+            - self.k_4 * w_69;
+        let w_128 = w_41 * (self.k_3 * w_72 + body_q1_squared * body_q3 * self.k_31)
+            + body_q3 * w_squared * self.k_33;
+        let w_162 = w_41 * (self.k_2 * w_72 + body_q2_squared * body_q3 * self.k_30)
+            + body_q3 * w_98;
+        let w_142 = body_q0 * (w_98 + self.k_30 * w_126) + self.k_2 * w_129;
+        let w_130 = body_q0 * (self.k - w_62 + self.k_16 * w_126) + self.k_32 * w_129;
+        let w_131 = S::from_f64(1.3333333333333333) * body_q1_ddot;
+        let w_132 = S::from_f64(8.0) * w_125
             - S::from_f64(16.0) * w_squared
                 * (body_q1 * (w_13 + w_17) + body_q1_squared * w_8)
-            + S::from_f64(4.0) * (body_q3_ddot * w_125 - body_q2_ddot * w_126)
-            - w_128 * w_129;
-        let w_131 = S::from_f64(8.0) * w
-            * (body_q2 * w_119 - body_q0 * w_114 - body_q3 * w_116);
-        let w_132 = body_q2 * (w_70 - self.k - self.k_18 * w_124) + w_68 * self.k_23;
-        let w_133 = body_q3 * (self.k - w_67 + self.k_17 * w_124) + self.k_21 * w_72;
-        let w_134 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
-            * (w_40
+            + S::from_f64(4.0) * (body_q3_ddot * w_127 - body_q2_ddot * w_128)
+            - w_130 * w_131;
+        let w_133 = S::from_f64(8.0) * w
+            * (body_q2 * w_121 - body_q0 * w_116 - body_q3 * w_118);
+        let w_134 = body_q2 * (w_71 - self.k - self.k_18 * w_126) + w_69 * self.k_23;
+        let w_135 = body_q3 * (self.k - w_68 + self.k_17 * w_126) + self.k_21 * w_73;
+        let w_136 = body_q1_ddot * S::from_f64(2.6666666666666665) * body_q1
+            * (w_41
                 * (body_q0_squared * self.k_12 + body_q3_squared * self.k_13
                     + body_q2_squared * self.k_14) - self.k);
-        let w_135 = S::from_f64(16.0) * body_q1 * w_squared * (w_22 - w_21 + w_23)
-            + w_131
+        let w_137 = w_133 - w_75 - w_20
             + S::from_f64(1.3333333333333333)
-                * (body_q2_ddot * w_132 - body_q0_ddot * w_128 - body_q3_ddot * w_133)
-            - w_74 - w_20 + w_134;
-        let w_136 = w_135 - l_body_q1_body_q0 * w_130;
-        let w_137 = body_q0_squared * self.k_25;
-        let w_138 = w * (w_16 - body_q3 * w_114 + body_q0 * w_116 - body_q1 * w_119)
-            + body_q2_ddot * (body_q1 * (w_40 * (w_137 + w_90) - w_102) + w_103 * w_122);
-        let w_139 = body_q0 * (w_96 + self.k_30 * w_124) + self.k_2 * w_127;
-        let w_140 = S::from_f64(8.0) * w_138
+                * (body_q2_ddot * w_134 - body_q0_ddot * w_130 - body_q3_ddot * w_135)
+            + S::from_f64(16.0) * body_q1 * w_squared * (w_22 + w_84) + w_136;
+        let w_138 = w_137 - l_body_q1_body_q0 * w_132;
+        let w_139 = body_q0_squared * self.k_25;
+        let w_140 = w * (w_16 - body_q3 * w_116 + body_q0 * w_118 - body_q1 * w_121)
+            + body_q2_ddot * (body_q1 * (w_41 * (w_92 + w_139) - w_104) + w_105 * w_124);
+        let w_143 = S::from_f64(8.0) * w_140
+            + S::from_f64(16.0) * w_squared * (body_q1 * w_141 - body_q1_squared * w_16)
+            - S::from_f64(4.0) * (body_q0_ddot * w_128 + body_q3_ddot * w_142)
+            + w_131 * w_134;
+        let w_144 = w_143 - l_body_q2_body_q0 * w_132 - l_body_q2_body_q1 * w_138;
+        let w_145 = body_q0_squared * self.k_26;
+        let w_146 = w * (body_q2 * w_116 - w_12 + body_q1 * w_118 + body_q0 * w_121)
+            - body_q3_ddot * (body_q1 * (w_94 - w_41 * (w_102 + w_145)) - w_95 * w_124);
+        let w_147 = S::from_f64(8.0) * w_146
             + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_28 + w_27) - body_q1_squared * w_16)
-            - S::from_f64(4.0) * (body_q0_ddot * w_126 + body_q3_ddot * w_139)
-            + w_129 * w_132;
-        let w_141 = w_140 - l_body_q2_body_q0 * w_130 - l_body_q2_body_q1 * w_136;
-        let w_142 = body_q0_squared * self.k_26;
-        let w_143 = w * (body_q2 * w_114 - w_12 + body_q1 * w_116 + body_q0 * w_119)
-            - body_q3_ddot * (body_q1 * (w_92 - w_40 * (w_142 + w_100)) - w_93 * w_122);
-        let w_144 = S::from_f64(8.0) * w_143
-            + S::from_f64(16.0) * w_squared
-                * (body_q1 * (w_35 - w_33) + body_q1_squared * w_12)
-            + S::from_f64(4.0) * (body_q0_ddot * w_125 - body_q2_ddot * w_139)
-            - w_129 * w_133;
-        let w_145 = w_144 - l_body_q3_body_q0 * w_130 - l_body_q3_body_q1 * w_136
-            - l_body_q3_body_q2 * w_141;
-        let w_146 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_130
-                + l_lambda_body_norm_body_q1 * w_136 + l_lambda_body_norm_body_q2 * w_141
-                + l_lambda_body_norm_body_q3 * w_145);
-        let w_147 = inverse_body_q3 * w_145 - l_lambda_body_norm_body_q3 * w_146;
-        let w_148 = inverse_body_q2 * w_141 - l_body_q3_body_q2 * w_147
-            - l_lambda_body_norm_body_q2 * w_146;
-        let w_149 = inverse_body_q1 * w_136 - l_body_q2_body_q1 * w_148
-            - l_body_q3_body_q1 * w_147 - l_lambda_body_norm_body_q1 * w_146;
-        let w_150 = w_40 * (w_41 * self.k_30 - w_42);
-        let w_151 = w_squared
-            * (self.A * (w_54 - w_55) + w_53 * self.k_29 + body_q0_dot * w_4)
-            + body_q2 * w_150;
-        let w_152 = w_3 * self.k_33;
-        let w_153 = w_squared
-            * (self.B * (w_111 - w_113) + body_q3_dot * w_152 + body_q1_dot * w_10)
-            + body_q2 * w_51;
-        let w_154 = w_squared * (self.C * (w_36 + w_38) + self.k_11 * (w_37 + w_39))
-            + body_q2 * w_118;
-        let w_155 = body_q1_squared * self.k_24;
-        let w_156 = body_q2 * body_q2_squared;
-        let w_157 = w * (w_12 - body_q1 * w_151 + body_q2 * w_153 - body_q3 * w_154)
-            - body_q0_ddot * (body_q2 * (w_92 - w_40 * (w_155 + w_121)) - w_93 * w_156);
-        let w_158 = w_40 * (self.k_2 * w_71 + body_q2_squared * body_q3 * self.k_30)
-            + body_q3 * w_96;
-        let w_159 = body_q2_squared * w_40;
-        let w_160 = body_q1 * (w_85 + self.k_28 * w_159) + self.k_4 * w_65;
-        let w_161 = body_q0 * (self.k_17 * w_159 + self.k - w_67) + self.k_21 * w_127;
-        let w_162 = S::from_f64(1.3333333333333333) * body_q2_ddot;
-        let w_163 = S::from_f64(8.0) * w_157
+                * (body_q1 * (w_36 - w_34) + body_q1_squared * w_12)
+            + S::from_f64(4.0) * (body_q0_ddot * w_127 - body_q2_ddot * w_142)
+            - w_131 * w_135;
+        let w_148 = w_147 - l_body_q3_body_q0 * w_132 - l_body_q3_body_q1 * w_138
+            - l_body_q3_body_q2 * w_144;
+        let w_149 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q1_ddot + l_lambda_body_norm_body_q0 * w_132
+                + l_lambda_body_norm_body_q1 * w_138 + l_lambda_body_norm_body_q2 * w_144
+                + l_lambda_body_norm_body_q3 * w_148);
+        let w_150 = inverse_body_q3 * w_148 - l_lambda_body_norm_body_q3 * w_149;
+        let w_151 = inverse_body_q2 * w_144 - l_body_q3_body_q2 * w_150
+            - l_lambda_body_norm_body_q2 * w_149;
+        let w_152 = inverse_body_q1 * w_138 - l_body_q2_body_q1 * w_151
+            - l_body_q3_body_q1 * w_150 - l_lambda_body_norm_body_q1 * w_149;
+        let w_155 = w_3 * self.k_33;
+        let w_188 = w_squared
+            * (self.B * (w_38 - w_39) + body_q2_dot * w_155 + body_q0_dot * w_10)
+            + w_64 * w_117;
+        let w_156 = body_q2 * w_41;
+        let w_157 = w_squared
+            * (self.B * (w_113 - w_115) + body_q3_dot * w_155 + body_q1_dot * w_10)
+            + w_52 * w_156;
+        let w_158 = w_squared * (self.C * (w_37 + w_39) + self.k_11 * (w_38 + w_40))
+            + w_120 * w_156;
+        let w_159 = body_q1_squared * self.k_24;
+        let w_160 = body_q2 * body_q2_squared;
+        let w_161 = w * (w_12 - body_q1 * w_154 + body_q2 * w_157 - body_q3 * w_158)
+            - body_q0_ddot * (body_q2 * (w_94 - w_41 * (w_123 + w_159)) - w_95 * w_160);
+        let w_179 = w * (w_8 - body_q2 * w_154 - body_q1 * w_157 + body_q0 * w_158)
+            - body_q3_ddot * (body_q2 * (w_78 - w_41 * (w_103 + w_145)) - w_82 * w_160);
+        let w_163 = body_q2_squared * w_41;
+        let w_175 = body_q3 * (w_62 - self.k - self.k_16 * w_163) + self.k_19 * w_73;
+        let w_164 = body_q1 * (w_87 + self.k_28 * w_163) + self.k_4 * w_66;
+        let w_165 = body_q0 * (self.k - w_68 + self.k_17 * w_163) + self.k_21 * w_129;
+        let w_166 = S::from_f64(1.3333333333333333) * body_q2_ddot;
+        let w_167 = S::from_f64(8.0) * w_161
             - S::from_f64(16.0) * w_squared
                 * (body_q2 * (w_9 + w_17) + body_q2_squared * w_12)
-            - S::from_f64(4.0) * (body_q1_ddot * w_158 + body_q3_ddot * w_160)
-            - w_161 * w_162;
-        let w_164 = body_q0_squared * self.k_24;
-        let w_165 = w * (body_q0 * w_151 - w_16 + body_q3 * w_153 + body_q2 * w_154)
-            + body_q1_ddot * (body_q2 * (w_40 * (w_164 + w_78) - w_102) + w_103 * w_156);
-        let w_166 = body_q0 * (w_83 + self.k_7 * w_159) - self.k_3 * w_127;
-        let w_167 = body_q1 * (self.k - w_70 + self.k_18 * w_159) + w_65 * self.k_34;
-        let w_168 = S::from_f64(8.0) * w_165
+            - S::from_f64(4.0) * (body_q1_ddot * w_162 + body_q3_ddot * w_164)
+            - w_165 * w_166;
+        let w_168 = body_q0_squared * self.k_24;
+        let w_169 = w * (body_q0 * w_154 - w_16 + body_q3 * w_157 + body_q2 * w_158)
+            + body_q1_ddot * (body_q2 * (w_41 * (w_79 + w_168) - w_104) + w_105 * w_160);
+        let w_174 = S::from_f64(8.0) * w
+            * (body_q3 * w_154 - body_q0 * w_157 - body_q1 * w_158);
+        let w_170 = body_q0 * (w_85 + self.k_7 * w_163) - self.k_3 * w_129;
+        let w_171 = body_q1 * (self.k - w_71 + self.k_18 * w_163) + w_66 * self.k_34;
+        let w_172 = S::from_f64(8.0) * w_169
             + S::from_f64(16.0) * w_squared
                 * (body_q2 * (w_22 - w_21) + body_q2_squared * w_16)
-            + S::from_f64(4.0) * (body_q3_ddot * w_166 - body_q0_ddot * w_158)
-            - w_162 * w_167;
-        let w_169 = w_168 - l_body_q1_body_q0 * w_163;
-        let w_170 = S::from_f64(8.0) * w
-            * (body_q3 * w_151 - body_q0 * w_153 - body_q1 * w_154);
-        let w_171 = body_q3 * (w_61 - self.k - self.k_16 * w_159) + self.k_19 * w_72;
-        let w_172 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
-            * (w_40
-                * (body_q0_squared * self.k_13 + body_q1_squared * self.k_14
-                    + body_q3_squared * self.k_12) - self.k);
-        let w_173 = S::from_f64(16.0) * body_q2 * w_squared * (w_28 - w_26 + w_27)
-            + w_170
-            + S::from_f64(1.3333333333333333)
-                * (body_q3_ddot * w_171 - body_q0_ddot * w_161 - body_q1_ddot * w_167)
-            - w_74 - w_20 + w_172;
-        let w_174 = w_173 - l_body_q2_body_q0 * w_163 - l_body_q2_body_q1 * w_169;
-        let w_175 = w * (w_8 - body_q2 * w_151 - body_q1 * w_153 + body_q0 * w_154)
-            - body_q3_ddot * (body_q2 * (w_77 - w_40 * (w_142 + w_101)) - w_81 * w_156);
-        let w_176 = S::from_f64(8.0) * w_175
-            + S::from_f64(16.0) * w_squared
-                * (body_q2 * (w_35 + w_34) - body_q2_squared * w_8)
-            + S::from_f64(4.0) * (body_q1_ddot * w_166 - body_q0_ddot * w_160)
-            + w_162 * w_171;
-        let w_177 = w_176 - l_body_q3_body_q0 * w_163 - l_body_q3_body_q1 * w_169
-            - l_body_q3_body_q2 * w_174;
-        let w_178 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_163
-                + l_lambda_body_norm_body_q1 * w_169 + l_lambda_body_norm_body_q2 * w_174
-                + l_lambda_body_norm_body_q3 * w_177);
-        let w_179 = inverse_body_q3 * w_177 - l_lambda_body_norm_body_q3 * w_178;
-        let w_180 = inverse_body_q2 * w_174 - l_body_q3_body_q2 * w_179
-            - l_lambda_body_norm_body_q2 * w_178;
-        let w_181 = inverse_body_q1 * w_169 - l_body_q2_body_q1 * w_180
-            - l_body_q3_body_q1 * w_179 - l_lambda_body_norm_body_q1 * w_178;
-        let w_182 = w_squared * (self.A * (w_46 + w_47) + self.k_9 * (w_45 + w_48))
-            + body_q3 * w_150;
-        let w_183 = w_squared
-            * (self.B * (w_37 - w_38) + body_q2_dot * w_152 + body_q0_dot * w_10)
-            + body_q3 * w_115;
-        let w_184 = w_squared
-            * (self.C * (body_q3_dot * w_3 - w_111) + self.k_27 * w_113
-                + self.k_11 * w_112) + body_q3 * w_118;
-        let w_185 = body_q3 * body_q3_squared;
-        let w_186 = w * (w_16 - body_q1 * w_182 - body_q2 * w_183 - body_q3 * w_184)
-            - body_q0_ddot
-                * (body_q3 * (w_102 - w_40 * (w_155 + w_120)) - w_103 * w_185);
-        let w_187 = body_q3_squared * w_40;
-        let w_188 = body_q1 * (w_83 + self.k_7 * w_187) - self.k_3 * w_65;
-        let w_189 = w_40 * (body_q1 * w_95 + body_q2 * body_q3_squared * self.k_30)
-            + body_q2 * w_96;
-        let w_190 = body_q0 * (self.k_18 * w_187 + self.k - w_70) + w_127 * self.k_34;
-        let w_191 = S::from_f64(1.3333333333333333) * body_q3_ddot;
-        let w_192 = S::from_f64(8.0) * w_186
-            - S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_9 + w_13) + body_q3_squared * w_16)
-            + S::from_f64(4.0) * (body_q2_ddot * w_188 - body_q1_ddot * w_189)
-            - w_190 * w_191;
-        let w_193 = w * (w_12 + body_q0 * w_182 - body_q3 * w_183 + body_q2 * w_184)
-            + body_q1_ddot * (body_q3 * (w_40 * (w_164 + w_79) - w_92) + w_93 * w_185);
-        let w_194 = body_q0 * (w_85 + self.k_28 * w_187) + self.k_4 * w_127;
-        let w_195 = body_q1 * (w_67 - self.k - self.k_17 * w_187) + w_65 * self.k_35;
-        let w_196 = S::from_f64(8.0) * w_193
-            + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_22 + w_23) - body_q3_squared * w_12)
-            - S::from_f64(4.0) * (body_q0_ddot * w_189 + body_q2_ddot * w_194)
-            + w_191 * w_195;
-        let w_197 = w_196 - l_body_q1_body_q0 * w_192;
-        let w_198 = w * (body_q3 * w_182 - w_8 + body_q0 * w_183 - body_q1 * w_184)
-            - body_q2_ddot * (body_q3 * (w_77 - w_40 * (w_137 + w_91)) - w_81 * w_185);
-        let w_199 = body_q2 * (self.k - w_61 + self.k_16 * w_187) + w_68 * self.k_32;
-        let w_200 = S::from_f64(8.0) * w_198
-            + S::from_f64(16.0) * w_squared
-                * (body_q3 * (w_28 - w_26) + body_q3_squared * w_8)
-            + S::from_f64(4.0) * (body_q0_ddot * w_188 - body_q1_ddot * w_194)
-            - w_191 * w_199;
-        let w_201 = w_200 - l_body_q2_body_q0 * w_192 - l_body_q2_body_q1 * w_197;
-        let w_202 = S::from_f64(8.0) * w
-            * (body_q1 * w_183 - body_q2 * w_182 + body_q0 * w_184);
-        let w_203 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
-            * (w_40
+            + S::from_f64(4.0) * (body_q3_ddot * w_170 - body_q0_ddot * w_162)
+            - w_166 * w_171;
+        let w_173 = w_172 - l_body_q1_body_q0 * w_167;
+        let w_181 = S::from_f64(8.0) * w_179
+            + S::from_f64(16.0) * w_squared * (body_q2 * w_180 - body_q2_squared * w_8)
+            + S::from_f64(4.0) * (body_q1_ddot * w_170 - body_q0_ddot * w_164)
+            + w_166 * w_175;
+        let w_208 = body_q3_ddot * S::from_f64(2.6666666666666665) * body_q3
+            * (w_41
                 * (body_q0_squared * self.k_14 + body_q1_squared * self.k_13
                     + body_q2_squared * self.k_12) - self.k);
-        let w_204 = S::from_f64(16.0) * body_q3 * w_squared * (w_35 + w_34 - w_33)
-            + w_202
+        let w_176 = body_q2_ddot * S::from_f64(2.6666666666666665) * body_q2
+            * (w_41
+                * (body_q0_squared * self.k_13 + body_q1_squared * self.k_14
+                    + body_q3_squared * self.k_12) - self.k);
+        let w_177 = w_174 - w_75 - w_20
             + S::from_f64(1.3333333333333333)
-                * (body_q1_ddot * w_195 - body_q0_ddot * w_190 - body_q2_ddot * w_199)
-            - w_74 - w_20 + w_203;
-        let w_205 = w_204 - l_body_q3_body_q0 * w_192 - l_body_q3_body_q1 * w_197
-            - l_body_q3_body_q2 * w_201;
-        let w_206 = minus_inverse_lambda_body_norm
-            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_192
-                + l_lambda_body_norm_body_q1 * w_197 + l_lambda_body_norm_body_q2 * w_201
-                + l_lambda_body_norm_body_q3 * w_205);
-        let w_207 = inverse_body_q3 * w_205 - l_lambda_body_norm_body_q3 * w_206;
-        let w_208 = inverse_body_q2 * w_201 - l_body_q3_body_q2 * w_207
-            - l_lambda_body_norm_body_q2 * w_206;
-        let w_209 = inverse_body_q1 * w_197 - l_body_q2_body_q1 * w_208
-            - l_body_q3_body_q1 * w_207 - l_lambda_body_norm_body_q1 * w_206;
-        let w_210 = body_q2 * w_3;
-        let w_211 = body_q3 * w_2;
-        let w_212 = body_q0 * w_5;
-        let w_213 = body_q1 * w_6;
-        let w_214 = w_squared * (self.k_9 * (w_210 + w_211) + self.A * (w_212 - w_213));
-        let w_215 = body_q1 * w_3;
-        let w_216 = body_q3 * w_5;
-        let w_217 = body_q0 * w_2;
-        let w_218 = body_q2 * w_6;
-        let w_219 = w_squared * (self.k_10 * (w_215 + w_216) + self.B * (w_217 - w_218));
-        let w_220 = body_q1 * w_2;
-        let w_221 = body_q2 * w_5;
-        let w_222 = body_q0 * w_3;
-        let w_223 = body_q3 * w_6;
-        let w_224 = w_squared * (self.k_11 * (w_220 + w_221) + self.C * (w_222 - w_223));
-        let w_225 = body_q0 * self.k_36;
-        let w_226 = S::from_f64(8.0) * w
-            * (body_q1 * w_214 + body_q2 * w_219 + body_q3 * w_224)
-            + body_q0_dot * w_225;
-        let w_227 = body_q1 * self.k_36;
-        let w_228 = S::from_f64(8.0) * w
-            * (body_q0 * w_214 - body_q3 * w_219 + body_q2 * w_224) - body_q0_dot * w_227
-            + l_body_q1_body_q0 * w_226;
-        let w_229 = body_q2 * self.k_36;
-        let w_230 = S::from_f64(8.0) * w
-            * (body_q3 * w_214 + body_q0 * w_219 - body_q1 * w_224) - body_q0_dot * w_229
-            + l_body_q2_body_q0 * w_226 - l_body_q2_body_q1 * w_228;
-        let w_231 = body_q3 * self.k_36;
-        let w_232 = S::from_f64(8.0) * w
-            * (body_q1 * w_219 - body_q2 * w_214 + body_q0 * w_224) - body_q0_dot * w_231
-            + l_body_q3_body_q0 * w_226 - l_body_q3_body_q1 * w_228
-            - l_body_q3_body_q2 * w_230;
-        let w_233 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q0 * w_226 - S::from_f64(4.0) * body_q0_dot
-                - l_lambda_body_norm_body_q1 * w_228 - l_lambda_body_norm_body_q2 * w_230
-                - l_lambda_body_norm_body_q3 * w_232);
-        let w_234 = inverse_body_q3 * w_232 + l_lambda_body_norm_body_q3 * w_233;
-        let w_235 = inverse_body_q2 * w_230 - l_body_q3_body_q2 * w_234
-            + l_lambda_body_norm_body_q2 * w_233;
-        let w_236 = inverse_body_q1 * w_228 - l_body_q2_body_q1 * w_235
-            - l_body_q3_body_q1 * w_234 + l_lambda_body_norm_body_q1 * w_233;
-        let w_237 = body_q2 * w_2;
-        let w_238 = body_q0 * w_6;
-        let w_239 = body_q3 * w_3;
-        let w_240 = w_squared
-            * (self.k_9 * w_237 - self.A * (w_238 + body_q1 * w_5) + self.k_29 * w_239);
-        let w_241 = w_squared * (self.B * (w_220 - w_223) + self.k_33 * (w_221 + w_222));
-        let w_242 = w_squared
-            * (body_q3 * w_117 - self.C * (w_215 + w_218) + body_q0 * w_14);
-        let w_243 = S::from_f64(8.0) * w
-            * (body_q1 * w_240 - body_q2 * w_241 + body_q3 * w_242)
-            - body_q1_dot * w_225;
-        let w_244 = S::from_f64(8.0) * w
-            * (body_q0 * w_240 + body_q3 * w_241 + body_q2 * w_242) + body_q1_dot * w_227
-            + l_body_q1_body_q0 * w_243;
-        let w_245 = S::from_f64(8.0) * w
-            * (body_q0 * w_241 - body_q3 * w_240 + body_q1 * w_242) - body_q1_dot * w_229
-            - l_body_q2_body_q0 * w_243 + l_body_q2_body_q1 * w_244;
-        let w_246 = S::from_f64(8.0) * w
-            * (body_q2 * w_240 + body_q1 * w_241 - body_q0 * w_242) - body_q1_dot * w_231
-            - l_body_q3_body_q0 * w_243 + l_body_q3_body_q1 * w_244
-            - l_body_q3_body_q2 * w_245;
-        let w_247 = minus_inverse_lambda_body_norm
-            * (l_lambda_body_norm_body_q1 * w_244 - S::from_f64(4.0) * body_q1_dot
-                - l_lambda_body_norm_body_q0 * w_243 - l_lambda_body_norm_body_q2 * w_245
-                - l_lambda_body_norm_body_q3 * w_246);
-        let w_248 = inverse_body_q3 * w_246 + l_lambda_body_norm_body_q3 * w_247;
-        let w_249 = inverse_body_q2 * w_245 - l_body_q3_body_q2 * w_248
-            + l_lambda_body_norm_body_q2 * w_247;
-        let w_250 = l_lambda_body_norm_body_q1 * w_247 - inverse_body_q1 * w_244
-            - l_body_q2_body_q1 * w_249 - l_body_q3_body_q1 * w_248;
-        let w_251 = w_squared
-            * (self.k_29 * w_220 - self.A * (w_221 + w_223) + body_q0 * w_4);
-        let w_252 = w_squared
-            * (self.B * (w_237 + w_238) + body_q3 * w_152 + body_q1 * w_10);
-        let w_253 = w_squared * (self.C * (w_210 - w_213) + self.k_27 * (w_211 + w_212));
-        let w_254 = S::from_f64(8.0) * w
-            * (body_q1 * w_251 - body_q2 * w_252 - body_q3 * w_253)
-            - body_q2_dot * w_225;
-        let w_255 = S::from_f64(8.0) * w
-            * (body_q2 * w_253 - body_q0 * w_251 - body_q3 * w_252) - body_q2_dot * w_227
-            - l_body_q1_body_q0 * w_254;
-        let w_256 = S::from_f64(8.0) * w
-            * (body_q0 * w_252 - body_q3 * w_251 - body_q1 * w_253) - body_q2_dot * w_229
-            - l_body_q2_body_q0 * w_254 - l_body_q2_body_q1 * w_255;
-        let w_257 = S::from_f64(8.0) * w
-            * (body_q2 * w_251 + body_q1 * w_252 + body_q0 * w_253) - body_q2_dot * w_231
-            - l_body_q3_body_q0 * w_254 - l_body_q3_body_q1 * w_255
-            - l_body_q3_body_q2 * w_256;
-        let w_258 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_254
-                + l_lambda_body_norm_body_q1 * w_255 + l_lambda_body_norm_body_q2 * w_256
-                + l_lambda_body_norm_body_q3 * w_257);
-        let w_259 = inverse_body_q3 * w_257 - l_lambda_body_norm_body_q3 * w_258;
-        let w_260 = inverse_body_q2 * w_256 - l_body_q3_body_q2 * w_259
-            - l_lambda_body_norm_body_q2 * w_258;
-        let w_261 = inverse_body_q1 * w_255 - l_body_q2_body_q1 * w_260
-            - l_body_q3_body_q1 * w_259 - l_lambda_body_norm_body_q1 * w_258;
-        let w_262 = w_squared
-            * (body_q2 * w_152 - self.B * (w_211 + w_213) + body_q0 * w_10);
-        let w_263 = w_squared * (self.A * (w_216 - w_218) + self.k_29 * (w_215 + w_217));
-        let w_264 = w_squared
-            * (self.C * (w_239 + w_238) + body_q2 * w_14 + body_q1 * w_117);
-        let w_265 = S::from_f64(8.0) * w
-            * (body_q2 * w_262 - body_q1 * w_263 - body_q3 * w_264)
-            - body_q3_dot * w_225;
-        let w_266 = S::from_f64(8.0) * w
-            * (body_q0 * w_263 + body_q3 * w_262 + body_q2 * w_264) - body_q3_dot * w_227
-            - l_body_q1_body_q0 * w_265;
-        let w_267 = S::from_f64(8.0) * w
-            * (body_q3 * w_263 - body_q0 * w_262 - body_q1 * w_264) - body_q3_dot * w_229
-            - l_body_q2_body_q0 * w_265 - l_body_q2_body_q1 * w_266;
-        let w_268 = S::from_f64(8.0) * w
-            * (body_q0 * w_264 - body_q2 * w_263 - body_q1 * w_262) - body_q3_dot * w_231
-            - l_body_q3_body_q0 * w_265 - l_body_q3_body_q1 * w_266
-            - l_body_q3_body_q2 * w_267;
-        let w_269 = minus_inverse_lambda_body_norm
-            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_265
-                + l_lambda_body_norm_body_q1 * w_266 + l_lambda_body_norm_body_q2 * w_267
-                + l_lambda_body_norm_body_q3 * w_268);
-        let w_270 = inverse_body_q3 * w_268 - l_lambda_body_norm_body_q3 * w_269;
-        let w_271 = inverse_body_q2 * w_267 - l_body_q3_body_q2 * w_270
-            - l_lambda_body_norm_body_q2 * w_269;
-        let w_272 = inverse_body_q1 * w_266 - l_body_q2_body_q1 * w_271
-            - l_body_q3_body_q1 * w_270 - l_lambda_body_norm_body_q1 * w_269;
+                * (body_q3_ddot * w_175 - body_q0_ddot * w_165 - body_q1_ddot * w_171)
+            + S::from_f64(16.0) * body_q2 * w_squared * (w_141 - w_27) + w_176;
+        let w_178 = w_177 - l_body_q2_body_q0 * w_167 - l_body_q2_body_q1 * w_173;
+        let w_182 = w_181 - l_body_q3_body_q0 * w_167 - l_body_q3_body_q1 * w_173
+            - l_body_q3_body_q2 * w_178;
+        let w_183 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q2_ddot + l_lambda_body_norm_body_q0 * w_167
+                + l_lambda_body_norm_body_q1 * w_173 + l_lambda_body_norm_body_q2 * w_178
+                + l_lambda_body_norm_body_q3 * w_182);
+        let w_184 = inverse_body_q3 * w_182 - l_lambda_body_norm_body_q3 * w_183;
+        let w_185 = inverse_body_q2 * w_178 - l_body_q3_body_q2 * w_184
+            - l_lambda_body_norm_body_q2 * w_183;
+        let w_186 = inverse_body_q1 * w_173 - l_body_q2_body_q1 * w_185
+            - l_body_q3_body_q1 * w_184 - l_lambda_body_norm_body_q1 * w_183;
+        let w_190 = body_q3 * body_q3_squared;
+        let w_191 = w * (w_16 - body_q1 * w_187 - body_q2 * w_188 - body_q3 * w_189)
+            - body_q0_ddot
+                * (body_q3 * (w_104 - w_41 * (w_122 + w_159)) - w_105 * w_190);
+        let w_198 = w * (w_12 + body_q0 * w_187 - body_q3 * w_188 + body_q2 * w_189)
+            + body_q1_ddot * (body_q3 * (w_41 * (w_80 + w_168) - w_94) + w_95 * w_190);
+        let w_203 = w * (body_q3 * w_187 - w_8 + body_q0 * w_188 - body_q1 * w_189)
+            - body_q2_ddot * (body_q3 * (w_78 - w_41 * (w_93 + w_139)) - w_82 * w_190);
+        let w_192 = body_q3_squared * w_41;
+        let w_193 = body_q1 * (w_85 + self.k_7 * w_192) - self.k_3 * w_66;
+        let w_200 = body_q1 * (w_68 - self.k - self.k_17 * w_192) + w_66 * self.k_35;
+        let w_195 = body_q0 * (self.k - w_71 + self.k_18 * w_192) + w_129 * self.k_34;
+        let w_199 = body_q0 * (w_87 + self.k_28 * w_192) + self.k_4 * w_129;
+        let w_204 = body_q2 * (self.k - w_62 + self.k_16 * w_192) + w_69 * self.k_32;
+        let w_207 = S::from_f64(8.0) * w
+            * (body_q1 * w_188 - body_q2 * w_187 + body_q0 * w_189);
+        let w_209 = w_207 - w_75 - w_20
+            + S::from_f64(1.3333333333333333)
+                * (body_q1_ddot * w_200 - body_q0_ddot * w_195 - body_q2_ddot * w_204)
+            + S::from_f64(16.0) * body_q3 * w_squared * (w_180 - w_34) + w_208;
+        let w_196 = S::from_f64(1.3333333333333333) * body_q3_ddot;
+        let w_197 = S::from_f64(8.0) * w_191
+            - S::from_f64(16.0) * w_squared
+                * (body_q3 * (w_9 + w_13) + body_q3_squared * w_16)
+            + S::from_f64(4.0) * (body_q2_ddot * w_193 - body_q1_ddot * w_194)
+            - w_195 * w_196;
+        let w_201 = S::from_f64(8.0) * w_198
+            + S::from_f64(16.0) * w_squared
+                * (body_q3 * (w_22 + w_23) - body_q3_squared * w_12)
+            - S::from_f64(4.0) * (body_q0_ddot * w_194 + body_q2_ddot * w_199)
+            + w_196 * w_200;
+        let w_202 = w_201 - l_body_q1_body_q0 * w_197;
+        let w_205 = S::from_f64(8.0) * w_203
+            + S::from_f64(16.0) * w_squared
+                * (body_q3 * (w_29 - w_27) + body_q3_squared * w_8)
+            + S::from_f64(4.0) * (body_q0_ddot * w_193 - body_q1_ddot * w_199)
+            - w_196 * w_204;
+        let w_206 = w_205 - l_body_q2_body_q0 * w_197 - l_body_q2_body_q1 * w_202;
+        let w_210 = w_209 - l_body_q3_body_q0 * w_197 - l_body_q3_body_q1 * w_202
+            - l_body_q3_body_q2 * w_206;
+        let w_211 = minus_inverse_lambda_body_norm
+            * (S::from_f64(2.0) * body_q3_ddot + l_lambda_body_norm_body_q0 * w_197
+                + l_lambda_body_norm_body_q1 * w_202 + l_lambda_body_norm_body_q2 * w_206
+                + l_lambda_body_norm_body_q3 * w_210);
+        let w_212 = inverse_body_q3 * w_210 - l_lambda_body_norm_body_q3 * w_211;
+        let w_213 = inverse_body_q2 * w_206 - l_body_q3_body_q2 * w_212
+            - l_lambda_body_norm_body_q2 * w_211;
+        let w_214 = inverse_body_q1 * w_202 - l_body_q2_body_q1 * w_213
+            - l_body_q3_body_q1 * w_212 - l_lambda_body_norm_body_q1 * w_211;
+        let w_215 = body_q2 * w_3;
+        let w_216 = body_q3 * w_2;
+        let w_217 = body_q0 * w_5;
+        let w_218 = body_q1 * w_6;
+        let w_219 = w_squared * (self.k_9 * (w_215 + w_216) + self.A * (w_217 - w_218));
+        let w_258 = w_squared * (self.C * (w_215 - w_218) + self.k_27 * (w_216 + w_217));
+        let w_267 = w_squared
+            * (body_q2 * w_155 - self.B * (w_216 + w_218) + body_q0 * w_10);
+        let w_220 = body_q1 * w_3;
+        let w_221 = body_q3 * w_5;
+        let w_222 = body_q0 * w_2;
+        let w_223 = body_q2 * w_6;
+        let w_224 = w_squared * (self.k_10 * (w_220 + w_221) + self.B * (w_222 - w_223));
+        let w_268 = w_squared * (self.A * (w_221 - w_223) + self.k_29 * (w_220 + w_222));
+        let w_247 = w_squared
+            * (body_q3 * w_119 - self.C * (w_220 + w_223) + body_q0 * w_14);
+        let w_225 = body_q1 * w_2;
+        let w_242 = body_q2 * w_2;
+        let w_226 = body_q2 * w_5;
+        let w_227 = body_q0 * w_3;
+        let w_244 = body_q3 * w_3;
+        let w_228 = body_q3 * w_6;
+        let w_243 = body_q0 * w_6;
+        let w_245 = w_squared
+            * (self.k_9 * w_242 - self.A * (w_243 + body_q1 * w_5) + self.k_29 * w_244);
+        let w_257 = w_squared
+            * (self.B * (w_243 + w_242) + body_q3 * w_155 + body_q1 * w_10);
+        let w_269 = w_squared
+            * (self.C * (w_243 + w_244) + body_q2 * w_14 + body_q1 * w_119);
+        let w_256 = w_squared
+            * (self.k_29 * w_225 - self.A * (w_226 + w_228) + body_q0 * w_4);
+        let w_229 = w_squared * (self.k_11 * (w_225 + w_226) + self.C * (w_227 - w_228));
+        let w_246 = w_squared * (self.B * (w_225 - w_228) + self.k_33 * (w_226 + w_227));
+        let w_230 = body_q0 * self.k_36;
+        let w_231 = S::from_f64(8.0) * w
+            * (body_q1 * w_219 + body_q2 * w_224 + body_q3 * w_229)
+            + body_q0_dot * w_230;
+        let w_232 = body_q1 * self.k_36;
+        let w_233 = S::from_f64(8.0) * w
+            * (body_q0 * w_219 - body_q3 * w_224 + body_q2 * w_229) - body_q0_dot * w_232
+            + l_body_q1_body_q0 * w_231;
+        let w_234 = body_q2 * self.k_36;
+        let w_235 = S::from_f64(8.0) * w
+            * (body_q3 * w_219 + body_q0 * w_224 - body_q1 * w_229) - body_q0_dot * w_234
+            + l_body_q2_body_q0 * w_231 - l_body_q2_body_q1 * w_233;
+        let w_236 = body_q3 * self.k_36;
+        let w_237 = S::from_f64(8.0) * w
+            * (body_q1 * w_224 - body_q2 * w_219 + body_q0 * w_229) - body_q0_dot * w_236
+            + l_body_q3_body_q0 * w_231 - l_body_q3_body_q1 * w_233
+            - l_body_q3_body_q2 * w_235;
+        let w_238 = minus_inverse_lambda_body_norm
+            * (l_lambda_body_norm_body_q0 * w_231 - S::from_f64(4.0) * body_q0_dot
+                - l_lambda_body_norm_body_q1 * w_233 - l_lambda_body_norm_body_q2 * w_235
+                - l_lambda_body_norm_body_q3 * w_237);
+        let w_239 = inverse_body_q3 * w_237 + l_lambda_body_norm_body_q3 * w_238;
+        let w_240 = inverse_body_q2 * w_235 - l_body_q3_body_q2 * w_239
+            + l_lambda_body_norm_body_q2 * w_238;
+        let w_241 = inverse_body_q1 * w_233 - l_body_q2_body_q1 * w_240
+            - l_body_q3_body_q1 * w_239 + l_lambda_body_norm_body_q1 * w_238;
+        let w_248 = S::from_f64(8.0) * w
+            * (body_q1 * w_245 - body_q2 * w_246 + body_q3 * w_247)
+            - body_q1_dot * w_230;
+        let w_249 = S::from_f64(8.0) * w
+            * (body_q0 * w_245 + body_q3 * w_246 + body_q2 * w_247) + body_q1_dot * w_232
+            + l_body_q1_body_q0 * w_248;
+        let w_250 = S::from_f64(8.0) * w
+            * (body_q0 * w_246 - body_q3 * w_245 + body_q1 * w_247) - body_q1_dot * w_234
+            - l_body_q2_body_q0 * w_248 + l_body_q2_body_q1 * w_249;
+        let w_251 = S::from_f64(8.0) * w
+            * (body_q2 * w_245 + body_q1 * w_246 - body_q0 * w_247) - body_q1_dot * w_236
+            - l_body_q3_body_q0 * w_248 + l_body_q3_body_q1 * w_249
+            - l_body_q3_body_q2 * w_250;
+        let w_252 = minus_inverse_lambda_body_norm
+            * (l_lambda_body_norm_body_q1 * w_249 - S::from_f64(4.0) * body_q1_dot
+                - l_lambda_body_norm_body_q0 * w_248 - l_lambda_body_norm_body_q2 * w_250
+                - l_lambda_body_norm_body_q3 * w_251);
+        let w_253 = inverse_body_q3 * w_251 + l_lambda_body_norm_body_q3 * w_252;
+        let w_254 = inverse_body_q2 * w_250 - l_body_q3_body_q2 * w_253
+            + l_lambda_body_norm_body_q2 * w_252;
+        let w_255 = l_lambda_body_norm_body_q1 * w_252 - inverse_body_q1 * w_249
+            - l_body_q2_body_q1 * w_254 - l_body_q3_body_q1 * w_253;
+        let w_259 = S::from_f64(8.0) * w
+            * (body_q1 * w_256 - body_q2 * w_257 - body_q3 * w_258)
+            - body_q2_dot * w_230;
+        let w_270 = S::from_f64(8.0) * w
+            * (body_q2 * w_267 - body_q1 * w_268 - body_q3 * w_269)
+            - body_q3_dot * w_230;
+        let w_260 = S::from_f64(8.0) * w
+            * (body_q2 * w_258 - body_q0 * w_256 - body_q3 * w_257) - body_q2_dot * w_232
+            - l_body_q1_body_q0 * w_259;
+        let w_271 = S::from_f64(8.0) * w
+            * (body_q0 * w_268 + body_q3 * w_267 + body_q2 * w_269) - body_q3_dot * w_232
+            - l_body_q1_body_q0 * w_270;
+        let w_261 = S::from_f64(8.0) * w
+            * (body_q0 * w_257 - body_q3 * w_256 - body_q1 * w_258) - body_q2_dot * w_234
+            - l_body_q2_body_q0 * w_259 - l_body_q2_body_q1 * w_260;
+        let w_262 = S::from_f64(8.0) * w
+            * (body_q2 * w_256 + body_q1 * w_257 + body_q0 * w_258) - body_q2_dot * w_236
+            - l_body_q3_body_q0 * w_259 - l_body_q3_body_q1 * w_260
+            - l_body_q3_body_q2 * w_261;
+        let w_272 = S::from_f64(8.0) * w
+            * (body_q3 * w_268 - body_q0 * w_267 - body_q1 * w_269) - body_q3_dot * w_234
+            - l_body_q2_body_q0 * w_270 - l_body_q2_body_q1 * w_271;
+        let w_273 = S::from_f64(8.0) * w
+            * (body_q0 * w_269 - body_q2 * w_268 - body_q1 * w_267) - body_q3_dot * w_236
+            - l_body_q3_body_q0 * w_270 - l_body_q3_body_q1 * w_271
+            - l_body_q3_body_q2 * w_272;
+        let w_263 = minus_inverse_lambda_body_norm
+            * (S::from_f64(4.0) * body_q2_dot + l_lambda_body_norm_body_q0 * w_259
+                + l_lambda_body_norm_body_q1 * w_260 + l_lambda_body_norm_body_q2 * w_261
+                + l_lambda_body_norm_body_q3 * w_262);
+        let w_264 = inverse_body_q3 * w_262 - l_lambda_body_norm_body_q3 * w_263;
+        let w_265 = inverse_body_q2 * w_261 - l_body_q3_body_q2 * w_264
+            - l_lambda_body_norm_body_q2 * w_263;
+        let w_266 = inverse_body_q1 * w_260 - l_body_q2_body_q1 * w_265
+            - l_body_q3_body_q1 * w_264 - l_lambda_body_norm_body_q1 * w_263;
+        let w_274 = minus_inverse_lambda_body_norm
+            * (S::from_f64(4.0) * body_q3_dot + l_lambda_body_norm_body_q0 * w_270
+                + l_lambda_body_norm_body_q1 * w_271 + l_lambda_body_norm_body_q2 * w_272
+                + l_lambda_body_norm_body_q3 * w_273);
+        let w_275 = inverse_body_q3 * w_273 - l_lambda_body_norm_body_q3 * w_274;
+        let w_276 = inverse_body_q2 * w_272 - l_body_q3_body_q2 * w_275
+            - l_lambda_body_norm_body_q2 * w_274;
+        let w_277 = inverse_body_q1 * w_271 - l_body_q2_body_q1 * w_276
+            - l_body_q3_body_q1 * w_275 - l_lambda_body_norm_body_q1 * w_274;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
@@ -1796,45 +1795,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_body_q0 * w_76 - l_body_q1_body_q0 * w_110
-                        - l_body_q2_body_q0 * w_109 - l_body_q3_body_q0 * w_108
-                        - l_lambda_body_norm_body_q0 * w_107,
-                    inverse_body_q0 * w_130 - l_body_q1_body_q0 * w_149
-                        - l_body_q2_body_q0 * w_148 - l_body_q3_body_q0 * w_147
-                        - l_lambda_body_norm_body_q0 * w_146,
-                    inverse_body_q0 * w_163 - l_body_q1_body_q0 * w_181
-                        - l_body_q2_body_q0 * w_180 - l_body_q3_body_q0 * w_179
-                        - l_lambda_body_norm_body_q0 * w_178,
-                    inverse_body_q0 * w_192 - l_body_q1_body_q0 * w_209
-                        - l_body_q2_body_q0 * w_208 - l_body_q3_body_q0 * w_207
-                        - l_lambda_body_norm_body_q0 * w_206,
+                    inverse_body_q0 * w_77 - l_body_q1_body_q0 * w_112
+                        - l_body_q2_body_q0 * w_111 - l_body_q3_body_q0 * w_110
+                        - l_lambda_body_norm_body_q0 * w_109,
+                    inverse_body_q0 * w_132 - l_body_q1_body_q0 * w_152
+                        - l_body_q2_body_q0 * w_151 - l_body_q3_body_q0 * w_150
+                        - l_lambda_body_norm_body_q0 * w_149,
+                    inverse_body_q0 * w_167 - l_body_q1_body_q0 * w_186
+                        - l_body_q2_body_q0 * w_185 - l_body_q3_body_q0 * w_184
+                        - l_lambda_body_norm_body_q0 * w_183,
+                    inverse_body_q0 * w_197 - l_body_q1_body_q0 * w_214
+                        - l_body_q2_body_q0 * w_213 - l_body_q3_body_q0 * w_212
+                        - l_lambda_body_norm_body_q0 * w_211,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_112,
+                    w_152,
+                    w_186,
+                    w_214,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    w_111,
+                    w_151,
+                    w_185,
+                    w_213,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     w_110,
-                    w_149,
-                    w_181,
-                    w_209,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_109,
-                    w_148,
-                    w_180,
-                    w_208,
-                ],
-                [
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    S::from_f64(0.0),
-                    w_108,
-                    w_147,
-                    w_179,
-                    w_207,
+                    w_150,
+                    w_184,
+                    w_212,
                 ],
             ],
             accelerations_by_speeds: [
@@ -1869,45 +1868,45 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    l_lambda_body_norm_body_q0 * w_233 - inverse_body_q0 * w_226
-                        - l_body_q1_body_q0 * w_236 - l_body_q2_body_q0 * w_235
-                        - l_body_q3_body_q0 * w_234,
-                    inverse_body_q0 * w_243 - l_body_q1_body_q0 * w_250
-                        - l_body_q2_body_q0 * w_249 - l_body_q3_body_q0 * w_248
-                        + l_lambda_body_norm_body_q0 * w_247,
-                    inverse_body_q0 * w_254 - l_body_q1_body_q0 * w_261
-                        - l_body_q2_body_q0 * w_260 - l_body_q3_body_q0 * w_259
-                        - l_lambda_body_norm_body_q0 * w_258,
-                    inverse_body_q0 * w_265 - l_body_q1_body_q0 * w_272
-                        - l_body_q2_body_q0 * w_271 - l_body_q3_body_q0 * w_270
-                        - l_lambda_body_norm_body_q0 * w_269,
+                    l_lambda_body_norm_body_q0 * w_238 - inverse_body_q0 * w_231
+                        - l_body_q1_body_q0 * w_241 - l_body_q2_body_q0 * w_240
+                        - l_body_q3_body_q0 * w_239,
+                    inverse_body_q0 * w_248 - l_body_q1_body_q0 * w_255
+                        - l_body_q2_body_q0 * w_254 - l_body_q3_body_q0 * w_253
+                        + l_lambda_body_norm_body_q0 * w_252,
+                    inverse_body_q0 * w_259 - l_body_q1_body_q0 * w_266
+                        - l_body_q2_body_q0 * w_265 - l_body_q3_body_q0 * w_264
+                        - l_lambda_body_norm_body_q0 * w_263,
+                    inverse_body_q0 * w_270 - l_body_q1_body_q0 * w_277
+                        - l_body_q2_body_q0 * w_276 - l_body_q3_body_q0 * w_275
+                        - l_lambda_body_norm_body_q0 * w_274,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_236,
-                    w_250,
-                    w_261,
-                    w_272,
+                    w_241,
+                    w_255,
+                    w_266,
+                    w_277,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_235,
-                    w_249,
-                    w_260,
-                    w_271,
+                    w_240,
+                    w_254,
+                    w_265,
+                    w_276,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_234,
-                    w_248,
-                    w_259,
-                    w_270,
+                    w_239,
+                    w_253,
+                    w_264,
+                    w_275,
                 ],
             ],
             multipliers_by_positions: [
@@ -1915,10 +1914,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    w_107,
-                    w_146,
-                    w_178,
-                    w_206,
+                    w_109,
+                    w_149,
+                    w_183,
+                    w_211,
                 ],
             ],
             multipliers_by_speeds: [
@@ -1926,10 +1925,10 @@ impl<S: sim_kernel::Scalar> TumblingQuaternionPrepared<S> {
                     S::from_f64(0.0),
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -w_233,
-                    -w_247,
-                    w_258,
-                    w_269,
+                    -w_238,
+                    -w_252,
+                    w_263,
+                    w_274,
                 ],
             ],
             refused: sim_kernel::pivot_is_refused(

@@ -246,7 +246,7 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
             [
                 S::from_f64(0.0),
                 S::from_f64(0.0),
-                w * (S::from_f64(1.0) + sin_lean_squared),
+                w * (sin_lean_squared + S::from_f64(1.0)),
                 S::from_f64(0.0),
                 mass_phi_psi,
             ],
@@ -268,24 +268,25 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// Convective forces `T_q' M g`, 5, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.
     ///
-    /// Operations: 3 additions, 21 multiplications, 1 sine-cosine pair.
+    /// Operations: 3 additions, 20 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn convective_forces(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
         let [_, _, _, lean, _] = *q;
         let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
+        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
         let r_squared = self.r * self.r;
         let w = self.m * r_squared * S::from_f64(0.5);
-        let ([sin_lean], [cos_lean]) = S::sin_cos_each([lean]);
+        let w_2 = lean_dot * w;
         [
             S::from_f64(0.0),
             S::from_f64(0.0),
-            w * cos_lean * lean_dot * (psi_dot * sin_lean + phi_dot),
+            cos_lean * (phi_dot + psi_dot * sin_lean) * w_2,
             cos_lean
                 * (sin_lean
                     * (self.m * r_squared * lean_dot * lean_dot
                         - psi_dot * psi_dot * S::from_f64(0.25) * self.m * r_squared)
                     - psi_dot * phi_dot * w),
-            cos_lean * lean_dot * psi_dot * w,
+            cos_lean * psi_dot * w_2,
         ]
     }
     /// Generalised forces `T_q' F`, 5: joules per unit of each coordinate.
@@ -352,7 +353,7 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 2, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 36 additions, 64 multiplications, 3 sine-cosine pairs.
+    /// Operations: 32 additions, 59 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 2] {
         let [_, _, psi, lean, phi] = *q;
@@ -364,43 +365,38 @@ impl<S: sim_kernel::Scalar> Wheel<S> {
         ]);
         let w = sin_lean * psi_dot;
         let w_y = phi_dot + w;
-        let w_2 = sin_lean * w_y;
+        let w_2 = lean_dot * sin_phi;
         let w_3 = cos_lean * psi_dot;
-        let w_4 = lean_dot * sin_phi + cos_phi * w_3;
-        let w_5 = lean_dot * cos_phi - sin_phi * w_3;
-        let w_z = cos_phi * w_4 - sin_phi * w_5;
-        let w_6 = cos_lean * w_z;
-        let w_7 = w_2 + w_6;
+        let w_4 = w_2 + cos_phi * w_3;
+        let w_10 = w * w_2 - phi_dot * w_4;
+        let w_5 = lean_dot * cos_phi;
+        let w_6 = w_5 - sin_phi * w_3;
+        let w_9 = w * w_5 - phi_dot * w_6;
+        let w_z = cos_phi * w_4 - sin_phi * w_6;
+        let w_x = sin_phi * w_4 + cos_phi * w_6;
+        let w_7 = sin_lean * w_y + cos_lean * w_z;
         let w_8 = sin_lean * w_z;
-        let w_9 = sin_phi * w_4;
-        let w_10 = cos_phi * w_5;
-        let w_11 = w - phi_dot;
-        let w_12 = lean_dot * cos_phi * w_11 + phi_dot * sin_phi * w_3;
-        let w_13 = lean_dot * sin_phi * w_11 - phi_dot * cos_phi * w_3;
-        let w_14 = phi_dot * (w_9 + w_10) + cos_phi * w_12 + sin_phi * w_13;
-        let w_15 = lean_dot * (cos_lean * (w_y + w) - w_8) - cos_lean * w_14;
-        let w_x = w_10 + w_9;
-        let w_16 = cos_lean * w_y - w_8;
+        let w_11 = phi_dot * w_x + cos_phi * w_9 + sin_phi * w_10;
+        let w_12 = lean_dot * (cos_lean * (w + w_y) - w_8) - cos_lean * w_11;
+        let w_13 = cos_lean * w_y - w_8;
+        let w_16 = cos_phi * w_10 + phi_dot * w_z - sin_phi * w_9 - psi_dot * w_13;
+        let w_15 = lean_dot * (psi_dot * cos_lean * cos_lean - w_7) + sin_lean * w_11
+            + psi_dot * w_x;
+        let w_14 = sin_lean
+            * (psi_dot * w_7 * sin_psi - cos_psi * w_12
+                + lean_dot * (w_x * sin_psi + cos_psi * w_13));
         let w_17 = sin_lean
-            * (psi_dot * w_7 * sin_psi - cos_psi * w_15
-                + lean_dot * (sin_psi * w_x + cos_psi * w_16));
-        let w_18 = psi_dot * w_x
-            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_2 - w_6) + sin_lean * w_14);
-        let w_19 = cos_phi * (w_13 + phi_dot * w_4) - sin_phi * (phi_dot * w_5 + w_12)
-            - psi_dot * w_16;
-        let w_20 = sin_lean
-            * (cos_psi * psi_dot * w_7 + w_15 * sin_psi
-                + lean_dot * (cos_psi * w_x - sin_psi * w_16));
+            * (cos_psi * psi_dot * w_7 + w_12 * sin_psi
+                + lean_dot * (cos_psi * w_x - sin_psi * w_13));
         [
             self.r
-                * (w_17
+                * (w_14
                     - cos_lean
-                        * (lean_dot * cos_psi * w_7
-                            + (cos_psi * w_18 + sin_psi * w_19))),
+                        * (cos_psi * w_15 + sin_psi * w_16 + lean_dot * cos_psi * w_7)),
             self.r
                 * (cos_lean
-                    * (cos_psi * w_19 - sin_psi * w_18 - lean_dot * w_7 * sin_psi)
-                    - w_20),
+                    * (cos_psi * w_16 - sin_psi * w_15 - lean_dot * w_7 * sin_psi)
+                    - w_17),
         ]
     }
     /// `C` (2), `C_q` (2 x 5) and `C_t` (2) together, in SI units, for projection.
@@ -604,9 +600,9 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     /// [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]
     /// ```
     ///
-    /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
+    /// by an elimination planned from the structure of the system, with two constraint rows turned along and across a link. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 73 additions, 128 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 64 additions, 119 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -616,127 +612,144 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ) -> sim_kernel::Dynamics<S, [S; 5], [S; 2]> {
         let [_, _, psi, lean, phi] = *q;
         let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
-        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
-            lean,
-            psi,
-            phi,
-        ]);
+        let (
+            [sin_lean,
+            minus_k_lambda_slip_y_turned_x,
+            sin_phi,
+            ],
+            [cos_lean,
+            k_lambda_slip_x_turned_x,
+            cos_phi,
+            ],
+        ) = S::sin_cos_each([lean, psi, phi]);
         let w = cos_lean * psi_dot;
-        let w_2 = w * phi_dot;
         let rhs_lean = sin_lean
-            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot)
-                + self.k_4) + self.mass_phi_phi * w_2;
+            * (self.k_4
+                + cos_lean
+                    * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot * lean_dot))
+            + self.mass_phi_phi * w * phi_dot;
+        let w_2 = self.mass_phi_phi * lean_dot;
         let w_3 = sin_lean * psi_dot;
-        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
+        let w_y = phi_dot + w_3;
+        let w_4 = cos_lean * w_y;
+        let minus_rhs_psi = w_2 * w_4;
         let mass_phi_psi = sin_lean * self.mass_phi_phi;
         let sin_lean_squared = sin_lean * sin_lean;
-        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
+        let mass_psi_psi = self.k * (sin_lean_squared + S::from_f64(1.0));
+        let mass_lean_lean = self.k + sin_lean_squared * self.k_2;
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
-        let rhs_phi = minus_rhs_psi * l_phi_psi - self.mass_phi_phi * lean_dot * w;
-        let minus_slip_y_by_phi = self.r * sin_psi;
-        let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
-        let mass_lean_lean = self.k + sin_lean_squared * self.k_2;
-        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
-        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
-        let w_y = phi_dot + w_3;
-        let w_4 = sin_lean * w_y;
+        let rhs_phi = minus_rhs_psi * l_phi_psi - w * w_2;
         let w_5 = sin_phi * lean_dot + cos_phi * w;
-        let w_6 = lean_dot * cos_phi - sin_phi * w;
-        let w_z = cos_phi * w_5 - sin_phi * w_6;
-        let w_7 = cos_lean * w_z;
-        let w_8 = w_4 + w_7;
-        let w_9 = sin_psi * w_8;
-        let w_10 = w_5 * phi_dot;
-        let w_11 = w_3 - phi_dot;
-        let w_12 = sin_phi * lean_dot * w_11 - cos_phi * w_2;
-        let w_13 = lean_dot * cos_phi * w_11 + sin_phi * w_2;
-        let w_14 = phi_dot * w_6;
-        let w_15 = sin_phi * (w_10 + w_12) + cos_phi * (w_13 + w_14);
-        let w_16 = sin_lean * lean_dot;
-        let w_17 = cos_lean * (lean_dot * (w_y + w_3) - w_15) - w_z * w_16;
-        let w_x = cos_phi * w_6 + sin_phi * w_5;
-        let w_18 = cos_lean * w_y - sin_lean * w_z;
-        let w_19 = sin_lean
-            * (psi_dot * w_9 - cos_psi * w_17
-                + lean_dot * (sin_psi * w_x + cos_psi * w_18));
-        let w_20 = cos_psi * w_8;
-        let w_21 = psi_dot * w_x
-            + (lean_dot * (psi_dot * cos_lean * cos_lean - w_4 - w_7) + sin_lean * w_15);
-        let w_22 = cos_phi * (w_12 + w_10) - sin_phi * (w_14 + w_13) - psi_dot * w_18;
-        let minus_slip_x_by_phi = self.r * cos_psi;
-        let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
-        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
-        let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
-        let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
-            - minus_slip_x_by_phi;
-        let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
-        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
-            - self.r
-                * (w_19
-                    - cos_lean * (lean_dot * w_20 + (cos_psi * w_21 + sin_psi * w_22)))
-            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
-        let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
-            + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
-            + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
-        let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
-        let slip_y_by_lean = minus_slip_x_by_phi * cos_lean;
-        let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
-        let minus_slip_y_by_psi = sin_lean * minus_slip_y_by_phi;
-        let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
-        let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
-            - minus_slip_y_by_phi;
-        let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
-        let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
-            - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
-            - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
-        let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
-            * k_lambda_slip_y_lambda_slip_x;
+        let w_10 = lean_dot * cos_phi - sin_phi * w;
+        let w_6 = w_5 * phi_dot;
+        let w_7 = sin_lean * lean_dot;
+        let w_8 = psi_dot * w_7;
+        let w_9 = w_6 + (sin_phi * w_8 - w_6);
+        let w_11 = phi_dot * w_10;
+        let w_12 = w_11 + (cos_phi * w_8 - w_11);
+        let w_13 = sin_phi * w_9 + cos_phi * w_12;
+        let w_z = cos_phi * w_5 - sin_phi * w_10;
+        let w_14 = cos_lean * (lean_dot * (w_3 + w_y) - w_13) - w_7 * w_z;
+        let w_15 = sin_lean * w_y + cos_lean * w_z;
+        let w_17 = w_4 - sin_lean * w_z;
+        let w_20 = cos_phi * w_9 - sin_phi * w_12 - psi_dot * w_17;
+        let w_x = cos_phi * w_10 + sin_phi * w_5;
+        let w_19 = lean_dot * (psi_dot * cos_lean * cos_lean - w_15) + sin_lean * w_13
+            + psi_dot * w_x;
+        let w_16 = minus_k_lambda_slip_y_turned_x * w_15;
+        let w_21 = k_lambda_slip_x_turned_x * w_15;
+        let w_18 = sin_lean
+            * (k_lambda_slip_x_turned_x * w_14 - psi_dot * w_16
+                - lean_dot
+                    * (minus_k_lambda_slip_y_turned_x * w_x
+                        + k_lambda_slip_x_turned_x * w_17));
+        let w_22 = self.r
+            * (w_18
+                + cos_lean
+                    * (k_lambda_slip_x_turned_x * w_19
+                        + minus_k_lambda_slip_y_turned_x * w_20 + lean_dot * w_21));
         let w_23 = sin_lean
-            * (psi_dot * w_20 + sin_psi * w_17
-                + lean_dot * (cos_psi * w_x - sin_psi * w_18));
-        let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
-            - self.r
-                * (cos_lean * (cos_psi * w_22 - sin_psi * w_21 - lean_dot * w_9) - w_23)
-            - minus_rhs_psi * minus_l_lambda_slip_y_psi - rhs_lean * l_lambda_slip_y_lean
-            - l_lambda_slip_y_phi * rhs_phi;
-        let w_24 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
-            + slip_y_by_lean * l_lambda_slip_y_lean
-            + k_lambda_slip_y_phi * l_lambda_slip_y_phi + self.inverse_x;
-        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
-            * minus_l_lambda_slip_y_lambda_slip_x - w_24;
-        let lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y * rhs_lambda_slip_y;
-        let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
-            - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
-        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_phi * lambda_slip_x
-            - l_lambda_slip_y_phi * lambda_slip_y;
+            * (psi_dot * w_21 + minus_k_lambda_slip_y_turned_x * w_14
+                + lean_dot
+                    * (k_lambda_slip_x_turned_x * w_x
+                        - minus_k_lambda_slip_y_turned_x * w_17));
+        let w_24 = self.r
+            * (w_23
+                + cos_lean
+                    * (lean_dot * w_16
+                        - (k_lambda_slip_x_turned_x * w_20
+                            - minus_k_lambda_slip_y_turned_x * w_19)));
+        let minus_k_lambda_slip_x_turned_psi = self.r * sin_lean;
+        let minus_l_lambda_slip_x_turned_psi = minus_k_lambda_slip_x_turned_psi
+            * inverse_psi;
+        let P_z = self.r * cos_lean;
+        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
+        let l_lambda_slip_y_turned_lean = P_z * inverse_lean;
+        let minus_l_lambda_slip_y_turned_x = minus_k_lambda_slip_y_turned_x
+            * self.inverse_x;
+        let w_25 = minus_k_lambda_slip_y_turned_x * minus_l_lambda_slip_y_turned_x;
+        let l_lambda_slip_x_turned_x = k_lambda_slip_x_turned_x * self.inverse_x;
+        let w_26 = k_lambda_slip_x_turned_x * l_lambda_slip_x_turned_x;
+        let minus_pivot_lambda_slip_y_turned = P_z * l_lambda_slip_y_turned_lean + w_25
+            + w_26;
+        let minus_inverse_lambda_slip_y_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_slip_y_turned;
+        let k_lambda_slip_x_turned_lambda_slip_y_turned = k_lambda_slip_x_turned_x
+            * minus_l_lambda_slip_y_turned_x
+            - minus_k_lambda_slip_y_turned_x * l_lambda_slip_x_turned_x;
+        let minus_l_lambda_slip_x_turned_lambda_slip_y_turned = minus_inverse_lambda_slip_y_turned
+            * k_lambda_slip_x_turned_lambda_slip_y_turned;
+        let minus_rhs_lambda_slip_y_turned = minus_k_lambda_slip_y_turned_x * w_22
+            - k_lambda_slip_x_turned_x * w_24 + rhs_lean * l_lambda_slip_y_turned_lean;
+        let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
+        let k_lambda_slip_x_turned_phi = mass_phi_psi * minus_l_lambda_slip_x_turned_psi
+            - self.r;
+        let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let l_lambda_slip_x_turned_phi = inverse_phi * k_lambda_slip_x_turned_phi;
+        let w_27 = w_26 + w_25
+            + minus_k_lambda_slip_x_turned_psi * minus_l_lambda_slip_x_turned_psi
+            + k_lambda_slip_x_turned_phi * l_lambda_slip_x_turned_phi;
+        let pivot_lambda_slip_x_turned = k_lambda_slip_x_turned_lambda_slip_y_turned
+            * minus_l_lambda_slip_x_turned_lambda_slip_y_turned - w_27;
+        let w_28 = S::from_f64(1.0) / pivot_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * w_22 + minus_k_lambda_slip_y_turned_x * w_24
+                - minus_rhs_psi * minus_l_lambda_slip_x_turned_psi
+                - minus_l_lambda_slip_x_turned_lambda_slip_y_turned
+                    * minus_rhs_lambda_slip_y_turned
+                - l_lambda_slip_x_turned_phi * rhs_phi);
+        let w_29 = minus_inverse_lambda_slip_y_turned * minus_rhs_lambda_slip_y_turned
+            + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_28;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_turned_phi * w_28;
         sim_kernel::Dynamics {
             accelerations: [
-                -(self.inverse_x * lambda_slip_x),
-                -(self.inverse_x * lambda_slip_y),
-                minus_l_lambda_slip_x_psi * lambda_slip_x - minus_rhs_psi * inverse_psi
-                    - l_phi_psi * phi_ddot + minus_l_lambda_slip_y_psi * lambda_slip_y,
-                rhs_lean * inverse_lean + minus_l_lambda_slip_x_lean * lambda_slip_x
-                    - l_lambda_slip_y_lean * lambda_slip_y,
+                minus_l_lambda_slip_y_turned_x * w_29 - l_lambda_slip_x_turned_x * w_28,
+                -(minus_l_lambda_slip_y_turned_x * w_28
+                    + l_lambda_slip_x_turned_x * w_29),
+                minus_l_lambda_slip_x_turned_psi * w_28 - minus_rhs_psi * inverse_psi
+                    - l_phi_psi * phi_ddot,
+                rhs_lean * inverse_lean - l_lambda_slip_y_turned_lean * w_29,
                 phi_ddot,
             ],
-            multipliers: [lambda_slip_x, lambda_slip_y],
-            power: self.k_4 * w_16,
-            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+            multipliers: [
+                k_lambda_slip_x_turned_x * w_28 - minus_k_lambda_slip_y_turned_x * w_29,
+                minus_k_lambda_slip_y_turned_x * w_28 + k_lambda_slip_x_turned_x * w_29,
+            ],
+            power: w_7 * self.k_4,
+            refused: sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_slip_x,
-                    minus_pivot_lambda_slip_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_24),
+                    -minus_pivot_lambda_slip_y_turned,
+                    minus_pivot_lambda_slip_y_turned,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(pivot_lambda_slip_x_turned, w_27),
         }
     }
     /// The derivatives of accelerations (5 rows) and multipliers (2 rows) with respect to coordinates and speeds (5 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 295 additions, 438 multiplications, 5 divisions, 3 sine-cosine pairs.
+    /// Operations: 263 additions, 423 multiplications, 5 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -746,366 +759,429 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 5]; 5], [[S; 5]; 2]> {
         let [_, _, psi, lean, phi] = *q;
         let [_, _, psi_dot, lean_dot, phi_dot] = *qd;
-        let ([sin_lean, sin_psi, sin_phi], [cos_lean, cos_psi, cos_phi]) = S::sin_cos_each([
-            lean,
-            psi,
-            phi,
-        ]);
+        let (
+            [sin_lean,
+            minus_k_lambda_slip_y_turned_x,
+            sin_phi,
+            ],
+            [cos_lean,
+            k_lambda_slip_x_turned_x,
+            cos_phi,
+            ],
+        ) = S::sin_cos_each([lean, psi, phi]);
         let lean_dot_squared = lean_dot * lean_dot;
         let w = cos_lean * psi_dot;
         let w_2 = self.mass_phi_phi * w;
         let rhs_lean = sin_lean
-            * (cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot_squared)
-                + self.k_4) + phi_dot * w_2;
+            * (self.k_4
+                + cos_lean * (self.k * psi_dot * psi_dot - self.k_2 * lean_dot_squared))
+            + phi_dot * w_2;
         let w_3 = sin_lean * psi_dot;
-        let minus_rhs_psi = self.mass_phi_phi * cos_lean * lean_dot * (w_3 + phi_dot);
+        let w_y = phi_dot + w_3;
+        let w_4 = cos_lean * lean_dot;
+        let w_5 = self.mass_phi_phi * w_4;
+        let minus_rhs_psi = w_y * w_5;
         let mass_phi_psi = sin_lean * self.mass_phi_phi;
         let sin_lean_squared = sin_lean * sin_lean;
-        let mass_psi_psi = self.k * (S::from_f64(1.0) + sin_lean_squared);
+        let mass_psi_psi = self.k * (sin_lean_squared + S::from_f64(1.0));
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
         let rhs_phi = minus_rhs_psi * l_phi_psi - lean_dot * w_2;
-        let minus_slip_y_by_phi = self.r * sin_psi;
-        let minus_slip_x_by_lean = cos_lean * minus_slip_y_by_phi;
-        let w_4 = sin_lean_squared * self.k_2;
-        let mass_lean_lean = self.k + w_4;
-        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
-        let minus_l_lambda_slip_x_lean = minus_slip_x_by_lean * inverse_lean;
-        let w_y = phi_dot + w_3;
-        let w_5 = sin_lean * w_y;
-        let w_6 = cos_phi * w;
-        let w_7 = sin_phi * lean_dot + w_6;
-        let w_8 = sin_phi * w;
-        let w_9 = lean_dot * cos_phi - w_8;
-        let w_z = cos_phi * w_7 - sin_phi * w_9;
-        let w_10 = cos_lean * w_z;
-        let w_11 = w_5 + w_10;
-        let w_12 = sin_psi * w_11;
-        let w_13 = psi_dot * w_12;
-        let w_14 = w_7 * phi_dot;
-        let w_15 = w_3 - phi_dot;
-        let w_16 = sin_phi * lean_dot * w_15 - w_6 * phi_dot;
-        let w_17 = lean_dot * cos_phi * w_15 + phi_dot * w_8;
-        let w_18 = phi_dot * w_9;
-        let w_19 = sin_phi * (w_14 + w_16) + cos_phi * (w_17 + w_18);
-        let w_20 = sin_lean * lean_dot;
-        let w_21 = cos_lean * (lean_dot * (w_y + w_3) - w_19) - w_20 * w_z;
-        let w_22 = cos_phi * w_9;
-        let w_23 = sin_phi * w_7;
-        let w_x = w_22 + w_23;
+        let w_6 = w_3 + w_y;
+        let w_7 = sin_phi * lean_dot + cos_phi * w;
+        let w_8 = w_7 * phi_dot;
+        let w_9 = sin_lean * lean_dot;
+        let w_10 = psi_dot * w_9;
+        let w_11 = sin_phi * w_10;
+        let w_12 = w_8 + (w_11 - w_8);
+        let w_13 = lean_dot * cos_phi - sin_phi * w;
+        let w_14 = phi_dot * w_13;
+        let w_15 = cos_phi * w_10;
+        let w_68 = S::from_f64(0.25) * sin_lean
+            * (sin_phi * self.k_2 * (w_8 - w_11 + w_7 * w_y)
+                + cos_phi * self.k_2 * (w_14 - w_15 + w_y * w_13));
+        let w_16 = w_14 + (w_15 - w_14);
+        let w_17 = sin_phi * w_12 + cos_phi * w_16;
+        let w_z = cos_phi * w_7 - sin_phi * w_13;
+        let w_18 = cos_lean * (lean_dot * w_6 - w_17) - w_9 * w_z;
+        let w_19 = sin_lean * w_y;
+        let w_20 = cos_lean * w_z;
+        let w_21 = w_19 + w_20;
+        let w_22 = minus_k_lambda_slip_y_turned_x * psi_dot;
+        let w_23 = w_21 * w_22;
+        let w_x = cos_phi * w_13 + sin_phi * w_7;
         let w_24 = cos_lean * w_y;
         let w_25 = sin_lean * w_z;
+        let w_117 = self.mass_phi_phi * w_z;
         let w_26 = w_24 - w_25;
-        let w_27 = sin_psi * w_x + cos_psi * w_26;
+        let w_32 = cos_phi * w_12 - sin_phi * w_16 - psi_dot * w_26;
+        let w_27 = minus_k_lambda_slip_y_turned_x * w_x
+            + k_lambda_slip_x_turned_x * w_26;
         let w_28 = lean_dot * w_27;
-        let w_29 = cos_psi * w_11;
-        let w_30 = psi_dot * cos_lean * cos_lean;
-        let w_31 = sin_lean * w_19;
-        let w_32 = psi_dot * w_x + (lean_dot * (w_30 - w_5 - w_10) + w_31);
-        let w_33 = psi_dot * w_26;
-        let w_34 = cos_phi * (w_16 + w_14) - sin_phi * (w_18 + w_17) - w_33;
-        let w_35 = cos_psi * w_32 + sin_psi * w_34;
-        let minus_slip_x_by_phi = self.r * cos_psi;
-        let minus_slip_x_by_psi = sin_lean * minus_slip_x_by_phi;
-        let minus_l_lambda_slip_x_psi = minus_slip_x_by_psi * inverse_psi;
+        let w_29 = psi_dot * cos_lean * cos_lean;
+        let w_30 = sin_lean * w_17;
+        let w_31 = lean_dot * (w_29 - w_21) + w_30 + psi_dot * w_x;
+        let w_33 = k_lambda_slip_x_turned_x * lean_dot;
+        let w_34 = k_lambda_slip_x_turned_x * w_31
+            + minus_k_lambda_slip_y_turned_x * w_32 + w_21 * w_33;
+        let w_35 = self.r
+            * (sin_lean * (k_lambda_slip_x_turned_x * w_18 - w_23 - w_28)
+                + cos_lean * w_34);
+        let w_36 = k_lambda_slip_x_turned_x * psi_dot;
+        let w_37 = w_21 * w_36;
+        let w_38 = k_lambda_slip_x_turned_x * w_x
+            - minus_k_lambda_slip_y_turned_x * w_26;
+        let w_39 = lean_dot * w_38;
+        let w_40 = minus_k_lambda_slip_y_turned_x * lean_dot;
+        let w_41 = w_21 * w_40
+            - (k_lambda_slip_x_turned_x * w_32 - minus_k_lambda_slip_y_turned_x * w_31);
+        let w_42 = self.r
+            * (sin_lean * (w_37 + minus_k_lambda_slip_y_turned_x * w_18 + w_39)
+                + cos_lean * w_41);
+        let w_62 = w_18 + lean_dot * w_26;
+        let minus_k_lambda_slip_x_turned_psi = self.r * sin_lean;
+        let minus_l_lambda_slip_x_turned_psi = minus_k_lambda_slip_x_turned_psi
+            * inverse_psi;
+        let P_z = self.r * cos_lean;
+        let w_43 = sin_lean_squared * self.k_2;
+        let mass_lean_lean = self.k + w_43;
+        let inverse_lean = S::from_f64(1.0) / mass_lean_lean;
+        let l_lambda_slip_y_turned_lean = P_z * inverse_lean;
+        let minus_l_lambda_slip_y_turned_x = minus_k_lambda_slip_y_turned_x
+            * self.inverse_x;
+        let w_44 = minus_k_lambda_slip_y_turned_x * minus_l_lambda_slip_y_turned_x;
+        let l_lambda_slip_x_turned_x = k_lambda_slip_x_turned_x * self.inverse_x;
+        let w_45 = k_lambda_slip_x_turned_x * l_lambda_slip_x_turned_x;
+        let minus_pivot_lambda_slip_y_turned = P_z * l_lambda_slip_y_turned_lean + w_44
+            + w_45;
+        let minus_inverse_lambda_slip_y_turned = S::from_f64(1.0)
+            / minus_pivot_lambda_slip_y_turned;
+        let k_lambda_slip_x_turned_lambda_slip_y_turned = k_lambda_slip_x_turned_x
+            * minus_l_lambda_slip_y_turned_x
+            - minus_k_lambda_slip_y_turned_x * l_lambda_slip_x_turned_x;
+        let minus_l_lambda_slip_x_turned_lambda_slip_y_turned = minus_inverse_lambda_slip_y_turned
+            * k_lambda_slip_x_turned_lambda_slip_y_turned;
+        let minus_rhs_lambda_slip_y_turned = minus_k_lambda_slip_y_turned_x * w_35
+            - k_lambda_slip_x_turned_x * w_42 + rhs_lean * l_lambda_slip_y_turned_lean;
         let pivot_phi = self.mass_phi_phi - mass_phi_psi * l_phi_psi;
+        let k_lambda_slip_x_turned_phi = mass_phi_psi * minus_l_lambda_slip_x_turned_psi
+            - self.r;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
-        let k_lambda_slip_x_phi = mass_phi_psi * minus_l_lambda_slip_x_psi
-            - minus_slip_x_by_phi;
-        let l_lambda_slip_x_phi = inverse_phi * k_lambda_slip_x_phi;
-        let rhs_lambda_slip_x = rhs_lean * minus_l_lambda_slip_x_lean
-            - self.r
-                * (sin_lean * (w_13 - cos_psi * w_21 + w_28)
-                    - cos_lean * (lean_dot * w_29 + w_35))
-            - minus_rhs_psi * minus_l_lambda_slip_x_psi - l_lambda_slip_x_phi * rhs_phi;
-        let minus_pivot_lambda_slip_x = minus_slip_x_by_psi * minus_l_lambda_slip_x_psi
-            + self.inverse_x + minus_slip_x_by_lean * minus_l_lambda_slip_x_lean
-            + k_lambda_slip_x_phi * l_lambda_slip_x_phi;
-        let minus_inverse_lambda_slip_x = S::from_f64(1.0) / minus_pivot_lambda_slip_x;
-        let slip_y_by_lean = minus_slip_x_by_phi * cos_lean;
-        let l_lambda_slip_y_lean = slip_y_by_lean * inverse_lean;
-        let minus_slip_y_by_psi = sin_lean * minus_slip_y_by_phi;
-        let minus_l_lambda_slip_y_psi = minus_slip_y_by_psi * inverse_psi;
-        let k_lambda_slip_y_phi = mass_phi_psi * minus_l_lambda_slip_y_psi
-            - minus_slip_y_by_phi;
-        let l_lambda_slip_y_phi = inverse_phi * k_lambda_slip_y_phi;
-        let k_lambda_slip_y_lambda_slip_x = minus_slip_x_by_lean * l_lambda_slip_y_lean
-            - minus_slip_x_by_psi * minus_l_lambda_slip_y_psi
-            - k_lambda_slip_x_phi * l_lambda_slip_y_phi;
-        let minus_l_lambda_slip_y_lambda_slip_x = minus_inverse_lambda_slip_x
-            * k_lambda_slip_y_lambda_slip_x;
-        let w_36 = cos_psi * w_34 - sin_psi * w_32;
-        let w_37 = lean_dot * w_12;
-        let w_38 = psi_dot * w_29;
-        let w_39 = cos_psi * w_x - sin_psi * w_26;
-        let w_40 = lean_dot * w_39;
-        let rhs_lambda_slip_y = minus_l_lambda_slip_y_lambda_slip_x * rhs_lambda_slip_x
-            - self.r
-                * (cos_lean * (w_36 - w_37) - sin_lean * (w_38 + sin_psi * w_21 + w_40))
-            - minus_rhs_psi * minus_l_lambda_slip_y_psi - rhs_lean * l_lambda_slip_y_lean
-            - l_lambda_slip_y_phi * rhs_phi;
-        let w_41 = minus_slip_y_by_psi * minus_l_lambda_slip_y_psi
-            + slip_y_by_lean * l_lambda_slip_y_lean
-            + k_lambda_slip_y_phi * l_lambda_slip_y_phi + self.inverse_x;
-        let pivot_lambda_slip_y = k_lambda_slip_y_lambda_slip_x
-            * minus_l_lambda_slip_y_lambda_slip_x - w_41;
-        let inverse_lambda_slip_y = S::from_f64(1.0) / pivot_lambda_slip_y;
-        let lambda_slip_y = inverse_lambda_slip_y * rhs_lambda_slip_y;
-        let lambda_slip_x = minus_l_lambda_slip_y_lambda_slip_x * lambda_slip_y
-            - minus_inverse_lambda_slip_x * rhs_lambda_slip_x;
-        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_phi * lambda_slip_x
-            - l_lambda_slip_y_phi * lambda_slip_y;
-        let psi_ddot = minus_l_lambda_slip_x_psi * lambda_slip_x
-            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot
-            + minus_l_lambda_slip_y_psi * lambda_slip_y;
-        let w_42 = w_21 + psi_ddot;
-        let w_43 = cos_lean * lean_dot;
-        let lean_ddot = rhs_lean * inverse_lean
-            + minus_l_lambda_slip_x_lean * lambda_slip_x
-            - l_lambda_slip_y_lean * lambda_slip_y;
-        let w_44 = self.r
-            * (cos_psi * (sin_lean * w_42 + w_11 * w_43 + phi_ddot)
-                - sin_lean * (w_13 + w_28) + cos_lean * (w_35 + sin_psi * lean_ddot));
-        let w_45 = cos_psi * lambda_slip_y - sin_psi * lambda_slip_x;
-        let w_46 = self.r * sin_lean * w_45;
-        let w_47 = sin_psi * lambda_slip_y + cos_psi * lambda_slip_x;
-        let w_48 = self.r * cos_lean * w_47;
-        let w_49 = self.r * w_45;
-        let w_50 = w_49 - l_phi_psi * w_46;
-        let w_51 = self.r
-            * (cos_lean * (w_36 - w_37 + cos_psi * lean_ddot)
-                - sin_lean * (sin_psi * w_42 + w_38 + w_40) - sin_psi * phi_ddot);
-        let w_52 = w_51 + minus_l_lambda_slip_x_psi * w_46
-            + minus_l_lambda_slip_x_lean * w_48 - l_lambda_slip_x_phi * w_50;
-        let w_53 = inverse_lambda_slip_y
-            * (w_44 + minus_l_lambda_slip_y_psi * w_46 - l_lambda_slip_y_lean * w_48
-                - l_lambda_slip_y_phi * w_50
-                + minus_l_lambda_slip_y_lambda_slip_x * w_52);
-        let w_54 = minus_l_lambda_slip_y_lambda_slip_x * w_53
-            - minus_inverse_lambda_slip_x * w_52;
-        let w_55 = lean_dot * w_26 + w_21 + psi_ddot;
-        let w_56 = sin_lean * phi_dot;
-        let w_57 = psi_dot * (cos_phi * w_56 + sin_phi * w_43);
-        let w_58 = psi_dot * (sin_phi * w_56 - cos_phi * w_43);
-        let w_59 = psi_dot - w_5 - w_10;
-        let w_60 = cos_phi * w_57 + sin_phi * w_58 - phi_dot * w_3 - psi_dot * w_59;
-        let w_61 = cos_phi * w_58 - sin_phi * w_57;
-        let w_62 = cos_lean * (lean_dot * (w_y + w_3 * S::from_f64(2.0)) - w_19)
-            + sin_lean * (w_61 - lean_dot * w_z);
-        let w_63 = lean_dot * (w_11 + w_59)
-            + (lean_dot
-                * (S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0))
-                    + w_5 + w_10) - w_31 - cos_lean * w_61);
-        let w_64 = cos_lean
-            * (sin_psi * w_55 + w_38 - (cos_psi * w_60 + sin_psi * w_62) + w_40)
-            + sin_lean * (cos_psi * (w_33 + lean_ddot) - sin_psi * w_63 + w_36);
-        let w_65 = self.k_2 * (psi_dot * (cos_lean * w_7 - cos_phi * w_5) - w_57);
-        let w_66 = self.k_2 * (psi_dot * (sin_phi * w_5 + cos_lean * w_9) + w_58);
-        let w_67 = psi_dot * w_20;
-        let w_68 = S::from_f64(0.25) * sin_lean
-            * (sin_phi * self.k_2 * (w_7 * w_y + (w_14 - sin_phi * w_67))
-                + cos_phi * self.k_2 * (w_y * w_9 + (w_18 - cos_phi * w_67)));
+        let l_lambda_slip_x_turned_phi = inverse_phi * k_lambda_slip_x_turned_phi;
+        let w_46 = w_45 + w_44
+            + minus_k_lambda_slip_x_turned_psi * minus_l_lambda_slip_x_turned_psi
+            + k_lambda_slip_x_turned_phi * l_lambda_slip_x_turned_phi;
+        let pivot_lambda_slip_x_turned = k_lambda_slip_x_turned_lambda_slip_y_turned
+            * minus_l_lambda_slip_x_turned_lambda_slip_y_turned - w_46;
+        let inverse_lambda_slip_x_turned = S::from_f64(1.0) / pivot_lambda_slip_x_turned;
+        let w_47 = inverse_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * w_35 + minus_k_lambda_slip_y_turned_x * w_42
+                - minus_rhs_psi * minus_l_lambda_slip_x_turned_psi
+                - minus_l_lambda_slip_x_turned_lambda_slip_y_turned
+                    * minus_rhs_lambda_slip_y_turned
+                - l_lambda_slip_x_turned_phi * rhs_phi);
+        let w_48 = minus_inverse_lambda_slip_y_turned * minus_rhs_lambda_slip_y_turned
+            + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_47;
+        let lean_ddot = rhs_lean * inverse_lean - l_lambda_slip_y_turned_lean * w_48;
+        let phi_ddot = inverse_phi * rhs_phi - l_lambda_slip_x_turned_phi * w_47;
+        let psi_ddot = minus_l_lambda_slip_x_turned_psi * w_47
+            - minus_rhs_psi * inverse_psi - l_phi_psi * phi_ddot;
+        let lambda_slip_y = minus_k_lambda_slip_y_turned_x * w_47
+            + k_lambda_slip_x_turned_x * w_48;
+        let minus_y_ddot = minus_l_lambda_slip_y_turned_x * w_47
+            + l_lambda_slip_x_turned_x * w_48;
+        let x_ddot = minus_l_lambda_slip_y_turned_x * w_48
+            - l_lambda_slip_x_turned_x * w_47;
+        let w_49 = minus_k_lambda_slip_y_turned_x * w_48;
+        let w_50 = k_lambda_slip_x_turned_x * w_47;
+        let w_51 = w_49 - w_50;
+        let w_52 = k_lambda_slip_x_turned_x * x_ddot
+            - minus_k_lambda_slip_y_turned_x * minus_y_ddot
+            + minus_l_lambda_slip_y_turned_x * lambda_slip_y
+            - l_lambda_slip_x_turned_x * w_51;
+        let w_53 = inverse_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * minus_y_ddot
+                + minus_k_lambda_slip_y_turned_x * x_ddot
+                - l_lambda_slip_x_turned_x * lambda_slip_y
+                - minus_l_lambda_slip_y_turned_x * w_51
+                + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_52);
+        let w_54 = minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_53
+            - minus_inverse_lambda_slip_y_turned * w_52;
+        let w_55 = sin_lean * phi_dot;
+        let w_56 = psi_dot * (cos_phi * w_55 + sin_phi * w_4);
+        let w_57 = psi_dot * (sin_phi * w_55 - cos_phi * w_4);
+        let w_58 = psi_dot - w_19 - w_20;
+        let w_59 = cos_phi * w_56 + sin_phi * w_57 - phi_dot * w_3 - psi_dot * w_58;
+        let w_60 = cos_phi * w_57 - sin_phi * w_56;
+        let w_61 = lean_dot * (w_26 + sin_lean * w * S::from_f64(2.0)) - cos_lean * w_17
+            + sin_lean * w_60;
+        let w_63 = lean_dot
+            * (w_21 + S::from_f64(2.0) * psi_dot * (sin_lean_squared - S::from_f64(1.0)))
+            - w_30 - cos_lean * w_60 + lean_dot * w_58;
+        let w_64 = self.r
+            * (cos_lean
+                * (minus_k_lambda_slip_y_turned_x * w_59
+                    - k_lambda_slip_x_turned_x * w_61 - w_23 - w_28
+                    + k_lambda_slip_x_turned_x * w_62)
+                - sin_lean * (w_34 + k_lambda_slip_x_turned_x * w_63 + w_26 * w_22));
+        let w_65 = self.r
+            * (cos_lean
+                * (w_37 + w_39
+                    - (k_lambda_slip_x_turned_x * w_59
+                        + minus_k_lambda_slip_y_turned_x * w_61)
+                    + minus_k_lambda_slip_y_turned_x * w_62)
+                + sin_lean
+                    * (w_26 * w_36 - w_41 - minus_k_lambda_slip_y_turned_x * w_63));
+        let w_66 = self.k_2 * (psi_dot * (cos_lean * w_7 - cos_phi * w_19) - w_56);
+        let w_67 = self.k_2 * (w_57 + psi_dot * (sin_phi * w_19 + cos_lean * w_13));
         let w_69 = cos_lean
-            * (self.r * w_47 - S::from_f64(0.25) * (sin_phi * w_65 + cos_phi * w_66)
-                - self.mass_phi_phi * (sin_lean * psi_ddot + phi_ddot)) + w_68
-            + lean_dot * psi_dot * (w_4 - self.mass_phi_phi);
-        let w_70 = cos_lean * self.k_5;
-        let w_71 = sin_lean * (w_49 - lean_ddot * w_70)
-            + S::from_f64(0.25) * (cos_phi * w_65 - sin_phi * w_66)
-            + w_4 * lean_dot_squared
-            + cos_lean * (self.g - self.r * cos_lean * lean_dot_squared) * self.k_3;
-        let w_72 = self.mass_phi_phi * (w_67 - cos_lean * psi_ddot) - l_phi_psi * w_69;
-        let w_73 = sin_psi
-            * (psi_dot * (cos_lean * w_11 + sin_lean * w_26) + sin_lean * lean_ddot);
-        let w_74 = self.r
-            * (cos_psi * (cos_lean * w_55 - sin_lean * w_63) - w_73
-                + cos_lean * (sin_psi * w_60 - cos_psi * w_62 - w_28) - sin_lean * w_35);
-        let w_75 = w_74 + minus_l_lambda_slip_x_psi * w_69
-            + minus_l_lambda_slip_x_lean * w_71 - l_lambda_slip_x_phi * w_72;
-        let w_76 = inverse_lambda_slip_y
-            * (self.r * w_64 + minus_l_lambda_slip_y_psi * w_69
-                - l_lambda_slip_y_lean * w_71 - l_lambda_slip_y_phi * w_72
-                + minus_l_lambda_slip_y_lambda_slip_x * w_75);
-        let w_77 = minus_l_lambda_slip_y_lambda_slip_x * w_76
-            - minus_inverse_lambda_slip_x * w_75;
-        let w_78 = inverse_phi * w_50 - l_lambda_slip_x_phi * w_54
-            - l_lambda_slip_y_phi * w_53;
-        let w_79 = inverse_phi * w_72 - l_lambda_slip_x_phi * w_77
-            - l_lambda_slip_y_phi * w_76;
-        let w_80 = w_11 + psi_dot;
-        let w_81 = cos_lean * phi_dot;
-        let w_82 = sin_phi * w_81 + cos_phi * w_20;
-        let w_83 = cos_phi * w_81 - sin_phi * w_20;
-        let w_84 = cos_phi * w_82 - sin_phi * w_83;
-        let w_85 = cos_lean * (w_20 - w_84);
-        let w_86 = sin_psi * lean_dot;
-        let w_87 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_84);
-        let w_88 = w_26 + (cos_phi * w_83 + sin_phi * w_82 - w_81);
-        let w_89 = self.r
-            * (sin_lean * (cos_psi * w_80 + sin_psi * w_85)
-                + cos_lean * (w_86 + (sin_psi * w_87 + cos_psi * w_88)));
-        let w_90 = self.k_2 * (cos_phi * w_24 + sin_lean * w_7 + w_83);
-        let w_91 = self.k_2 * (sin_lean * w_9 - sin_phi * w_24 - w_82);
-        let w_92 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_90 + cos_phi * w_91)
-                + self.mass_phi_phi * w_20);
-        let w_93 = S::from_f64(0.25) * (cos_phi * w_90 - sin_phi * w_91);
-        let w_94 = l_phi_psi * w_92 - self.mass_phi_phi * w_43;
-        let w_95 = cos_psi * lean_dot;
-        let w_96 = self.r
-            * (sin_lean * (cos_psi * w_85 - sin_psi * w_80)
-                + cos_lean * (w_95 + (cos_psi * w_87 - sin_psi * w_88)))
-            - minus_l_lambda_slip_x_psi * w_92 + minus_l_lambda_slip_x_lean * w_93
-            - l_lambda_slip_x_phi * w_94;
-        let w_97 = inverse_lambda_slip_y
-            * (w_89 - minus_l_lambda_slip_y_psi * w_92 - l_lambda_slip_y_lean * w_93
-                - l_lambda_slip_y_phi * w_94
-                + minus_l_lambda_slip_y_lambda_slip_x * w_96);
-        let w_98 = minus_l_lambda_slip_y_lambda_slip_x * w_97
-            - minus_inverse_lambda_slip_x * w_96;
-        let w_99 = cos_phi * (phi_dot - w_3);
-        let w_100 = sin_phi * w_15;
-        let w_101 = phi_dot - cos_phi * w_99 + sin_phi * w_100;
-        let w_102 = cos_lean * (w_y + w_3 - w_101) - w_25;
-        let w_103 = sin_lean * (w_y - w_101) + w_10 - w_30;
-        let w_104 = cos_phi * w_100 + sin_phi * w_99;
-        let w_105 = self.r
-            * (sin_lean * (sin_psi * w_102 + w_39 + w_95)
-                + cos_lean * (w_12 - (sin_psi * (w_103 - psi_dot) + cos_psi * w_104)));
-        let w_106 = self.k_2 * (sin_phi * w_y - w_100);
-        let w_107 = self.k_2 * (cos_phi * w_y + w_99);
-        let w_108 = cos_lean
-            * (S::from_f64(0.25) * (sin_phi * w_106 + cos_phi * w_107)
+            * (self.r * w_47 - S::from_f64(0.25) * (sin_phi * w_66 + cos_phi * w_67)
+                - self.mass_phi_phi * (phi_ddot + sin_lean * psi_ddot))
+            + lean_dot * psi_dot * (w_43 - self.mass_phi_phi) + w_68;
+        let w_70 = S::from_f64(0.25) * (cos_phi * w_66 - sin_phi * w_67)
+            + cos_lean
+                * ((self.g - P_z * lean_dot_squared) * self.k_3
+                    - sin_lean * lean_ddot * self.k_5) + w_43 * lean_dot_squared
+            + minus_k_lambda_slip_x_turned_psi * w_48;
+        let w_71 = minus_k_lambda_slip_x_turned_psi * lean_ddot
+            + k_lambda_slip_x_turned_x * w_65 - minus_k_lambda_slip_y_turned_x * w_64
+            - l_lambda_slip_y_turned_lean * w_70;
+        let w_72 = self.mass_phi_phi * (w_10 - cos_lean * psi_ddot) - l_phi_psi * w_69;
+        let w_73 = inverse_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * w_64 + minus_k_lambda_slip_y_turned_x * w_65
+                + P_z * psi_ddot + minus_l_lambda_slip_x_turned_psi * w_69
+                + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_71
+                - l_lambda_slip_x_turned_phi * w_72);
+        let w_74 = minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_73
+            - minus_inverse_lambda_slip_y_turned * w_71;
+        let w_76 = inverse_phi * w_72 - l_lambda_slip_x_turned_phi * w_73;
+        let w_75 = l_lambda_slip_x_turned_phi * w_53;
+        let w_77 = psi_dot + w_21;
+        let w_78 = cos_lean * phi_dot;
+        let w_79 = sin_phi * w_78 + cos_phi * w_9;
+        let w_88 = self.k_2 * (sin_lean * w_13 - w_79 - sin_phi * w_24);
+        let w_80 = cos_phi * w_78 - sin_phi * w_9;
+        let w_84 = w_26 + (cos_phi * w_80 + sin_phi * w_79 - w_78);
+        let w_81 = cos_phi * w_79 - sin_phi * w_80;
+        let w_87 = self.k_2 * (w_80 + cos_phi * w_24 + sin_lean * w_7);
+        let w_82 = cos_lean * (w_9 - w_81);
+        let w_83 = w_x - (sin_lean_squared * lean_dot - sin_lean * w_81);
+        let w_116 = self.mass_phi_phi * cos_lean * w_x;
+        let w_85 = self.r
+            * (sin_lean
+                * (k_lambda_slip_x_turned_x * w_77
+                    + minus_k_lambda_slip_y_turned_x * w_82)
+                + cos_lean
+                    * (minus_k_lambda_slip_y_turned_x * w_83
+                        + k_lambda_slip_x_turned_x * w_84 + w_40));
+        let w_86 = self.r
+            * (sin_lean
+                * (minus_k_lambda_slip_y_turned_x * w_77
+                    - k_lambda_slip_x_turned_x * w_82)
+                - cos_lean
+                    * (k_lambda_slip_x_turned_x * w_83
+                        - minus_k_lambda_slip_y_turned_x * w_84 + w_33));
+        let w_89 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_87 + cos_phi * w_88)
+                + self.mass_phi_phi * w_9);
+        let w_90 = S::from_f64(0.25) * (cos_phi * w_87 - sin_phi * w_88);
+        let w_92 = l_phi_psi * w_89 - w_5;
+        let w_91 = k_lambda_slip_x_turned_x * w_85
+            + minus_k_lambda_slip_y_turned_x * w_86 - l_lambda_slip_y_turned_lean * w_90;
+        let w_93 = inverse_lambda_slip_x_turned
+            * (minus_k_lambda_slip_y_turned_x * w_85 - k_lambda_slip_x_turned_x * w_86
+                - minus_l_lambda_slip_x_turned_psi * w_89
+                + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_91
+                - l_lambda_slip_x_turned_phi * w_92);
+        let w_94 = minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_93
+            - minus_inverse_lambda_slip_y_turned * w_91;
+        let w_122 = inverse_phi * w_92 - l_lambda_slip_x_turned_phi * w_93;
+        let w_95 = w_3 - phi_dot;
+        let w_96 = cos_phi * w_95;
+        let w_97 = sin_phi * w_95;
+        let w_98 = phi_dot + cos_phi * w_96 + sin_phi * w_97;
+        let w_99 = cos_lean * (w_6 - w_98) - w_25;
+        let w_100 = psi_dot - (w_20 - w_29 + sin_lean * (w_y - w_98));
+        let w_101 = cos_phi * w_97 - sin_phi * w_96;
+        let w_102 = self.r
+            * (sin_lean * (k_lambda_slip_x_turned_x * w_99 - w_27 - w_40)
+                + cos_lean
+                    * (k_lambda_slip_x_turned_x * w_100
+                        + minus_k_lambda_slip_y_turned_x * w_101
+                        + k_lambda_slip_x_turned_x * w_21));
+        let w_103 = self.r
+            * (sin_lean * (w_38 + w_33 + minus_k_lambda_slip_y_turned_x * w_99)
+                + cos_lean
+                    * (minus_k_lambda_slip_y_turned_x * w_21
+                        - (k_lambda_slip_x_turned_x * w_101
+                            - minus_k_lambda_slip_y_turned_x * w_100)));
+        let w_104 = self.k_2 * (sin_phi * w_y - w_97);
+        let w_105 = self.k_2 * (cos_phi * w_y - w_96);
+        let w_106 = cos_lean
+            * (S::from_f64(0.25) * (sin_phi * w_104 + cos_phi * w_105)
                 + self.mass_phi_phi * w_3);
-        let w_109 = S::from_f64(0.25) * (cos_phi * w_106 - sin_phi * w_107)
-            - w_20 * w_70;
-        let w_110 = l_phi_psi * w_108 - w_2;
-        let w_111 = self.r
-            * (sin_lean * (cos_psi * w_102 - w_27 - w_86)
-                + cos_lean * (w_29 + (cos_psi * (psi_dot - w_103) + sin_psi * w_104)));
-        let w_112 = w_111 - minus_l_lambda_slip_x_psi * w_108
-            + minus_l_lambda_slip_x_lean * w_109 - l_lambda_slip_x_phi * w_110;
-        let w_113 = inverse_lambda_slip_y
-            * (w_105 - minus_l_lambda_slip_y_psi * w_108 - l_lambda_slip_y_lean * w_109
-                - l_lambda_slip_y_phi * w_110
-                + minus_l_lambda_slip_y_lambda_slip_x * w_112);
-        let w_114 = minus_l_lambda_slip_y_lambda_slip_x * w_113
-            - minus_inverse_lambda_slip_x * w_112;
-        let w_115 = sin_psi * w_20;
-        let w_116 = sin_lean_squared * psi_dot;
-        let w_117 = self.mass_phi_phi * cos_lean * (w_23 + w_22);
-        let w_118 = self.mass_phi_phi * w_z;
-        let w_119 = l_phi_psi * w_117;
-        let w_120 = cos_psi * w_20;
-        let w_121 = self.r
-            * (cos_lean * (w_120 - (w_120 + sin_psi * w)) - sin_psi * w_116)
-            - minus_l_lambda_slip_x_psi * w_117 + minus_l_lambda_slip_x_lean * w_118
-            - l_lambda_slip_x_phi * w_119;
-        let w_122 = self.r
-            * (cos_lean * (w_115 + (cos_psi * w - w_115)) + cos_psi * w_116)
-            - minus_l_lambda_slip_y_psi * w_117 - l_lambda_slip_y_lean * w_118
-            - l_lambda_slip_y_phi * w_119 + minus_l_lambda_slip_y_lambda_slip_x * w_121;
-        let w_123 = inverse_lambda_slip_y * w_122;
-        let w_124 = minus_l_lambda_slip_y_lambda_slip_x * w_123
-            - minus_inverse_lambda_slip_x * w_121;
-        let w_125 = inverse_phi * w_94 - l_lambda_slip_x_phi * w_98
-            - l_lambda_slip_y_phi * w_97;
-        let w_126 = inverse_phi * w_110 - l_lambda_slip_x_phi * w_114
-            - l_lambda_slip_y_phi * w_113;
-        let w_127 = inverse_phi * w_119 - l_lambda_slip_x_phi * w_124
-            - l_lambda_slip_y_phi * w_123;
+        let w_107 = S::from_f64(0.25) * (cos_phi * w_104 - sin_phi * w_105)
+            - cos_lean * w_9 * self.k_5;
+        let w_109 = l_phi_psi * w_106 - w_2;
+        let w_108 = k_lambda_slip_x_turned_x * w_103
+            - minus_k_lambda_slip_y_turned_x * w_102
+            - l_lambda_slip_y_turned_lean * w_107;
+        let w_110 = inverse_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * w_102 + minus_k_lambda_slip_y_turned_x * w_103
+                - minus_l_lambda_slip_x_turned_psi * w_106
+                + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_108
+                - l_lambda_slip_x_turned_phi * w_109);
+        let w_111 = minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_110
+            - minus_inverse_lambda_slip_y_turned * w_108;
+        let w_123 = inverse_phi * w_109 - l_lambda_slip_x_turned_phi * w_110;
+        let w_112 = k_lambda_slip_x_turned_x * w_9;
+        let w_113 = self.r
+            * (cos_lean * (w_112 - (w_112 + minus_k_lambda_slip_y_turned_x * w))
+                - sin_lean_squared * w_22);
+        let w_114 = minus_k_lambda_slip_y_turned_x * w_9;
+        let w_115 = self.r
+            * (cos_lean * (w_114 + (k_lambda_slip_x_turned_x * w - w_114))
+                + sin_lean_squared * w_36);
+        let w_118 = k_lambda_slip_x_turned_x * w_115
+            - minus_k_lambda_slip_y_turned_x * w_113
+            - l_lambda_slip_y_turned_lean * w_117;
+        let w_119 = l_phi_psi * w_116;
+        let w_120 = inverse_lambda_slip_x_turned
+            * (k_lambda_slip_x_turned_x * w_113 + minus_k_lambda_slip_y_turned_x * w_115
+                - minus_l_lambda_slip_x_turned_psi * w_116
+                + minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_118
+                - l_lambda_slip_x_turned_phi * w_119);
+        let w_121 = minus_l_lambda_slip_x_turned_lambda_slip_y_turned * w_120
+            - minus_inverse_lambda_slip_y_turned * w_118;
+        let w_124 = inverse_phi * w_119 - l_lambda_slip_x_turned_phi * w_120;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_54),
-                    -(self.inverse_x * w_77),
+                    self.inverse_x * lambda_slip_y - l_lambda_slip_x_turned_x * w_53
+                        + minus_l_lambda_slip_y_turned_x * w_54,
+                    minus_l_lambda_slip_y_turned_x * w_74
+                        - l_lambda_slip_x_turned_x * w_73,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_53),
-                    -(self.inverse_x * w_76),
+                    self.inverse_x * w_51 - minus_l_lambda_slip_y_turned_x * w_53
+                        - l_lambda_slip_x_turned_x * w_54,
+                    -(minus_l_lambda_slip_y_turned_x * w_73
+                        + l_lambda_slip_x_turned_x * w_74),
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_psi * w_46 - l_phi_psi * w_78
-                        + minus_l_lambda_slip_x_psi * w_54
-                        + minus_l_lambda_slip_y_psi * w_53,
-                    inverse_psi * w_69 - l_phi_psi * w_79
-                        + minus_l_lambda_slip_x_psi * w_77
-                        + minus_l_lambda_slip_y_psi * w_76,
+                    l_phi_psi * w_75 + minus_l_lambda_slip_x_turned_psi * w_53,
+                    inverse_psi * w_69 - l_phi_psi * w_76
+                        + minus_l_lambda_slip_x_turned_psi * w_73,
                     S::from_f64(0.0),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_lean * w_48 + minus_l_lambda_slip_x_lean * w_54
-                        - l_lambda_slip_y_lean * w_53,
-                    inverse_lean * w_71 + minus_l_lambda_slip_x_lean * w_77
-                        - l_lambda_slip_y_lean * w_76,
+                    -(l_lambda_slip_y_turned_lean * w_54),
+                    inverse_lean * w_70 - l_lambda_slip_y_turned_lean * w_74,
                     S::from_f64(0.0),
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_78, w_79, S::from_f64(0.0)],
+                [S::from_f64(0.0), S::from_f64(0.0), -w_75, w_76, S::from_f64(0.0)],
             ],
             accelerations_by_speeds: [
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_98),
-                    -(self.inverse_x * w_114),
-                    -(self.inverse_x * w_124),
+                    minus_l_lambda_slip_y_turned_x * w_94
+                        - l_lambda_slip_x_turned_x * w_93,
+                    minus_l_lambda_slip_y_turned_x * w_111
+                        - l_lambda_slip_x_turned_x * w_110,
+                    minus_l_lambda_slip_y_turned_x * w_121
+                        - l_lambda_slip_x_turned_x * w_120,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    -(self.inverse_x * w_97),
-                    -(self.inverse_x * w_113),
-                    -(self.inverse_x * w_123),
+                    -(minus_l_lambda_slip_y_turned_x * w_93
+                        + l_lambda_slip_x_turned_x * w_94),
+                    -(minus_l_lambda_slip_y_turned_x * w_110
+                        + l_lambda_slip_x_turned_x * w_111),
+                    -(minus_l_lambda_slip_y_turned_x * w_120
+                        + l_lambda_slip_x_turned_x * w_121),
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    minus_l_lambda_slip_x_psi * w_98 - inverse_psi * w_92
-                        - l_phi_psi * w_125 + minus_l_lambda_slip_y_psi * w_97,
-                    minus_l_lambda_slip_x_psi * w_114 - inverse_psi * w_108
-                        - l_phi_psi * w_126 + minus_l_lambda_slip_y_psi * w_113,
-                    minus_l_lambda_slip_x_psi * w_124 - inverse_psi * w_117
-                        - l_phi_psi * w_127 + minus_l_lambda_slip_y_psi * w_123,
+                    minus_l_lambda_slip_x_turned_psi * w_93 - inverse_psi * w_89
+                        - l_phi_psi * w_122,
+                    minus_l_lambda_slip_x_turned_psi * w_110 - inverse_psi * w_106
+                        - l_phi_psi * w_123,
+                    minus_l_lambda_slip_x_turned_psi * w_120 - inverse_psi * w_116
+                        - l_phi_psi * w_124,
                 ],
                 [
                     S::from_f64(0.0),
                     S::from_f64(0.0),
-                    inverse_lean * w_93 + minus_l_lambda_slip_x_lean * w_98
-                        - l_lambda_slip_y_lean * w_97,
-                    inverse_lean * w_109 + minus_l_lambda_slip_x_lean * w_114
-                        - l_lambda_slip_y_lean * w_113,
-                    inverse_lean * w_118 + minus_l_lambda_slip_x_lean * w_124
-                        - l_lambda_slip_y_lean * w_123,
+                    inverse_lean * w_90 - l_lambda_slip_y_turned_lean * w_94,
+                    inverse_lean * w_107 - l_lambda_slip_y_turned_lean * w_111,
+                    inverse_lean * w_117 - l_lambda_slip_y_turned_lean * w_121,
                 ],
-                [S::from_f64(0.0), S::from_f64(0.0), w_125, w_126, w_127],
+                [S::from_f64(0.0), S::from_f64(0.0), w_122, w_123, w_124],
             ],
             multipliers_by_positions: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_54, w_77, S::from_f64(0.0)],
-                [S::from_f64(0.0), S::from_f64(0.0), w_53, w_76, S::from_f64(0.0)],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    k_lambda_slip_x_turned_x * w_53
+                        - minus_k_lambda_slip_y_turned_x * w_54 - lambda_slip_y,
+                    k_lambda_slip_x_turned_x * w_73
+                        - minus_k_lambda_slip_y_turned_x * w_74,
+                    S::from_f64(0.0),
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_k_lambda_slip_y_turned_x * w_53
+                        + k_lambda_slip_x_turned_x * w_54 + (w_50 - w_49),
+                    minus_k_lambda_slip_y_turned_x * w_73
+                        + k_lambda_slip_x_turned_x * w_74,
+                    S::from_f64(0.0),
+                ],
             ],
             multipliers_by_speeds: [
-                [S::from_f64(0.0), S::from_f64(0.0), w_98, w_114, w_124],
-                [S::from_f64(0.0), S::from_f64(0.0), w_97, w_113, w_123],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    k_lambda_slip_x_turned_x * w_93
+                        - minus_k_lambda_slip_y_turned_x * w_94,
+                    k_lambda_slip_x_turned_x * w_110
+                        - minus_k_lambda_slip_y_turned_x * w_111,
+                    k_lambda_slip_x_turned_x * w_120
+                        - minus_k_lambda_slip_y_turned_x * w_121,
+                ],
+                [
+                    S::from_f64(0.0),
+                    S::from_f64(0.0),
+                    minus_k_lambda_slip_y_turned_x * w_93
+                        + k_lambda_slip_x_turned_x * w_94,
+                    minus_k_lambda_slip_y_turned_x * w_110
+                        + k_lambda_slip_x_turned_x * w_111,
+                    minus_k_lambda_slip_y_turned_x * w_120
+                        + k_lambda_slip_x_turned_x * w_121,
+                ],
             ],
-            refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
+            refused: sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
-                | sim_kernel::pivot_is_refused(mass_lean_lean, mass_lean_lean)
-                | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
+                | sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
-                    -minus_pivot_lambda_slip_x,
-                    minus_pivot_lambda_slip_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slip_y, w_41),
+                    -minus_pivot_lambda_slip_y_turned,
+                    minus_pivot_lambda_slip_y_turned,
+                ) | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
+                | sim_kernel::pivot_is_refused(pivot_lambda_slip_x_turned, w_46),
         }
     }
     /// The kinematic differential equations `q' = N u + n`: speeds (5) of generalised speeds `u` (3), from `u = W q' + w` and what they satisfy by construction. Where `refused` is set a pivot was too small and nothing else holds: no generalised speeds determine the speeds there.
@@ -1120,14 +1196,25 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ) -> sim_kernel::Kinematics<S, [S; 5]> {
         let [_, _, psi, lean, _] = *q;
         let [roll, nod, turn] = *u;
-        let ([sin_lean, sin_psi], [cos_lean, cos_psi]) = S::sin_cos_each([lean, psi]);
+        let (
+            [sin_lean,
+            minus_k_lambda_slip_y_turned_x,
+            ],
+            [cos_lean,
+            k_lambda_slip_x_turned_x,
+            ],
+        ) = S::sin_cos_each([lean, psi]);
         let w = cos_lean * nod;
         let pivot_psi_dot = cos_lean * cos_lean;
         let psi_dot = S::from_f64(1.0) / pivot_psi_dot * cos_lean * turn;
         sim_kernel::Kinematics {
             rates: [
-                self.r * (sin_psi * w + cos_psi * roll),
-                self.r * (sin_psi * roll - cos_psi * w),
+                self.r
+                    * (minus_k_lambda_slip_y_turned_x * w
+                        + k_lambda_slip_x_turned_x * roll),
+                self.r
+                    * (minus_k_lambda_slip_y_turned_x * roll
+                        - k_lambda_slip_x_turned_x * w),
                 psi_dot,
                 nod,
                 roll - sin_lean * psi_dot,
@@ -1144,7 +1231,7 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
     ///
     /// with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 5 additions, 29 multiplications, 2 divisions, 1 sine-cosine pair.
+    /// Operations: 6 additions, 28 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline]
     pub fn speed_dynamics(
         &self,
@@ -1158,8 +1245,8 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
         let pivot_psi_dot = cos_lean * cos_lean;
         let inverse_psi_dot = S::from_f64(1.0) / pivot_psi_dot;
         let psi_dot = inverse_psi_dot * cos_lean * turn;
-        let psi_by_turn = cos_lean * inverse_psi_dot;
         let w = cos_lean * nod;
+        let psi_by_turn = cos_lean * inverse_psi_dot;
         let w_2 = self.k * pivot_psi_dot;
         let pivot_turn_dot = psi_by_turn * psi_by_turn * w_2;
         sim_kernel::SpeedDynamics {
@@ -1168,10 +1255,10 @@ impl<S: sim_kernel::Scalar> WheelPrepared<S> {
                 (sin_lean * (self.k_4 - self.k * cos_lean * psi_dot * psi_dot)
                     + cos_lean * psi_dot * roll * self.pivot_roll_dot)
                     * self.inverse_nod_dot,
-                psi_by_turn
-                    * (self.mass_phi_phi * cos_lean * nod * (sin_lean * psi_dot - roll)
-                        - inverse_psi_dot * sin_lean * psi_dot * w * w_2)
-                    * (S::from_f64(1.0) / pivot_turn_dot),
+                -(psi_by_turn
+                    * (self.mass_phi_phi * w * (roll - sin_lean * psi_dot)
+                        + inverse_psi_dot * sin_lean * psi_dot * w * w_2)
+                    * (S::from_f64(1.0) / pivot_turn_dot)),
             ],
             multipliers: [],
             refused: sim_kernel::pivot_is_refused(

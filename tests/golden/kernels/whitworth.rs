@@ -426,7 +426,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
     }
     /// `(C_q q' + C_t)_q q' + (..)_t`, 3, units of `C` per second squared: the part of `C''` without accelerations.
     ///
-    /// Operations: 6 additions, 16 multiplications, 3 sine-cosine pairs.
+    /// Operations: 5 additions, 16 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
         let [alpha, beta, gamma] = *q;
@@ -436,13 +436,13 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
             beta,
             gamma,
         ]);
-        let w = beta_dot * alpha_dot * self.r * S::from_f64(2.0);
         let beta_dot_squared = beta_dot * beta_dot;
-        let w_2 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
         [
             S::from_f64(0.0),
-            sin_beta * (cos_alpha * (w - w_2) - self.d * beta_dot_squared)
-                + sin_alpha * link_y * (w_2 - w),
+            (cos_alpha * sin_beta - sin_alpha * link_y)
+                * (beta_dot * alpha_dot * self.r * S::from_f64(2.0)
+                    - self.r * (beta_dot_squared + alpha_dot * alpha_dot))
+                - sin_beta * self.d * beta_dot_squared,
             link_y * beta_dot_squared * self.c - gamma_dot * gamma_dot * self.l * rod_y,
         ]
     }
@@ -497,7 +497,7 @@ impl<S: sim_kernel::Scalar> Whitworth<S> {
         let w_6 = w * sin_beta + w_5;
         let w_7 = beta_dot * self.c * S::from_f64(2.0);
         let w_8 = link_y * w_7 - w_3;
-        let w_9 = sin_beta * w_7 + w_5;
+        let w_9 = w_5 + sin_beta * w_7;
         let w_10 = self.m5 * S::from_f64(0.125) * (w_8 * w_8 + w_9 * w_9);
         let w_11 = gamma_dot * gamma_dot * S::from_f64(0.041666666666666664) * self.l
             * self.l * self.m5;
@@ -676,7 +676,7 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 33 additions, 68 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 32 additions, 68 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -703,14 +703,16 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
         let guide_by_gamma = self.l * rod_x;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
-        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.c * sin_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
+        let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_5 = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
         let w_3 = sin_beta * sin_alpha;
         let slot_by_beta = self.r * w_3 + link_y * (self.d + self.r * cos_alpha);
-        let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
         let minus_slot_by_alpha = self.r * (link_y * cos_alpha + w_3);
+        let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
         let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
             * self.minus_inverse_lambda_drive;
@@ -722,15 +724,12 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let minus_l_lambda_guide_lambda_slot = minus_k_lambda_guide_lambda_slot
             * inverse_lambda_slot;
-        let w_5 = beta_dot * alpha_dot * self.k_8;
-        let w_6 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
-        let minus_rhs_lambda_slot = sin_beta
-            * (cos_alpha * (w_5 - w_6) - self.d * beta_dot_squared)
-            + link_y * sin_alpha * (w_6 - w_5) + l_lambda_slot_beta * rhs_beta;
-        let w_7 = guide_by_gamma * l_lambda_guide_gamma
-            + k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_7
+        let minus_pivot_lambda_guide = w_5
             + minus_k_lambda_guide_lambda_slot * minus_l_lambda_guide_lambda_slot;
+        let minus_rhs_lambda_slot = (sin_beta * cos_alpha - link_y * sin_alpha)
+            * (beta_dot * alpha_dot * self.k_8
+                - self.r * (beta_dot_squared + alpha_dot * alpha_dot))
+            - sin_beta * self.d * beta_dot_squared + l_lambda_slot_beta * rhs_beta;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
             * (minus_rhs_gamma * l_lambda_guide_gamma
                 - (self.c * link_y * beta_dot_squared
@@ -761,12 +760,12 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
                     self.pivot_lambda_drive,
                     self.inverse_alpha,
                 ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_4)
-                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_7),
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_5),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (3 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 138 additions, 235 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 133 additions, 226 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -787,6 +786,7 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
         let beta_dot_squared = beta_dot * beta_dot;
         let w_3 = w + w_2;
         let minus_rhs_gamma = self.k * beta_dot_squared * w_3;
+        let w_59 = beta_dot * w_3 * self.k_9;
         let w_4 = sin_beta * rod_x;
         let w_5 = link_y * rod_y;
         let mass_gamma_beta = self.k * w_4 - self.k_2 * w_5;
@@ -798,38 +798,46 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
         let w_6 = link_y * beta_dot_squared;
         let w_7 = self.l * rod_y * gamma_dot_squared;
         let w_8 = self.c * w_6 - w_7;
+        let w_31 = w_6 * self.k_3 - w_7;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let k_lambda_guide_beta = self.c * sin_beta
             - mass_gamma_beta * l_lambda_guide_gamma;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
+        let w_17 = guide_by_gamma * l_lambda_guide_gamma
+            + k_lambda_guide_beta * l_lambda_guide_beta;
+        let w_32 = guide_by_gamma * gamma_dot_squared;
         let w_9 = sin_beta * sin_alpha;
         let A_y = self.d + self.r * cos_alpha;
-        let w_10 = link_y * A_y;
-        let slot_by_beta = self.r * w_9 + w_10;
+        let slot_by_beta = self.r * w_9 + link_y * A_y;
+        let w_10 = link_y * cos_alpha + w_9;
+        let w_29 = sin_beta * A_y;
         let minus_k_lambda_guide_lambda_slot = slot_by_beta * l_lambda_guide_beta;
-        let w_11 = link_y * cos_alpha;
-        let minus_slot_by_alpha = self.r * (w_11 + w_9);
+        let minus_slot_by_alpha = self.r * w_10;
         let minus_l_lambda_slot_alpha = minus_slot_by_alpha * self.inverse_alpha;
         let minus_l_lambda_slot_lambda_drive = minus_l_lambda_slot_alpha
             * self.minus_inverse_lambda_drive;
         let l_lambda_slot_beta = slot_by_beta * inverse_beta;
-        let w_12 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
+        let w_11 = minus_slot_by_alpha * minus_l_lambda_slot_alpha
             + slot_by_beta * l_lambda_slot_beta;
         let pivot_lambda_slot = minus_l_lambda_slot_alpha
-            * minus_l_lambda_slot_lambda_drive - w_12;
+            * minus_l_lambda_slot_lambda_drive - w_11;
         let inverse_lambda_slot = S::from_f64(1.0) / pivot_lambda_slot;
         let minus_l_lambda_guide_lambda_slot = minus_k_lambda_guide_lambda_slot
             * inverse_lambda_slot;
-        let w_13 = beta_dot * alpha_dot * self.k_8;
-        let w_14 = self.r * (beta_dot_squared + alpha_dot * alpha_dot);
-        let minus_rhs_lambda_slot = sin_beta
-            * (cos_alpha * (w_13 - w_14) - self.d * beta_dot_squared)
-            + link_y * sin_alpha * (w_14 - w_13) + l_lambda_slot_beta * rhs_beta;
-        let w_15 = guide_by_gamma * l_lambda_guide_gamma
-            + k_lambda_guide_beta * l_lambda_guide_beta;
-        let minus_pivot_lambda_guide = w_15
+        let minus_pivot_lambda_guide = w_17
             + minus_k_lambda_guide_lambda_slot * minus_l_lambda_guide_lambda_slot;
+        let w_12 = sin_beta * cos_alpha;
+        let w_13 = link_y * sin_alpha;
+        let w_14 = w_12 - w_13;
+        let w_15 = sin_beta * beta_dot_squared;
+        let minus_rhs_lambda_slot = w_14
+            * (beta_dot * alpha_dot * self.k_8
+                - self.r * (beta_dot_squared + alpha_dot * alpha_dot)) - self.d * w_15
+            + l_lambda_slot_beta * rhs_beta;
+        let w_16 = self.r * w_14;
+        let w_54 = alpha_dot * w_14 + beta_dot * w_13;
+        let w_30 = self.r * w_13 - w_29;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_lambda_guide = minus_inverse_lambda_guide
             * (minus_rhs_gamma * l_lambda_guide_gamma - w_8
@@ -837,137 +845,125 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
                 - minus_l_lambda_guide_lambda_slot * minus_rhs_lambda_slot);
         let minus_lambda_slot = inverse_lambda_slot * minus_rhs_lambda_slot
             + minus_l_lambda_guide_lambda_slot * minus_lambda_guide;
-        let w_16 = link_y * sin_alpha;
-        let w_17 = w_16 - sin_beta * cos_alpha;
-        let w_18 = self.r * w_17;
-        let w_19 = minus_lambda_slot * w_18;
-        let w_20 = self.inverse_alpha * w_19;
-        let w_21 = self.minus_inverse_lambda_drive * w_20;
-        let w_22 = beta_dot - alpha_dot;
-        let w_23 = alpha_dot - beta_dot;
-        let w_24 = sin_beta * sin_alpha * w_23;
-        let w_25 = cos_alpha * w_23;
-        let w_26 = self.r * (w_24 + link_y * w_25);
         let beta_ddot = inverse_beta * rhs_beta + l_lambda_slot_beta * minus_lambda_slot
             + l_lambda_guide_beta * minus_lambda_guide;
-        let alpha_ddot = self.inverse_alpha * minus_l_lambda_slot_lambda_drive
-            * minus_lambda_slot - minus_l_lambda_slot_alpha * minus_lambda_slot;
-        let w_27 = minus_l_lambda_slot_alpha * w_19;
-        let w_28 = minus_l_lambda_slot_lambda_drive * w_20;
-        let w_29 = w_22 * w_26 + w_18 * (beta_ddot - alpha_ddot) + w_27
-            + l_lambda_slot_beta * w_19 - w_28;
-        let w_30 = minus_inverse_lambda_guide
-            * (l_lambda_guide_beta * w_19 + minus_l_lambda_guide_lambda_slot * w_29);
-        let w_31 = inverse_lambda_slot * w_29 - minus_l_lambda_guide_lambda_slot * w_30;
-        let w_32 = w_21 + minus_l_lambda_slot_lambda_drive * w_31;
-        let w_33 = sin_beta * A_y;
-        let w_34 = self.r * w_16 - w_33;
-        let w_35 = w_6 * self.k_3 - w_7;
-        let w_36 = sin_beta * beta_dot_squared;
-        let w_37 = guide_by_gamma * gamma_dot_squared;
-        let w_38 = self.k_3 * w_36 + w_37;
-        let w_39 = self.c * w_36 + w_37;
         let gamma_ddot = l_lambda_guide_gamma * minus_lambda_guide
             - minus_rhs_gamma * self.inverse_gamma - l_beta_gamma * beta_ddot;
-        let w_40 = S::from_f64(0.5) * (w_2 * self.k_9 + w * self.k_10);
-        let w_41 = gamma_ddot * w_40;
-        let w_42 = link_y
-            * (self.c * minus_lambda_guide - w_8 * self.k_4 - w_35 * self.k_5)
-            - sin_beta * (w_38 * self.k_5 + w_39 * self.k_4) - w_41
-            + minus_lambda_slot * w_34 + beta_dot_squared * self.k_11;
-        let w_43 = beta_ddot * w_40;
-        let w_44 = self.k * beta_dot_squared * (w_4 - w_5) - w_43;
-        let w_45 = w_42 - l_beta_gamma * w_44;
-        let w_46 = alpha_dot * w_26 + alpha_ddot * w_18
-            - beta_dot * (self.r * (w_24 + w_11 * alpha_dot) - w_10 * beta_dot)
-            - beta_ddot * w_34 - w_27 - l_lambda_slot_beta * w_45 + w_28;
-        let w_47 = minus_inverse_lambda_guide
-            * (self.c * (w_36 - link_y * beta_ddot) - l_lambda_guide_gamma * w_44
-                - l_lambda_guide_beta * w_45 + minus_l_lambda_guide_lambda_slot * w_46);
-        let w_48 = inverse_lambda_slot * w_46 - minus_l_lambda_guide_lambda_slot * w_47;
-        let w_49 = minus_l_lambda_slot_lambda_drive * w_48 - w_21;
-        let w_50 = rod_y
-            * (w_8 * self.k_6 + w_35 * self.k_7 - self.l * minus_lambda_guide)
-            - rod_x * (w_39 * self.k_6 + w_38 * self.k_7) + gamma_dot_squared * self.k_12
-            + w_43;
-        let w_51 = mass_gamma_beta * gamma_dot_squared + w_41 - l_beta_gamma * w_50;
-        let w_52 = l_lambda_slot_beta * w_51;
-        let w_53 = minus_inverse_lambda_guide
+        let alpha_ddot = self.inverse_alpha * minus_l_lambda_slot_lambda_drive
+            * minus_lambda_slot - minus_l_lambda_slot_alpha * minus_lambda_slot;
+        let w_18 = alpha_dot - beta_dot;
+        let w_19 = self.r * w_10 * w_18;
+        let w_55 = self.r * (w_54 - beta_dot * w_12) + w_16 * w_18;
+        let w_20 = minus_lambda_slot * w_16;
+        let w_21 = minus_l_lambda_slot_alpha * w_20;
+        let w_22 = self.inverse_alpha * w_20;
+        let w_23 = minus_l_lambda_slot_lambda_drive * w_22;
+        let w_24 = w_16 * (alpha_ddot - beta_ddot) - w_18 * w_19 - w_21
+            - l_lambda_slot_beta * w_20 + w_23;
+        let w_25 = minus_inverse_lambda_guide
+            * (minus_l_lambda_guide_lambda_slot * w_24 - l_lambda_guide_beta * w_20);
+        let w_26 = inverse_lambda_slot * w_24 - minus_l_lambda_guide_lambda_slot * w_25;
+        let w_51 = inverse_beta * w_20 - l_lambda_slot_beta * w_26
+            + l_lambda_guide_beta * w_25;
+        let w_27 = self.minus_inverse_lambda_drive * w_22;
+        let w_28 = minus_l_lambda_slot_lambda_drive * w_26 - w_27;
+        let w_33 = self.k_3 * w_15 + w_32;
+        let w_34 = w_32 + self.c * w_15;
+        let w_35 = S::from_f64(0.5) * (w_2 * self.k_9 + w * self.k_10);
+        let w_65 = gamma_dot * (w * self.k_9 + w_2 * self.k_10);
+        let w_36 = gamma_ddot * w_35;
+        let w_37 = link_y
+            * (self.c * minus_lambda_guide - w_8 * self.k_4 - w_31 * self.k_5)
+            - sin_beta * (w_33 * self.k_5 + w_34 * self.k_4) - w_36
+            + minus_lambda_slot * w_30 + beta_dot_squared * self.k_11;
+        let w_38 = beta_ddot * w_35;
+        let w_39 = self.k * beta_dot_squared * (w_4 - w_5) - w_38;
+        let w_40 = w_37 - l_beta_gamma * w_39;
+        let w_41 = alpha_dot * w_19 - alpha_ddot * w_16
+            - beta_dot * (minus_slot_by_alpha * alpha_dot - slot_by_beta * beta_dot)
+            - beta_ddot * w_30 + w_21 - l_lambda_slot_beta * w_40 - w_23;
+        let w_42 = minus_inverse_lambda_guide
+            * (self.c * (w_15 - link_y * beta_ddot) - l_lambda_guide_gamma * w_39
+                - l_lambda_guide_beta * w_40 + minus_l_lambda_guide_lambda_slot * w_41);
+        let w_43 = inverse_lambda_slot * w_41 - minus_l_lambda_guide_lambda_slot * w_42;
+        let w_44 = w_27 + minus_l_lambda_slot_lambda_drive * w_43;
+        let w_52 = inverse_beta * w_40 - l_lambda_slot_beta * w_43
+            + l_lambda_guide_beta * w_42;
+        let w_45 = w_38
+            + rod_y * (w_8 * self.k_6 + w_31 * self.k_7 - self.l * minus_lambda_guide)
+            - rod_x * (w_34 * self.k_6 + w_33 * self.k_7)
+            + gamma_dot_squared * self.k_12;
+        let w_46 = w_36 + mass_gamma_beta * gamma_dot_squared - l_beta_gamma * w_45;
+        let w_47 = l_lambda_slot_beta * w_46;
+        let w_48 = minus_inverse_lambda_guide
             * (self.l * (rod_x * gamma_dot_squared + rod_y * gamma_ddot)
-                - l_lambda_guide_gamma * w_50 - l_lambda_guide_beta * w_51
-                - minus_l_lambda_guide_lambda_slot * w_52);
-        let w_54 = inverse_lambda_slot * w_52 + minus_l_lambda_guide_lambda_slot * w_53;
-        let w_55 = minus_l_lambda_slot_lambda_drive * w_54;
-        let w_56 = l_lambda_guide_beta * w_30 - inverse_beta * w_19
-            - l_lambda_slot_beta * w_31;
-        let w_57 = inverse_beta * w_45 - l_lambda_slot_beta * w_48
-            + l_lambda_guide_beta * w_47;
-        let w_58 = inverse_beta * w_51 + l_lambda_slot_beta * w_54
-            + l_lambda_guide_beta * w_53;
-        let w_59 = self.r * (sin_beta * w_25 + link_y * sin_alpha * w_22) + w_22 * w_18;
-        let w_60 = minus_inverse_lambda_guide * minus_l_lambda_guide_lambda_slot * w_59;
-        let w_61 = inverse_lambda_slot * w_59 - minus_l_lambda_guide_lambda_slot * w_60;
-        let w_62 = minus_l_lambda_slot_lambda_drive * w_61;
-        let w_63 = self.k_9 * beta_dot * w_3;
-        let w_64 = l_beta_gamma * w_63;
-        let w_65 = self.r * (alpha_dot * w_17 - beta_dot * w_16)
-            + beta_dot * (w_33 - w_34) + alpha_dot * w_18 - l_lambda_slot_beta * w_64;
-        let w_66 = minus_inverse_lambda_guide
-            * (l_lambda_guide_gamma * w_63 - link_y * beta_dot * self.k_3
-                - l_lambda_guide_beta * w_64 + minus_l_lambda_guide_lambda_slot * w_65);
-        let w_67 = inverse_lambda_slot * w_65 - minus_l_lambda_guide_lambda_slot * w_66;
-        let w_68 = minus_l_lambda_slot_lambda_drive * w_67;
-        let w_69 = gamma_dot * (w * self.k_9 + w_2 * self.k_10);
-        let w_70 = l_lambda_slot_beta * w_69;
-        let w_71 = minus_inverse_lambda_guide
-            * (rod_y * gamma_dot * self.k_13 - l_lambda_guide_beta * w_69
-                - minus_l_lambda_guide_lambda_slot * w_70);
-        let w_72 = inverse_lambda_slot * w_70 + minus_l_lambda_guide_lambda_slot * w_71;
-        let w_73 = minus_l_lambda_slot_lambda_drive * w_72;
-        let w_74 = l_lambda_guide_beta * w_60 - l_lambda_slot_beta * w_61;
-        let w_75 = inverse_beta * w_64 - l_lambda_slot_beta * w_67
-            + l_lambda_guide_beta * w_66;
-        let w_76 = inverse_beta * w_69 + l_lambda_slot_beta * w_72
-            + l_lambda_guide_beta * w_71;
+                - l_lambda_guide_gamma * w_45 - l_lambda_guide_beta * w_46
+                - minus_l_lambda_guide_lambda_slot * w_47);
+        let w_49 = inverse_lambda_slot * w_47 + minus_l_lambda_guide_lambda_slot * w_48;
+        let w_53 = inverse_beta * w_46 + l_lambda_slot_beta * w_49
+            + l_lambda_guide_beta * w_48;
+        let w_50 = minus_l_lambda_slot_lambda_drive * w_49;
+        let w_56 = minus_inverse_lambda_guide * minus_l_lambda_guide_lambda_slot * w_55;
+        let w_57 = inverse_lambda_slot * w_55 - minus_l_lambda_guide_lambda_slot * w_56;
+        let w_58 = minus_l_lambda_slot_lambda_drive * w_57;
+        let w_60 = l_beta_gamma * w_59;
+        let w_61 = beta_dot * (w_29 - w_30) - self.r * w_54 - alpha_dot * w_16
+            - l_lambda_slot_beta * w_60;
+        let w_62 = minus_inverse_lambda_guide
+            * (l_lambda_guide_gamma * w_59 - link_y * beta_dot * self.k_3
+                - l_lambda_guide_beta * w_60 + minus_l_lambda_guide_lambda_slot * w_61);
+        let w_63 = inverse_lambda_slot * w_61 - minus_l_lambda_guide_lambda_slot * w_62;
+        let w_71 = inverse_beta * w_60 - l_lambda_slot_beta * w_63
+            + l_lambda_guide_beta * w_62;
+        let w_64 = minus_l_lambda_slot_lambda_drive * w_63;
+        let w_66 = l_lambda_slot_beta * w_65;
+        let w_67 = minus_inverse_lambda_guide
+            * (rod_y * gamma_dot * self.k_13 - l_lambda_guide_beta * w_65
+                - minus_l_lambda_guide_lambda_slot * w_66);
+        let w_68 = inverse_lambda_slot * w_66 + minus_l_lambda_guide_lambda_slot * w_67;
+        let w_69 = minus_l_lambda_slot_lambda_drive * w_68;
+        let w_72 = inverse_beta * w_65 + l_lambda_slot_beta * w_68
+            + l_lambda_guide_beta * w_67;
+        let w_70 = l_lambda_guide_beta * w_56 - l_lambda_slot_beta * w_57;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [
                 [
-                    w_20 - self.inverse_alpha * w_32 + minus_l_lambda_slot_alpha * w_31,
-                    minus_l_lambda_slot_alpha * w_48 - w_20 - self.inverse_alpha * w_49,
-                    self.inverse_alpha * w_55 - minus_l_lambda_slot_alpha * w_54,
+                    minus_l_lambda_slot_alpha * w_26 - w_22 - self.inverse_alpha * w_28,
+                    w_22 - self.inverse_alpha * w_44 + minus_l_lambda_slot_alpha * w_43,
+                    self.inverse_alpha * w_50 - minus_l_lambda_slot_alpha * w_49,
                 ],
-                [w_56, w_57, w_58],
+                [w_51, w_52, w_53],
                 [
-                    l_lambda_guide_gamma * w_30 - l_beta_gamma * w_56,
-                    self.inverse_gamma * w_44 - l_beta_gamma * w_57
-                        + l_lambda_guide_gamma * w_47,
-                    self.inverse_gamma * w_50 - l_beta_gamma * w_58
-                        + l_lambda_guide_gamma * w_53,
+                    l_lambda_guide_gamma * w_25 - l_beta_gamma * w_51,
+                    self.inverse_gamma * w_39 - l_beta_gamma * w_52
+                        + l_lambda_guide_gamma * w_42,
+                    self.inverse_gamma * w_45 - l_beta_gamma * w_53
+                        + l_lambda_guide_gamma * w_48,
                 ],
             ],
             accelerations_by_speeds: [
                 [
-                    minus_l_lambda_slot_alpha * w_61 - self.inverse_alpha * w_62,
-                    minus_l_lambda_slot_alpha * w_67 - self.inverse_alpha * w_68,
-                    self.inverse_alpha * w_73 - minus_l_lambda_slot_alpha * w_72,
+                    minus_l_lambda_slot_alpha * w_57 - self.inverse_alpha * w_58,
+                    minus_l_lambda_slot_alpha * w_63 - self.inverse_alpha * w_64,
+                    self.inverse_alpha * w_69 - minus_l_lambda_slot_alpha * w_68,
                 ],
-                [w_74, w_75, w_76],
+                [w_70, w_71, w_72],
                 [
-                    l_lambda_guide_gamma * w_60 - l_beta_gamma * w_74,
-                    l_lambda_guide_gamma * w_66 - self.inverse_gamma * w_63
-                        - l_beta_gamma * w_75,
-                    l_lambda_guide_gamma * w_71 - l_beta_gamma * w_76,
+                    l_lambda_guide_gamma * w_56 - l_beta_gamma * w_70,
+                    l_lambda_guide_gamma * w_62 - self.inverse_gamma * w_59
+                        - l_beta_gamma * w_71,
+                    l_lambda_guide_gamma * w_67 - l_beta_gamma * w_72,
                 ],
             ],
             multipliers_by_positions: [
-                [w_32, w_49, -w_55],
-                [w_31, w_48, -w_54],
-                [-w_30, -w_47, -w_53],
+                [w_28, w_44, -w_50],
+                [w_26, w_43, -w_49],
+                [-w_25, -w_42, -w_48],
             ],
             multipliers_by_speeds: [
-                [w_62, w_68, -w_73],
-                [w_61, w_67, -w_72],
-                [-w_60, -w_66, -w_71],
+                [w_58, w_64, -w_69],
+                [w_57, w_63, -w_68],
+                [-w_56, -w_62, -w_67],
             ],
             refused: sim_kernel::pivot_is_refused(self.J2, self.J2)
                 | sim_kernel::pivot_is_refused(
@@ -977,8 +973,8 @@ impl<S: sim_kernel::Scalar> WhitworthPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     self.pivot_lambda_drive,
                     self.inverse_alpha,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_12)
-                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_15),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_11)
+                | sim_kernel::pivot_is_refused(-minus_pivot_lambda_guide, w_17),
         }
     }
 }

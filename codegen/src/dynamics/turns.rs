@@ -1,0 +1,214 @@
+//! Pairs of constraint rows turned along and across a link.
+//!
+//! Two rows that hold along x and y hold as well along any other two directions at right angles:
+//!
+//! ```text
+//! [ C_q along  ]   [  cos phi  sin phi ] [ C_q x ]    [ lambda x ]   [ cos phi  -sin phi ] [ lambda along  ]
+//! [ C_q across ] = [ -sin phi  cos phi ] [ C_q y ],   [ lambda y ] = [ sin phi   cos phi ] [ lambda across ]
+//! ```
+//!
+//! Along and across a link at the angle phi, the link's own coordinate stands in one row alone, mostly with a coefficient of
+//! parameters: one entry less to eliminate, and a pivot that no position makes zero. As the turn is orthonormal the
+//! equations stay as well conditioned as they were.
+
+use super::constraints::Constraints;
+use super::sensitivity::Column;
+use crate::model::Model;
+use crate::symbolic::{Expr, Function, Graph, Node, Symbol};
+use std::cmp::Reverse;
+
+/// The largest sum that multiplying out may make.
+const LONGEST_EXPANSION: usize = 64;
+
+/// Entries made of more expressions are not tried: a link's own are short.
+const MOST_EXPRESSIONS: usize = 24;
+
+/// The constraint rows in a form in which the equations of motion can be solved, m of them: as declared, or with
+/// pairs turned.
+pub struct Form {
+    /// The pairs that are turned.
+    pub turns: Vec<Turn>,
+    /// C_q, m x n.
+    pub jacobian: Vec<Vec<Expr>>,
+    /// (C_q q' + C_t)_q q' + (..)_t, m.
+    pub convective: Vec<Expr>,
+    /// The multipliers of these rows, m.
+    pub multipliers: Vec<Symbol>,
+    /// How the residual changes with coordinates and with speeds, if that is wanted and there are no intermediates.
+    pub by_state: Option<[Vec<Column>; 2]>,
+    /// How it changes with the parameters, likewise.
+    pub by_parameters: Option<Vec<Column>>,
+}
+
+/// A pair of rows turned by an angle: the first along it, the second across.
+pub struct Turn {
+    /// Which rows.
+    pub rows: [usize; 2],
+    /// The angle, in rad.
+    pub angle: Expr,
+    /// Its cosine and sine.
+    pub direction: [Expr; 2],
+}
+
+impl Form {
+    /// The rows as they are declared.
+    pub(super) fn declared(model: &Model, constraints: &Constraints) -> Form {
+        Form {
+            turns: vec![],
+            jacobian: constraints.jacobian.clone(),
+            convective: constraints.convective.clone(),
+            multipliers: model.constraints.iter().map(|constraint| constraint.multiplier).collect(),
+            by_state: None,
+            by_parameters: None,
+        }
+    }
+
+    /// The rows with pairs of neighbours turned, if that makes entries zero.
+    pub(super) fn turned(model: &mut Model, constraints: &Constraints) -> Option<Form> {
+        let mut form = Form::declared(model, constraints);
+        let mut i = 0;
+        while i + 1 < form.jacobian.len() {
+            let rows = [i, i + 1];
+            let is_switched = rows.iter().any(|row| model.constraints[*row].activity.is_some());
+            let best = if is_switched { None } else { best_turn(model, &form.jacobian, rows) };
+            i += if best.is_some() { 2 } else { 1 };
+            if let Some(turned) = best {
+                form.enter(model, turned);
+            }
+        }
+        (!form.turns.is_empty()).then_some(form)
+    }
+
+    fn enter(&mut self, model: &mut Model, Turned { turn, columns, .. }: Turned) {
+        let [i, j] = turn.rows;
+        let convective = turn.of(&mut model.graph, [self.convective[i], self.convective[j]]);
+        for (at, row) in turn.rows.into_iter().enumerate() {
+            self.jacobian[row] = columns.iter().map(|entries| entries[at]).collect();
+            self.convective[row] = convective[at];
+            self.multipliers[row] = model.graph.symbol(&format!("lambda_{}_turned", model.constraints[row].name));
+        }
+        self.turns.push(turn);
+    }
+}
+
+impl Turn {
+    fn by(graph: &mut Graph, rows: [usize; 2], angle: Expr) -> Turn {
+        let direction = [Function::Cos, Function::Sin].map(|function| graph.call(function, angle));
+        Turn { rows, angle, direction }
+    }
+
+    /// The components (x, y) of a vector, along the angle and across it.
+    fn of(&self, graph: &mut Graph, [x, y]: [Expr; 2]) -> [Expr; 2] {
+        let [cos, sin] = self.direction;
+        let (x_along, y_along, x_across, y_across) =
+            (graph.mul(cos, x), graph.mul(sin, y), graph.mul(sin, x), graph.mul(cos, y));
+        let (along, across) = (graph.add(x_along, y_along), graph.sub(y_across, x_across));
+        [along, across].map(|sum| graph.expand(sum, LONGEST_EXPANSION).unwrap_or(sum))
+    }
+}
+
+/// A turn, and what becomes of its rows: their entries, column by column.
+struct Turned {
+    turn: Turn,
+    columns: Vec<[Expr; 2]>,
+    /// How many entries are zero, how many of the others depend on parameters alone, and in how many rows the coordinate
+    /// stands whose angle it is.
+    rank: (usize, usize, Reverse<usize>),
+}
+
+/// The turn that makes most entries zero, and of several the one that makes most of the others depend on parameters
+/// alone, by the angle of a coordinate that stands in the fewest rows.
+fn best_turn(model: &mut Model, jacobian: &[Vec<Expr>], rows: [usize; 2]) -> Option<Turned> {
+    let graph = &mut model.graph;
+    let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).chain([model.time]).collect();
+    let columns: Vec<[Expr; 2]> =
+        (0..model.coordinates.len()).map(|column| rows.map(|row| jacobian[row][column])).collect();
+    let mut best: Option<Turned> = None;
+    let mut tried: Vec<Expr> = vec![];
+    for (column, entries) in columns.iter().enumerate() {
+        for angle in angles(graph, entries) {
+            let turn = Turn::by(graph, rows, angle);
+            let own = turn.of(graph, *entries);
+            if tried.contains(&angle) || zeros(graph, &[own]) <= zeros(graph, &[*entries]) {
+                continue;
+            }
+            tried.push(angle);
+            let turned: Vec<[Expr; 2]> = columns.iter().map(|entries| turn.of(graph, *entries)).collect();
+            let fixed = turned.iter().flatten().filter(|entry| !graph.depends_on(**entry, &moving)).count();
+            let occurrences = jacobian.iter().filter(|row| !graph.is_zero(row[column])).count();
+            let rank = (zeros(graph, &turned), fixed, Reverse(occurrences));
+            if rank.0 > zeros(graph, &columns) && best.as_ref().is_none_or(|best| rank > best.rank) {
+                best = Some(Turned { turn, columns: turned, rank });
+            }
+        }
+    }
+    best
+}
+
+fn zeros(graph: &Graph, columns: &[[Expr; 2]]) -> usize {
+    columns.iter().flatten().filter(|entry| graph.is_zero(**entry)).count()
+}
+
+/// The angles whose sines and cosines occur in short entries.
+fn angles(graph: &Graph, entries: &[Expr]) -> Vec<Expr> {
+    let reachable = graph.reachable(entries);
+    if reachable.len() > MOST_EXPRESSIONS {
+        return vec![];
+    }
+    let angles = reachable.into_iter().filter_map(|expr| match graph.node(expr) {
+        Node::Call(Function::Sin | Function::Cos, angle) => Some(*angle),
+        _ => None,
+    });
+    angles.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::derive;
+    use crate::{dsl, model};
+
+    const FOUR_BAR: &str = "
+        /// A four-bar.
+        pub FourBar;
+        coordinates { coupler [rad]; crank [rad]; rocker [rad]; }
+        parameters { l [m] = 1; m [kg] = 1; tilt [rad] = 0.1; }
+        let A = l*[cos(crank), sin(crank)];
+        let B = A + 2*l*[cos(coupler + tilt), sin(coupler + tilt)];
+        let C = [l, 0] + l*[cos(rocker), sin(rocker)];
+        bodies { tip: mass m at A, inertia m*l^2, angle coupler; rod: inertia m*l^2, angle rocker; }";
+
+    fn turned(rest: &str) -> (Model, Option<Form>) {
+        let text = format!("{FOUR_BAR} {rest}");
+        let declaration = dsl::parse(text.parse().unwrap()).unwrap();
+        let equations = derive(model::resolve(&declaration).unwrap());
+        (equations.model, equations.turned)
+    }
+
+    #[test]
+    fn a_link_stands_in_one_of_its_rows_alone_and_never_moves_there() {
+        let (model, form) = turned("constraints { closed: B = C; }");
+        let form = form.unwrap();
+        let [turn] = form.turns.as_slice() else { panic!("{}", form.turns.len()) };
+        assert!(model.graph.depends_on(turn.angle, &[model.coordinates[0].position]));
+        let coupler = [0, 1].map(|row| form.jacobian[row][0]);
+        assert!(model.graph.is_zero(coupler[0]));
+        let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).collect();
+        assert!(!model.graph.is_zero(coupler[1]) && !model.graph.depends_on(coupler[1], &moving));
+        // Those of the others are sines and cosines of differences.
+        assert!((0..2).all(|row| (1..3).all(|column| !model.graph.is_zero(form.jacobian[row][column]))));
+    }
+
+    #[test]
+    fn rows_that_are_no_pair_are_left_as_they_are() {
+        assert!(turned("constraints { height: B.y = C.y; }").1.is_none());
+        assert!(turned("constraints { lengths: norm(B - [l, 0]) = l; level: crank = 2*rocker; }").1.is_none());
+    }
+
+    #[test]
+    fn rows_that_events_switch_are_left_as_they_are() {
+        let switched =
+            "constraints { closed: B = C initially active; } events { far: crank = 1 rising { release closed; } }";
+        assert!(turned(switched).1.is_none());
+    }
+}
