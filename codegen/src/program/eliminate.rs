@@ -6,7 +6,8 @@
 //! is substituted in rows and columns alike; so a chain of bodies is worked off from its tip as by the
 //! articulated-body method (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7). A multiplier is eliminated
 //! when all of its coordinates are gone: then the pivots are those of -C_q M^-1 C_q', which is definite as long as M
-//! is and the constraints are independent; one taken earlier could meet a pivot that is zero at some position.
+//! is and the constraints are independent; one taken earlier could meet a pivot that is zero at some position, unless the
+//! pivot depends on parameters alone.
 //!
 //! Each pivot comes with what cancellation in it is measured by, to be checked at run time.
 

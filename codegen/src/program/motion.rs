@@ -57,6 +57,11 @@ impl<'a> Motion<'a> {
         Motion { equations, form, unknowns: unknowns.collect(), power, factors, notes }
     }
 
+    /// Whether there is an order to solve them in; without one every state is refused.
+    pub(super) fn is_planned(&self) -> bool {
+        self.factors.is_some()
+    }
+
     /// q'', lambda and power.
     pub(super) fn dynamics(&self) -> Results<Value> {
         let (accelerations, multipliers) = self.unknowns.split_at(self.equations.model.coordinates.len());
@@ -100,7 +105,7 @@ impl<'a> Motion<'a> {
         )
     }
 
-    /// Solves K dz = d(r - K z) for each column; gives the rows of q'' and those of lambda.
+    /// Solves K dz = d(r - K z) for each column, in the form that was solved; gives the rows of q'' and those of lambda.
     fn derivatives(&self, lowering: &mut Lowering, columns: &[Column]) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
         let constants = vec![zero; unknown_count(self.equations)];

@@ -67,7 +67,10 @@ fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
         let motion = Motion::solve(planner.equations, form, &mut lowering);
         (lowering, motion)
     };
-    let cost = |(lowering, motion): &(Lowering, Motion)| operations(&lowering.values, motion.dynamics().entries());
+    let cost = |(lowering, motion): &(Lowering, Motion)| match motion.is_planned() {
+        true => operations(&lowering.values, motion.dynamics().entries()),
+        false => usize::MAX,
+    };
     let declared = solve(&planner.equations.declared);
     match planner.equations.turned.as_ref().map(solve) {
         Some(turned) if cost(&turned) < cost(&declared) => turned,
