@@ -58,15 +58,16 @@ type Span = (f64, usize);
 fn check<M: Mechanism>(mechanism: M, end: f64, dopri5: Span, dop853: Span) {
     for method in Method::ALL {
         // Rounding collects over the steps: thousands of them, or hundreds.
-        let ((end, coarsest), floor) = match method {
-            Method::Dopri5 => (dopri5, 2e-13),
-            Method::Dop853 => (dop853, 1e-13),
-            Method::Radau5 => ((end, 32), 1e-12),
-            _ => ((end, 256), 2e-11),
+        let ((end, coarsest), floor, tolerance) = match method {
+            Method::Dopri5 => (dopri5, 2e-13, 0.05),
+            // Rounding of 2e-14 in an error of little more than the floor is a tenth of an order.
+            Method::Dop853 => (dop853, 1e-13, 0.1),
+            Method::Radau5 => ((end, 32), 1e-12, 0.05),
+            _ => ((end, 256), 2e-11, 0.05),
         };
         let order = observed_order(mechanism, method, end, coarsest, floor);
         let expected = method.order() as f64;
-        assert!((order - expected).abs() < 0.05, "{} {}: {order}", M::DESCRIPTION.name, method.name());
+        assert!((order - expected).abs() < tolerance, "{} {}: {order}", M::DESCRIPTION.name, method.name());
     }
 }
 
