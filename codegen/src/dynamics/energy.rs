@@ -13,6 +13,8 @@ pub struct Energy {
     /// F' v + lambda' C_t + T_t' (M x'' - F): the power of the loads, and of the drives that explicit time
     /// stands for. Depends on accelerations and multipliers only if time is explicit.
     pub power: Expr,
+    /// The same by the forces along the coordinates, (T_q' F)' q', where time is not explicit.
+    pub power_along_variables: Option<Expr>,
 }
 
 impl Energy {
@@ -35,13 +37,21 @@ impl Energy {
             power.push(model.graph.mul(row.force, row.motion.velocity));
             power.push(drive_power(model, variables, drifts, &tmt.rows, row));
         }
+        let is_driven = drifts.iter().chain(tmt.rows.iter().map(|row| &row.motion.time_derivative));
+        let is_driven = is_driven.chain(&constraints.time_derivative).any(|by_time| !model.graph.is_zero(*by_time));
+        let speeds: Vec<Expr> = variables.speeds.iter().map(|speed| model.graph.variable(*speed)).collect();
+        let power_along_variables = (!is_driven).then(|| inner(model, &tmt.generalized_forces, &speeds));
         for (i, multiplier) in model.multipliers().into_iter().enumerate() {
             let carried = inner(model, drifts, &constraints.jacobian[i]);
             let driven = model.graph.add(carried, constraints.time_derivative[i]);
             power.push(model.graph.mul(multiplier, driven));
         }
         let twice = model.graph.sum(&twice_kinetic);
-        Energy { kinetic: model.graph.scale(&Number::HALF, twice), power: model.graph.sum(&power) }
+        Energy {
+            kinetic: model.graph.scale(&Number::HALF, twice),
+            power: model.graph.sum(&power),
+            power_along_variables,
+        }
     }
 }
 

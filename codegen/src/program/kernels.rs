@@ -31,9 +31,9 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     Program { kernels }
 }
 
-/// Expressions with products of sums multiplied out, where that lets terms cancel.
+/// Expressions with products of sums multiplied out, where that lets terms cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
-    let EquationsOfMotion { model, tmt, constraints, speeds, .. } = equations;
+    let EquationsOfMotion { model, tmt, constraints, speeds, energy, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
     let in_speeds = speeds.iter().flat_map(|speeds| {
         let matrices = speeds.tmt.mass_matrix.iter().chain(&speeds.jacobian);
@@ -47,7 +47,8 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
         &constraints.time_derivative,
     ];
     let exprs: Vec<Expr> = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied().collect();
-    exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?))).collect()
+    let expanded = exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?)));
+    expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()
 }
 
 /// The generalised speeds at a state, if there are any.

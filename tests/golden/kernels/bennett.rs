@@ -476,12 +476,17 @@ pub struct BennettPrepared<S = ::core::primitive::f64> {
     k_55: S,
     k_56: S,
     k_57: S,
+    k_58: S,
+    k_59: S,
+    k_60: S,
+    k_61: S,
+    k_62: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Bennett<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 5 additions, 79 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
+    /// Operations: 5 additions, 84 multiplications, 1 division, 2 sine-cosine pairs, 1 other function.
     #[inline]
     pub fn prepare(&self) -> BennettPrepared<S> {
         let ([sin_alpha], [cos_alpha]) = S::sin_cos_each([self.alpha]);
@@ -499,13 +504,15 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
         let w_8 = a_squared * w_5;
         let cos_alpha_squared = cos_alpha * cos_alpha;
         let w_9 = S::from_f64(2.0) * self.b;
+        let w_10 = self.m * self.b;
         let b_squared = self.b * self.b;
-        let w_10 = self.J * S::from_f64(49.0);
-        let w_11 = self.J * S::from_f64(50.0);
-        let w_12 = sin_alpha * w_11;
-        let w_13 = S::from_f64(2.0) * self.g;
-        let w_14 = sin_alpha * self.g;
-        let w_15 = self.m * S::from_f64(0.5);
+        let w_11 = self.a * self.m;
+        let w_12 = self.J * S::from_f64(49.0);
+        let w_13 = self.J * S::from_f64(50.0);
+        let w_14 = sin_alpha * w_13;
+        let w_15 = S::from_f64(2.0) * self.g;
+        let w_16 = sin_alpha * self.g;
+        let w_17 = S::from_f64(0.5) * w_11;
         BennettPrepared {
             J: self.J,
             a: self.a,
@@ -540,41 +547,46 @@ impl<S: sim_kernel::Scalar> Bennett<S> {
             k_22: self.J * cos_alpha,
             k_23: self.J * sin_beta,
             k_24: self.J * cos_beta,
-            k_25: self.m * self.b * cos_beta,
-            k_26: self.b * w_5,
+            k_25: cos_beta * w_10,
+            k_26: S::from_f64(0.25) * w_10,
             k_27: sin_beta * w_6,
             k_28: w_7 + w_5 * b_squared,
             k_29: self.m * b_squared * cos_beta * cos_beta - w_3 * sin_beta * sin_beta,
-            k_30: self.a * w_5,
+            k_30: S::from_f64(0.25) * w_11,
             mass_theta3_theta3: self.J + w_8,
             k_31: cos_alpha * sin_alpha * sin_beta,
             k_32: cos_alpha_squared * sin_beta,
-            k_33: sin_alpha * w_10,
-            k_34: w_12,
-            k_35: w_10,
-            k_36: w_11,
-            k_37: sin_beta * w_12,
+            k_33: sin_alpha * w_12,
+            k_34: w_14,
+            k_35: w_12,
+            k_36: w_13,
+            k_37: sin_beta * w_14,
             g: self.g,
-            k_38: cos_alpha * w_13,
+            k_38: cos_alpha * w_15,
             k_39: self.b * sin_alpha_squared,
-            k_40: sin_alpha * w_13,
+            k_40: sin_alpha * w_15,
             k_41: cos_alpha * self.g,
-            k_42: w_14,
+            k_42: w_16,
             k_43: sin_alpha_squared * w_6,
             k_44: sin_alpha * S::from_f64(0.02),
             k_45: cos_alpha * sin_alpha_squared * w_3,
-            k_46: self.a * self.g * w_15,
-            k_47: self.a * cos_alpha * w_15,
-            k_48: w_15,
+            k_46: S::from_f64(0.5) * w_11 * self.g,
+            k_47: cos_alpha * w_17,
+            k_48: self.m * S::from_f64(0.5),
             k_49: sin_beta * S::from_f64(0.02),
             k_50: cos_beta * S::from_f64(0.02),
-            k_51: self.b * cos_beta * w_15,
+            k_51: cos_beta * w_10 * S::from_f64(0.5),
             k_52: w_3,
             k_53: self.J * sin_alpha * sin_beta,
-            k_54: sin_beta * w_14,
-            k_55: cos_beta * w_14,
-            k_56: self.a * self.m * cos_alpha,
-            k_57: sin_alpha * self.g * w_15,
+            k_54: sin_beta * w_16,
+            k_55: cos_beta * w_16,
+            k_56: S::from_f64(2.0) * cos_alpha * w_11,
+            k_57: S::from_f64(2.0) * self.m,
+            k_58: w_11 * self.g,
+            k_59: self.m * sin_alpha * self.g,
+            k_60: S::from_f64(2.0) * cos_beta * w_10,
+            k_61: w_10,
+            k_62: w_17,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -1627,7 +1639,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 356 additions, 593 multiplications, 8 divisions, 3 sine-cosine pairs.
+    /// Operations: 353 additions, 588 multiplications, 8 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1654,7 +1666,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         let w_4 = self.a * theta1_dot_squared + sin_theta1 * self.g;
         let w_5 = S::from_f64(2.0) * w_4;
         let w_6 = cos_theta2 * (cos_theta1 * self.k_38 - w_3) - sin_theta2 * w_5;
-        let w_24 = cos_theta2 * (cos_theta1 * self.k_41 - w_3) - sin_theta2 * w_4;
+        let w_22 = cos_theta2 * (cos_theta1 * self.k_41 - w_3) - sin_theta2 * w_4;
         let w_7 = cos_theta2 * self.k;
         let w_8 = w_7 + self.k_10;
         let w_9 = self.cos_alpha * theta1_dot;
@@ -1665,165 +1677,162 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
         let w_13 = self.k_6 + cos_theta2 * self.k_7;
         let w_14 = self.k_8 + w_7;
         let w_15 = self.cos_beta * w_13 - self.sin_beta * w_14;
-        let w_16 = S::from_f64(2.0) * cos_theta3;
-        let w_17 = sin_theta2 * sin_theta3;
-        let w_18 = w_17 * self.k_9;
-        let w_19 = self.a * w_12 + w_15 * w_16 - w_18;
-        let w_20 = self.b
+        let w_16 = sin_theta2 * sin_theta3;
+        let w_17 = self.a * w_12 + S::from_f64(2.0) * cos_theta3 * w_15
+            - w_16 * self.k_9;
+        let w_18 = self.b
             * (w_10 * w_10
                 + self.sin_alpha_squared * theta1_dot_squared * cos_theta2 * cos_theta2);
-        let w_21 = sin_theta2 * cos_theta1;
-        let w_22 = w_21 * self.k_41;
-        let w_23 = w_20 + w_22 + cos_theta2 * w_4;
-        let w_25 = w_11 + cos_theta1 * self.k_42;
-        let w_26 = self.cos_beta * w_24 - self.sin_beta * w_25;
-        let w_27 = cos_theta2 * theta1_dot;
-        let w_28 = self.k_2 * w_27 + self.sin_beta * w_10;
-        let w_29 = self.sin_alpha * theta1_dot;
-        let w_30 = cos_theta3 * w_28 - w_17 * w_29;
-        let w_31 = sin_theta2 * cos_theta3;
-        let w_32 = w_31 * w_29 + sin_theta3 * w_28;
-        let w_33 = w_30 * w_32;
-        let w_34 = theta1_dot * theta2_dot;
-        let w_45 = sin_theta2
-            * ((w_20 + w_21 * self.k_38 + cos_theta2 * w_5) * self.k_47
-                - cos_theta2 * (w_34 * self.k_43 + theta1_dot_squared * self.k_45));
-        let w_35 = sin_theta2 * w_34;
-        let w_36 = S::from_f64(2.0) * (sin_theta3 * w_23 - cos_theta3 * w_26)
-            + self.a * (w_33 + self.k_5 * w_35);
-        let w_37 = self.k_3 + cos_theta2 * self.k_2;
-        let w_38 = w_37 * cos_theta3 - self.sin_alpha * w_17;
-        let closure_z_by_theta3 = self.a * w_38;
-        let w_39 = closure_z_by_theta3 + w_13 * self.k_11 + w_14 * self.k_12;
-        let w_136 = w_14 * theta1_dot;
-        let w_40 = theta3_dot + self.cos_beta * w_10 - self.k_5 * w_27;
-        let w_58 = S::from_f64(2.0) * (sin_theta3 * w_26 + cos_theta3 * w_23)
-            + self.a * (w_30 * w_30 + w_40 * w_40);
-        let w_41 = cos_theta2 * sin_theta3;
-        let w_42 = self.k_2 * w_31 + self.sin_alpha * w_41;
-        let w_43 = self.a * (w_32 * (theta3_dot + w_40) + w_34 * w_42) + self.k_12 * w_25
-            + self.k_11 * w_24;
-        let w_44 = self.k_14
-            * (w * w_6 + w_8 * (cos_theta1 * self.k_40 + w_11) - w_19 * w_36
-                + w_39 * w_43);
-        let w_46 = theta2_dot * w_42;
-        let w_47 = w_32 * w_40 * self.k_35
-            + (theta1_dot * w_46 + theta3_dot * w_32) * self.k_36;
-        let w_48 = self.k_35 * w_33 + self.k_37 * w_35;
-        let w_49 = cos_theta2 * sin_theta2 * theta1_dot
+        let w_19 = sin_theta2 * cos_theta1;
+        let w_20 = w_19 * self.k_41;
+        let w_21 = w_18 + w_20 + cos_theta2 * w_4;
+        let w_23 = w_11 + cos_theta1 * self.k_42;
+        let w_24 = self.cos_beta * w_22 - self.sin_beta * w_23;
+        let w_25 = cos_theta2 * self.k_2;
+        let w_26 = w_25 * theta1_dot + self.sin_beta * w_10;
+        let w_35 = self.k_3 + w_25;
+        let w_27 = self.sin_alpha * theta1_dot;
+        let w_28 = cos_theta3 * w_26 - w_16 * w_27;
+        let w_29 = sin_theta2 * cos_theta3;
+        let w_30 = w_29 * w_27 + sin_theta3 * w_26;
+        let w_54 = self.k_7 * w_29 + sin_theta3 * w_15;
+        let w_31 = w_28 * w_30;
+        let w_32 = theta1_dot * theta2_dot;
+        let w_44 = sin_theta2
+            * ((w_18 + w_19 * self.k_38 + cos_theta2 * w_5) * self.k_47
+                - cos_theta2 * (w_32 * self.k_43 + theta1_dot_squared * self.k_45));
+        let w_33 = sin_theta2 * w_32;
+        let w_34 = S::from_f64(2.0) * (sin_theta3 * w_21 - cos_theta3 * w_24)
+            + self.a * (w_31 + self.k_5 * w_33);
+        let w_36 = w_35 * cos_theta3 - self.sin_alpha * w_16;
+        let closure_z_by_theta3 = self.a * w_36;
+        let w_37 = closure_z_by_theta3 + w_13 * self.k_11 + w_14 * self.k_12;
+        let w_38 = self.k_5 * theta1_dot;
+        let w_39 = theta3_dot + self.cos_beta * w_10 - cos_theta2 * w_38;
+        let w_55 = S::from_f64(2.0) * (sin_theta3 * w_24 + cos_theta3 * w_21)
+            + self.a * (w_28 * w_28 + w_39 * w_39);
+        let w_40 = cos_theta2 * sin_theta3;
+        let w_41 = self.k_2 * w_29 + self.sin_alpha * w_40;
+        let w_42 = self.a * (w_30 * (theta3_dot + w_39) + w_32 * w_41) + self.k_12 * w_23
+            + self.k_11 * w_22;
+        let w_43 = self.k_14
+            * (w * w_6 + w_8 * (cos_theta1 * self.k_40 + w_11) - w_17 * w_34
+                + w_37 * w_42);
+        let w_45 = theta2_dot * w_41;
+        let w_46 = w_30 * w_39 * self.k_35
+            + (theta1_dot * w_45 + theta3_dot * w_30) * self.k_36;
+        let w_47 = self.k_35 * w_31 + self.k_37 * w_33;
+        let w_48 = cos_theta2 * sin_theta2 * theta1_dot
             * (w_10 * self.k_33 + theta2_dot * self.k_34) * self.k_44;
-        let w_50 = self.sin_alpha * w_31;
-        let w_51 = w_50 + w_37 * sin_theta3;
-        let w_52 = cos_theta2 * cos_theta3;
-        let w_53 = self.sin_alpha * w_52 - self.k_2 * w_17;
-        let w_54 = theta3_dot * w_30 + w_53 * w_34;
-        let closure_z_by_theta2 = w_7 + self.a * w_53;
-        let w_55 = cos_theta1 * self.k_46;
-        let w_56 = self.k_7 * w_31;
-        let w_57 = w_56 + sin_theta3 * w_15;
-        let rhs_theta1 = w_44 + w_45 + S::from_f64(0.02) * (w_38 * w_47 - w_12 * w_48)
-            + w_49 - w_51 * self.k_15 * w_54 + w_55 + w_57 * w_58 * self.k_48;
-        let w_59 = self.k_21 + cos_theta3 * self.k_20;
-        let w_60 = self.k_18 + cos_theta3 * self.k_19;
-        let w_61 = sin_theta3 * (w_58 * self.k_51 - self.k_27 * w_54)
-            + self.k_14 * (w_59 * w_43 - w_60 * w_36) - cos_theta2 * self.k_13 * w_2
-            + cos_theta3 * w_47 * self.k_49 - w_48 * self.k_50 + self.k_26 * w_6;
+        let w_49 = self.sin_alpha * w_29;
+        let w_50 = w_49 + w_35 * sin_theta3;
+        let w_51 = cos_theta2 * cos_theta3;
+        let w_52 = self.sin_alpha * w_51 - self.k_2 * w_16;
+        let w_53 = theta3_dot * w_28 + w_52 * w_32;
+        let rhs_theta1 = w_43 + w_44 + S::from_f64(0.02) * (w_36 * w_46 - w_12 * w_47)
+            + w_48 - w_50 * self.k_15 * w_53 + cos_theta1 * self.k_46
+            + w_54 * w_55 * self.k_48;
+        let closure_z_by_theta2 = w_7 + self.a * w_52;
+        let w_56 = self.k_21 + cos_theta3 * self.k_20;
+        let w_57 = self.k_18 + cos_theta3 * self.k_19;
+        let w_58 = sin_theta3 * (w_55 * self.k_51 - self.k_27 * w_53)
+            + self.k_14 * (w_56 * w_42 - w_57 * w_34) - cos_theta2 * self.k_13 * w_2
+            + cos_theta3 * w_46 * self.k_49 - w_47 * self.k_50 + self.k_26 * w_6;
         let mass_theta2_theta1 = self.k_22
-            + sin_theta3 * (w_57 * self.k_25 + w_51 * self.k_27)
-            + self.k_14 * (w_19 * w_60 + w_39 * w_59) + cos_theta3 * w_38 * self.k_23
+            + sin_theta3 * (w_54 * self.k_25 + w_50 * self.k_27)
+            + self.k_14 * (w_17 * w_57 + w_37 * w_56) + cos_theta3 * w_36 * self.k_23
             + w_12 * self.k_24 + w * self.k_26;
-        let w_62 = self.k_14 * (w * w + w_8 * w_8 + w_19 * w_19 + w_39 * w_39);
-        let mass_theta1_theta1 = self.k_16 + w_62 + self.J * (w_38 * w_38 + w_12 * w_12)
-            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_57 * w_57
-            + w_51 * w_51 * self.k_15;
-        let mass_theta3_theta1 = self.J * w_12 + w_19 * self.k_30;
-        let mass_theta2_theta2 = self.k_28 + self.k_14 * (w_60 * w_60 + w_59 * w_59)
-            + sin_theta3 * sin_theta3 * self.k_29;
+        let w_59 = self.k_14 * (w * w + w_8 * w_8 + w_17 * w_17 + w_37 * w_37);
+        let mass_theta1_theta1 = self.k_16 + w_59 + self.J * (w_36 * w_36 + w_12 * w_12)
+            + sin_theta2 * sin_theta2 * self.k_17 + self.m * w_54 * w_54
+            + w_50 * w_50 * self.k_15;
+        let mass_theta3_theta1 = self.J * w_12 + w_17 * self.k_30;
         let inverse_theta1 = S::from_f64(1.0) / mass_theta1_theta1;
         let l_theta2_theta1 = mass_theta2_theta1 * inverse_theta1;
-        let rhs_theta2 = w_61 - rhs_theta1 * l_theta2_theta1;
-        let w_63 = cos_theta2 * sin_theta1;
-        let w_134 = w_22 + w_63 * self.g;
-        let w_64 = w_63 + self.cos_alpha * w_21;
-        let w_75 = w_21 + self.cos_alpha * w_63;
-        let w_65 = cos_theta2 * cos_theta1;
-        let w_66 = sin_theta2 * sin_theta1;
-        let w_67 = self.cos_alpha * w_65 - w_66;
-        let w_68 = self.cos_beta * w_67 - self.k_5 * cos_theta1;
-        let w_69 = cos_theta3 * w_64 + sin_theta3 * w_68;
-        let w_81 = cos_theta3 * w_68 - sin_theta3 * w_64;
-        let minus_closure_x_by_theta1 = self.a * (sin_theta1 + w_69) + self.b * w_64;
+        let rhs_theta2 = w_58 - rhs_theta1 * l_theta2_theta1;
+        let w_60 = cos_theta2 * sin_theta1;
+        let w_130 = w_20 + w_60 * self.g;
+        let w_61 = w_60 + self.cos_alpha * w_19;
+        let w_71 = w_19 + self.cos_alpha * w_60;
+        let w_62 = cos_theta2 * cos_theta1;
+        let w_63 = sin_theta2 * sin_theta1;
+        let w_64 = self.cos_alpha * w_62 - w_63;
+        let w_65 = self.cos_beta * w_64 - self.k_5 * cos_theta1;
+        let w_66 = cos_theta3 * w_61 + sin_theta3 * w_65;
+        let w_77 = cos_theta3 * w_65 - sin_theta3 * w_61;
+        let minus_closure_x_by_theta1 = self.a * (sin_theta1 + w_66) + self.b * w_61;
         let minus_l_lambda_closure_x_theta1 = minus_closure_x_by_theta1 * inverse_theta1;
-        let w_70 = cos_theta1 * theta1_dot;
-        let w_71 = theta1_dot + self.cos_alpha * theta2_dot;
-        let w_72 = w_65 * w_10 - sin_theta2 * sin_theta1 * w_71;
-        let w_80 = w_65 * w_71 - w_66 * w_10;
-        let w_132 = self.b * w_10;
-        let w_73 = self.k_5 * w_70 - self.cos_beta * w_72;
-        let w_74 = w_65 - self.cos_alpha * w_66;
-        let w_131 = w_65 * self.k_41 - w_66 * self.g;
-        let w_76 = self.k_5 * sin_theta1 - self.cos_beta * w_75;
-        let w_77 = cos_theta3 * w_74 + sin_theta3 * w_76;
-        let w_89 = cos_theta3 * w_76 - sin_theta3 * w_74;
-        let w_78 = w_64 * theta1_dot + w_75 * theta2_dot;
-        let w_79 = self.a * theta3_dot;
-        let w_92 = theta2_dot
+        let w_67 = theta1_dot + self.cos_alpha * theta2_dot;
+        let w_68 = w_62 * w_10 - sin_theta2 * sin_theta1 * w_67;
+        let w_76 = w_62 * w_67 - w_63 * w_10;
+        let w_69 = cos_theta1 * w_38 - self.cos_beta * w_68;
+        let w_70 = w_62 - self.cos_alpha * w_63;
+        let w_128 = w_62 * self.k_41 - w_63 * self.g;
+        let w_72 = self.k_5 * sin_theta1 - self.cos_beta * w_71;
+        let w_73 = cos_theta3 * w_70 + sin_theta3 * w_72;
+        let w_85 = cos_theta3 * w_72 - sin_theta3 * w_70;
+        let w_74 = w_61 * theta1_dot + w_71 * theta2_dot;
+        let w_75 = self.a * theta3_dot;
+        let w_89 = theta2_dot
             * (sin_theta2 * self.k * theta2_dot
-                + self.a * (theta2_dot * (w_50 + self.k_2 * w_41) + theta3_dot * w_42))
-            + w_79 * (w_46 + w_51 * theta3_dot);
-        let w_82 = w_75 * theta1_dot + w_64 * theta2_dot;
-        let w_83 = sin_theta1 * theta1_dot;
-        let w_84 = self.cos_beta * w_82 - self.k_5 * w_83;
-        let w_85 = theta1_dot
+                + self.a * (theta2_dot * (w_49 + self.k_2 * w_40) + theta3_dot * w_41))
+            + w_75 * (w_45 + w_50 * theta3_dot);
+        let w_78 = w_71 * theta1_dot + w_61 * theta2_dot;
+        let w_79 = self.cos_beta * w_78 - sin_theta1 * w_38;
+        let w_80 = cos_theta1 * theta1_dot;
+        let w_81 = theta1_dot
             * (self.a
-                * (cos_theta3 * w_80 + w_81 * theta3_dot - sin_theta3 * w_84 + w_70)
-                + self.b * w_80);
-        let w_86 = self.cos_beta * theta3_dot;
-        let w_87 = theta2_dot
-            * (self.b * w_72
+                * (cos_theta3 * w_76 + w_77 * theta3_dot - sin_theta3 * w_79 + w_80)
+                + self.b * w_76);
+        let w_82 = self.cos_beta * theta3_dot;
+        let w_83 = theta2_dot
+            * (self.b * w_68
                 + self.a
-                    * (cos_theta3 * (w_72 + w_74 * w_86)
-                        - sin_theta3 * (w_75 * theta3_dot + self.cos_beta * w_78)));
-        let w_91 = theta2_dot
-            * (self.b * w_82
+                    * (cos_theta3 * (w_68 + w_70 * w_82)
+                        - sin_theta3 * (w_71 * theta3_dot + self.cos_beta * w_74)));
+        let w_88 = theta2_dot
+            * (self.b * w_78
                 + self.a
-                    * (cos_theta3 * (w_82 + w_64 * w_86)
-                        + sin_theta3 * (w_67 * theta3_dot + self.cos_beta * w_80)));
+                    * (cos_theta3 * (w_78 + w_61 * w_82)
+                        + sin_theta3 * (w_64 * theta3_dot + self.cos_beta * w_76)));
+        let mass_theta2_theta2 = self.k_28 + self.k_14 * (w_57 * w_57 + w_56 * w_56)
+            + sin_theta3 * sin_theta3 * self.k_29;
         let pivot_theta2 = mass_theta2_theta2 - mass_theta2_theta1 * l_theta2_theta1;
         let inverse_theta2 = S::from_f64(1.0) / pivot_theta2;
-        let w_88 = self.cos_beta * sin_theta3;
+        let w_84 = self.cos_beta * sin_theta3;
         let k_lambda_closure_x_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_x_theta1
-            - (self.b * w_75 + self.a * (cos_theta3 * w_75 + w_74 * w_88));
-        let closure_y_by_theta1 = self.a * (cos_theta1 + w_77) + self.b * w_74;
+            - (self.b * w_71 + self.a * (cos_theta3 * w_71 + w_70 * w_84));
+        let closure_y_by_theta1 = self.a * (cos_theta1 + w_73) + self.b * w_70;
         let l_lambda_closure_x_theta2 = inverse_theta2 * k_lambda_closure_x_theta2;
         let l_theta3_theta1 = mass_theta3_theta1 * inverse_theta1;
-        let k_theta3_theta2 = self.k_24 + w_60 * self.k_30
+        let k_theta3_theta2 = self.k_24 + w_57 * self.k_30
             - mass_theta2_theta1 * l_theta3_theta1;
         let l_theta3_theta2 = inverse_theta2 * k_theta3_theta2;
-        let minus_rhs_theta3 = w_33 * self.k_52 + w_35 * self.k_53 + self.k_30 * w_36
+        let minus_rhs_theta3 = w_31 * self.k_52 + w_33 * self.k_53 + self.k_30 * w_34
             + rhs_theta1 * l_theta3_theta1 + l_theta3_theta2 * rhs_theta2;
         let pivot_theta3 = self.mass_theta3_theta3 - mass_theta3_theta1 * l_theta3_theta1
             - k_theta3_theta2 * l_theta3_theta2;
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
-        let k_lambda_closure_x_theta3 = self.a * w_89
+        let k_lambda_closure_x_theta3 = self.a * w_85
             + mass_theta3_theta1 * minus_l_lambda_closure_x_theta1
             - k_theta3_theta2 * l_lambda_closure_x_theta2;
-        let w_90 = theta1_dot
-            * (self.a
-                * (cos_theta3 * w_78 - w_89 * theta3_dot - sin_theta3 * w_73 + w_83)
-                + self.b * w_78);
         let l_lambda_closure_x_theta3 = inverse_theta3 * k_lambda_closure_x_theta3;
         let rhs_lambda_closure_x = rhs_theta1 * minus_l_lambda_closure_x_theta1
-            - ((cos_theta3 * w_73 - w_77 * theta3_dot + sin_theta3 * w_78) * w_79 - w_85
-                - w_87) - l_lambda_closure_x_theta2 * rhs_theta2
+            - ((cos_theta3 * w_69 - w_73 * theta3_dot + sin_theta3 * w_74) * w_75 - w_81
+                - w_83) - l_lambda_closure_x_theta2 * rhs_theta2
             + l_lambda_closure_x_theta3 * minus_rhs_theta3;
+        let w_86 = sin_theta1 * theta1_dot;
+        let w_87 = theta1_dot
+            * (self.a
+                * (cos_theta3 * w_74 - w_85 * theta3_dot - sin_theta3 * w_69 + w_86)
+                + self.b * w_74);
         let l_lambda_closure_y_theta1 = closure_y_by_theta1 * inverse_theta1;
-        let k_lambda_closure_y_theta2 = self.b * w_67
-            + self.a * (cos_theta3 * w_67 - w_64 * w_88)
+        let k_lambda_closure_y_theta2 = self.b * w_64
+            + self.a * (cos_theta3 * w_64 - w_61 * w_84)
             - mass_theta2_theta1 * l_lambda_closure_y_theta1;
         let l_lambda_closure_y_theta2 = inverse_theta2 * k_lambda_closure_y_theta2;
-        let k_lambda_closure_y_theta3 = self.a * w_81
+        let k_lambda_closure_y_theta3 = self.a * w_77
             - mass_theta3_theta1 * l_lambda_closure_y_theta1
             - k_theta3_theta2 * l_lambda_closure_y_theta2;
         let l_lambda_closure_y_theta3 = inverse_theta3 * k_lambda_closure_y_theta3;
@@ -1839,8 +1848,8 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_x_theta3 * l_lambda_closure_y_theta3;
         let minus_l_lambda_closure_y_lambda_closure_x = minus_inverse_lambda_closure_x
             * k_lambda_closure_y_lambda_closure_x;
-        let rhs_lambda_closure_y = w_90 + w_91
-            + w_79 * (cos_theta3 * w_84 + w_69 * theta3_dot + sin_theta3 * w_80)
+        let rhs_lambda_closure_y = w_87 + w_88
+            + w_75 * (cos_theta3 * w_79 + w_66 * theta3_dot + sin_theta3 * w_76)
             - rhs_theta1 * l_lambda_closure_y_theta1
             - l_lambda_closure_y_theta2 * rhs_theta2
             + l_lambda_closure_y_theta3 * minus_rhs_theta3
@@ -1854,11 +1863,11 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_x_theta3 * l_lambda_closure_z_theta3;
         let l_lambda_closure_z_lambda_closure_x = minus_inverse_lambda_closure_x
             * minus_k_lambda_closure_z_lambda_closure_x;
-        let w_93 = closure_y_by_theta1 * l_lambda_closure_y_theta1
+        let w_90 = closure_y_by_theta1 * l_lambda_closure_y_theta1
             + k_lambda_closure_y_theta2 * l_lambda_closure_y_theta2
             + k_lambda_closure_y_theta3 * l_lambda_closure_y_theta3;
         let pivot_lambda_closure_y = k_lambda_closure_y_lambda_closure_x
-            * minus_l_lambda_closure_y_lambda_closure_x - w_93;
+            * minus_l_lambda_closure_y_lambda_closure_x - w_90;
         let inverse_lambda_closure_y = S::from_f64(1.0) / pivot_lambda_closure_y;
         let minus_k_lambda_closure_z_lambda_closure_y = k_lambda_closure_y_theta2
             * l_lambda_closure_z_theta2
@@ -1866,56 +1875,56 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             + k_lambda_closure_y_lambda_closure_x * l_lambda_closure_z_lambda_closure_x;
         let minus_l_lambda_closure_z_lambda_closure_y = inverse_lambda_closure_y
             * minus_k_lambda_closure_z_lambda_closure_y;
-        let rhs_lambda_closure_z = w_92 - l_lambda_closure_z_theta2 * rhs_theta2
+        let rhs_lambda_closure_z = w_89 - l_lambda_closure_z_theta2 * rhs_theta2
             + l_lambda_closure_z_theta3 * minus_rhs_theta3
             - l_lambda_closure_z_lambda_closure_x * rhs_lambda_closure_x
             + minus_l_lambda_closure_z_lambda_closure_y * rhs_lambda_closure_y;
-        let w_94 = self.cos_alpha * w_52 - w_17 * self.k_4;
-        let w_95 = cos_theta3 * self.k_4 - self.k_5;
-        let w_96 = self.cos_alpha * w_17;
-        let w_97 = cos_theta2 * w_95 - w_96;
-        let w_109 = theta3_dot * (self.k_4 * w_52 - w_96) + w_94 * theta2_dot;
-        let w_98 = w_94 * theta3_dot + w_97 * theta2_dot;
-        let w_99 = self.k_3 * cos_theta3;
-        let w_100 = self.cos_alpha * w_97 - self.sin_alpha * (self.k_2 + w_99);
-        let w_101 = self.cos_alpha * w_41;
-        let w_102 = w_101 + sin_theta2 * w_95;
-        let w_103 = self.k_4 * w_41 + self.cos_alpha * w_31;
-        let w_104 = w_102 * theta2_dot + w_103 * theta3_dot;
-        let w_108 = theta2_dot
+        let w_91 = self.cos_alpha * w_51 - w_16 * self.k_4;
+        let w_92 = cos_theta3 * self.k_4 - self.k_5;
+        let w_93 = self.cos_alpha * w_16;
+        let w_94 = cos_theta2 * w_92 - w_93;
+        let w_106 = theta3_dot * (self.k_4 * w_51 - w_93) + w_91 * theta2_dot;
+        let w_95 = w_91 * theta3_dot + w_94 * theta2_dot;
+        let w_96 = self.k_3 * cos_theta3;
+        let w_97 = self.cos_alpha * w_94 - self.sin_alpha * (self.k_2 + w_96);
+        let w_98 = self.cos_alpha * w_40;
+        let w_99 = w_98 + sin_theta2 * w_92;
+        let w_100 = self.k_4 * w_40 + self.cos_alpha * w_29;
+        let w_101 = w_99 * theta2_dot + w_100 * theta3_dot;
+        let w_105 = theta2_dot
             * (self.sin_beta
-                * (self.cos_alpha * (cos_theta1 * w_98 - w_102 * w_83) + w_97 * w_70
-                    - sin_theta1 * w_104) + self.k_2 * w_98);
-        let w_105 = sin_theta3 * theta3_dot;
-        let w_106 = self.sin_beta * theta1_dot;
-        let w_107 = (cos_theta1 * (w_98 + w_100 * theta1_dot)
+                * (self.cos_alpha * (cos_theta1 * w_95 - w_99 * w_86) + w_94 * w_80
+                    - sin_theta1 * w_101) + self.k_2 * w_95);
+        let w_102 = sin_theta3 * theta3_dot;
+        let w_103 = self.sin_beta * theta1_dot;
+        let w_104 = (cos_theta1 * (w_95 + w_97 * theta1_dot)
             - sin_theta1
-                * (self.cos_alpha * w_104 - self.k_31 * w_105 + w_102 * theta1_dot))
-            * w_106;
+                * (self.cos_alpha * w_101 - self.k_31 * w_102 + w_99 * theta1_dot))
+            * w_103;
         let minus_closure_m1_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_102 + sin_theta1 * w_100);
-        let w_110 = cos_theta3 * theta3_dot;
-        let w_111 = self.cos_alpha * w_103 - sin_theta3 * self.k_31;
-        let w_112 = cos_theta1
-            * (self.cos_alpha * w_109 - self.k_31 * w_110 + w_94 * theta1_dot)
+            * (cos_theta1 * w_99 + sin_theta1 * w_97);
+        let w_107 = cos_theta3 * theta3_dot;
+        let w_108 = self.cos_alpha * w_100 - sin_theta3 * self.k_31;
+        let w_109 = cos_theta1
+            * (self.cos_alpha * w_106 - self.k_31 * w_107 + w_91 * theta1_dot)
             - sin_theta1
-                * (theta3_dot * (w_101 + self.k_4 * w_31) + w_103 * theta2_dot
-                    + w_111 * theta1_dot);
-        let w_113 = w_107 + w_108
+                * (theta3_dot * (w_98 + self.k_4 * w_29) + w_100 * theta2_dot
+                    + w_108 * theta1_dot);
+        let w_110 = w_104 + w_105
             + theta3_dot
-                * (self.sin_beta * w_112
-                    + self.cos_beta * (self.sin_alpha * w_109 + self.k_32 * w_110));
+                * (self.sin_beta * w_109
+                    + self.cos_beta * (self.sin_alpha * w_106 + self.k_32 * w_107));
         let minus_l_lambda_closure_m1_theta1 = minus_closure_m1_by_theta1
             * inverse_theta1;
-        let w_114 = self.cos_alpha * cos_theta1;
+        let w_111 = self.cos_alpha * cos_theta1;
         let k_lambda_closure_m1_theta2 = mass_theta2_theta1
             * minus_l_lambda_closure_m1_theta1
-            - (self.sin_beta * (w_102 * w_114 + sin_theta1 * w_97) + self.k_2 * w_102);
+            - (self.sin_beta * (w_99 * w_111 + sin_theta1 * w_94) + self.k_2 * w_99);
         let l_lambda_closure_m1_theta2 = inverse_theta2 * k_lambda_closure_m1_theta2;
         let k_lambda_closure_m1_theta3 = mass_theta3_theta1
             * minus_l_lambda_closure_m1_theta1
-            - (self.sin_beta * (cos_theta1 * w_111 + sin_theta1 * w_94)
-                + self.cos_beta * (self.sin_alpha * w_103 + sin_theta3 * self.k_32))
+            - (self.sin_beta * (cos_theta1 * w_108 + sin_theta1 * w_91)
+                + self.cos_beta * (self.sin_alpha * w_100 + sin_theta3 * self.k_32))
             - k_theta3_theta2 * l_lambda_closure_m1_theta2;
         let l_lambda_closure_m1_theta3 = inverse_theta3 * k_lambda_closure_m1_theta3;
         let minus_k_lambda_closure_m1_lambda_closure_x = minus_closure_x_by_theta1
@@ -1931,10 +1940,10 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_y_lambda_closure_x * l_lambda_closure_m1_lambda_closure_x;
         let l_lambda_closure_m1_lambda_closure_y = inverse_lambda_closure_y
             * k_lambda_closure_m1_lambda_closure_y;
-        let w_115 = closure_z_by_theta2 * l_lambda_closure_z_theta2
+        let w_112 = closure_z_by_theta2 * l_lambda_closure_z_theta2
             + k_lambda_closure_z_theta3 * l_lambda_closure_z_theta3;
         let pivot_lambda_closure_z = minus_k_lambda_closure_z_lambda_closure_x
-            * l_lambda_closure_z_lambda_closure_x - w_115
+            * l_lambda_closure_z_lambda_closure_x - w_112
             - minus_k_lambda_closure_z_lambda_closure_y
                 * minus_l_lambda_closure_z_lambda_closure_y;
         let inverse_lambda_closure_z = S::from_f64(1.0) / pivot_lambda_closure_z;
@@ -1946,49 +1955,49 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m1_lambda_closure_y;
         let l_lambda_closure_m1_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m1_lambda_closure_z;
-        let rhs_lambda_closure_m1 = w_113 + rhs_theta1 * minus_l_lambda_closure_m1_theta1
+        let rhs_lambda_closure_m1 = w_110 + rhs_theta1 * minus_l_lambda_closure_m1_theta1
             - l_lambda_closure_m1_theta2 * rhs_theta2
             + l_lambda_closure_m1_theta3 * minus_rhs_theta3
             - l_lambda_closure_m1_lambda_closure_x * rhs_lambda_closure_x
             - l_lambda_closure_m1_lambda_closure_y * rhs_lambda_closure_y
             - l_lambda_closure_m1_lambda_closure_z * rhs_lambda_closure_z;
-        let w_116 = w_52 - self.cos_beta * w_17;
-        let w_121 = w_17 - self.cos_beta * w_52;
-        let w_117 = w_31 + self.cos_beta * w_41;
-        let w_119 = w_41 + self.cos_beta * w_31;
-        let w_118 = self.cos_alpha * w_117 - sin_theta3 * self.k_5;
+        let w_113 = w_51 - self.cos_beta * w_16;
+        let w_118 = w_16 - self.cos_beta * w_51;
+        let w_114 = w_29 + self.cos_beta * w_40;
+        let w_116 = w_40 + self.cos_beta * w_29;
+        let w_115 = self.cos_alpha * w_114 - sin_theta3 * self.k_5;
         let minus_closure_m2_by_theta1 = self.sin_beta
-            * (cos_theta1 * w_116 - sin_theta1 * w_118);
+            * (cos_theta1 * w_113 - sin_theta1 * w_115);
         let minus_l_lambda_closure_m2_theta1 = minus_closure_m2_by_theta1
             * inverse_theta1;
         let k_lambda_closure_m2_theta2 = self.sin_beta
-            * (sin_theta1 * w_117 - w_114 * w_116) - self.k_2 * w_116
+            * (sin_theta1 * w_114 - w_111 * w_113) - self.k_2 * w_113
             + mass_theta2_theta1 * minus_l_lambda_closure_m2_theta1;
-        let w_120 = w_117 * theta2_dot + w_119 * theta3_dot;
-        let w_122 = w_116 * theta2_dot - w_121 * theta3_dot;
-        let w_123 = theta2_dot
+        let w_117 = w_114 * theta2_dot + w_116 * theta3_dot;
+        let w_119 = w_113 * theta2_dot - w_118 * theta3_dot;
+        let w_120 = theta2_dot
             * (self.sin_beta
-                * (cos_theta1 * (w_117 * theta1_dot + self.cos_alpha * w_120)
-                    + sin_theta1 * (w_122 + w_116 * w_9)) + self.k_2 * w_120);
-        let w_124 = w_119 * theta2_dot + w_117 * theta3_dot;
-        let w_127 = w_106
+                * (cos_theta1 * (w_114 * theta1_dot + self.cos_alpha * w_117)
+                    + sin_theta1 * (w_119 + w_113 * w_9)) + self.k_2 * w_117);
+        let w_121 = w_116 * theta2_dot + w_114 * theta3_dot;
+        let w_124 = w_103
             * (sin_theta1
-                * (self.cos_alpha * w_122 - self.k_5 * w_110 + w_116 * theta1_dot)
-                + cos_theta1 * (w_120 + w_118 * theta1_dot));
-        let w_125 = self.cos_alpha * w_121 + cos_theta3 * self.k_5;
-        let w_126 = self.sin_beta
+                * (self.cos_alpha * w_119 - self.k_5 * w_107 + w_113 * theta1_dot)
+                + cos_theta1 * (w_117 + w_115 * theta1_dot));
+        let w_122 = self.cos_alpha * w_118 + cos_theta3 * self.k_5;
+        let w_123 = self.sin_beta
             * (cos_theta1
-                * (self.cos_alpha * w_124 - self.k_5 * w_105 + w_119 * theta1_dot)
+                * (self.cos_alpha * w_121 - self.k_5 * w_102 + w_116 * theta1_dot)
                 + sin_theta1
-                    * (w_116 * theta3_dot - w_121 * theta2_dot - w_125 * theta1_dot));
-        let w_128 = w_123
+                    * (w_113 * theta3_dot - w_118 * theta2_dot - w_122 * theta1_dot));
+        let w_125 = w_120
             + theta3_dot
-                * (w_126 + self.cos_beta * (self.k_3 * w_105 + self.sin_alpha * w_124))
-            + w_127;
+                * (w_123 + self.cos_beta * (self.k_3 * w_102 + self.sin_alpha * w_121))
+            + w_124;
         let l_lambda_closure_m2_theta2 = inverse_theta2 * k_lambda_closure_m2_theta2;
         let k_lambda_closure_m2_theta3 = self.sin_beta
-            * (sin_theta1 * w_119 + cos_theta1 * w_125)
-            - self.cos_beta * (w_99 - self.sin_alpha * w_121)
+            * (sin_theta1 * w_116 + cos_theta1 * w_122)
+            - self.cos_beta * (w_96 - self.sin_alpha * w_118)
             + mass_theta3_theta1 * minus_l_lambda_closure_m2_theta1
             - k_theta3_theta2 * l_lambda_closure_m2_theta2;
         let l_lambda_closure_m2_theta3 = inverse_theta3 * k_lambda_closure_m2_theta3;
@@ -1996,7 +2005,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             * minus_l_lambda_closure_m2_theta1
             + k_lambda_closure_x_theta2 * l_lambda_closure_m2_theta2
             + k_lambda_closure_x_theta3 * l_lambda_closure_m2_theta3;
-        let w_130 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
+        let w_127 = minus_closure_m2_by_theta1 * minus_l_lambda_closure_m2_theta1
             + k_lambda_closure_m2_theta2 * l_lambda_closure_m2_theta2
             + k_lambda_closure_m2_theta3 * l_lambda_closure_m2_theta3;
         let l_lambda_closure_m2_lambda_closure_x = minus_inverse_lambda_closure_x
@@ -2016,7 +2025,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 * l_lambda_closure_m2_lambda_closure_y;
         let l_lambda_closure_m2_lambda_closure_z = inverse_lambda_closure_z
             * k_lambda_closure_m2_lambda_closure_z;
-        let w_129 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
+        let w_126 = minus_closure_m1_by_theta1 * minus_l_lambda_closure_m1_theta1
             + k_lambda_closure_m1_theta2 * l_lambda_closure_m1_theta2
             + k_lambda_closure_m1_theta3 * l_lambda_closure_m1_theta3;
         let k_lambda_closure_m2_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
@@ -2028,14 +2037,14 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - k_lambda_closure_m1_lambda_closure_z
                 * l_lambda_closure_m2_lambda_closure_z;
         let pivot_lambda_closure_m1 = minus_k_lambda_closure_m1_lambda_closure_x
-            * l_lambda_closure_m1_lambda_closure_x - w_129
+            * l_lambda_closure_m1_lambda_closure_x - w_126
             - k_lambda_closure_m1_lambda_closure_y * l_lambda_closure_m1_lambda_closure_y
             - k_lambda_closure_m1_lambda_closure_z
                 * l_lambda_closure_m1_lambda_closure_z;
         let inverse_lambda_closure_m1 = S::from_f64(1.0) / pivot_lambda_closure_m1;
         let l_lambda_closure_m2_lambda_closure_m1 = inverse_lambda_closure_m1
             * k_lambda_closure_m2_lambda_closure_m1;
-        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_128
+        let rhs_lambda_closure_m2 = rhs_theta1 * minus_l_lambda_closure_m2_theta1 - w_125
             - l_lambda_closure_m2_theta2 * rhs_theta2
             + l_lambda_closure_m2_theta3 * minus_rhs_theta3
             - l_lambda_closure_m2_lambda_closure_x * rhs_lambda_closure_x
@@ -2043,7 +2052,7 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - l_lambda_closure_m2_lambda_closure_z * rhs_lambda_closure_z
             - l_lambda_closure_m2_lambda_closure_m1 * rhs_lambda_closure_m1;
         let pivot_lambda_closure_m2 = minus_k_lambda_closure_m2_lambda_closure_x
-            * l_lambda_closure_m2_lambda_closure_x - w_130
+            * l_lambda_closure_m2_lambda_closure_x - w_127
             - k_lambda_closure_m2_lambda_closure_y * l_lambda_closure_m2_lambda_closure_y
             - k_lambda_closure_m2_lambda_closure_z * l_lambda_closure_m2_lambda_closure_z
             - k_lambda_closure_m2_lambda_closure_m1
@@ -2077,17 +2086,18 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
             - l_lambda_closure_z_theta2 * lambda_closure_z
             - l_lambda_closure_m1_theta2 * lambda_closure_m1
             - l_lambda_closure_m2_theta2 * lambda_closure_m2;
-        let w_133 = self.cos_beta * w_131 - cos_theta1 * self.k_54;
-        let w_135 = w_132 + self.k_7 * w_27;
-        let w_138 = (self.sin_beta * w_131 + cos_theta1 * self.k_55)
-            * (self.a * w_30 + self.k_11 * w_135 + self.k_12 * w_136);
-        let w_137 = self.cos_beta * w_135 - self.sin_beta * w_136;
-        let w_139 = self.k_48
-            * (w_131 * (w_132 + self.k_9 * w_27)
-                + (cos_theta3 * w_133 - sin_theta3 * w_134)
-                    * (self.a * w_40 + w_16 * w_137 - w_18 * theta1_dot) + w_138);
-        let w_140 = self.m * (w_56 * theta1_dot + sin_theta3 * w_137)
-            * (cos_theta3 * w_134 + sin_theta3 * w_133);
+        let w_129 = self.cos_beta * w_128 - cos_theta1 * self.k_54;
+        let w_131 = cos_theta3 * w_129 - sin_theta3 * w_130;
+        let w_133 = cos_theta3 * w_130 + sin_theta3 * w_129;
+        let w_132 = self.sin_beta * w_128 + cos_theta1 * self.k_55;
+        let w_134 = self.m * (w * w_128 + w_17 * w_131 + w_37 * w_132)
+            + cos_theta1 * (self.k_58 + w_8 * self.k_59) + sin_theta2 * w_130 * self.k_56
+            + w_54 * w_133 * self.k_57;
+        let w_135 = S::from_f64(0.5)
+            * (theta1_dot * w_134
+                + theta2_dot
+                    * (self.m * (w_57 * w_131 + w_56 * w_132)
+                        + sin_theta3 * w_133 * self.k_60 + w_128 * self.k_61));
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta1 * inverse_theta1 - l_theta2_theta1 * theta2_ddot
@@ -2106,18 +2116,17 @@ impl<S: sim_kernel::Scalar> BennettPrepared<S> {
                 lambda_closure_m1,
                 lambda_closure_m2,
             ],
-            power: w_139 + theta1_dot * (w_55 + sin_theta2 * w_134 * self.k_56) + w_140
-                + cos_theta1 * w_8 * theta1_dot * self.k_57,
+            power: w_135 + theta3_dot * w_131 * self.k_62,
             refused: sim_kernel::pivot_is_refused(mass_theta1_theta1, mass_theta1_theta1)
                 | sim_kernel::pivot_is_refused(pivot_theta2, mass_theta2_theta2)
                 | sim_kernel::pivot_is_refused(pivot_theta3, self.mass_theta3_theta3)
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_closure_x,
                     minus_pivot_lambda_closure_x,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_93)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_115)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_129)
-                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_130),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_closure_y, w_90)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_z, w_112)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m1, w_126)
+                | sim_kernel::pivot_is_refused(pivot_lambda_closure_m2, w_127),
         }
     }
 }

@@ -132,36 +132,29 @@ pub struct ChainPrepared<S = ::core::primitive::f64> {
     k_3: S,
     k_4: S,
     k_5: S,
-    k_6: S,
     inverse_phi_5: S,
-    k_7: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> Chain<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 13 multiplications, 1 division.
+    /// Operations: 14 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> ChainPrepared<S> {
         let l_squared = self.l * self.l;
-        let w = self.m * l_squared;
-        let w_2 = self.m * S::from_f64(0.5);
-        let mass_phi_2_phi_2 = w * S::from_f64(0.3333333333333333);
-        let w_3 = self.l * w_2;
-        let w_4 = self.m * self.g;
+        let mass_phi_2_phi_2 = self.m * l_squared * S::from_f64(0.3333333333333333);
+        let w = self.m * self.l;
         ChainPrepared {
             m: self.m,
             l: self.l,
-            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * w,
-            k: l_squared * w_2,
+            mass_phi_1_phi_1: S::from_f64(1.3333333333333333) * self.m * l_squared,
+            k: self.m * l_squared * S::from_f64(0.5),
             mass_phi_2_phi_2: mass_phi_2_phi_2,
-            k_2: w_3,
-            k_3: self.l * S::from_f64(2.0),
-            k_4: self.l * S::from_f64(1.5) * w_4,
-            k_5: w_3 * self.g,
-            k_6: w_4,
+            k_2: S::from_f64(0.5) * w,
+            k_3: w * S::from_f64(1.5) * self.g,
+            k_4: S::from_f64(0.5) * w * self.g,
+            k_5: self.m * self.g,
             inverse_phi_5: S::from_f64(1.0) / mass_phi_2_phi_2,
-            k_7: w_2 * self.g,
         }
     }
     /// Mass matrix `T_q' M T_q`, 5 x 5, symmetric, in SI units.
@@ -435,7 +428,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 12 additions, 24 multiplications, 5 sine-cosine pairs.
+    /// Operations: 11 additions, 19 multiplications, 5 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -447,7 +440,7 @@ impl<S: sim_kernel::Scalar> Chain<S> {
     ) -> S {
         let [phi_1, phi_2, phi_3, phi_4, phi_5] = *q;
         let [phi_1_dot, phi_2_dot, phi_3_dot, phi_4_dot, phi_5_dot] = *qd;
-        let w = S::from_f64(0.5) * self.m;
+        let w = self.m * self.g;
         let ([sin_phi_1, sin_phi_2, sin_phi_3, sin_phi_4, sin_phi_5], [_, _, _, _, _]) = S::sin_cos_each([
             phi_1,
             phi_2,
@@ -455,18 +448,14 @@ impl<S: sim_kernel::Scalar> Chain<S> {
             phi_4,
             phi_5,
         ]);
-        let w_2 = phi_1_dot * sin_phi_1 * self.l * S::from_f64(2.0)
-            + self.l * phi_2_dot * sin_phi_2;
-        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + phi_2_dot * sin_phi_2);
-        let w_3 = self.l * phi_3_dot * sin_phi_3;
-        let P3_y_dot = P2_y_dot + w_3;
-        let w_4 = self.l * phi_4_dot * sin_phi_4;
-        let w_5 = self.g * w
-            * (w_2 + (S::from_f64(2.0) * P2_y_dot + w_3)
-                + (S::from_f64(2.0) * P3_y_dot + w_4)
-                + (S::from_f64(2.0) * (P3_y_dot + w_4)
-                    + self.l * phi_5_dot * sin_phi_5));
-        -(w_5 + phi_1_dot * sin_phi_1 * self.l * self.g * w)
+        let w_2 = phi_2_dot * sin_phi_2;
+        let w_3 = S::from_f64(0.5) * self.l * w
+            * (w_2 + phi_3_dot * sin_phi_3 + phi_4_dot * sin_phi_4
+                + phi_5_dot * sin_phi_5);
+        let P2_y_dot = self.l * (phi_1_dot * sin_phi_1 + w_2);
+        let P3_y_dot = P2_y_dot + self.l * phi_3_dot * sin_phi_3;
+        -(w_3 + w * (P2_y_dot + P3_y_dot + (P3_y_dot + self.l * phi_4_dot * sin_phi_4))
+            + phi_1_dot * sin_phi_1 * self.l * w * S::from_f64(1.5))
     }
     /// Outputs, 2, in SI units.
     ///
@@ -639,7 +628,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 137 additions, 160 multiplications, 4 divisions, 5 sine-cosine pairs.
+    /// Operations: 136 additions, 157 multiplications, 4 divisions, 5 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -664,7 +653,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
             ],
         ) = S::sin_cos_each([phi_1, phi_2, phi_3, phi_4, phi_5]);
         let u4_x = self.l * sin_phi_4;
-        let minus_rhs_phi_5 = sin_phi_5 * self.k_5;
+        let minus_rhs_phi_5 = sin_phi_5 * self.k_4;
         let mass_P4_y_phi_5 = self.k_2 * sin_phi_5;
         let l_P4_y_phi_5 = mass_P4_y_phi_5 * self.inverse_phi_5;
         let mass_P4_x_phi_5 = self.k_2 * cos_phi_5;
@@ -674,7 +663,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let P4_y_convective = w * phi_4_dot_squared;
         let w_2 = self.m - mass_P4_y_phi_5 * l_P4_y_phi_5;
         let w_3 = minus_rhs_phi_5 * l_P4_y_phi_5
-            - (self.k_6 + mass_P4_x_phi_5 * phi_5_dot_squared) - P4_y_convective * w_2;
+            - (self.k_5 + mass_P4_x_phi_5 * phi_5_dot_squared) - P4_y_convective * w_2;
         let minus_P4_x_convective = u4_x * phi_4_dot_squared;
         let w_4 = mass_P4_x_phi_5 * l_P4_y_phi_5;
         let w_5 = u4_x * w_4;
@@ -682,7 +671,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_6 = self.m - mass_P4_x_phi_5 * l_P4_x_phi_5;
         let w_7 = mass_P4_y_phi_5 * phi_5_dot_squared + minus_rhs_phi_5 * l_P4_x_phi_5
             + P4_y_convective * w_4 + minus_P4_x_convective * w_6;
-        let rhs_phi_4 = u4_x * w_3 - sin_phi_4 * self.k_5 - minus_P4_x_convective * w_5
+        let rhs_phi_4 = u4_x * w_3 - sin_phi_4 * self.k_4 - minus_P4_x_convective * w_5
             + w * w_7;
         let u3_x = self.l * sin_phi_3;
         let mass_P3_x_phi_4 = self.k_2 * cos_phi_4;
@@ -702,7 +691,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_13 = self.l * cos_phi_3;
         let phi_3_dot_squared = phi_3_dot * phi_3_dot;
         let P3_y_convective = w_13 * phi_3_dot_squared;
-        let w_15 = w_3 - (self.k_6 + mass_P3_x_phi_4 * phi_4_dot_squared)
+        let w_15 = w_3 - (self.k_5 + mass_P3_x_phi_4 * phi_4_dot_squared)
             - minus_P4_x_convective * w_4 - l_P3_y_phi_4 * rhs_phi_4
             - P3_y_convective * w_14;
         let w_16 = w_4 + k_P3_x_phi_4 * l_P3_y_phi_4;
@@ -712,7 +701,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_18 = self.m + w_6 - k_P3_x_phi_4 * l_P3_x_phi_4;
         let w_19 = mass_P3_y_phi_4 * phi_4_dot_squared + w_7 - l_P3_x_phi_4 * rhs_phi_4
             + P3_y_convective * w_16 + minus_P3_x_convective * w_18;
-        let rhs_phi_3 = u3_x * w_15 - sin_phi_3 * self.k_5 - minus_P3_x_convective * w_17
+        let rhs_phi_3 = u3_x * w_15 - sin_phi_3 * self.k_4 - minus_P3_x_convective * w_17
             + w_13 * w_19;
         let w_20 = cos_phi_1 * self.k;
         let phi_2_dot_squared = phi_2_dot * phi_2_dot;
@@ -736,7 +725,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let phi_1_dot_squared = phi_1_dot * phi_1_dot;
         let P2_y_convective = self.l
             * (cos_phi_1 * phi_1_dot_squared + cos_phi_2 * phi_2_dot_squared);
-        let w_29 = w_15 - (self.k_6 + mass_P2_x_phi_3 * phi_3_dot_squared)
+        let w_29 = w_15 - (self.k_5 + mass_P2_x_phi_3 * phi_3_dot_squared)
             - minus_P3_x_convective * w_16 - l_P2_y_phi_3 * rhs_phi_3
             - P2_y_convective * w_28;
         let w_31 = w_16 + k_P2_x_phi_3 * l_P2_y_phi_3;
@@ -748,7 +737,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let w_34 = self.m + w_18 - k_P2_x_phi_3 * l_P2_x_phi_3;
         let w_35 = mass_P2_y_phi_3 * phi_3_dot_squared + w_19 - l_P2_x_phi_3 * rhs_phi_3
             + P2_y_convective * w_31 + minus_P2_x_convective * w_34;
-        let rhs_phi_1 = w_20 * w_21 - sin_phi_1 * (self.k_4 + phi_2_dot_squared * w_22)
+        let rhs_phi_1 = w_20 * w_21 - sin_phi_1 * (self.k_3 + phi_2_dot_squared * w_22)
             + u1_x * w_29 - minus_P2_x_convective * w_32 + w_33 * w_35;
         let u2_x = self.l * sin_phi_2;
         let w_36 = u2_x * w_31;
@@ -770,7 +759,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let pivot_phi_2 = self.mass_phi_2_phi_2 + w_43 - w_44 - w_44 + w_45
             - k_phi_2_phi_1 * l_phi_2_phi_1;
         let phi_2_ddot = S::from_f64(1.0) / pivot_phi_2
-            * (w_22 * w_30 - sin_phi_2 * (self.k_5 + phi_1_dot_squared * w_20)
+            * (w_22 * w_30 - sin_phi_2 * (self.k_4 + phi_1_dot_squared * w_20)
                 + u2_x * w_29 - minus_P2_x_convective * w_36 + w_37 * w_35
                 - l_phi_2_phi_1 * rhs_phi_1);
         let phi_1_ddot = inverse_phi_1 * rhs_phi_1 - l_phi_2_phi_1 * phi_2_ddot;
@@ -782,15 +771,16 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
         let P3_y_ddot = P3_y_convective + u3_x * phi_3_ddot + P2_y_ddot;
         let phi_4_ddot = inverse_phi_4 * rhs_phi_4 - l_P3_x_phi_4 * P3_x_ddot
             - l_P3_y_phi_4 * P3_y_ddot;
-        let w_47 = u3_x * phi_3_dot;
         let abs_w_44 = w_44.abs();
-        let w_46 = sin_phi_1 * phi_1_dot;
-        let P2_y_dot = self.l * (w_46 + sin_phi_2 * phi_2_dot);
-        let P3_y_dot = P2_y_dot + w_47;
-        let w_48 = u4_x * phi_4_dot;
-        let w_49 = self.k_3 * w_46 + u2_x * phi_2_dot
-            + (S::from_f64(2.0) * P2_y_dot + w_47) + (S::from_f64(2.0) * P3_y_dot + w_48)
-            + (S::from_f64(2.0) * (P3_y_dot + w_48) + self.l * sin_phi_5 * phi_5_dot);
+        let w_46 = sin_phi_2 * phi_2_dot;
+        let w_47 = sin_phi_1 * phi_1_dot;
+        let P2_y_dot = self.l * (w_47 + w_46);
+        let P3_y_dot = P2_y_dot + u3_x * phi_3_dot;
+        let w_48 = self.k_4
+            * (w_46 + sin_phi_3 * phi_3_dot + sin_phi_4 * phi_4_dot
+                + sin_phi_5 * phi_5_dot)
+            + self.k_5 * (P2_y_dot + P3_y_dot + (P3_y_dot + u4_x * phi_4_dot))
+            + self.k_3 * w_47;
         sim_kernel::Dynamics {
             accelerations: [
                 phi_1_ddot,
@@ -802,7 +792,7 @@ impl<S: sim_kernel::Scalar> ChainPrepared<S> {
                     + l_P4_y_phi_5 * (P4_y_convective + u4_x * phi_4_ddot + P3_y_ddot)),
             ],
             multipliers: [],
-            power: -(self.k_7 * w_49 + self.k_5 * w_46),
+            power: -w_48,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi_2_phi_2,
                 self.mass_phi_2_phi_2,

@@ -179,13 +179,12 @@ pub struct DoublePendulumPrepared<S = ::core::primitive::f64> {
     inverse_phi1: S,
     k_7: S,
     k_8: S,
-    k_9: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 19 multiplications, 1 division.
+    /// Operations: 16 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> DoublePendulumPrepared<S> {
         let l_squared = self.l * self.l;
@@ -193,21 +192,20 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
         let w_2 = self.l * l_squared * w;
         let mass_phi1_phi1 = S::from_f64(1.3333333333333333) * w_2;
         let w_3 = l_squared * w;
-        let w_4 = S::from_f64(0.5) * self.g;
+        let w_4 = S::from_f64(0.5) * w_3;
         DoublePendulumPrepared {
             l: self.l,
             mass_phi1_phi1: mass_phi1_phi1,
             k: w_2 * S::from_f64(0.5),
             mass_phi2_phi2: w_2 * S::from_f64(0.3333333333333333),
             k_2: self.l * S::from_f64(2.0),
-            k_3: S::from_f64(0.5) * w_3,
+            k_3: w_4,
             k_4: S::from_f64(1.5) * self.g * w_3,
             k_5: w_3 * S::from_f64(0.25),
-            k_6: w_3 * w_4,
+            k_6: self.g * w_4,
             inverse_phi1: S::from_f64(1.0) / mass_phi1_phi1,
-            k_7: self.l * w * w_4,
-            k_8: w_2,
-            k_9: w_2 * S::from_f64(0.25),
+            k_7: w_2,
+            k_8: w_2 * S::from_f64(0.25),
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -327,7 +325,7 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 3 additions, 16 multiplications, 2 sine-cosine pairs.
+    /// Operations: 2 additions, 13 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -340,12 +338,10 @@ impl<S: sim_kernel::Scalar> DoublePendulum<S> {
         let [phi1, phi2] = *q;
         let [phi1_dot, phi2_dot] = *qd;
         let ([u_x, v_x], [_, _]) = S::sin_cos_each([phi1, phi2]);
-        let w = self.width * self.thickness;
-        let w_2 = self.g * S::from_f64(0.5) * self.rho;
-        let w_3 = phi1_dot * u_x * self.l * self.l * w * w_2
-            + (phi1_dot * u_x * self.l * S::from_f64(2.0) + self.l * phi2_dot * v_x)
-                * self.l * w * w_2;
-        -w_3
+        let w = self.l * self.l * self.rho;
+        let w_2 = self.width * self.thickness;
+        -(phi1_dot * u_x * self.g * w * w_2 * S::from_f64(1.5)
+            + phi2_dot * v_x * S::from_f64(0.5) * self.g * w * w_2)
     }
     /// Outputs, 4, in SI units.
     ///
@@ -488,7 +484,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 11 additions, 28 multiplications, 1 division, 2 sine-cosine pairs.
+    /// Operations: 10 additions, 25 multiplications, 1 division, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -514,8 +510,7 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
                 phi2_ddot,
             ],
             multipliers: [],
-            power: -(u_x * phi1_dot * self.k_6
-                + (u_x * phi1_dot * self.k_2 + self.l * v_x * phi2_dot) * self.k_7),
+            power: -(u_x * phi1_dot * self.k_4 + v_x * phi2_dot * self.k_6),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_phi1_phi1,
                 self.mass_phi1_phi1,
@@ -554,19 +549,19 @@ impl<S: sim_kernel::Scalar> DoublePendulumPrepared<S> {
         let inverse_phi2 = S::from_f64(1.0) / pivot_phi2;
         let phi2_ddot = inverse_phi2
             * (w_3 * w_4 - v_x * (self.k_6 + cos_phi1 * w_3) - rhs_phi1 * l_phi2_phi1);
-        let w_11 = S::from_f64(0.5) * self.k_8 * w_10;
+        let w_11 = S::from_f64(0.5) * self.k_7 * w_10;
         let w_14 = (rhs_phi1 * self.inverse_phi1 - l_phi2_phi1 * phi2_ddot) * w_11;
         let w_12 = phi2_ddot * w_11;
-        let w_13 = phi1_dot_squared * self.k_8 - self.k_3 * (u_x * w_8 + cos_phi1 * w_9)
+        let w_13 = phi1_dot_squared * self.k_7 - self.k_3 * (u_x * w_8 + cos_phi1 * w_9)
             - cos_phi1 * self.k_4 + w_12;
         let w_15 = inverse_phi2 * (w_5 * w_3 + w_14 - l_phi2_phi1 * w_13);
         let w_16 = w_5 * w - w_12;
         let w_17 = inverse_phi2
-            * (phi2_dot_squared * self.k_9 - w_14
+            * (phi2_dot_squared * self.k_8 - w_14
                 - self.k_5 * (v_x * w_8 + cos_phi2 * w_9) - cos_phi2 * self.k_6
                 - l_phi2_phi1 * w_16);
-        let w_18 = inverse_phi2 * phi1_dot * self.k_8 * w_10;
-        let w_19 = phi2_dot * self.k_8 * w_10;
+        let w_18 = inverse_phi2 * phi1_dot * self.k_7 * w_10;
+        let w_19 = phi2_dot * self.k_7 * w_10;
         let w_20 = inverse_phi2 * l_phi2_phi1 * w_19;
         sim_kernel::DynamicsJacobian {
             accelerations_by_positions: [

@@ -268,12 +268,12 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
     k_6: S,
     k_7: S,
     k_8: S,
-    k_9: S,
     inverse_theta2: S,
     l_lambda_closure_y_turned_theta2: S,
     minus_pivot_lambda_closure_y_turned: S,
     pivot_lambda_closure_y_turned: S,
     minus_inverse_lambda_closure_y_turned: S,
+    k_9: S,
     k_10: S,
     k_11: S,
     k_12: S,
@@ -285,7 +285,7 @@ pub struct FourBarPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> FourBar<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 4 additions, 31 multiplications, 2 divisions.
+    /// Operations: 5 additions, 33 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarPrepared<S> {
         let a_squared = self.a * self.a;
@@ -297,11 +297,12 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
         let w_4 = self.b * w_3;
         let w_5 = self.m3 * self.b * self.b;
         let w_6 = S::from_f64(0.5) * self.g;
-        let w_7 = self.a * self.m2 * w_6;
-        let w_8 = self.m3 * self.b;
+        let w_7 = self.a * self.m2;
+        let w_8 = w_2 * self.g;
+        let w_9 = self.m3 * self.b;
         let inverse_mass_theta2_theta2 = S::from_f64(1.0) / mass_theta2_theta2;
-        let w_9 = self.a * inverse_mass_theta2_theta2;
-        let w_10 = self.a * w_9;
+        let w_10 = self.a * inverse_mass_theta2_theta2;
+        let w_11 = self.a * w_10;
         FourBarPrepared {
             a: self.a,
             k: w,
@@ -315,18 +316,18 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
             T: self.T,
             k_3: self.a * S::from_f64(2.0),
             k_4: w_3,
-            k_5: w_7,
-            k_6: w_7 + w_2 * self.g,
-            k_7: S::from_f64(0.25) * w_8,
-            k_8: w_6 * w_8,
-            k_9: self.c * self.m4 * w_6,
+            k_5: w_6 * w_7 + w_8,
+            k_6: S::from_f64(0.25) * w_9,
+            k_7: w_6 * w_9,
+            k_8: self.c * self.m4 * w_6,
             inverse_theta2: inverse_mass_theta2_theta2,
-            l_lambda_closure_y_turned_theta2: w_9,
-            minus_pivot_lambda_closure_y_turned: w_10,
-            pivot_lambda_closure_y_turned: -w_10,
-            minus_inverse_lambda_closure_y_turned: S::from_f64(1.0) / w_10,
-            k_10: self.b - w_4 * w_9,
-            k_11: self.m3 * w_6,
+            l_lambda_closure_y_turned_theta2: w_10,
+            minus_pivot_lambda_closure_y_turned: w_11,
+            pivot_lambda_closure_y_turned: -w_11,
+            minus_inverse_lambda_closure_y_turned: S::from_f64(1.0) / w_11,
+            k_9: self.b - w_4 * w_10,
+            k_10: self.T * S::from_f64(2.0),
+            k_11: self.g * w_7 + S::from_f64(2.0) * w_8,
             k_12: self.b * w_2,
             k_13: w_5 * S::from_f64(0.25),
             k_14: self.b * S::from_f64(2.0),
@@ -520,7 +521,7 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 4 additions, 16 multiplications, 3 sine-cosine pairs.
+    /// Operations: 4 additions, 17 multiplications, 3 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -532,12 +533,14 @@ impl<S: sim_kernel::Scalar> FourBar<S> {
     ) -> S {
         let [theta2, theta3, theta4] = *q;
         let [theta2_dot, theta3_dot, theta4_dot] = *qd;
-        let ([_, _, _], [u2_x, u3_x, u4_x]) = S::sin_cos_each([theta2, theta3, theta4]);
-        let w = S::from_f64(0.5) * self.g;
-        let w_2 = (theta2_dot * u2_x * self.a * S::from_f64(2.0)
-            + theta3_dot * self.b * u3_x) * self.m3 * w;
-        theta2_dot * (self.T - u2_x * self.a * self.m2 * w) - w_2
-            - theta4_dot * u4_x * self.c * self.m4 * w
+        let ([_, _, _], [u4_x, u2_x, u3_x]) = S::sin_cos_each([theta4, theta2, theta3]);
+        let w = self.g * self.a;
+        let w_2 = theta2_dot * S::from_f64(0.5)
+            * (self.T * S::from_f64(2.0)
+                - u2_x * (self.m2 * w + self.m3 * S::from_f64(2.0) * w));
+        let w_3 = S::from_f64(0.5) * self.g;
+        w_2 - theta4_dot * u4_x * self.c * self.m4 * w_3
+            - theta3_dot * u3_x * self.m3 * self.b * w_3
     }
     /// Outputs, 12, in SI units.
     ///
@@ -702,7 +705,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system, with two constraint rows turned along and across a link. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 39 additions, 76 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 38 additions, 74 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -719,20 +722,20 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         ]);
         let w = u2_y * u3_x - u3_y * u2_x;
         let theta3_dot_squared = theta3_dot * theta3_dot;
-        let rhs_theta2 = self.T - u2_x * self.k_6 - self.k_2 * w * theta3_dot_squared;
+        let rhs_theta2 = self.T - u2_x * self.k_5 - self.k_2 * w * theta3_dot_squared;
         let w_3 = self.b * theta3_dot_squared;
         let theta2_dot_squared = theta2_dot * theta2_dot;
         let w_2 = u2_y * u3_y + u2_x * u3_x;
         let mass_theta3_theta2 = self.k_2 * w_2;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let k_theta3_lambda_closure_y_turned = w_2 * self.k_10;
+        let k_theta3_lambda_closure_y_turned = w_2 * self.k_9;
         let minus_l_theta3_lambda_closure_y_turned = self
             .minus_inverse_lambda_closure_y_turned * k_theta3_lambda_closure_y_turned;
         let w_4 = u2_x * u4_y - u2_y * u4_x;
         let w_5 = self.c * theta4_dot * theta4_dot;
         let minus_rhs_lambda_closure_y_turned = w * w_3 + w_4 * w_5
             + rhs_theta2 * self.l_lambda_closure_y_turned_theta2;
-        let rhs_theta3 = self.k_2 * w * theta2_dot_squared - u3_x * self.k_8
+        let rhs_theta3 = self.k_2 * w * theta2_dot_squared - u3_x * self.k_7
             - rhs_theta2 * l_theta3_theta2
             - minus_l_theta3_lambda_closure_y_turned * minus_rhs_lambda_closure_y_turned;
         let k_lambda_closure_x_turned_theta3 = self.b * w;
@@ -751,7 +754,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let minus_l_theta4_theta3 = minus_k_theta4_theta3 * inverse_theta3;
         let rhs_theta4 = l_theta4_lambda_closure_y_turned
-            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_9
+            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_8
             + minus_l_theta4_theta3 * rhs_theta3;
         let pivot_theta4 = self.mass_theta4_theta4 + w_8
             - minus_k_theta4_theta3 * minus_l_theta4_theta3;
@@ -786,9 +789,8 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
                 theta4_ddot,
             ],
             multipliers: [u2_x * w_9 - u2_y * w_10, u2_y * w_9 + u2_x * w_10],
-            power: theta2_dot * (self.T - u2_x * self.k_5)
-                - (u2_x * theta2_dot * self.k_3 + self.b * u3_x * theta3_dot) * self.k_11
-                - u4_x * self.k_9 * theta4_dot,
+            power: S::from_f64(0.5) * theta2_dot * (self.k_10 - u2_x * self.k_11)
+                - u4_x * self.k_8 * theta4_dot - u3_x * theta3_dot * self.k_7,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta2_theta2,
                 self.mass_theta2_theta2,
@@ -831,12 +833,12 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let theta3_dot_squared = theta3_dot * theta3_dot;
         let w = u2_y * u3_x - u3_y * u2_x;
         let w_2 = self.k_2 * w;
-        let rhs_theta2 = self.T - u2_x * self.k_6 - theta3_dot_squared * w_2;
+        let rhs_theta2 = self.T - u2_x * self.k_5 - theta3_dot_squared * w_2;
         let theta2_dot_squared = theta2_dot * theta2_dot;
         let w_3 = u2_y * u3_y + u2_x * u3_x;
         let mass_theta3_theta2 = self.k_2 * w_3;
         let l_theta3_theta2 = mass_theta3_theta2 * self.inverse_theta2;
-        let k_theta3_lambda_closure_y_turned = w_3 * self.k_10;
+        let k_theta3_lambda_closure_y_turned = w_3 * self.k_9;
         let minus_l_theta3_lambda_closure_y_turned = self
             .minus_inverse_lambda_closure_y_turned * k_theta3_lambda_closure_y_turned;
         let w_4 = self.b * theta3_dot_squared;
@@ -847,7 +849,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let w_8 = w_7 * theta4_dot_squared;
         let minus_rhs_lambda_closure_y_turned = w_5 + w_8
             + rhs_theta2 * self.l_lambda_closure_y_turned_theta2;
-        let rhs_theta3 = theta2_dot_squared * w_2 - u3_x * self.k_8
+        let rhs_theta3 = theta2_dot_squared * w_2 - u3_x * self.k_7
             - rhs_theta2 * l_theta3_theta2
             - minus_l_theta3_lambda_closure_y_turned * minus_rhs_lambda_closure_y_turned;
         let w_9 = u2_y * u4_y + u2_x * u4_x;
@@ -864,7 +866,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let inverse_theta3 = S::from_f64(1.0) / pivot_theta3;
         let minus_l_theta4_theta3 = minus_k_theta4_theta3 * inverse_theta3;
         let rhs_theta4 = l_theta4_lambda_closure_y_turned
-            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_9
+            * minus_rhs_lambda_closure_y_turned - u4_x * self.k_8
             + minus_l_theta4_theta3 * rhs_theta3;
         let w_11 = theta2_dot_squared * self.k_3;
         let w_12 = u2_x * w_11 + u3_x * w_4;
@@ -905,7 +907,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let w_23 = (rhs_theta2 * self.inverse_theta2 - l_theta3_theta2 * theta3_ddot
             - self.l_lambda_closure_y_turned_theta2 * w_22) * w_19;
         let w_20 = theta3_ddot * w_19;
-        let w_21 = u2_y * self.k_6 - self.k_4 * (u2_x * w_12 + u2_y * w_13) + w_20
+        let w_21 = u2_y * self.k_5 - self.k_4 * (u2_x * w_12 + u2_y * w_13) + w_20
             + self.k * theta2_dot_squared;
         let w_40 = mass_theta3_theta2 * theta3_dot_squared - w_20;
         let w_24 = self.b * w_3;
@@ -922,8 +924,8 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
         let w_30 = mass_theta3_theta2 * theta2_dot_squared + w_23 - w_25 + w_26
             - l_theta3_theta2 * w_21 + minus_l_theta3_lambda_closure_y_turned * w_29;
         let w_41 = w_16 - w_27 - self.l_lambda_closure_y_turned_theta2 * w_40;
-        let w_42 = w_25 - w_23 - w_26 - self.k_7 * (u3_x * w_12 + u3_y * w_13)
-            + theta3_dot_squared * self.k_13 + u3_y * self.k_8 - l_theta3_theta2 * w_40
+        let w_42 = w_25 - w_23 - w_26 - self.k_6 * (u3_x * w_12 + u3_y * w_13)
+            + theta3_dot_squared * self.k_13 + u3_y * self.k_7 - l_theta3_theta2 * w_40
             + minus_l_theta3_lambda_closure_y_turned * w_41;
         let w_48 = w_15 + w_28;
         let w_33 = w_31 + w_32 - l_theta4_lambda_closure_y_turned * w_29
@@ -949,7 +951,7 @@ impl<S: sim_kernel::Scalar> FourBarPrepared<S> {
             - self.minus_inverse_lambda_closure_y_turned * w_41
             - l_theta4_lambda_closure_y_turned * w_45;
         let w_49 = minus_l_theta3_lambda_closure_y_turned * w_48;
-        let w_50 = u4_y * self.k_9 - w_31 - w_32
+        let w_50 = u4_y * self.k_8 - w_31 - w_32
             + l_theta4_lambda_closure_y_turned * w_48 - minus_l_theta4_theta3 * w_49;
         let w_51 = minus_inverse_lambda_closure_x_turned
             * (w_8 - w_34 + l_lambda_closure_x_turned_theta3 * w_49

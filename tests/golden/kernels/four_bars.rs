@@ -305,13 +305,12 @@ pub struct FourBarsPrepared<S = ::core::primitive::f64> {
     k_8: S,
     k_9: S,
     k_10: S,
-    k_11: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> FourBars<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 4 additions, 25 multiplications, 4 divisions.
+    /// Operations: 4 additions, 24 multiplications, 4 divisions.
     #[inline]
     pub fn prepare(&self) -> FourBarsPrepared<S> {
         let l_squared = self.l * self.l;
@@ -319,40 +318,38 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
             * l_squared * self.m;
         let mass_crank_angle_3_crank_angle_3 = l_squared * self.m
             * S::from_f64(0.3333333333333333);
-        let w = self.m * S::from_f64(0.5);
-        let w_2 = l_squared * w;
-        let w_3 = self.l * self.m;
-        let w_4 = S::from_f64(1.0) / mass_crank_angle_0_crank_angle_0;
+        let w = l_squared * self.m * S::from_f64(0.5);
+        let w_2 = self.l * self.m;
+        let w_3 = S::from_f64(1.0) / mass_crank_angle_0_crank_angle_0;
+        let w_4 = self.l * w_3;
         let w_5 = self.l * w_4;
-        let w_6 = self.l * w_5;
-        let w_7 = S::from_f64(1.0) / mass_crank_angle_3_crank_angle_3;
+        let w_6 = S::from_f64(1.0) / mass_crank_angle_3_crank_angle_3;
+        let w_7 = self.l * w_6;
         let w_8 = self.l * w_7;
-        let w_9 = self.l * w_8;
         FourBarsPrepared {
             l: self.l,
             mass_crank_angle_0_crank_angle_0: mass_crank_angle_0_crank_angle_0,
             mass_crank_angle_3_crank_angle_3: mass_crank_angle_3_crank_angle_3,
-            k: w_2,
+            k: w,
             k_2: self.l * S::from_f64(2.0),
-            k_3: S::from_f64(0.5) * w_3,
-            k_4: S::from_f64(1.5) * self.g * w_3,
-            k_5: S::from_f64(0.5) * self.g * w_3,
-            k_6: w_3 * S::from_f64(0.25),
-            inverse_crank_angle_0: w_4,
-            l_lambda_loop_1_y_turned_crank_angle_0: w_5,
-            minus_pivot_lambda_loop_1_y_turned: w_6,
-            pivot_lambda_loop_1_y_turned: -w_6,
-            minus_inverse_lambda_loop_1_y_turned: S::from_f64(1.0) / w_6,
-            k_7: self.l - w_2 * w_5,
-            inverse_coupler_angle_2: w_7,
-            l_lambda_loop_2_y_turned_coupler_angle_2: w_8,
-            minus_pivot_lambda_loop_2_y_turned: w_9,
-            pivot_lambda_loop_2_y_turned: -w_9,
-            minus_inverse_lambda_loop_2_y_turned: S::from_f64(1.0) / w_9,
-            k_8: self.l - w_2 * w_8,
-            k_9: w * self.g,
-            k_10: l_squared * self.m,
-            k_11: l_squared * self.m * S::from_f64(0.25),
+            k_3: S::from_f64(0.5) * w_2,
+            k_4: S::from_f64(1.5) * self.g * w_2,
+            k_5: S::from_f64(0.5) * self.g * w_2,
+            k_6: w_2 * S::from_f64(0.25),
+            inverse_crank_angle_0: w_3,
+            l_lambda_loop_1_y_turned_crank_angle_0: w_4,
+            minus_pivot_lambda_loop_1_y_turned: w_5,
+            pivot_lambda_loop_1_y_turned: -w_5,
+            minus_inverse_lambda_loop_1_y_turned: S::from_f64(1.0) / w_5,
+            k_7: self.l - w * w_4,
+            inverse_coupler_angle_2: w_6,
+            l_lambda_loop_2_y_turned_coupler_angle_2: w_7,
+            minus_pivot_lambda_loop_2_y_turned: w_8,
+            pivot_lambda_loop_2_y_turned: -w_8,
+            minus_inverse_lambda_loop_2_y_turned: S::from_f64(1.0) / w_8,
+            k_8: self.l - w * w_7,
+            k_9: l_squared * self.m,
+            k_10: l_squared * self.m * S::from_f64(0.25),
         }
     }
     /// Mass matrix `T_q' M T_q`, 7 x 7, symmetric, in SI units.
@@ -1015,7 +1012,7 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 10 additions, 23 multiplications, 7 sine-cosine pairs.
+    /// Operations: 7 additions, 14 multiplications, 7 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -1029,7 +1026,7 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
         coupler_angle_2, coupler_angle_3] = *q;
         let [crank_angle_0_dot, crank_angle_1_dot, crank_angle_2_dot, crank_angle_3_dot,
         coupler_angle_1_dot, coupler_angle_2_dot, coupler_angle_3_dot] = *qd;
-        let w = S::from_f64(0.5) * self.m;
+        let w = self.l * self.m;
         let (
             [_,
             _,
@@ -1056,19 +1053,16 @@ impl<S: sim_kernel::Scalar> FourBars<S> {
             coupler_angle_2,
             coupler_angle_3,
         ]);
-        let w_2 = self.l * S::from_f64(2.0);
-        let w_3 = crank_angle_2_dot * cos_crank_angle_2 * w_2
-            + self.l * coupler_angle_3_dot * cos_coupler_angle_3;
-        let w_4 = self.g * w
-            * (crank_angle_0_dot * cos_crank_angle_0 * w_2
-                + self.l * coupler_angle_1_dot * cos_coupler_angle_1
-                + (crank_angle_1_dot * cos_crank_angle_1 * w_2
-                    + self.l * coupler_angle_2_dot * cos_coupler_angle_2) + w_3);
-        -(self.l * self.g * w
-            * (crank_angle_0_dot * cos_crank_angle_0
-                + crank_angle_1_dot * cos_crank_angle_1
-                + crank_angle_2_dot * cos_crank_angle_2
-                + crank_angle_3_dot * cos_crank_angle_3) + w_4)
+        let w_2 = S::from_f64(0.5) * self.g * w
+            * (crank_angle_3_dot * cos_crank_angle_3
+                + coupler_angle_1_dot * cos_coupler_angle_1
+                + coupler_angle_2_dot * cos_coupler_angle_2
+                + coupler_angle_3_dot * cos_coupler_angle_3);
+        -(w_2
+            + self.g * w * S::from_f64(1.5)
+                * (crank_angle_0_dot * cos_crank_angle_0
+                    + crank_angle_1_dot * cos_crank_angle_1
+                    + crank_angle_2_dot * cos_crank_angle_2))
     }
     /// Outputs, 4, in SI units.
     ///
@@ -1261,7 +1255,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system, with pairs of constraint rows turned along and across links. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 125 additions, 223 multiplications, 7 divisions, 7 sine-cosine pairs.
+    /// Operations: 122 additions, 217 multiplications, 7 divisions, 7 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -1553,14 +1547,15 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * minus_rhs_lambda_loop_3_y_turned
             + minus_l_crank_angle_2_lambda_loop_3_y_turned * crank_angle_2_ddot
             + minus_l_coupler_angle_3_lambda_loop_3_y_turned * coupler_angle_3_ddot;
-        let w_31 = cos_crank_angle_0 * crank_angle_0_dot;
-        let w_32 = cos_crank_angle_1 * crank_angle_1_dot;
-        let w_33 = cos_crank_angle_2 * crank_angle_2_dot;
-        let w_34 = self.k_9
-            * (self.k_2 * w_31 + self.l * cos_coupler_angle_1 * coupler_angle_1_dot
-                + (self.k_2 * w_32 + self.l * cos_coupler_angle_2 * coupler_angle_2_dot)
-                + (self.k_2 * w_33
-                    + self.l * cos_coupler_angle_3 * coupler_angle_3_dot));
+        let w_31 = self.k_5
+            * (cos_crank_angle_3 * crank_angle_3_dot
+                + cos_coupler_angle_1 * coupler_angle_1_dot
+                + cos_coupler_angle_2 * coupler_angle_2_dot
+                + cos_coupler_angle_3 * coupler_angle_3_dot)
+            + self.k_4
+                * (cos_crank_angle_0 * crank_angle_0_dot
+                    + cos_crank_angle_1 * crank_angle_1_dot
+                    + cos_crank_angle_2 * crank_angle_2_dot);
         sim_kernel::Dynamics {
             accelerations: [
                 -(minus_rhs_crank_angle_0 * self.inverse_crank_angle_0
@@ -1584,8 +1579,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
                 -(cos_crank_angle_3 * w_25 + sin_crank_angle_3 * w_29),
                 cos_crank_angle_3 * w_29 - sin_crank_angle_3 * w_25,
             ],
-            power: -(self.k_5
-                * (w_31 + w_32 + w_33 + cos_crank_angle_3 * crank_angle_3_dot) + w_34),
+            power: -w_31,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_crank_angle_0_crank_angle_0,
                 self.mass_crank_angle_0_crank_angle_0,
@@ -1938,13 +1932,13 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             * minus_rhs_lambda_loop_3_y_turned
             + minus_l_crank_angle_2_lambda_loop_3_y_turned * crank_angle_2_ddot
             + minus_l_coupler_angle_3_lambda_loop_3_y_turned * coupler_angle_3_ddot;
-        let w_45 = w * self.k_10;
+        let w_45 = w * self.k_9;
         let w_46 = S::from_f64(0.5) * w_45;
         let w_50 = (minus_rhs_crank_angle_0 * self.inverse_crank_angle_0
             + l_coupler_angle_1_crank_angle_0 * coupler_angle_1_ddot
             + self.l_lambda_loop_1_y_turned_crank_angle_0 * w_49) * w_46;
         let w_47 = coupler_angle_1_ddot * w_46;
-        let w_48 = crank_angle_0_dot_squared * self.k_10
+        let w_48 = crank_angle_0_dot_squared * self.k_9
             - self.k_3 * (cos_crank_angle_0 * w_39 + sin_crank_angle_0 * w_40)
             + sin_crank_angle_0 * self.k_4 + w_47;
         let w_152 = mass_coupler_angle_1_crank_angle_0 * coupler_angle_1_dot_squared
@@ -1964,7 +1958,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             - self.l_lambda_loop_1_y_turned_crank_angle_0 * w_152;
         let w_154 = w_50 + w_52 - w_53
             - self.k_6 * (cos_coupler_angle_1 * w_39 + sin_coupler_angle_1 * w_40)
-            + coupler_angle_1_dot_squared * self.k_11 + sin_coupler_angle_1 * self.k_5
+            + coupler_angle_1_dot_squared * self.k_10 + sin_coupler_angle_1 * self.k_5
             - l_coupler_angle_1_crank_angle_0 * w_152
             + minus_l_coupler_angle_1_lambda_loop_1_y_turned * w_153;
         let w_59 = w_24 * w_49;
@@ -2004,7 +1998,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let w_74 = self.l * coupler_angle_2_dot_squared;
         let w_75 = cos_crank_angle_1 * w_73 + cos_coupler_angle_2 * w_74;
         let w_76 = sin_crank_angle_1 * w_73 + sin_coupler_angle_2 * w_74;
-        let w_78 = w_5 * self.k_10;
+        let w_78 = w_5 * self.k_9;
         let w_79 = S::from_f64(0.5) * w_78;
         let w_80 = (minus_rhs_coupler_angle_2 * self.inverse_coupler_angle_2
             + l_crank_angle_1_coupler_angle_2 * crank_angle_1_ddot
@@ -2015,12 +2009,12 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let w_82 = self.l * w_11;
         let w_95 = w_82 * crank_angle_1_ddot;
         let w_83 = w_82 * w_43;
-        let w_84 = crank_angle_1_dot_squared * self.k_10 - w_58 - w_59
+        let w_84 = crank_angle_1_dot_squared * self.k_9 - w_58 - w_59
             - self.k_3 * (cos_crank_angle_1 * w_75 + sin_crank_angle_1 * w_76)
             + sin_crank_angle_1 * self.k_4 + w_80 - w_81 + w_83;
         let w_166 = w_87
             - self.k_6 * (cos_coupler_angle_2 * w_75 + sin_coupler_angle_2 * w_76)
-            + coupler_angle_2_dot_squared * self.k_11 + sin_coupler_angle_2 * self.k_5;
+            + coupler_angle_2_dot_squared * self.k_10 + sin_coupler_angle_2 * self.k_5;
         let w_88 = mass_coupler_angle_2_crank_angle_1 * crank_angle_1_dot_squared - w_87;
         let w_85 = self.l * crank_angle_1_dot_squared;
         let w_86 = w_54 + w_10 * w_85;
@@ -2067,7 +2061,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let w_105 = self.k_2 * w_14 + cos_coupler_angle_3 * w_104;
         let w_106 = sin_crank_angle_2 * self.k_2 * crank_angle_2_dot_squared
             + sin_coupler_angle_3 * w_104;
-        let w_107 = self.k_10
+        let w_107 = self.k_9
             * (sin_coupler_angle_3 * cos_crank_angle_2
                 - sin_crank_angle_2 * cos_coupler_angle_3);
         let w_108 = S::from_f64(0.5) * w_107;
@@ -2087,7 +2081,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
             + mass_coupler_angle_2_crank_angle_1 * coupler_angle_2_dot_squared
             - l_crank_angle_1_coupler_angle_2 * w_166
             + minus_l_crank_angle_1_lambda_loop_2_y_turned * w_167;
-        let w_115 = crank_angle_2_dot_squared * self.k_10
+        let w_115 = crank_angle_2_dot_squared * self.k_9
             - self.k_3 * (cos_crank_angle_2 * w_105 + sin_crank_angle_2 * w_106)
             + sin_crank_angle_2 * self.k_4 - w_109 - w_110 - w_111 - w_113 - w_114;
         let w_116 = self.l * crank_angle_2_dot_squared;
@@ -2144,7 +2138,7 @@ impl<S: sim_kernel::Scalar> FourBarsPrepared<S> {
         let w_179 = w_16 * w_104 - w_136;
         let w_180 = w_122 - w_139 - w_140
             - self.k_6 * (cos_coupler_angle_3 * w_105 + sin_coupler_angle_3 * w_106)
-            + coupler_angle_3_dot_squared * self.k_11 + sin_coupler_angle_3 * self.k_5
+            + coupler_angle_3_dot_squared * self.k_10 + sin_coupler_angle_3 * self.k_5
             + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_179;
         let w_141 = w_139 + w_140
             + minus_l_coupler_angle_3_lambda_loop_3_y_turned * w_138;

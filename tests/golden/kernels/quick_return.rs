@@ -291,7 +291,6 @@ pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
     mass_gamma_gamma: S,
     O4O2: S,
     T: S,
-    F: S,
     k_2: S,
     k_3: S,
     k_4: S,
@@ -340,7 +339,6 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
             mass_gamma_gamma: mass_gamma_gamma,
             O4O2: self.O4O2,
             T: self.T,
-            F: self.F,
             k_2: w_3,
             k_3: w_5,
             k_4: self.O4B * self.F,
@@ -571,7 +569,7 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 2 additions, 6 multiplications, 2 sine-cosine pairs.
+    /// Operations: 2 additions, 7 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -584,8 +582,8 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         let [_, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
         let ([sin_beta, sin_gamma], [_, _]) = S::sin_cos_each([beta, gamma]);
-        alpha_dot * self.T
-            - self.F * (beta_dot * self.O4B * sin_beta + gamma_dot * self.BC * sin_gamma)
+        alpha_dot * self.T - beta_dot * sin_beta * self.F * self.O4B
+            - gamma_dot * sin_gamma * self.F * self.BC
     }
     /// Outputs, 10, in SI units.
     ///
@@ -780,7 +778,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 33 additions, 74 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 33 additions, 73 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -849,9 +847,8 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                     - l_lambda_guide_gamma * lambda_guide,
             ],
             multipliers: [lambda_guide, lambda_slot],
-            power: self.T * alpha_dot
-                - self.F
-                    * (self.O4B * sin_beta * beta_dot + sin_gamma * self.BC * gamma_dot),
+            power: self.T * alpha_dot - sin_beta * beta_dot * self.k_4
+                - sin_gamma * gamma_dot * self.k_7,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,

@@ -582,21 +582,21 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             k_46: self.m3 * S::from_f64(0.01),
             k_47: self.m3 * S::from_f64(0.2),
             k_48: S::from_f64(0.1) * self.m4,
-            k_49: self.m6 * S::from_f64(5.0),
+            k_49: self.m6 * S::from_f64(10.0),
             k_50: self.m5 * S::from_f64(2.0),
-            k_51: self.m6 * S::from_f64(10.0),
-            k_52: self.m2 * S::from_f64(9.0),
-            k_53: self.m3 * S::from_f64(4.0),
-            k_54: self.m2 * S::from_f64(5.0),
-            k_55: self.m6 * S::from_f64(25.0),
-            k_56: self.d6 * S::from_f64(80.0),
-            k_57: w_5 * S::from_f64(60.0),
-            k_58: self.d4 * S::from_f64(4.0),
-            k_59: self.m3 * S::from_f64(3.0),
-            k_60: self.a2 * S::from_f64(0.0025),
-            k_61: self.a1 * S::from_f64(0.01),
-            k_62: S::from_f64(0.7) + w_2,
-            k_63: self.m4 * S::from_f64(10.0),
+            k_51: self.m4 * S::from_f64(10.0),
+            k_52: self.m3 * S::from_f64(3.0),
+            k_53: self.m6 * S::from_f64(5.0),
+            k_54: self.m2 * S::from_f64(9.0),
+            k_55: self.m3 * S::from_f64(4.0),
+            k_56: self.m2 * S::from_f64(5.0),
+            k_57: self.m6 * S::from_f64(25.0),
+            k_58: self.d6 * S::from_f64(80.0),
+            k_59: w_5 * S::from_f64(60.0),
+            k_60: self.d4 * S::from_f64(4.0),
+            k_61: self.a2 * S::from_f64(0.0025),
+            k_62: self.a1 * S::from_f64(0.01),
+            k_63: S::from_f64(0.7) + w_2,
             k_64: w_13,
             k_65: self.a2 * S::from_f64(0.2),
             k_66: self.a2 * S::from_f64(0.01),
@@ -1355,14 +1355,14 @@ impl<S: sim_kernel::Scalar> RobotArm<S> {
             * (self.tau2.or(-S::from_f64(60.0)) - q2_dot * self.c
                 + cos_q3 * w_23 * self.a2 * self.m4
                 + sin_q2 * self.a2 * self.g * S::from_f64(0.45) * self.m2);
-        let w_25 = q6_dot
-            * (S::from_f64(40.0) * self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot);
+        let w_25 = q5_dot
+            * (S::from_f64(40.0) * self.tau5.or(S::from_f64(0.0)) - q5_dot * self.c);
         let w_26 = S::from_f64(0.025)
-            * (q4_dot
-                * (S::from_f64(40.0) * self.tau4.or(S::from_f64(0.0)) - q4_dot * self.c)
-                + q5_dot
-                    * (S::from_f64(40.0) * self.tau5.or(S::from_f64(0.0))
-                        - q5_dot * self.c) + w_25);
+            * (q6_dot
+                * (S::from_f64(40.0) * self.tau6.or(S::from_f64(0.0)) - self.c * q6_dot)
+                + q4_dot
+                    * (S::from_f64(40.0) * self.tau4.or(S::from_f64(0.0))
+                        - q4_dot * self.c) + w_25);
         let w_29 = q2_dot * cos_q3;
         let w_38 = w_23 * (w_3 * S::from_f64(3.0) + w_29 * self.a2 * S::from_f64(100.0))
             * S::from_f64(0.01) * self.m3;
@@ -2074,9 +2074,9 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
             - minus_mass_q4_q3 * minus_l_q3_q4 - k_q3_q1 * l_q3_q1 - k_q3_q2 * l_q3_q2;
         let tau6 = self.tau6.or(S::from_f64(0.0));
         let w_197 = S::from_f64(0.025)
-            * (q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
-                + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot)
-                + q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot));
+            * (q6_dot * (tau6 * S::from_f64(40.0) - self.c * q6_dot)
+                + q4_dot * (tau4 * S::from_f64(40.0) - self.c * q4_dot)
+                + q5_dot * (tau5 * S::from_f64(40.0) - self.c * q5_dot));
         let mass_q6_q4 = cos_q5 * S::from_f64(0.002);
         let l_q6_q4 = mass_q6_q4 * inverse_q4;
         let minus_k_q6_q1 = w_99 * S::from_f64(0.002) + mass_q4_q1 * l_q6_q4;
@@ -2261,17 +2261,17 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_82 = self.k_6 * (w_22 * w_71 + w_63 - w_64) - S::from_f64(10.0) * w_58;
         let w_77 = sin_q5 * w_58;
         let w_89 = w_18 * S::from_f64(80.0);
-        let w_74 = self.k_51 * w_69 + self.m4 * w_72 + w_73 * self.k_50;
+        let w_74 = self.k_49 * w_69 + self.m4 * w_72 + self.k_50 * w_73;
         let w_75 = self.d6 * (w_27 * w_27 + w_61 * w_61);
         let w_78 = self.m5 * (w_75 + S::from_f64(5.0) * (w_76 - w_77))
-            + self.k_49 * (w_75 - w_77 + w_76);
-        let w_81 = self.k_49 * w_79 + w_80;
-        let w_103 = w_80 + w_79 * self.k_55;
+            + self.k_53 * (w_75 - w_77 + w_76);
+        let w_81 = self.k_53 * w_79 + w_80;
+        let w_103 = w_80 + w_79 * self.k_57;
         let w_83 = S::from_f64(2.0) * (sin_q5 * w_78 - cos_q5 * w_81) + self.m4 * w_82;
         let w_84 = cos_q4 * w_74 - sin_q4 * w_83;
         let w_87 = sin_q2
-            * ((S::from_f64(40.0) * w_84 + w_85 * self.k_52 + w_86 * self.k_53)
-                * self.k_60
+            * ((S::from_f64(40.0) * w_84 + w_85 * self.k_54 + w_86 * self.k_55)
+                * self.k_61
                 + S::from_f64(0.05)
                     * (w_2 * S::from_f64(29.0) + w_3 * S::from_f64(15.0)));
         let w_119 = cos_q4 * w_83 + sin_q4 * w_74;
@@ -2284,22 +2284,22 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_96 = w_95 * w_91
             + S::from_f64(3.0) * (q6_dot * w_95 + cos_q6 * w_93 + sin_q6 * w_90);
         let w_97 = S::from_f64(14.0) * w_90 + S::from_f64(2.0) * w_27 * w_24
-            + (self.m5 * w_73 + w_69 * self.k_55) * self.k_56 - cos_q6 * w_94
+            + (self.m5 * w_73 + w_69 * self.k_57) * self.k_58 - cos_q6 * w_94
             + sin_q6 * w_96;
         let w_104 = sin_q6 * w_94;
         let w_105 = cos_q6 * w_96;
         let w_106 = S::from_f64(132.0) * (w_60 + w_63 - w_64) - w_22 * w_89
-            - w_62 * S::from_f64(4.0) + q5_ddot * S::from_f64(12.0) + self.k_56 * w_103
-            + w_104 + w_105 + w_82 * self.k_57;
+            - w_62 * S::from_f64(4.0) + q5_ddot * S::from_f64(12.0) + self.k_58 * w_103
+            + w_104 + w_105 + w_82 * self.k_59;
         let w_98 = q5_dot * w_61;
         let w_100 = sin_q5 * w_38;
         let w_101 = S::from_f64(7.0) * (w_98 + w_99 - w_100) - w_61 * w_27
             - S::from_f64(2.0) * q6_ddot;
-        let w_102 = w_38 * S::from_f64(120.0) - w_33 * w_89 + w_72 * self.k_57
+        let w_102 = w_38 * S::from_f64(120.0) - w_33 * w_89 + w_72 * self.k_59
             - cos_q5 * w_97 - sin_q5 * S::from_f64(2.0) * w_101;
         let w_107 = w_20 * S::from_f64(0.0005)
             * (w_36 * S::from_f64(480.0) + w_7 * w_6 * S::from_f64(340.0)
-                - (w_88 + w_84 * S::from_f64(50.0)) * self.k_58 + cos_q4 * w_102
+                - (w_88 + w_84 * S::from_f64(50.0)) * self.k_60 + cos_q4 * w_102
                 - sin_q4 * w_106);
         let w_116 = S::from_f64(0.0005) * (sin_q4 * w_102 + cos_q4 * w_106);
         let w_108 = sin_q5 * w_97;
@@ -2307,20 +2307,21 @@ impl<S: sim_kernel::Scalar> RobotArmPrepared<S> {
         let w_110 = w_5 * S::from_f64(0.0001)
             * (S::from_f64(1000.0) * (w_28 - w_29 + w_30)
                 + S::from_f64(100.0) * w_21 * w_7 - S::from_f64(200.0) * q4_ddot
-                + w_86 * self.k_59 - S::from_f64(5.0) * w_108
+                + self.k_52 * w_86 - S::from_f64(5.0) * w_108
                 + S::from_f64(10.0) * w_109);
         let w_111 = S::from_f64(0.16) * w_43;
         let w_113 = self.k_5 * w_53 + S::from_f64(3.0) * (w_43 - w_34)
             + S::from_f64(100.0) * w_112;
         let w_114 = (self.m3 * w_113
-            + (w_53 * self.k_37 - self.k_6 * (w_33 * w_33 + w_22 * w_22)
-                + S::from_f64(10.0) * w_112) * self.k_63) * self.k_66;
+            + self.k_51
+                * (w_53 * self.k_37 - self.k_6 * (w_33 * w_33 + w_22 * w_22)
+                    + S::from_f64(10.0) * w_112)) * self.k_66;
         let w_115 = cos_q3 * (self.k_65 * (sin_q5 * w_81 + cos_q5 * w_78) + w_114);
         let w_117 = self.k_21 * w_113;
         let w_120 = (w_118 - S::from_f64(50.0) * w_119) * self.k_64;
         [
-            q1_dot * self.c - self.tau1.or(S::from_f64(0.0)) + w_87 + q1_ddot * self.k_62
-                + (w_85 * self.k_54 + w_88 + S::from_f64(10.0) * w_84) * self.k_61
+            q1_dot * self.c - self.tau1.or(S::from_f64(0.0)) + w_87 + q1_ddot * self.k_63
+                + (w_85 * self.k_56 + w_88 + S::from_f64(10.0) * w_84) * self.k_62
                 - w_107 + w_110
                 - cos_q2 * S::from_f64(0.05)
                     * (S::from_f64(3.0) * w_11 - S::from_f64(2.0) * w_12),

@@ -217,8 +217,8 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
     k_7: S,
     k_8: S,
     k_9: S,
-    k_10: S,
     inverse_theta: S,
+    k_10: S,
     k_11: S,
     k_12: S,
     k_13: S,
@@ -231,7 +231,7 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> SliderCrank<S> {
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
     ///
-    /// Operations: 12 additions, 31 multiplications, 1 division.
+    /// Operations: 15 additions, 34 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SliderCrankPrepared<S> {
         let r_squared = self.r * self.r;
@@ -239,20 +239,23 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let w_2 = r_squared * self.m3;
         let mass_theta_theta = S::from_f64(0.3333333333333333) * r_squared * self.m1 + w
             + w_2;
-        let w_3 = self.r * self.m3;
-        let w_4 = self.l * w_3;
-        let w_5 = self.r * self.m2;
-        let w_6 = self.l * w_5;
-        let w_7 = S::from_f64(0.5) * w_6;
+        let w_3 = self.m3 * self.l;
+        let w_4 = self.r * w_3;
+        let w_5 = self.m2 * self.l;
+        let w_6 = self.r * S::from_f64(0.5);
+        let w_7 = w_5 * w_6;
         let l_squared = self.l * self.l;
         let w_8 = self.m2 * l_squared;
         let w_9 = self.m3 * l_squared;
-        let w_10 = S::from_f64(0.5) * self.g;
-        let w_11 = self.r * self.m1 * w_10;
-        let w_12 = self.m3 * self.l;
-        let w_13 = self.m2 * self.l;
-        let w_14 = self.l * S::from_f64(2.0);
-        let w_15 = w_3 * w_14;
+        let w_10 = self.r * S::from_f64(2.0);
+        let w_11 = self.r * self.g;
+        let w_12 = self.m1 * w_11;
+        let w_13 = self.m2 * w_11;
+        let w_14 = self.m3 * w_11;
+        let w_15 = w_5 * self.g;
+        let w_16 = w_3 * self.g;
+        let w_17 = w_3 * w_10;
+        let w_18 = self.r * w_5;
         SliderCrankPrepared {
             r: self.r,
             mass_theta_theta: mass_theta_theta,
@@ -260,23 +263,23 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
             k: w_4 + w_7,
             mass_phi_phi: S::from_f64(0.3333333333333333) * w_8 + w_9,
             T: self.T,
-            k_2: self.r * S::from_f64(2.0),
-            k_3: w_3,
-            k_4: S::from_f64(0.5) * w_5,
-            k_5: w_11,
-            k_6: w_11 + w_5 * self.g + w_3 * self.g,
-            k_7: w_7 + w_4,
-            k_8: w_12,
-            k_9: S::from_f64(0.25) * w_13,
-            k_10: w_10 * w_13 + self.g * w_12,
+            k_2: w_10,
+            k_3: self.r * self.m3,
+            k_4: self.m2 * w_6,
+            k_5: S::from_f64(0.5) * w_12 + w_13 + w_14,
+            k_6: w_7 + w_4,
+            k_7: w_3,
+            k_8: w_5 * S::from_f64(0.25),
+            k_9: S::from_f64(0.5) * w_15 + w_16,
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
-            k_11: self.m2 * w_10,
-            k_12: self.m3 * self.g,
-            k_13: w_15 + w_6,
+            k_10: self.T * S::from_f64(2.0),
+            k_11: w_12 + S::from_f64(2.0) * w_13 + S::from_f64(2.0) * w_14,
+            k_12: w_15 + S::from_f64(2.0) * w_16,
+            k_13: w_17 + w_18,
             k_14: w_2 + w,
             k_15: w_8 * S::from_f64(0.25) + w_9,
-            k_16: w_6 + w_15,
-            k_17: w_14,
+            k_16: w_18 + w_17,
+            k_17: self.l * S::from_f64(2.0),
         }
     }
     /// Mass matrix `T_q' M T_q`, 2 x 2, symmetric, in SI units.
@@ -430,7 +433,7 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 5 additions, 16 multiplications, 2 sine-cosine pairs.
+    /// Operations: 5 additions, 15 multiplications, 2 sine-cosine pairs.
     #[inline]
     pub fn power(
         &self,
@@ -443,12 +446,13 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
         let [theta, phi] = *q;
         let [theta_dot, phi_dot] = *qd;
         let ([_, _], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
-        let w = S::from_f64(0.5) * self.g;
-        let w_2 = phi_dot * self.l * rod_x;
-        let w_3 = (theta_dot * cos_theta * self.r * S::from_f64(2.0) + w_2) * self.m2
-            * w;
-        theta_dot * (self.T - cos_theta * self.r * self.m1 * w) - w_3
-            - (w_2 + theta_dot * self.r * cos_theta) * self.g * self.m3
+        let w = self.r * self.g;
+        let w_2 = S::from_f64(2.0) * self.m3;
+        let w_3 = theta_dot
+            * (self.T * S::from_f64(2.0)
+                - cos_theta * (self.m1 * w + self.m2 * S::from_f64(2.0) * w + w * w_2));
+        let w_4 = self.g * self.l;
+        S::from_f64(0.5) * (w_3 - phi_dot * rod_x * (self.m2 * w_4 + w_2 * w_4))
     }
     /// Outputs, 6, in SI units.
     ///
@@ -589,7 +593,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 23 additions, 49 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 20 additions, 44 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -602,18 +606,18 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
         let phi_dot_squared = phi_dot * phi_dot;
         let rhs_theta = self.T
-            + cos_theta * (rod_y * phi_dot_squared * self.k_7 - self.k_6)
+            + cos_theta * (rod_y * phi_dot_squared * self.k_6 - self.k_5)
             - sin_theta * rod_x * self.k * phi_dot_squared;
         let theta_dot_squared = theta_dot * theta_dot;
         let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_7 - self.k_10)
+        let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_6 - self.k_9)
             - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
@@ -621,7 +625,6 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             * (self.l * rod_y * phi_dot_squared + self.r * sin_theta * theta_dot_squared
                 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
-        let w = self.l * rod_x * phi_dot;
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
@@ -629,9 +632,9 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
                 phi_ddot,
             ],
             multipliers: [-minus_lambda_guide],
-            power: theta_dot * (self.T - cos_theta * self.k_5)
-                - (cos_theta * theta_dot * self.k_2 + w) * self.k_11
-                - (w + self.r * cos_theta * theta_dot) * self.k_12,
+            power: S::from_f64(0.5)
+                * (theta_dot * (self.k_10 - cos_theta * self.k_11)
+                    - phi_dot * rod_x * self.k_12),
             refused: sim_kernel::pivot_is_refused(
                 self.mass_theta_theta,
                 self.mass_theta_theta,
@@ -658,7 +661,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let phi_dot_squared = phi_dot * phi_dot;
         let w = rod_y * phi_dot_squared;
         let w_2 = sin_theta * rod_x;
-        let rhs_theta = self.T + cos_theta * (w * self.k_7 - self.k_6)
+        let rhs_theta = self.T + cos_theta * (w * self.k_6 - self.k_5)
             - self.k * phi_dot_squared * w_2;
         let w_7 = self.l * w;
         let theta_dot_squared = theta_dot * theta_dot;
@@ -667,9 +670,9 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let w_5 = sin_theta * rod_y;
         let w_6 = cos_theta * rod_x;
         let mass_phi_theta = self.k * (w_5 + w_6);
-        let w_17 = self.k * w_5 + w_6 * self.k_7;
+        let w_17 = self.k * w_5 + w_6 * self.k_6;
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let rhs_phi = rod_x * (w_3 * self.k_7 - self.k_10)
+        let rhs_phi = rod_x * (w_3 * self.k_6 - self.k_9)
             - self.k * theta_dot_squared * w_4 - rhs_theta * l_phi_theta;
         let w_8 = w_7 + self.r * w_3;
         let w_9 = self.k_2 * w_3 + w_7;
@@ -696,7 +699,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let w_15 = phi_ddot * w_14;
         let w_18 = theta_ddot * w_14;
         let w_16 = sin_theta
-            * (self.k_6 - w_9 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
+            * (self.k_5 - w_9 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
             - cos_theta * (w_12 * self.k_3 + w_13 * self.k_4) - w_15
             + theta_dot_squared * self.k_14;
         let w_19 = theta_dot_squared * w_17 - w_18 - l_phi_theta * w_16;
@@ -707,9 +710,9 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let w_22 = w_15 + phi_dot_squared * w_17;
         let w_23 = w_18
             + rod_y
-                * (self.k_10 - w_9 * self.k_9 - w_8 * self.k_8
+                * (self.k_9 - w_9 * self.k_8 - w_8 * self.k_7
                     - self.l * minus_lambda_guide) + phi_dot_squared * self.k_15
-            - rod_x * (w_12 * self.k_8 + w_13 * self.k_9);
+            - rod_x * (w_12 * self.k_7 + w_13 * self.k_8);
         let w_24 = w_23 - l_phi_theta * w_22;
         let w_25 = minus_inverse_lambda_guide
             * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)

@@ -346,7 +346,7 @@ impl<S: sim_kernel::Scalar> Top<S> {
     }
     /// Power of loads and drives, `F' v + lambda' C_t + T_t' (M x'' - F)`, in watts.
     ///
-    /// Operations: 3 additions, 11 multiplications, 2 sine-cosine pairs.
+    /// Operations: 4 multiplications, 1 sine-cosine pair.
     #[inline]
     pub fn power(
         &self,
@@ -356,13 +356,10 @@ impl<S: sim_kernel::Scalar> Top<S> {
         qdd: &[S; 3],
         lambda: &[S; 0],
     ) -> S {
-        let [_, theta, phi] = *q;
-        let [psi_dot, theta_dot, _] = *qd;
-        let ([sin_theta, sin_phi], [_, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = sin_theta * psi_dot;
-        self.m * self.l * self.g * sin_theta
-            * (cos_phi * (cos_phi * theta_dot + sin_phi * w)
-                - sin_phi * (cos_phi * w - theta_dot * sin_phi))
+        let [_, theta, _] = *q;
+        let [_, theta_dot, _] = *qd;
+        let ([sin_theta], [_]) = S::sin_cos_each([theta]);
+        sin_theta * theta_dot * self.m * self.l * self.g
     }
     /// Outputs, 4, in SI units.
     ///
@@ -519,7 +516,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 10 additions, 34 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 7 additions, 27 multiplications, 2 divisions, 1 sine-cosine pair.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -527,9 +524,9 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         q: &[S; 3],
         qd: &[S; 3],
     ) -> sim_kernel::Dynamics<S, [S; 3], [S; 0]> {
-        let [_, theta, phi] = *q;
+        let [_, theta, _] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
-        let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
+        let ([sin_theta], [cos_theta]) = S::sin_cos_each([theta]);
         let rhs_psi = sin_theta * theta_dot
             * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
         let w = self.C * psi_dot;
@@ -541,7 +538,6 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
         let phi_ddot = S::from_f64(1.0) / pivot_phi
             * (sin_theta * theta_dot * w - rhs_psi * l_phi_psi);
-        let w_2 = sin_theta * psi_dot;
         sim_kernel::Dynamics {
             accelerations: [
                 rhs_psi * inverse_psi - l_phi_psi * phi_ddot,
@@ -551,9 +547,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
                 phi_ddot,
             ],
             multipliers: [],
-            power: self.k_7 * sin_theta
-                * (cos_phi * (cos_phi * theta_dot + sin_phi * w_2)
-                    - sin_phi * (cos_phi * w_2 - sin_phi * theta_dot)),
+            power: sin_theta * theta_dot * self.k_7,
             refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
                     self.inertia_about_pivot,
