@@ -47,6 +47,7 @@ mod trajectory;
 mod vector;
 #[cfg(feature = "analysis")]
 pub mod verify;
+mod whole;
 mod write;
 
 /// The programs in the documents, compiled and run.

@@ -5,18 +5,17 @@ use crate::outcome::{Happening, Outcome, Recorded, Row};
 use crate::run::Run;
 use crate::settings::Stepping;
 use crate::table::Table;
+use crate::whole::{whole, whole_bytes};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism};
-use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {path}: {reason}")]
 pub struct WriteError {
-    path: PathBuf,
-    reason: String,
+    pub(crate) path: PathBuf,
+    pub(crate) reason: String,
 }
 
 impl WriteError {
@@ -31,14 +30,15 @@ impl WriteError {
 /// # Errors
 /// If the file cannot be written.
 pub fn write_csv(table: &Table, path: &Path) -> Result<(), WriteError> {
-    let fail = |e: &dyn std::fmt::Display| WriteError::new(path, e);
-    let mut writer = csv::Writer::from_path(path).map_err(|e| fail(&e))?;
-    writer.write_record(table.columns.iter().map(|column| column.header())).map_err(|e| fail(&e))?;
-    for row in 0..table.times().len() {
-        let cells = table.columns.iter().map(|column| format!("{:?}", column.values[row]));
-        writer.write_record(cells).map_err(|e| fail(&e))?;
-    }
-    writer.flush().map_err(|e| fail(&e))
+    let written = whole::<csv::Error>(path, |file| {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(table.columns.iter().map(|column| column.header()))?;
+        for row in 0..table.times().len() {
+            writer.write_record(table.columns.iter().map(|column| format!("{:?}", column.values[row])))?;
+        }
+        Ok(writer.flush()?)
+    });
+    written.map_err(|why| WriteError::new(path, why))
 }
 
 /// Writes a JSON value, indented.
@@ -49,8 +49,7 @@ pub fn write_json(value: &Value, path: &Path) -> Result<(), WriteError> {
     let fail = |e: &dyn std::fmt::Display| WriteError::new(path, e);
     let mut text = serde_json::to_string_pretty(value).map_err(|e| fail(&e))?;
     text.push('\n');
-    let mut file = fs::File::create(path).map_err(|e| fail(&e))?;
-    file.write_all(text.as_bytes()).map_err(|e| fail(&e))
+    whole_bytes(path, text.as_bytes()).map_err(|e| fail(&e))
 }
 
 /// What a run was and found; the same bytes run after run.

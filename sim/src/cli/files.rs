@@ -1,73 +1,106 @@
 //! The files that a command writes.
 
 use super::arguments::Voice;
-use super::{Stop, print};
-use crate::show::Figures;
-use crate::{Format, Table, WriteError, write_table};
+use super::identity::RUN;
+use super::{Stop, folder, print};
+use crate::show::{Figures, ShowError};
+use crate::{Format, Table, write_table};
 use serde_json::Value;
 use sim_kernel::Description;
-use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Files as they are written one after the other to a directory; one that cannot be does not keep the others from it.
+/// Files as they are written one after the other, for a folder into which they are moved at last; one that cannot be written
+/// does not keep the others from it.
 pub(super) struct Files {
     directory: PathBuf,
+    /// Where they are written.
+    unfinished: PathBuf,
     /// The names of those that were written.
     pub(super) names: Vec<String>,
     /// Why others could not be.
     pub(super) failures: Vec<String>,
+    /// Whether one could not be written.
+    is_short: bool,
 }
 
 impl Files {
-    /// Makes the directory, before work that may take long, and removes what was written to it earlier, these figures too, so
-    /// that nothing there is older than what it seems to belong to.
+    /// Makes the folder and holds it, before work that may take long. What was written to it earlier, these figures too, goes
+    /// when [`Files::finish`] has something newer.
     pub(super) fn new(description: &Description, directory: &Path, figures: &[&str]) -> Result<Files, Stop> {
-        fs::create_dir_all(directory).map_err(|e| WriteError::new(directory, e))?;
         let figures = description.figures.iter().map(|figure| figure.name).chain(figures.iter().copied());
         let figures = figures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
         let tables = ["csv", "jsonl", "npy", "npz", "parquet"].map(|extension| format!("trajectory.{extension}"));
-        let others = ["report.html", "summary.json", "timing.json"].map(String::from);
-        for name in figures.chain(tables).chain(others) {
-            let path = directory.join(name);
-            if path.is_file() {
-                fs::remove_file(&path).map_err(|e| WriteError::new(&path, e))?;
-            }
-        }
-        Ok(Files { directory: directory.to_owned(), names: Vec::new(), failures: Vec::new() })
+        let unfinished = folder::hold(directory, figures.chain(tables).chain(["report.html".into()]).collect())?;
+        let (names, failures) = (Vec::new(), Vec::new());
+        Ok(Files { directory: directory.to_owned(), unfinished, names, failures, is_short: false })
     }
 
-    /// Writes a file. What there is of one that could not be finished is removed: it would look like a whole one.
-    pub(super) fn add<E: ToString>(&mut self, name: &str, write: impl FnOnce(&Path) -> Result<(), E>) {
-        let path = self.directory.join(name);
-        match write(&path) {
-            Ok(()) => self.names.push(name.to_owned()),
-            Err(failure) => {
-                self.failures.push(failure.to_string());
-                if path.symlink_metadata().is_ok_and(|file| file.is_file()) {
-                    let _ = fs::remove_file(&path);
-                }
-            }
+    /// Writes a file.
+    pub(super) fn add<E: Into<ShowError>>(&mut self, name: &str, write: impl FnOnce(&Path) -> Result<(), E>) {
+        match write(&self.unfinished.join(name)) {
+            Ok(()) => folder::add(name),
+            Err(failure) => self.fail(failure.into()),
         }
     }
 
     /// Writes a table in these formats.
     pub(super) fn add_table(&mut self, table: &Table, formats: &[Format]) {
-        let directory = self.directory.clone();
         for format in Format::ALL.iter().filter(|format| formats.contains(format)) {
-            let name = format!("trajectory.{}", format.name());
-            self.add(&name, |_| write_table(table, *format, &directory).map(|_| ()));
+            self.add(&format!("trajectory.{}", format.name()), |path| {
+                write_table(table, *format, path.parent().unwrap_or(path)).map(|_| ())
+            });
         }
     }
 
-    /// Where they are.
+    /// Where they come to.
     pub(super) fn directory(&self) -> &Path {
         &self.directory
     }
 
-    /// Takes note of figures that were drawn.
-    pub(super) fn add_figures(&mut self, drawn: &Figures) {
-        self.names.extend(drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-        self.failures.extend(drawn.failures.iter().map(ToString::to_string));
+    /// Draws figures into a folder that it is given.
+    pub(super) fn add_figures(&mut self, draw: impl FnOnce(&Path) -> Figures) {
+        let drawn = draw(&self.unfinished);
+        let names = drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+        names.for_each(|name| folder::add(&name));
+        drawn.failures.into_iter().for_each(|failure| self.fail(failure));
+    }
+
+    /// Whether all could be written until now: where there is no room for numbers, pictures would only take it.
+    pub(super) fn has_room(&self) -> bool {
+        !self.is_short
+    }
+
+    /// Takes note of what could not be written or drawn, by its place.
+    fn fail(&mut self, failure: ShowError) {
+        let failure = match failure {
+            ShowError::Write { path, why } => {
+                self.is_short = true;
+                let path = path.strip_prefix(&self.unfinished).map_or(path.clone(), |name| self.directory.join(name));
+                ShowError::Write { path, why }
+            }
+            other => other,
+        };
+        self.failures.push(failure.to_string());
+    }
+
+    /// Names the run by its files until now and these values, which from here on bear the name.
+    pub(super) fn name_run(&self, values: &mut [&mut Value]) -> Value {
+        let run = Value::from(folder::identify(&values.iter().map(|value| &**value).collect::<Vec<_>>()));
+        for object in values.iter_mut().filter_map(|value| value.as_object_mut()) {
+            object.shift_insert(0, RUN.to_owned(), run.clone());
+        }
+        run
+    }
+
+    /// Moves all files to their places, with `summary.json`, which tells of them. Only then earlier ones go.
+    pub(super) fn finish(&mut self) {
+        let filled = folder::fill(self.is_short);
+        self.failures.extend(filled.failures.iter().map(ToString::to_string));
+        if let Some(aside) = filled.aside {
+            let (directory, aside) = (self.directory.display(), aside.display());
+            self.failures.push(format!("earlier results stay in {directory}; what could be written is in {aside}"));
+        }
+        self.names = filled.names;
     }
 
     /// Prints what was found: as JSON with the directory and the files, or as text.

@@ -4,12 +4,11 @@ use super::arguments::{Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::{Stop, unknown};
+use super::{Stop, folder, unknown};
 use crate::kinematics::quotient;
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
     Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, kinematics,
-    write_json,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -234,11 +233,14 @@ fn tell(
     voice: Voice,
 ) -> Result<(), Stop> {
     files.add_table(table, &arguments.written.format);
-    files.add("summary.json", |path| write_json(&summary(found), path));
+    let mut summary = summary(found);
+    files.name_run(&mut [&mut summary]);
+    folder::tell("summary.json", summary.clone());
     if !arguments.written.no_figures && !table.times().is_empty() {
-        files.add_figures(&draw(table, files.directory()));
+        files.add_figures(|directory| draw(table, directory));
     }
-    files.say(voice, summary(found), &format!("{}{}", report(found), files.line()))?;
+    files.finish();
+    files.say(voice, summary, &format!("{}{}", report(found), files.line()))?;
     files.check(found.failure.iter().map(ToString::to_string).collect(), false)
 }
 

@@ -18,8 +18,10 @@
 mod arguments;
 mod compare;
 mod files;
+mod folder;
 mod generate;
 mod given;
+mod identity;
 mod info;
 mod json;
 mod kinematics;
@@ -33,6 +35,7 @@ mod quantity;
 mod run;
 mod run_file;
 mod settings;
+mod signals;
 mod statics;
 mod stored;
 mod verify;
@@ -97,6 +100,7 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 /// Reads the command line, does what it says, and gives the exit status: 0 for success, 1 for a run that failed,
 /// 2 for words that could not be understood, 130 for a run that was interrupted.
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
+    signals::listen();
     let words: Vec<OsString> = std::env::args_os().collect();
     let arguments = Arguments::parse_from(&words);
     match with_run_file(mechanisms, arguments, &words) {

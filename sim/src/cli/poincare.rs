@@ -4,9 +4,9 @@ use super::arguments::{StartArguments, Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::settings::positive;
-use super::{Stop, progress, unknown};
+use super::{Stop, folder, progress, unknown};
 use crate::show;
-use crate::{Crossing, Failure, Method, Period, Sectioning, Settings, Table, What, poincare, write_json};
+use crate::{Crossing, Failure, Method, Period, Sectioning, Settings, Table, What, poincare};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use sim_kernel::{Description, Mechanism};
@@ -100,7 +100,7 @@ fn tell(
     (mut files, voice): (Files, Voice),
 ) -> Result<(), Stop> {
     let times = table.times();
-    let said = json!({
+    let mut said = json!({
         "model": description.name,
         "event": arguments.event,
         "crossings": times.len(),
@@ -110,10 +110,12 @@ fn tell(
         "failure": failure.map(ToString::to_string),
     });
     files.add_table(table, &arguments.written.format);
-    files.add("summary.json", |path| write_json(&said, path));
+    files.name_run(&mut [&mut said]);
+    folder::tell("summary.json", said.clone());
     if !arguments.written.no_figures && !times.is_empty() {
-        files.add_figures(&draw(files.directory()));
+        files.add_figures(draw);
     }
+    files.finish();
     files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;
     let problems = match failure {
         Some(failure) => vec![failure.to_string()],

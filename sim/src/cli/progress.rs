@@ -1,32 +1,30 @@
 //! What is seen of a long run while it lasts, and its end by Ctrl-C.
 
-use super::Stop;
 use super::arguments::Voice;
+use super::{Stop, signals};
 use crate::Failure;
 use crate::settings::Settings;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 static REACHED: AtomicU64 = AtomicU64::new(0);
 
 /// No bar before this: most runs are over by then.
 const PATIENCE: Duration = Duration::from_secs(1);
 const BETWEEN: Duration = Duration::from_millis(100);
 
-/// Runs with a bar on a terminal, from the second second on. Ctrl-C ends the run, and what it has is kept; a second
-/// one ends the program.
+/// Runs with a bar on a terminal, from the second second on. Ctrl-C ends the run, and what it has is kept.
 pub(super) fn watched<T>(
     settings: &Settings,
     voice: Voice,
     run: impl FnOnce(&Settings) -> Result<T, Failure>,
 ) -> Result<T, Stop> {
     let (settings, watch) = begin(settings, voice);
-    let found = run(&settings);
+    let found = signals::interruptible(|| run(&settings));
     watch.end();
     Ok(found?)
 }
@@ -47,14 +45,8 @@ impl Watch {
 }
 
 fn begin(settings: &Settings, voice: Voice) -> (Settings, Watch) {
-    // A program that has its own handler keeps it.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
     REACHED.store(0, Ordering::Relaxed);
-    let settings = Settings { interrupt: Some(&INTERRUPTED), progress: Some(&REACHED), ..*settings };
+    let settings = Settings { interrupt: Some(&signals::INTERRUPTED), progress: Some(&REACHED), ..*settings };
     let shown = !voice.quiet && !voice.json && std::io::stderr().is_terminal();
     let (done, waiting) = channel::<()>();
     let end = settings.end;

@@ -5,7 +5,7 @@ use super::files::Files;
 use super::given::{held_at, mechanism_with, start_with};
 use super::list::counted;
 use super::run_file::Reproduction;
-use super::{Stop, progress};
+use super::{Stop, folder, progress};
 use crate::happening::impulses;
 use crate::outcome::{Outcome, Recorded};
 use crate::show::{self, About};
@@ -24,13 +24,13 @@ pub(super) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) 
     let mechanism = held_at(&mechanism, description, &arguments.input)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let settings = arguments.settings.settings(description)?;
-    let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
+    let mut reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
-    told(&found, &table, arguments, (&reproduction, files, clock), voice)
+    told(&found, &table, arguments, (&mut reproduction, files, clock), voice)
 }
 
 /// Writes what was found, prints a short table, and says what went wrong.
@@ -38,12 +38,12 @@ fn told(
     found: &dyn Recorded,
     table: &Table,
     arguments: &RunArguments,
-    (reproduction, mut files, clock): (&Reproduction, Files, Instant),
+    (reproduction, mut files, clock): (&mut Reproduction, Files, Instant),
     voice: Voice,
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
-    let summary = summary_of(&outcome, table);
-    let times = write(&mut files, found, (&outcome, table, &summary), arguments, (reproduction, clock));
+    let mut summary = summary_of(&outcome, table);
+    let times = write(&mut files, found, (&outcome, table, &mut summary), arguments, (reproduction, clock));
     files.say(voice, summary, &report(&outcome, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
@@ -57,34 +57,38 @@ struct Times {
     total: f64,
 }
 
-/// Writes everything: run file, tables, summary, figures, report, and last the times.
+/// Writes everything: tables, run file, figures, report, and last the times; the summary when all of them are whole.
 fn write(
     files: &mut Files,
     run: &dyn Recorded,
-    (outcome, table, summary): (&Outcome, &Table, &Value),
+    (outcome, table, summary): (&Outcome, &Table, &mut Value),
     arguments: &RunArguments,
-    (reproduction, clock): (&Reproduction, Instant),
+    (reproduction, clock): (&mut Reproduction, Instant),
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
-    files.add("run.json", |path| write_json(&reproduction.file, path));
     files.add_table(table, &arguments.written.format);
-    files.add("summary.json", |path| write_json(summary, path));
+    let run_name = files.name_run(&mut [&mut reproduction.file, summary]);
+    files.add("run.json", |path| write_json(&reproduction.file, path));
+    folder::tell("summary.json", summary.clone());
     let without_figures = seconds();
-    let is_empty = table.times().is_empty();
-    if !arguments.no_report && !is_empty {
+    let is_shown = !table.times().is_empty() && files.has_room();
+    if !arguments.no_report && is_shown {
         let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
         files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
     }
-    if !arguments.written.no_figures && !is_empty {
-        files.add_figures(&show::figures_of(run, outcome, table, files.directory(), arguments.written.size.show()));
+    if !arguments.written.no_figures && is_shown && files.has_room() {
+        let size = arguments.written.size.show();
+        files.add_figures(|directory| show::figures_of(run, outcome, table, directory, size));
     }
     let times = Times { without_figures, total: seconds() };
     let timing = json!({
+        "run": run_name,
         "integration_seconds": outcome.integration_seconds,
         "without_figures_seconds": times.without_figures,
         "total_seconds": times.total,
     });
     files.add("timing.json", |path| write_json(&timing, path));
+    files.finish();
     times
 }
 

@@ -1,7 +1,7 @@
 //! Run files: everything that `run` takes, as JSON; read as words of the command line, so that both mean the same.
 
 use super::arguments::{Arguments, RunArguments};
-use super::{Stop, json, program, unknown};
+use super::{Stop, identity, json, program, unknown};
 use crate::Start;
 use crate::settings::{Rows, Settings, Stepping};
 use clap::CommandFactory;
@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity, Start as Known};
 use std::ffi::OsString;
 use std::fs;
+use std::path::Path;
 
 /// What a run file says of itself.
 const FORMAT: &str = "linkwright run 1";
@@ -186,6 +187,9 @@ pub(super) struct RunFile {
 impl RunFile {
     /// Reads a file.
     pub(super) fn open(path: &str) -> Result<RunFile, Stop> {
+        if Path::new(path).file_name().is_some_and(|name| name == "run.json") {
+            identity::check(Path::new(path).parent().unwrap_or(Path::new("")))?;
+        }
         let text =
             fs::read_to_string(path).map_err(|why| Stop::Usage(format!("cannot read the run file {path}: {why}")))?;
         let file = json::parse(&text).map_err(|why| Stop::Usage(format!("{path}: not JSON: {why}")))?;
@@ -229,7 +233,7 @@ impl RunFile {
 fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     let file = file.as_object().ok_or_else(|| format!("a run file is an object, not {}", kind(file)))?;
     for key in file.keys() {
-        let known = ["$schema", "format", "model", "parameters", "initial", "inputs", "options"];
+        let known = ["$schema", "run", "format", "model", "parameters", "initial", "inputs", "options"];
         if !known.contains(&key.as_str()) {
             return Err(message(unknown("entry", key, known.into_iter())));
         }

@@ -1,6 +1,6 @@
 //! Runs read back from their directories.
 
-use super::{Stop, unknown};
+use super::{Stop, identity, unknown};
 use crate::WriteError;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +24,9 @@ pub(super) struct StoredColumn {
 impl Stored {
     /// Reads a run's directory, or its CSV.
     pub(super) fn read(path: &Path) -> Result<Stored, Stop> {
+        if path.is_dir() {
+            identity::check(path)?;
+        }
         let file = if path.is_dir() { path.join("trajectory.csv") } else { path.to_owned() };
         if !file.is_file() {
             return Err(Stop::Usage(format!(

@@ -1,14 +1,13 @@
 //! JSON lines.
 
 use crate::table::Table;
+use crate::whole::whole;
 use crate::write::WriteError;
-use std::fs::File;
 use std::io::{BufWriter, Result, Write};
 use std::path::Path;
 
 pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
-    let file = File::create(path).map_err(|why| WriteError::new(path, why))?;
-    rows(table, BufWriter::new(file)).map_err(|why| WriteError::new(path, why))
+    whole(path, |file| rows(table, BufWriter::new(file))).map_err(|why| WriteError::new(path, why))
 }
 
 fn rows(table: &Table, mut out: impl Write) -> Result<()> {

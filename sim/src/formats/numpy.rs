@@ -3,10 +3,10 @@
 //! Source: NumPy Enhancement Proposal 1, "A simple file format for NumPy arrays", versions 1.0 to 3.0.
 
 use crate::table::{Column, Table};
+use crate::whole::whole;
 use crate::write::WriteError;
 #[cfg(feature = "cli")]
 use nalgebra::DMatrix;
-use std::fs::File;
 use std::io::{BufWriter, Error, Result, Seek, SeekFrom, Write};
 use std::path::Path;
 use zip::write::SimpleFileOptions;
@@ -14,8 +14,8 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// One array of records, a field for each column: `numpy.load(path)["alpha"]`.
 pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
-    let write = || -> Result<()> {
-        let mut out = BufWriter::new(File::create(path)?);
+    let written = whole(path, |file| -> Result<()> {
+        let mut out = BufWriter::new(file);
         let rows = table.times().len();
         out.write_all(&header(&fields(&table.columns), &[rows]))?;
         for row in 0..rows {
@@ -24,8 +24,8 @@ pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), W
             }
         }
         out.flush()
-    };
-    write().map_err(|why| WriteError::new(path, why))
+    });
+    written.map_err(|why| WriteError::new(path, why))
 }
 
 /// An archive with an array for each column: `numpy.load(path)["alpha"]`.
@@ -51,12 +51,12 @@ fn write_archive<'a>(
     arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>,
     path: &Path,
 ) -> std::result::Result<(), WriteError> {
-    let write = || -> Result<()> {
-        let mut out = KeepsError { inner: BufWriter::new(File::create(path)?), error: None, position: 0 };
+    let written = whole(path, |file| -> Result<()> {
+        let mut out = KeepsError { inner: BufWriter::new(file), error: None, position: 0 };
         let written = archive(arrays, &mut out);
         out.error.map_or(written, Err)
-    };
-    write().map_err(|why| WriteError::new(path, why))
+    });
+    written.map_err(|why| WriteError::new(path, why))
 }
 
 /// A writer that keeps its first error and lets go whatever follows: an archive that cannot be written would print another

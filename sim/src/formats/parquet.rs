@@ -1,6 +1,7 @@
 //! Apache Parquet.
 
 use crate::table::Table;
+use crate::whole::whole;
 use crate::write::WriteError;
 use parquet::basic::Repetition;
 use parquet::basic::Type as Physical;
@@ -10,14 +11,12 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
 /// A column of doubles for each of the table's, and `unit:NAME` for each in the file's metadata.
 pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
-    let write = || -> Result<()> {
-        let file = File::create(path)?;
+    let written = whole(path, |file| -> Result<()> {
         let columns = table.columns.iter().map(|column| {
             let kind = Type::primitive_type_builder(&column.name, Physical::DOUBLE);
             Ok(Arc::new(kind.with_repetition(Repetition::REQUIRED).build()?))
@@ -38,8 +37,8 @@ pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), Write
         rows.close()?;
         writer.close()?;
         Ok(())
-    };
-    write().map_err(|why| WriteError::new(path, why))
+    });
+    written.map_err(|why| WriteError::new(path, why))
 }
 
 #[cfg(test)]
@@ -47,6 +46,7 @@ mod tests {
     use super::*;
     use crate::table::Column;
     use parquet::file::reader::{FileReader, SerializedFileReader};
+    use std::fs::File;
 
     #[test]
     fn columns_read_back_to_the_bit() {

@@ -1,5 +1,6 @@
 //! What can go wrong with a figure.
 
+use crate::WriteError;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -52,6 +53,12 @@ pub enum ShowError {
         /// Why not.
         why: String,
     },
+}
+
+impl From<WriteError> for ShowError {
+    fn from(WriteError { path, reason }: WriteError) -> Self {
+        ShowError::Write { path, why: reason }
+    }
 }
 
 impl ShowError {

@@ -29,6 +29,7 @@ mod ticks;
 mod vectors;
 mod view;
 
+use crate::whole::whole_bytes;
 use std::fs;
 use std::path::Path;
 
@@ -143,6 +144,6 @@ fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
     let document = svg::document(scene);
     fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
     let path = directory.join(format!("{name}.svg"));
-    fs::write(&path, &document).map_err(|why| ShowError::write(&path, why))?;
+    whole_bytes(&path, document.as_bytes()).map_err(|why| ShowError::write(&path, why))?;
     png::write(scene, &directory.join(format!("{name}.png")))
 }

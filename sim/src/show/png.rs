@@ -1,6 +1,5 @@
 //! A scene as PNG.
 
-use std::fs;
 use std::path::Path;
 
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
@@ -9,6 +8,7 @@ use super::ShowError;
 use super::font::Font;
 use super::palette::{Colour, WHITE};
 use super::scene::{Anchor, Label, Mark, Point, Scene};
+use crate::whole::whole_bytes;
 
 /// Pixels to a logical pixel.
 const SCALE: f64 = 2.0;
@@ -17,7 +17,7 @@ const SCALE: f64 = 2.0;
 pub(super) fn write(scene: &Scene, path: &Path) -> Result<(), ShowError> {
     let sheet = draw(scene, Font::get()?)?;
     let bytes = sheet.encode_png().map_err(|why| ShowError::Draw(why.to_string()))?;
-    fs::write(path, bytes).map_err(|why| ShowError::write(path, why))
+    whole_bytes(path, &bytes).map_err(|why| ShowError::write(path, why))
 }
 
 fn draw(scene: &Scene, font: &Font) -> Result<Pixmap, ShowError> {

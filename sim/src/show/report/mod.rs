@@ -11,10 +11,10 @@ mod tables;
 
 use super::ShowError;
 use crate::outcome::{Outcome, Recorded};
+use crate::whole::whole_bytes;
 use crate::{Run, Table};
 use serde_json::Value;
 use sim_kernel::Mechanism;
-use std::fs;
 use std::path::Path;
 
 /// What a report says of a run beside the run itself.
@@ -50,5 +50,5 @@ pub(crate) fn report_of(
         return Err(ShowError::empty("report", "the run has no sample"));
     }
     let page = page::page(run, outcome, table, about);
-    fs::write(path, page).map_err(|why| ShowError::write(path, why))
+    whole_bytes(path, page.as_bytes()).map_err(|why| ShowError::write(path, why))
 }
