@@ -4,7 +4,10 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod disk;
+mod faults;
 mod runs;
+#[cfg(unix)]
+mod signals;
 
 use serde_json::Value;
 use std::fs;

@@ -1,7 +1,6 @@
 //! Motions that cannot go on.
 
 use crate::{complete, failing, fresh, rows, stderr};
-use std::time::Duration;
 
 /// A run that fails with exit status 1, a message of these parts, and whole files to a time in this range.
 fn check(name: &str, words: &[&str], parts: &[&str], reached: std::ops::RangeInclusive<f64>) {
@@ -108,27 +107,4 @@ fn a_start_that_makes_no_sense() {
         assert_eq!(output.status.code(), Some(2), "{value}");
         assert!(stderr(&output).contains("m: "), "{}", stderr(&output));
     }
-}
-
-/// Ctrl-C: rows to where it came, whole, and exit status 130.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_run() {
-    use std::process::{Command, Stdio};
-    let directory = fresh("interrupted");
-    let words = ["run", "quick-return", "--t-end", "1e6", "--rows", "10000000", "--no-figures", "--out"];
-    let mut child = Command::new(env!("CARGO_BIN_EXE_failing"))
-        .args(words)
-        .arg(&directory)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_millis(1500));
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
-    let mut said = String::new();
-    std::io::Read::read_to_string(child.stderr.as_mut().unwrap(), &mut said).unwrap();
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{said}");
-    assert!(said.contains("at t = ") && said.contains("interrupted; what was computed until then is kept"), "{said}");
-    assert!(complete(&directory, &said) > 0.0);
 }

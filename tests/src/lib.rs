@@ -2,6 +2,7 @@
 
 pub mod by_hand;
 pub mod declarations;
+pub mod faults;
 
 use serde_json::Value;
 use sim::{Description, Mechanism, Method, Run, Settings, declared_start};

@@ -16,7 +16,8 @@ use std::path::PathBuf;
     after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --set O2A=180mm\n  sim run quick-return --method rk4 --steps 8192\n  \
                   sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n  \
                   sim run out/slow/run.json --t-end 10\n  sim new my-linkage\n\n\
-                  Exit status: 0 done, 1 the work failed (what was computed is written), 2 the command line is wrong, 130 interrupted."
+                  Exit status: 0 done, 1 the work failed (what was computed is written), 2 the command line is wrong, 130 interrupted\n  \
+                  by SIGINT (Ctrl-C) or SIGTERM: a run then writes what it has, and a second one ends it at once."
 )]
 pub(super) struct Arguments {
     #[command(flatten)]

@@ -1,7 +1,7 @@
 //! The files that a command writes.
 
 use super::arguments::Voice;
-use super::identity::RUN;
+use super::identity::{self, RUN};
 use super::{Stop, folder, print};
 use crate::show::{Figures, ShowError};
 use crate::{Format, Table, write_table};
@@ -83,9 +83,9 @@ impl Files {
         self.failures.push(failure.to_string());
     }
 
-    /// Names the run by its files until now and these values, which from here on bear the name.
-    pub(super) fn name_run(&self, values: &mut [&mut Value]) -> Value {
-        let run = Value::from(folder::identify(&values.iter().map(|value| &**value).collect::<Vec<_>>()));
+    /// Names a run by its table and these values, which from here on bear the name.
+    pub(super) fn name_run(table: &Table, values: &mut [&mut Value]) -> Value {
+        let run = Value::from(identity::of_run(table, &values.iter().map(|value| &**value).collect::<Vec<_>>()));
         for object in values.iter_mut().filter_map(|value| value.as_object_mut()) {
             object.shift_insert(0, RUN.to_owned(), run.clone());
         }

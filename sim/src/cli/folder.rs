@@ -13,7 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Where files stand until all are written, within the folder that they are for.
 const UNFINISHED: &str = ".unfinished";
-/// Where they stay if some could not be written and earlier ones would be lost.
+/// Where they stay, until the next run, if some could not be written and earlier ones would be lost.
 const INCOMPLETE: &str = "incomplete";
 
 /// The folder of the command that runs: there is one, and a signal, which comes at any time, ends with what it has.
@@ -94,13 +94,6 @@ pub(super) fn add(name: &str) {
     }
 }
 
-/// The digest of all files until now and of these values: what the run is known by.
-pub(super) fn identify(values: &[&Value]) -> String {
-    let folder = current();
-    let files = folder.iter().flat_map(|folder| folder.names.iter().map(|name| folder.unfinished().join(name)));
-    identity::of_run(files, values)
-}
-
 /// Keeps what a run is told by, under this name. From then on a signal ends with the files that are whole.
 pub(super) fn tell(name: &str, summary: Value) {
     if let Some(folder) = current().as_mut() {
@@ -150,6 +143,7 @@ impl Folder {
         files.iter().for_each(|name| self.place(name, &mut filled));
         self.earlier.iter().filter(|name| self.is_file(name)).for_each(|name| self.remove(name, &mut filled));
         last.iter().for_each(|name| self.place(name, &mut filled));
+        let _ = fs::remove_dir_all(self.directory.join(INCOMPLETE));
         filled
     }
 

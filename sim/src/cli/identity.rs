@@ -1,10 +1,11 @@
 //! Which files belong to one run: some name it, and its summary lists the digests of all others.
 
 use super::{Stop, json};
+use crate::Table;
 use serde_json::Value;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The member that names the run.
 pub(super) const RUN: &str = "run";
@@ -56,12 +57,12 @@ pub(super) fn digest(path: &Path) -> io::Result<String> {
     Ok(digest.text())
 }
 
-/// What a run is known by: the digest of its tables and of what else it was and found.
-pub(super) fn of_run(files: impl Iterator<Item = PathBuf>, values: &[&Value]) -> String {
+/// What a run is known by: the digest of its table and of what else it was and found.
+pub(super) fn of_run(table: &Table, values: &[&Value]) -> String {
     let mut digest = Digest::new();
-    for path in files {
-        // A file that cannot be read back is not in its place later either.
-        let _ = digest.add_file(&path);
+    for column in &table.columns {
+        digest.add(column.header().as_bytes());
+        column.values.iter().for_each(|value| digest.add(&value.to_bits().to_le_bytes()));
     }
     values.iter().for_each(|value| digest.add(value.to_string().as_bytes()));
     digest.text()

@@ -234,7 +234,7 @@ fn tell(
 ) -> Result<(), Stop> {
     files.add_table(table, &arguments.written.format);
     let mut summary = summary(found);
-    files.name_run(&mut [&mut summary]);
+    Files::name_run(table, &mut [&mut summary]);
     folder::tell("summary.json", summary.clone());
     if !arguments.written.no_figures && !table.times().is_empty() {
         files.add_figures(|directory| draw(table, directory));

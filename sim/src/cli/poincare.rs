@@ -110,7 +110,7 @@ fn tell(
         "failure": failure.map(ToString::to_string),
     });
     files.add_table(table, &arguments.written.format);
-    files.name_run(&mut [&mut said]);
+    Files::name_run(table, &mut [&mut said]);
     folder::tell("summary.json", said.clone());
     if !arguments.written.no_figures && !times.is_empty() {
         files.add_figures(draw);

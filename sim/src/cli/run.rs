@@ -67,7 +67,7 @@ fn write(
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
     files.add_table(table, &arguments.written.format);
-    let run_name = files.name_run(&mut [&mut reproduction.file, summary]);
+    let run_name = Files::name_run(table, &mut [&mut reproduction.file, summary]);
     files.add("run.json", |path| write_json(&reproduction.file, path));
     folder::tell("summary.json", summary.clone());
     let without_figures = seconds();

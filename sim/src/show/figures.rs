@@ -45,7 +45,8 @@ pub(crate) fn figures_of(
     let description = outcome.description;
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
-        figures.add("mechanism", draw_mechanism(description, &chosen(run, outcome, table.times()), directory, size));
+        let (name, rows) = (name_beside_groups(description, "mechanism"), chosen(run, outcome, table.times()));
+        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size));
     }
     figures
 }
@@ -74,6 +75,14 @@ pub(super) fn draw_outputs(
         figures.add(figure.name, panels(&[shown], size, directory, figure.name));
     }
     figures
+}
+
+/// What a figure that is no group of outputs is called: names of groups have no hyphen.
+pub(super) fn name_beside_groups(description: &Description, name: &str) -> String {
+    match description.figures.iter().any(|figure| figure.name == name) {
+        true => format!("{name}-figure"),
+        false => name.to_owned(),
+    }
 }
 
 /// Each declared figure with the indices of its outputs.
@@ -108,6 +117,7 @@ pub(super) fn draw_mechanism(
     description: &Description,
     rows: &[Row],
     directory: &Path,
+    name: &str,
     size: Size,
 ) -> Result<(), ShowError> {
     let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
@@ -115,7 +125,7 @@ pub(super) fn draw_mechanism(
         1 => description.type_name.to_owned(),
         n => format!("{} in {n} positions", description.type_name),
     };
-    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, "mechanism")
+    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name)
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.

@@ -1,6 +1,6 @@
 //! The figures of a sweep: everything against what is driven.
 
-use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label};
+use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, name_beside_groups};
 use super::{Curve, Plot, ShowError, Size, panels};
 use crate::outcome::Row;
 use crate::{Column, Driven, Kinematics, Table};
@@ -39,14 +39,16 @@ fn draw(
     let mut add = |name: &str, title: &str, columns: Vec<&Column>| {
         let columns: Vec<&Column> = columns.into_iter().take(MOST_PANELS).collect();
         if !columns.is_empty() {
-            figures.add(name, stacked(title, &columns, abscissa, directory, name, size));
+            let name = name_beside_groups(description, name);
+            figures.add(&name, stacked(title, &columns, abscissa, directory, &name, size));
         }
     };
     add("drive", "What the drive exerts", columns("drive_"));
     add("transmission", "Transmission index", columns("transmission_index"));
     add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
     if !poses.is_empty() {
-        figures.add("mechanism", draw_mechanism(description, poses, directory, size));
+        let name = name_beside_groups(description, "mechanism");
+        figures.add(&name, draw_mechanism(description, poses, directory, &name, size));
     }
     figures
 }

@@ -1,0 +1,60 @@
+//! Signals end whatever goes on with what there is.
+
+use crate::{complete, failing, fresh, rows};
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+fn start(words: &[&str], directory: &Path) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_failing"));
+    command.args(words).arg("--out").arg(directory).stdout(Stdio::null()).stderr(Stdio::piped());
+    command.spawn().unwrap()
+}
+
+/// Sends a signal, and gives the exit status and what was said.
+fn ended_by(signal: &str, mut child: Child) -> (Option<i32>, String) {
+    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+    let mut said = String::new();
+    std::io::Read::read_to_string(child.stderr.as_mut().unwrap(), &mut said).unwrap();
+    (child.wait().unwrap().code(), said)
+}
+
+/// Rows to where a run came, whole, and exit status 130.
+#[test]
+fn a_run_keeps_what_it_has() {
+    for signal in ["-INT", "-TERM"] {
+        let directory = fresh(&format!("interrupted{signal}"));
+        let words = ["run", "quick-return", "--t-end", "1e6", "--rows", "1000000", "--no-figures"];
+        let child = start(&words, &directory);
+        std::thread::sleep(Duration::from_millis(1000));
+        let (status, said) = ended_by(signal, child);
+        assert_eq!(status, Some(130), "{said}");
+        assert!(
+            said.contains("at t = ") && said.contains("interrupted; what was computed until then is kept"),
+            "{said}"
+        );
+        assert!(complete(&directory, &said) > 0.0);
+    }
+}
+
+/// A sweep that would take hours leaves what was there before, or nothing.
+#[test]
+fn a_sweep_ends_at_once() {
+    let words = ["kinematics", "quick-return", "--steps", "10000000"];
+    for (signal, has_earlier) in [("-INT", true), ("-TERM", false)] {
+        let directory = fresh(&format!("swept{signal}"));
+        if has_earlier {
+            let few = ["kinematics", "quick-return", "--steps", "36", "--no-figures", "--out"];
+            assert!(failing(&[&few[..], &[directory.to_str().unwrap()]].concat()).status.success());
+        }
+        let child = start(&words, &directory);
+        std::thread::sleep(Duration::from_millis(500));
+        let (status, said) = ended_by(signal, child);
+        assert_eq!((status, said.as_str()), (Some(130), "interrupted; nothing was written\n"));
+        assert_eq!(directory.exists(), has_earlier);
+        if has_earlier {
+            assert_eq!((rows(&directory).len(), fs::read_dir(&directory).unwrap().count()), (37, 2));
+        }
+    }
+}
