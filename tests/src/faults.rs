@@ -163,11 +163,11 @@ impl Faults {
     fn look(&self, folder: &Path, found: &mut Count) -> std::io::Result<()> {
         let owners = self.owners(folder)?;
         found.folders += 1;
-        found.torn += usize::from(owners.iter().any(|owner| *owner == [false; 2]));
+        found.torn += usize::from(owners.contains(&[false; 2]));
         let is_one = [0, 1].iter().any(|which| owners.iter().all(|owner| owner[*which]));
         let is_refused =
             self.readers(folder).iter().map(|words| self.refuses(words)).collect::<std::io::Result<Vec<_>>>()?;
-        found.mixed += usize::from(is_refused.iter().any(|refused| *refused == is_one));
+        found.mixed += usize::from(is_refused.contains(&is_one));
         found.refused += usize::from(!is_one);
         let is_there = |name: &String| folder.join(name).is_file();
         found.lost += usize::from(!self.references[0].iter().all(|(name, _)| is_there(name)));
