@@ -1,4 +1,5 @@
-//! Writes the kernels of mechanisms of several sizes for the benchmark `scale`, from their declarations' text.
+//! Writes the declarations of random linkages for the command `stress`, and the kernels of mechanisms of several sizes for
+//! the benchmark `scale`, from their declarations' text.
 
 #![allow(missing_docs, unreachable_pub)]
 
@@ -6,13 +7,45 @@
 #[path = "src/declarations.rs"]
 mod declarations;
 
-#[cfg(not(feature = "scale"))]
-fn main() {
+#[path = "src/stress/declare.rs"]
+mod declare;
+#[path = "src/stress/declare_spatial.rs"]
+mod declare_spatial;
+#[allow(dead_code)]
+#[path = "src/stress/topology.rs"]
+mod topology;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
+    stress()?;
+    #[cfg(feature = "scale")]
+    scale()?;
+    Ok(())
+}
+
+/// The linkages of the command `stress`, each in its forms, and the list of them.
+fn stress() -> Result<(), Box<dyn std::error::Error>> {
+    println!("cargo::rerun-if-changed=src/stress/declare.rs");
+    println!("cargo::rerun-if-changed=src/stress/declare_spatial.rs");
+    println!("cargo::rerun-if-changed=src/stress/topology.rs");
+    let (mut text, mut list) = (String::new(), String::new());
+    let planar = topology::PLANAR.iter().map(|linkage| (linkage.name, declare::declarations(linkage)));
+    let spatial = topology::SPATIAL.iter().map(|linkage| (linkage.name, declare_spatial::declarations(linkage)));
+    for (name, forms) in planar.chain(spatial) {
+        list += &format!("Linkage {{ name: {name:?}, forms: &[\n");
+        for declare::Declared { type_name, text: declaration } in forms {
+            text += &format!("sim::mechanism! {{\n{declaration}}}\n\n");
+            list += &format!("    &Typed::<{type_name}>::NEW,\n");
+        }
+        list += "] },\n";
+    }
+    text += &format!("pub(crate) const LINKAGES: &[Linkage] = &[\n{list}];\n");
+    let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
+    Ok(std::fs::write(out.join("stress.rs"), text)?)
 }
 
 #[cfg(feature = "scale")]
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn scale() -> Result<(), Box<dyn std::error::Error>> {
     use declarations::{Angles, CHAIN_SIZES, FOUR_BAR_SIZES, chain, chain_name, four_bars, four_bars_name};
     println!("cargo::rerun-if-changed=src/declarations.rs");
     let (mut mechanisms, mut chains, mut linkages) = (Vec::new(), Vec::new(), Vec::new());

@@ -1,0 +1,205 @@
+//! What is drawn: a linkage with its sizes, masses, loads and start, and how it is run.
+
+use super::LINKAGES;
+use super::sizes;
+use super::topology::{PLANAR, SPATIAL};
+use super::typed::{Found, Linkage};
+use sim::{Method, Rows, Settings, Stabilisation, Stepping, Tolerance};
+use std::f64::consts::TAU;
+use tests::Random;
+
+/// One draw.
+pub(crate) struct Draw {
+    pub(crate) linkage: &'static Linkage,
+    pub(crate) form: usize,
+    pub(crate) parameters: Parameters,
+    /// Size, mass and highest angular speed, which make the natural sizes of all quantities.
+    pub(crate) scales: [f64; 3],
+    pub(crate) task: Task,
+}
+
+pub(crate) type Parameters = Vec<(String, f64)>;
+
+#[derive(Clone, Debug)]
+pub(crate) enum Task {
+    Run(Settings),
+    /// From, to and speed of the first body's angle, and the number of intervals.
+    Sweep([f64; 3], usize),
+}
+
+/// Random numbers of one draw, whatever was drawn before.
+pub(crate) fn random(seed: u64, number: u64) -> Random {
+    let mut mixed = Random(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ number.wrapping_mul(0x2545_f491_4f6c_dd1d));
+    mixed.between(0.0, 1.0);
+    Random(mixed.0 ^ number)
+}
+
+fn pick<'t, T>(random: &mut Random, of: &'t [T]) -> &'t T {
+    &of[random.between(0.0, of.len() as f64) as usize]
+}
+
+/// Between two positive numbers, evenly in the logarithm.
+pub(crate) fn log_between(random: &mut Random, low: f64, high: f64) -> f64 {
+    random.between(low.ln(), high.ln()).exp()
+}
+
+pub(crate) fn happens(random: &mut Random, probability: f64) -> bool {
+    random.between(0.0, 1.0) < probability
+}
+
+/// Draws; none if no sound start was found, or if it is not `of` the linkage that is asked for.
+pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
+    let random = &mut random(seed, number);
+    let index = random.between(0.0, LINKAGES.len() as f64) as usize;
+    if of.is_some_and(|of| of != LINKAGES[index].name) {
+        return None;
+    }
+    let linkage = &LINKAGES[index];
+    let form = random.between(0.0, linkage.forms.len() as f64) as usize;
+    let kind = random.between(0.0, 1.0);
+    for _ in 0..40 {
+        let (parameters, [size, mass, speed]) = match PLANAR.get(index) {
+            Some(planar) => sizes::planar(planar, random),
+            None => sizes::spatial(&SPATIAL[index - PLANAR.len()], random),
+        };
+        // Twelve turns at the speed of the start, as far as it gets.
+        let ahead = Settings { rows: Rows::Even(600), ..Settings::adaptive(Method::Dop853, 12.0 * TAU / speed, 1e-9) };
+        let Ok(found) = linkage.forms[0].run(&parameters, &ahead) else { continue };
+        let pace = Pace::of(&found, ahead.end);
+        if !pace.starts_well(speed) {
+            continue;
+        }
+        let task = if kind < 0.45 {
+            Task::Run(adaptive(&pace, random))
+        } else if kind < 0.9 || !linkage.forms[form].is_driven() {
+            Task::Run(equal(&pace, random))
+        } else {
+            let from = parameters.iter().find(|(name, _)| name == "th_0").map_or(0.0, |(_, value)| *value);
+            let turns = log_between(random, 0.05, 300.0);
+            let rows = log_between(random, 1.0, 1000.0) as usize;
+            Task::Sweep([from, from + turns * TAU, speed], rows)
+        };
+        return Some(Draw { linkage, form, parameters, scales: [size, mass, pace.fastest()], task });
+    }
+    None
+}
+
+impl Draw {
+    /// The form and the way, by which wrong results are counted.
+    pub(crate) fn class(&self) -> String {
+        let way = match &self.task {
+            Task::Sweep(..) => "sweep".to_owned(),
+            Task::Run(settings) => {
+                let steps = if matches!(settings.stepping, Stepping::Equal(_)) { "equal" } else { "adaptive" };
+                let stabilisation = match settings.stabilisation {
+                    Stabilisation::Baumgarte(_) => "baumgarte".to_owned(),
+                    other => other.to_string(),
+                };
+                format!("{steps}, {stabilisation}")
+            }
+        };
+        format!("{}, {way}", self.linkage.forms[self.form].name())
+    }
+
+    /// In one line.
+    pub(crate) fn summary(&self) -> String {
+        let how = match &self.task {
+            Task::Sweep([from, to, _], rows) => format!("sweep from {from:.3} to {to:.3} in {rows}"),
+            Task::Run(settings) => {
+                let Settings { end, method, stepping, stabilisation, rows, .. } = settings;
+                let steps = match stepping {
+                    Stepping::Equal(steps) => format!("{steps} steps"),
+                    Stepping::Adaptive(tolerance) => format!("rtol {:.1e}", tolerance.relative),
+                };
+                format!("{} {steps}, {stabilisation}, to {end:.3e} s, {rows:?}", method.name())
+            }
+        };
+        format!("{} of {:.1e} m, {how}", self.linkage.forms[self.form].name(), self.scales[0])
+    }
+
+    /// The same as parameters of the command line.
+    pub(crate) fn command(&self) -> String {
+        let set: Vec<String> = self.parameters.iter().map(|(name, value)| format!("--set {name}={value:e}")).collect();
+        format!("{} {}", self.summary(), set.join(" "))
+    }
+}
+
+/// How fast the bodies of a linkage turn.
+struct Pace {
+    times: Vec<f64>,
+    /// The highest angular speed until then.
+    highest: Vec<f64>,
+    /// Likewise the square root of the highest angular acceleration.
+    sharpest: Vec<f64>,
+}
+
+impl Pace {
+    fn of(found: &Found, end: f64) -> Pace {
+        let rows = found.columns.first().map_or(0, Vec::len);
+        let so_far = |prefix: &str| {
+            let columns: Vec<&Vec<f64>> = found.starting_with(prefix).collect();
+            let mut most = 0.0f64;
+            let mut until = |i: usize| {
+                most = columns.iter().fold(most, |most, column| most.max(column[i].abs()));
+                most
+            };
+            (0..rows).map(&mut until).collect::<Vec<f64>>()
+        };
+        let times = (0..rows).map(|i| end * i as f64 / (rows - 1) as f64).collect();
+        Pace { times, highest: so_far("w"), sharpest: so_far("e").iter().map(|e| e.sqrt()).collect() }
+    }
+
+    fn fastest(&self) -> f64 {
+        self.highest.last().copied().unwrap_or(0.0)
+    }
+
+    /// No body moves much faster than the first one at the start, as all do beside a dead point.
+    fn starts_well(&self, speed: f64) -> bool {
+        self.highest.first().is_some_and(|highest| *highest <= 6.0 * speed)
+    }
+
+    /// The last time at which the fastest body so far would have made at most so many turns.
+    fn until(&self, turns: f64) -> usize {
+        let within = |i: &usize| self.times[*i] * self.highest[*i] <= turns * TAU;
+        (1..self.times.len()).take_while(within).last().unwrap_or(1)
+    }
+}
+
+fn stabilisation(pace: f64, random: &mut Random) -> Stabilisation {
+    match random.between(0.0, 1.0) {
+        x if x < 0.35 => Stabilisation::Projection,
+        x if x < 0.55 => Stabilisation::MassProjection,
+        x if x < 0.8 => Stabilisation::Partitioning,
+        x if x < 0.9 => Stabilisation::Baumgarte(pace * random.between(0.3, 3.0)),
+        _ => Stabilisation::None,
+    }
+}
+
+fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
+    let last = pace.until(log_between(random, 0.1, 12.0));
+    let method = *pick(random, &[Method::Dopri5, Method::Dop853, Method::Radau5]);
+    let tightest = if method == Method::Radau5 { 1e-10 } else { 1e-12 };
+    let relative = log_between(random, tightest, 1e-5);
+    Settings {
+        stepping: Stepping::Adaptive(Tolerance::new(relative)),
+        stabilisation: stabilisation(pace.highest[last], random),
+        rows: Rows::Even(log_between(random, 1.0, 1001.0) as usize),
+        ..Settings::adaptive(method, pace.times[last], relative)
+    }
+}
+
+/// More steps than these are not drawn, to keep the time of a draw small.
+const MOST_STEPS: f64 = 3000.0;
+
+fn equal(pace: &Pace, random: &mut Random) -> Settings {
+    let method = *pick(random, &Method::ALL);
+    let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, 400.0, 1600.0));
+    // In a turn of the fastest body, and more where it speeds up within a part of a turn.
+    let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
+    let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= MOST_STEPS).unwrap_or(1);
+    Settings {
+        stabilisation: stabilisation(pace.highest[last], random),
+        rows: Rows::Even(log_between(random, 1.0, 1001.0) as usize),
+        ..Settings::equal_steps(method, pace.times[last], steps(last) as usize)
+    }
+}

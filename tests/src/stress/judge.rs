@@ -1,0 +1,221 @@
+//! Whether what a draw gives is right: a reference, a second way to it, and bounds.
+
+use super::draw::{Draw, Parameters, Task};
+use super::typed::{Form, Found, Refusal};
+use sim::{Method, Rows, Settings, Stabilisation, Stepping};
+use std::f64::consts::{PI, TAU};
+
+/// What became of a draw.
+#[derive(Clone, Debug)]
+pub(crate) enum Verdict {
+    Right,
+    /// Refused by name, though there is an answer.
+    Refused(String, String),
+    /// Refused by all.
+    Unanswered,
+    /// The references differ, or there is none.
+    Undecided(String),
+    Wrong(String),
+}
+
+/// A reference with the room that it leaves.
+struct Reference {
+    found: Found,
+    /// Of each column its range, and how far it moves with the start.
+    ranges: Vec<f64>,
+    moved: Vec<f64>,
+    /// Every how manieth row is compared.
+    stride: usize,
+}
+
+/// Two references agree to this part of a column's range.
+const CONFIRMED: f64 = 1e-9;
+/// What the start is changed by, relative.
+const NUDGE: f64 = 1e-12;
+
+/// Runs a draw and judges it.
+pub(crate) fn judge(draw: &Draw) -> Verdict {
+    let result = draw.result(draw.linkage.forms[draw.form], &draw.parameters, &draw.task);
+    if let Err(Refusal::Panic(words)) = result {
+        return Verdict::Wrong(words);
+    }
+    let reference = draw.reference();
+    match (result, reference) {
+        (Ok(found), Ok(reference)) => match draw.worst(&found, &reference) {
+            None => Verdict::Right,
+            Some(words) => Verdict::Wrong(words),
+        },
+        (Err(Refusal::Named(name, words)), Ok(_)) => Verdict::Refused(name, words),
+        (Err(Refusal::Named(..)), Err(_)) => Verdict::Unanswered,
+        (_, Err(why)) => Verdict::Undecided(why),
+        (Err(Refusal::Panic(words)), _) => Verdict::Wrong(words),
+    }
+}
+
+impl Task {
+    fn rows(&self) -> usize {
+        match self {
+            Task::Run(Settings { rows: Rows::Even(rows), .. }) => *rows,
+            Task::Run(_) => 1,
+            Task::Sweep(_, rows) => *rows,
+        }
+    }
+
+    /// The same, with more rows, as exactly as can be.
+    fn exactly(&self, stride: usize, method: Method, relative: f64, stabilisation: Stabilisation) -> Task {
+        let rows = self.rows() * stride;
+        match self {
+            Task::Run(settings) => {
+                let exact = Settings::adaptive(method, settings.end, relative);
+                Task::Run(Settings { rows: Rows::Even(rows), stabilisation, ..exact })
+            }
+            Task::Sweep(span, _) => Task::Sweep(*span, rows),
+        }
+    }
+
+    /// What may be off, as a part of a column's range.
+    fn bound(&self) -> f64 {
+        match self {
+            Task::Sweep(..) => CONFIRMED,
+            Task::Run(Settings { stepping: Stepping::Adaptive(tolerance), .. }) => 1e4 * tolerance.relative,
+            // Methods of higher order than RK4 take as many stages or more, and are held to what it is held to.
+            Task::Run(Settings { method, .. }) => match method {
+                Method::Euler => 0.2,
+                Method::Heun => 1e-2,
+                Method::Rk3 => 1e-3,
+                Method::Rk4 | Method::Dopri5 | Method::Radau5 | Method::Dop853 => 1e-4,
+            },
+        }
+    }
+}
+
+impl Draw {
+    fn result(&self, form: &dyn Form, parameters: &Parameters, task: &Task) -> Result<Found, Refusal> {
+        match task {
+            Task::Run(settings) => form.run(parameters, settings),
+            Task::Sweep(span, rows) => form.sweep(parameters, *span, *rows),
+        }
+    }
+
+    /// A reference that a second form or method confirms.
+    fn reference(&self) -> Result<Reference, String> {
+        let stride = 200usize.div_ceil(self.task.rows());
+        let forms = self.linkage.forms;
+        let projected = Stabilisation::Projection;
+        let ways = [
+            (0, Method::Dop853, 1e-13, projected),
+            (1, Method::Dop853, 1e-13, projected),
+            (0, Method::Dop853, 1e-12, Stabilisation::Partitioning),
+            (1, Method::Dopri5, 1e-12, Stabilisation::Partitioning),
+        ];
+        let mut found: Vec<Found> = Vec::new();
+        let mut refusals = Vec::new();
+        for (form, method, relative, stabilisation) in ways {
+            let task = self.task.exactly(stride, method, relative, stabilisation);
+            let another = match self.result(forms[form], &self.parameters, &task) {
+                Ok(another) => another,
+                Err(refusal) => {
+                    refusals.push(format!("{refusal:?}"));
+                    continue;
+                }
+            };
+            for first in &found {
+                let nudged = self.nudged();
+                let moved = match self.result(forms[0], &nudged, &self.nudged_task(&task)) {
+                    Ok(nudged) => first
+                        .columns
+                        .iter()
+                        .zip(&nudged.columns)
+                        .enumerate()
+                        .map(|(i, (a, b))| a.iter().zip(b).map(|(a, b)| first.apart(i, *a, *b)).fold(0.0, f64::max))
+                        .collect(),
+                    Err(refusal) => {
+                        refusals.push(format!("{refusal:?}"));
+                        continue;
+                    }
+                };
+                let reference = Reference { ranges: self.ranges(first), moved, stride: 1, found: first.clone() };
+                match self.off(&another, &reference, CONFIRMED, 1.0) {
+                    None => return Ok(Reference { stride, ..reference }),
+                    Some(words) => refusals.push(words),
+                }
+            }
+            found.push(another);
+        }
+        Err(refusals.join("; "))
+    }
+
+    fn nudged(&self) -> Parameters {
+        let nudge = |(name, value): &(String, f64)| {
+            let is_start = ["th_0", "w", "w1", "w2", "w3"].contains(&name.as_str());
+            (name.clone(), if is_start { value * (1.0 + NUDGE) } else { *value })
+        };
+        self.parameters.iter().map(nudge).collect()
+    }
+
+    fn nudged_task(&self, task: &Task) -> Task {
+        match task {
+            Task::Sweep([from, to, speed], rows) => {
+                Task::Sweep([from * (1.0 + NUDGE), to * (1.0 + NUDGE), speed * (1.0 + NUDGE)], *rows)
+            }
+            run => run.clone(),
+        }
+    }
+
+    /// From the least to the greatest value of each column, and at least a thousandth of its natural size.
+    fn ranges(&self, found: &Found) -> Vec<f64> {
+        let [size, mass, speed] = self.scales;
+        let natural = |name: &str| match name.trim_start_matches("extreme_").split('_').next().unwrap_or_default() {
+            "x" | "y" | "z" => size,
+            "vx" | "vy" | "vz" => size * speed,
+            "ax" | "ay" | "az" => size * speed * speed,
+            "angle" | "dx" | "dy" | "dz" => 1.0,
+            "w" | "wx" | "wy" | "wz" => speed,
+            "e" | "ex" | "ey" | "ez" => speed * speed,
+            // Forces.
+            _ => mass * size * speed * speed,
+        };
+        let range = |(name, column): (&String, &Vec<f64>)| {
+            let least = column.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+            let greatest = column.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
+            (greatest - least).max(1e-3 * natural(name))
+        };
+        found.names.iter().zip(&found.columns).map(range).collect()
+    }
+
+    fn worst(&self, found: &Found, reference: &Reference) -> Option<String> {
+        self.off(found, reference, self.task.bound(), 100.0)
+    }
+
+    /// The number that is furthest beyond its bound, if one is.
+    fn off(&self, found: &Found, reference: &Reference, bound: f64, moves: f64) -> Option<String> {
+        let mut worst = (1.0, None);
+        for (i, name) in found.names.iter().enumerate() {
+            let Some(k) = reference.found.names.iter().position(|known| known == name) else { continue };
+            let room = bound * reference.ranges[k] + moves * reference.moved[k];
+            let (values, exact) = (&found.columns[i], &reference.found.columns[k]);
+            let stride = if name.starts_with("extreme") { 1 } else { reference.stride };
+            for (row, value) in values.iter().enumerate() {
+                let Some(right) = exact.get(row * stride) else {
+                    return Some(format!("{} rows of {}", values.len(), exact.len() / stride));
+                };
+                let share = reference.found.apart(k, *value, *right) / room;
+                if !(share <= worst.0) {
+                    worst =
+                        (share, Some(format!("{name}[{row}] = {value:e} for {right:e}, {share:.1e} times the bound")));
+                }
+            }
+        }
+        worst.1
+    }
+}
+
+impl Found {
+    /// How far two values of a column are apart; angles up to whole turns.
+    fn apart(&self, column: usize, a: f64, b: f64) -> f64 {
+        match self.names[column].starts_with("angle") {
+            true => ((a - b + PI).rem_euclid(TAU) - PI).abs(),
+            false => (a - b).abs(),
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! A linkage in one form, run without its type.
+
+use sim::{Description, Driven, Mechanism, Settings, Start, Sweep, Table, declared_start, kinematics, run};
+use std::marker::PhantomData;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// The forms of a linkage.
+pub(crate) struct Linkage {
+    pub(crate) name: &'static str,
+    /// The first is what references are made of.
+    pub(crate) forms: &'static [&'static dyn Form],
+}
+
+/// What is found: columns by name, in SI units.
+#[derive(Clone)]
+pub(crate) struct Found {
+    pub(crate) names: Vec<String>,
+    pub(crate) columns: Vec<Vec<f64>>,
+}
+
+impl Found {
+    /// The columns whose name starts so.
+    pub(crate) fn starting_with<'f>(&'f self, prefix: &'f str) -> impl Iterator<Item = &'f Vec<f64>> {
+        self.names.iter().zip(&self.columns).filter(move |(name, _)| name.starts_with(prefix)).map(|(_, column)| column)
+    }
+}
+
+/// Why there is no result.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Refusal {
+    /// The name of the failure, and what it says.
+    Named(String, String),
+    Panic(String),
+}
+
+/// A mechanism without its type. Parameters are given by name; the others keep their defaults.
+pub(crate) trait Form: Sync {
+    fn name(&self) -> &'static str;
+    /// A run from the declared start: its outputs.
+    fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal>;
+    /// The first body driven: its outputs, and the extremes of these.
+    fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal>;
+    /// Whether the angle of its first body is a coordinate, and so can be driven.
+    fn is_driven(&self) -> bool;
+}
+
+/// The mechanism of a type.
+pub(crate) struct Typed<M>(PhantomData<fn() -> M>);
+
+impl<M> Typed<M> {
+    pub(crate) const NEW: Typed<M> = Typed(PhantomData);
+}
+
+impl<M: Mechanism> Form for Typed<M> {
+    fn name(&self) -> &'static str {
+        M::DESCRIPTION.name
+    }
+
+    fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
+        let (mechanism, start) = declared::<M>(parameters);
+        caught(|| {
+            let run = run(mechanism, &start, settings)?;
+            match run.trajectory.failure {
+                Some(failure) => Err(failure),
+                None => Ok(found(&Table::of(&mechanism, &run.trajectory))),
+            }
+        })
+    }
+
+    fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
+        let (mechanism, start) = declared::<M>(parameters);
+        let [from, to, speed] = span;
+        let driven = first_angle(const { &M::DESCRIPTION }).unwrap_or(Driven::Coordinate(0));
+        let sweep = Sweep { driven, from, to, speed, steps: rows, held: vec![] };
+        caught(|| {
+            let swept = kinematics(mechanism, &start, &sweep)?;
+            if let Some(failure) = swept.trajectory.failure {
+                return Err(failure);
+            }
+            let mut found = found(&Table::of(&mechanism, &swept.trajectory));
+            for (i, range) in swept.extremes.outputs.iter().enumerate() {
+                found.names.push(format!("extreme_{}", M::DESCRIPTION.outputs[i].name));
+                found
+                    .columns
+                    .push(range.map_or(vec![f64::NAN; 2], |range| vec![range.least.value, range.greatest.value]));
+            }
+            Ok(found)
+        })
+    }
+
+    fn is_driven(&self) -> bool {
+        first_angle(const { &M::DESCRIPTION }).is_some()
+    }
+}
+
+/// The coordinate that is the angle of the first body.
+fn first_angle(description: &'static Description) -> Option<Driven> {
+    let named = |name: &str| description.coordinates.iter().position(|c| c.position.name == name);
+    ["phi_0", "rel_0", "b_0_phi", "j_0", "a_0"].into_iter().find_map(named).map(Driven::Coordinate)
+}
+
+fn declared<M: Mechanism>(parameters: &[(String, f64)]) -> (M, Start<M>) {
+    let mut values = M::defaults().parameters();
+    for (i, quantity) in M::DESCRIPTION.parameters.iter().enumerate() {
+        if let Some((_, value)) = parameters.iter().find(|(name, _)| name == quantity.name) {
+            values[i] = *value;
+        }
+    }
+    let mechanism = M::defaults().with_parameters(values);
+    (mechanism, declared_start(&mechanism))
+}
+
+/// The outputs of a table.
+fn found(table: &Table) -> Found {
+    let outputs = table.outputs();
+    let names = outputs.iter().map(|column| column.name.clone()).collect();
+    Found { names, columns: outputs.iter().map(|column| column.values.clone()).collect() }
+}
+
+/// What is found, with panics as refusals.
+fn caught<T>(work: impl FnOnce() -> Result<T, sim::Failure>) -> Result<T, Refusal> {
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(found) => found.map_err(|failure| {
+            let name = format!("{:?}", failure.what);
+            let name = name.split([' ', '{', '(']).next().unwrap_or_default().to_owned();
+            Refusal::Named(name, failure.to_string())
+        }),
+        Err(_) => Err(Refusal::Panic("panicked".to_owned())),
+    }
+}
