@@ -5,10 +5,10 @@
 //! `cargo run --release --example 04_own_integrator`
 
 use models::FourBar;
-use sim::{Array, Failure, Mechanism, State, accelerate, assemble, declared_start, project};
+use sim::{Array, Failure, Measures, Mechanism, State, accelerate, assemble, declared_start, project};
 
 /// One step of size h.
-fn verlet<M: Mechanism>(mechanism: &M, state: &mut State<M>, h: f64) -> Result<(), Failure> {
+fn verlet<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>, h: f64) -> Result<(), Failure> {
     let before = accelerate(mechanism, state.time, &state.positions, &state.speeds)?.accelerations;
     for i in 0..M::Q::LEN {
         state.positions[i] += h * state.speeds[i] + h * h / 2.0 * before[i];
@@ -19,16 +19,17 @@ fn verlet<M: Mechanism>(mechanism: &M, state: &mut State<M>, h: f64) -> Result<(
     for i in 0..M::Q::LEN {
         state.speeds[i] += h / 2.0 * (after[i] - before[i]);
     }
-    // Back onto C(q, t) = 0 and C_q q' + C_t = 0; none of these constraints is redundant.
-    project(mechanism, state, 0)
+    // Back onto C(q, t) = 0 and C_q q' + C_t = 0.
+    project(mechanism, measures, state)
 }
 
 /// Angle and speed of the crank.
 fn crank_after(time: f64, steps: usize) -> Result<[f64; 2], Failure> {
     let mechanism = FourBar::defaults();
     let mut state = assemble(&mechanism, &declared_start(&mechanism))?;
+    let measures = Measures::at(&mechanism, state.time, &state.positions);
     for _ in 0..steps {
-        verlet(&mechanism, &mut state, time / steps as f64)?;
+        verlet(&mechanism, &measures, &mut state, time / steps as f64)?;
     }
     Ok([state.positions[0], state.speeds[0]])
 }

@@ -1,8 +1,8 @@
 //! An integrator of one's own in thirty lines: the explicit midpoint rule, projected, with events, like every other.
 
 use sim::{
-    Advance, Attempt, Course, Failure, Mechanism, Motion, Sample, Stabilisation, Stepping, Steps, Tolerance, assemble,
-    declared_start, integrate,
+    Advance, Attempt, Course, Failure, Measures, Mechanism, Motion, Sample, Stabilisation, Stepping, Steps, Tolerance,
+    assemble, declared_start, integrate,
 };
 use std::ops::ControlFlow;
 
@@ -25,8 +25,10 @@ impl<M: Mechanism> Advance<M> for Midpoint {
 
 fn main() -> Result<(), Failure> {
     let mechanism = models::QuickReturn::default();
-    let motion = Motion::new(&mechanism, Stabilisation::Projection);
-    let start = motion.sample(assemble(&mechanism, &declared_start(&mechanism))?)?;
+    let start = assemble(&mechanism, &declared_start(&mechanism))?;
+    let measures = Measures::at(&mechanism, start.time, &start.positions);
+    let motion = Motion::new(&mechanism, Stabilisation::Projection, measures);
+    let start = motion.sample(start)?;
     let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000), interrupt: None };
     let (mut steps, mut last) = (Steps::default(), start);
     integrate(&motion, &mut Midpoint, &course, start, &mut steps, |step| {

@@ -13,6 +13,7 @@
 use crate::conditional::is_active;
 use crate::equations::impulse;
 use crate::failure::{Failure, What, constraint_name};
+use crate::measures::Measures;
 use crate::mobility::check_masses;
 use crate::project::{project_positions, rates};
 use crate::trajectory::State;
@@ -123,7 +124,8 @@ impl<M: Mechanism> Change<M> {
     fn settle(&mut self, event: &'static Event) -> Result<(), Failure> {
         let mechanism = self.mechanism;
         self.check_closed(&mechanism, event)?;
-        project_positions(&mechanism, self.state.time, &mut self.state.positions)?;
+        let measures = Measures::at(&mechanism, self.state.time, &self.state.positions);
+        project_positions(&mechanism, &measures, self.state.time, &mut self.state.positions)?;
         let linear = mechanism.constraint_linearization(self.state.time, &self.state.positions);
         let open = rates::<M>(&linear, &self.state.speeds);
         let size = |row: usize| {

@@ -3,7 +3,9 @@
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::gimbal;
 use crate::least_norm::least_norm;
+use crate::measures::Measures;
 use crate::project::rates;
+use crate::reduction::Reduction;
 use crate::solve::{Solved, solve};
 use crate::trajectory::State;
 use sim_kernel::{Array, Dynamics, Mechanism};
@@ -89,7 +91,20 @@ pub(crate) fn solve_equations<M: Mechanism>(
     if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }
-    accelerate_by_pivoting(mechanism, time, *q, *qd)
+    accelerate_by_pivoting(mechanism, None, time, *q, *qd)
+}
+
+/// The same where constraints are redundant, as these measures have it: beside the constraints too they are then met in
+/// least squares, where [`accelerate`] would take each row of C_q as it is.
+#[cold]
+pub(crate) fn accelerate_redundant<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: M::Q,
+    qd: M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    accelerate_by_pivoting(mechanism, Some(measures), time, q, qd)
 }
 
 /// Whether all of a solution is.
@@ -103,6 +118,7 @@ fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool
 #[cold]
 fn accelerate_by_pivoting<M: Mechanism>(
     mechanism: &M,
+    redundant: Option<&Measures<M>>,
     time: f64,
     q: M::Q,
     qd: M::Q,
@@ -114,8 +130,11 @@ fn accelerate_by_pivoting<M: Mechanism>(
     let jacobian = mechanism.constraint_jacobian(time, q);
     let (force, convective) = (mechanism.generalized_forces(time, q, qd), mechanism.convective_forces(time, q, qd));
     let constraint_convective = mechanism.constraint_convective(time, q, qd);
-    let matrix = saddle::<M>(&mass, &jacobian);
-    let rhs = M::Z::from_fn(|i| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] });
+    let system = |jacobian: &M::LQ, constraint_convective: &M::L| {
+        let rhs = |i: usize| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] };
+        (saddle::<M>(&mass, jacobian), M::Z::from_fn(rhs))
+    };
+    let (matrix, rhs) = system(&jacobian, &constraint_convective);
     // Constraints first: what is wrong with them spoils the equations of the coordinates too.
     let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
     if let Some(row) = (n..n + m).chain(0..n).find(|row| !is_sound(row)) {
@@ -125,10 +144,18 @@ fn accelerate_by_pivoting<M: Mechanism>(
         };
         return Err(fail(What::NotFinite { quantity }));
     }
+    let reduction = redundant.map(|measures| Reduction::new(&jacobian, measures, measures.rank()));
+    let (matrix, rhs) = match &reduction {
+        Some(reduction) => system(&reduction.rows(&jacobian), &reduction.values(&constraint_convective)),
+        None => (matrix, rhs),
+    };
     let solved = solve_motion::<M>(matrix, rhs, time, q);
     let solved = solved.map_err(|failure| gimbal::explained(failure, mechanism, time, q))?;
     let accelerations = M::Q::from_fn(|i| solved.solution[i]);
     let mut multipliers = M::L::from_fn(|i| solved.solution[n + i]);
+    if let Some(reduction) = reduction {
+        multipliers = reduction.multipliers(&multipliers);
+    }
     let undetermined = solved.undetermined().count();
     if undetermined > 0 {
         multipliers = least_norm::<M>(jacobian, &multipliers, m - undetermined);

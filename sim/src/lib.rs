@@ -27,6 +27,7 @@ mod kinematics;
 mod least_norm;
 mod level;
 mod linearize;
+mod measures;
 mod mobility;
 mod motion;
 mod nearby;
@@ -36,6 +37,7 @@ mod partition;
 mod poincare;
 mod project;
 mod record;
+mod reduction;
 mod root;
 mod run;
 mod settings;
@@ -81,6 +83,7 @@ pub use kinematics::{
     dead_points, inverse_dynamics, kinematics,
 };
 pub use linearize::{Control, Linearization, Mode, linearize};
+pub use measures::Measures;
 pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};

@@ -2,6 +2,7 @@
 
 use crate::any::{Any, AnyMechanism};
 use crate::failure::{Failure, What};
+use crate::measures::{measure, without_units};
 use crate::nearby::nearby_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Mechanism;
@@ -99,17 +100,18 @@ pub(crate) fn mobility_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) ->
     }
 }
 
-/// C_q at a position, and where rows depend on others or vanish there, in positions near it too.
+/// C_q without units at a position, and where rows depend on others or vanish there, in positions near it too.
 fn jacobians(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DMatrix<f64>> {
-    let here = mechanism.constraint_jacobian(time, q);
+    let measures = measure(mechanism, time, q);
+    let jacobian = |q: &[f64]| without_units(mechanism.constraint_jacobian(time, q), &measures);
+    let here = jacobian(q);
     let lengths: Vec<f64> = here.row_iter().map(|row| row.norm()).collect();
-    let longest = lengths.iter().copied().fold(0.0, f64::max);
-    let vanishes = lengths.iter().any(|length| *length <= DEPENDENT * longest);
+    let vanishes = lengths.iter().any(|length| *length <= DEPENDENT);
     let nearby = match vanishes || !dependent_rows(mechanism, &here, &lengths).is_empty() {
         true => nearby_positions(mechanism, time, q),
         false => Vec::new(),
     };
-    [here].into_iter().chain(nearby.iter().map(|q| mechanism.constraint_jacobian(time, q))).collect()
+    [here].into_iter().chain(nearby.iter().map(|q| jacobian(q))).collect()
 }
 
 /// The rows that depend on those before them, of those that hold, beside these lengths.

@@ -1,10 +1,10 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
-use crate::conditional::released_rows;
-use crate::equations::{by_inertia, solve_equations};
+use crate::equations::{accelerate_redundant, solve_equations};
 use crate::failure::Failure;
+use crate::measures::Measures;
 use crate::partition::Partition;
-use crate::project::{by_mass, project, project_measured, rates};
+use crate::project::{by_mass, project, project_measured, rates, smallest_by_inertia};
 use crate::settings::Stabilisation;
 use crate::singular::{AT, weakest_constraint};
 use crate::trajectory::{Sample, State};
@@ -18,8 +18,7 @@ pub struct Motion<'m, M: Mechanism> {
     prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition>,
-    /// How many constraints depend on others everywhere, or are released.
-    redundant: usize,
+    measures: Measures<M>,
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
     longest: Cell<M::L>,
@@ -30,25 +29,24 @@ pub struct Motion<'m, M: Mechanism> {
 }
 
 impl<'m, M: Mechanism> Motion<'m, M> {
-    /// The motion of a mechanism, kept on its constraints in this way.
-    pub fn new(mechanism: &'m M, stabilisation: Stabilisation) -> Motion<'m, M> {
-        Motion::with_redundant(mechanism, stabilisation, 0)
-    }
-
-    /// The same where so many constraints depend on others everywhere.
-    pub fn with_redundant(mechanism: &'m M, stabilisation: Stabilisation, redundant: usize) -> Motion<'m, M> {
-        let partition = RefCell::new(Partition::default());
+    /// The motion of a mechanism, kept on its constraints in this way, with what it is measured by.
+    pub fn new(mechanism: &'m M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<'m, M> {
         Motion {
             mechanism,
             prepared: mechanism.prepare(),
             stabilisation,
-            partition,
-            redundant: redundant + released_rows(mechanism),
+            partition: RefCell::new(Partition::default()),
+            measures,
             evaluations: Cell::new(0),
             longest: Cell::new(M::L::filled(0.0)),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
         }
+    }
+
+    /// What coordinates and constraints are measured by.
+    pub fn measures(&self) -> &Measures<M> {
+        &self.measures
     }
 
     /// The mechanism.
@@ -78,10 +76,12 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         if self.stabilisation == Stabilisation::Partitioning || self.keeps_stages.get() {
             state = self.brought_to_constraints(state)?;
         }
-        let mut dynamics =
-            solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?;
+        let mut dynamics = match self.measures.is_redundant() {
+            false => solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
+            true => accelerate_redundant(self.mechanism, &self.measures, state.time, state.positions, state.speeds)?,
+        };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
-            let push = baumgarte(self.mechanism, state, rate)?;
+            let push = baumgarte(self.mechanism, &self.measures, state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
@@ -91,8 +91,10 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     #[cold]
     fn brought_to_constraints(&self, mut state: State<M>) -> Result<State<M>, Failure> {
         match self.stabilisation {
-            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &mut state)?,
-            _ => project(self.mechanism, &mut state, self.redundant)?,
+            Stabilisation::Partitioning => {
+                self.partition.borrow().follow(self.mechanism, &self.measures, &mut state)?
+            }
+            _ => project(self.mechanism, &self.measures, &mut state)?,
         }
         Ok(state)
     }
@@ -104,9 +106,12 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// As the right-hand side.
     pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
         let state = &at.state;
+        let is_projected = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
+        if !is_projected || self.measures.is_redundant() {
+            return self.difference_quotients(at);
+        }
         let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
-        let is_wanted = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
-        if is_wanted && !generated.refused {
+        if !generated.refused {
             return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
         }
         self.difference_quotients(at)
@@ -118,7 +123,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         let (mut by_positions, mut by_speeds) = (zero, zero);
         for j in 0..M::Q::LEN {
             let (mut moved, mut hastened) = (at.state, at.state);
-            let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(1.0);
+            let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(self.measures.coordinates()[j]);
             let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
             moved.positions[j] += steps[0];
             hastened.speeds[j] += steps[1];
@@ -139,11 +144,11 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
             Stabilisation::Projection => {
-                self.closeness.set(project_measured(self.mechanism, state, self.redundant, &self.longest)?);
+                self.closeness.set(project_measured(self.mechanism, &self.measures, state, &self.longest)?);
                 return Ok(());
             }
-            Stabilisation::MassProjection => by_mass(self.mechanism, state)?,
-            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, state)?,
+            Stabilisation::MassProjection => by_mass(self.mechanism, &self.measures, state)?,
+            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &self.measures, state)?,
             Stabilisation::Baumgarte(_) | Stabilisation::None => {}
         }
         self.closeness.set(weakest_constraint(self, state).map_or(0.0, |(_, sine)| sine.powi(-2)));
@@ -178,24 +183,20 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
     }
 
-    /// Makes ready for a step from a state: chooses independent coordinates again if the choice has aged.
-    ///
-    /// # Errors
-    /// If no choice determines the motion.
+    /// Makes ready for a step from a sample to a time: chooses the independent coordinates for it.
     #[inline]
-    pub fn prepare(&self, state: &State<M>) -> Result<(), Failure> {
-        match self.stabilisation {
-            Stabilisation::Partitioning => self.partition.borrow_mut().renew(self.mechanism, state),
-            _ => Ok(()),
+    pub fn prepare(&self, from: &Sample<M>, time: f64) {
+        if self.stabilisation == Stabilisation::Partitioning {
+            self.partition.borrow_mut().renew(self.mechanism, &self.measures, from, time);
         }
     }
 }
 
 /// What Baumgarte's method takes from the accelerations: x with [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
 #[cold]
-fn baumgarte<M: Mechanism>(mechanism: &M, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
+fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let speeds = rates::<M>(&linear, &state.speeds);
     let open = M::L::from_fn(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
-    by_inertia(mechanism, state.time, &state.positions, &linear.jacobian, &open)
+    smallest_by_inertia(mechanism, measures, state.time, &state.positions, (&linear.jacobian, &open), measures.rank())
 }

@@ -5,18 +5,13 @@
 
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::{between_positions, has_speed_rows};
+use crate::measures::Measures;
 use crate::project::is_met;
-use crate::trajectory::State;
+use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// Newton steps after which the dependent coordinates are given up.
 const MOST_STEPS: usize = 20;
-/// Where a dependent coordinate moves this much faster than an independent one, the choice has aged: a fresh one has
-/// ratios of about 1.
-const OLD: f64 = 4.0;
-/// A pivot this much smaller than the first is taken for zero.
-const SMALLEST_PIVOT: f64 = 1e-9;
-
 /// The dependent coordinates and the dependent speeds. They differ where constraints hold between speeds alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partition {
@@ -31,14 +26,25 @@ struct Choice {
 }
 
 impl Partition {
-    /// Chooses again if the choice has aged, or none has been made.
-    pub(crate) fn renew<M: Mechanism>(&mut self, mechanism: &M, state: &State<M>) -> Result<(), Failure> {
-        let jacobian = mechanism.constraint_jacobian(state.time, &state.positions);
-        self.positions.renew::<M>(between_positions::<M>(&jacobian));
+    /// The choice at a position.
+    pub(crate) fn at<M: Mechanism>(mechanism: &M, measures: &Measures<M>, time: f64, q: &M::Q) -> Partition {
+        let mut partition = Partition::default();
+        partition.choose(measures, &mechanism.constraint_jacobian(time, q));
+        partition
+    }
+
+    /// Chooses for a step from a sample to a time, by the position in its middle, foretold from its start.
+    pub(crate) fn renew<M: Mechanism>(&mut self, mechanism: &M, measures: &Measures<M>, from: &Sample<M>, time: f64) {
+        let (state, h) = (&from.state, (time - from.state.time) / 2.0);
+        let moved = |i: usize| state.positions[i] + h * (state.speeds[i] + h / 2.0 * from.accelerations[i]);
+        self.choose(measures, &mechanism.constraint_jacobian(state.time + h, &M::Q::from_fn(moved)));
+    }
+
+    fn choose<M: Mechanism>(&mut self, measures: &Measures<M>, jacobian: &M::LQ) {
+        self.positions.choose(measures, between_positions::<M>(jacobian), measures.rank_of_positions());
         if has_speed_rows::<M>() {
-            self.speeds.renew::<M>(jacobian);
+            self.speeds.choose(measures, *jacobian, measures.rank());
         }
-        Ok(())
     }
 
     /// The dependent coordinates and the dependent speeds, by index.
@@ -51,7 +57,12 @@ impl Partition {
     }
 
     /// Makes the dependent coordinates and speeds follow from the independent ones.
-    pub(crate) fn follow<M: Mechanism>(&self, mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
+    pub(crate) fn follow<M: Mechanism>(
+        &self,
+        mechanism: &M,
+        measures: &Measures<M>,
+        state: &mut State<M>,
+    ) -> Result<(), Failure> {
         if M::L::LEN == 0 {
             return Ok(());
         }
@@ -60,11 +71,11 @@ impl Partition {
         let mut steps = 0;
         loop {
             let by_positions = between_positions::<M>(&linear.jacobian);
-            let (_, change) = self.positions.reduce::<M>(by_positions, linear.values, time, q)?;
+            let change = self.positions.solve(measures, by_positions, linear.values, time, q)?;
             self.positions.dependent.iter().enumerate().for_each(|(k, i)| q[*i] -= change[k]);
             linear = mechanism.constraint_linearization(time, q);
             steps += 1;
-            if is_met(mechanism, time, q, &linear) {
+            if is_met(mechanism, measures, time, q, &linear) {
                 break;
             }
             if steps == MOST_STEPS {
@@ -76,77 +87,88 @@ impl Partition {
         let speeds = self.of_speeds::<M>();
         speeds.dependent.iter().for_each(|i| state.speeds[*i] = 0.0);
         let driven = crate::project::rates::<M>(&linear, &state.speeds);
-        let (_, following) = speeds.reduce::<M>(linear.jacobian, driven, time, q)?;
+        let following = speeds.solve(measures, linear.jacobian, driven, time, q)?;
         speeds.dependent.iter().enumerate().for_each(|(k, i)| state.speeds[*i] = -following[k]);
         Ok(())
     }
 }
 
 impl Choice {
-    fn renew<M: Mechanism>(&mut self, jacobian: M::LQ) {
-        if self.dependent.is_empty() || self.has_aged::<M>(jacobian) {
-            self.choose::<M>(jacobian);
-        }
-    }
-
     /// By elimination with complete pivoting.
-    fn choose<M: Mechanism>(&mut self, mut jacobian: M::LQ) {
+    fn choose<M: Mechanism>(&mut self, measures: &Measures<M>, jacobian: M::LQ, rank: usize) {
         self.dependent.clear();
-        let mut first = 0.0;
-        for k in 0..M::L::LEN.min(M::Q::LEN) {
+        let (mut rows, _) = scaled(measures, &jacobian, &M::L::filled(0.0));
+        for k in 0..rank.min(M::Q::LEN) {
             let (mut row, mut column, mut size) = (k, 0, 0.0);
             for i in k..M::L::LEN {
                 for j in 0..M::Q::LEN {
-                    let entry = jacobian[i][j].abs();
+                    let entry = rows[i][j].abs();
                     if entry > size && !self.dependent.contains(&j) {
                         (row, column, size) = (i, j, entry);
                     }
                 }
             }
-            first = f64::max(first, size);
-            if !(size > SMALLEST_PIVOT * first) {
+            if !(size > 0.0) {
                 break;
             }
-            jacobian.as_mut().swap(k, row);
-            eliminate_column::<M>(&mut jacobian, &mut M::L::filled(0.0), k, column);
+            rows.as_mut().swap(k, row);
+            eliminate_column::<M>(&mut rows, &mut M::L::filled(0.0), k, column);
             self.dependent.push(column);
         }
     }
 
-    fn has_aged<M: Mechanism>(&self, jacobian: M::LQ) -> bool {
-        let Some(reduced) = self.reduced::<M>(jacobian, M::L::filled(0.0)) else { return true };
-        let rows = reduced.0.iter().take(self.dependent.len());
-        !rows.flat_map(|row| row.iter()).all(|entry| entry.abs() <= OLD)
-    }
-
-    /// J_d^-1 J and J_d^-1 r, where J_d are the columns of the dependent coordinates: row k belongs to the k-th of them.
-    fn reduced<M: Mechanism>(&self, mut jacobian: M::LQ, mut residual: M::L) -> Option<(M::LQ, M::L)> {
+    /// J_d^-1 J and J_d^-1 r, where J_d are the columns of the dependent coordinates: row k belongs to the k-th of them. All
+    /// coordinates are counted in the changes that count as 1.
+    fn reduced<M: Mechanism>(
+        &self,
+        measures: &Measures<M>,
+        jacobian: &M::LQ,
+        residual: &M::L,
+    ) -> Option<(M::LQ, M::L)> {
+        let (mut rows, mut residual) = scaled(measures, jacobian, residual);
         for (k, column) in self.dependent.iter().enumerate() {
-            let size = |i: &usize| jacobian[*i][*column].abs();
+            let size = |i: &usize| rows[*i][*column].abs();
             let row = (k..M::L::LEN).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-            jacobian.as_mut().swap(k, row);
+            rows.as_mut().swap(k, row);
             residual.as_mut().swap(k, row);
-            if !(jacobian[k][*column].abs() > 0.0) {
+            if !(rows[k][*column].abs() > 0.0) {
                 return None;
             }
-            eliminate_column::<M>(&mut jacobian, &mut residual, k, *column);
+            eliminate_column::<M>(&mut rows, &mut residual, k, *column);
         }
-        Some((jacobian, residual))
+        Some((rows, residual))
     }
 
-    fn reduce<M: Mechanism>(
+    /// J_d^-1 r, in SI units.
+    fn solve<M: Mechanism>(
         &self,
+        measures: &Measures<M>,
         jacobian: M::LQ,
         residual: M::L,
         time: f64,
         q: &M::Q,
-    ) -> Result<(M::LQ, M::L), Failure> {
-        self.reduced::<M>(jacobian, residual).ok_or_else(|| {
+    ) -> Result<M::L, Failure> {
+        let fail = || {
             let names = self.dependent.iter().map(|i| format!("`{}`", M::DESCRIPTION.coordinates[*i].position.name));
             let unknown = format!("a dependent coordinate, of {},", names.collect::<Vec<_>>().join(", "));
             Failure::at::<M>(What::Singular { unknown }, time, q)
-        })
+        };
+        let (_, mut solution) = self.reduced(measures, &jacobian, &residual).ok_or_else(fail)?;
+        for (k, i) in self.dependent.iter().enumerate() {
+            solution[k] *= measures.coordinates()[*i];
+        }
+        Ok(solution)
     }
+}
+
+/// Rows and their residuals in what coordinates and constraints are measured by.
+fn scaled<M: Mechanism>(measures: &Measures<M>, jacobian: &M::LQ, residual: &M::L) -> (M::LQ, M::L) {
+    let (mut rows, mut residual) = (measures.columns(jacobian), *residual);
+    for (i, size) in measures.constraints().iter().enumerate() {
+        rows[i].as_mut().iter_mut().for_each(|entry| *entry /= size);
+        residual[i] /= size;
+    }
+    (rows, residual)
 }
 
 /// Makes column j a unit vector with its 1 in row k.

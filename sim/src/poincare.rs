@@ -5,6 +5,7 @@ use crate::assemble::Start;
 use crate::events::{Crossing, Occurrence};
 use crate::failure::Failure;
 use crate::kinematics::Driven;
+use crate::measures::Measures;
 use crate::motion::Motion;
 use crate::run::run;
 use crate::settings::{Rows, Settings, StopAt};
@@ -72,7 +73,8 @@ pub fn poincare<M: Mechanism>(
         let phase = phase_before(&found.trajectory, &event.state);
         let mechanism = phase.map_or(mechanism, |phase| phase.mechanism);
         phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
-        samples.push(Motion::new(&mechanism, settings.stabilisation).sample(event.state)?);
+        let measures = Measures::at(&mechanism, event.state.time, &event.state.positions);
+        samples.push(Motion::new(&mechanism, settings.stabilisation, measures).sample(event.state)?);
     }
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
     Ok(Section {

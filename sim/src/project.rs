@@ -1,12 +1,15 @@
 //! Projection onto the constraints: positions by Gauss-Newton, velocities by one linear correction.
 //!
-//! Both corrections are the smallest in the unweighted norm of the coordinates,
-//! q -= C_q' (C_q C_q')^-1 C and q' -= C_q' (C_q C_q')^-1 (C_q q' + C_t), or on request in the metric of the mass matrix.
-//! Rows that depend on others here are left out of a correction, but not of the check that follows it.
+//! Both corrections are the smallest, lengths counted in the mechanism's own length: with D the diagonal matrix of what the
+//! coordinates are measured by, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t); or on
+//! request they are the smallest in the metric of the mass matrix. Where constraints are redundant, C_q and what is left of
+//! the constraints are first reduced to the rank of C_q ([`Reduction`]).
 
 use crate::equations::by_inertia;
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::{between_positions, has_speed_rows};
+use crate::measures::Measures;
+use crate::reduction::Reduction;
 use crate::solve::Definite;
 use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
@@ -14,14 +17,14 @@ use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
-/// A residual below this is met, whatever its terms.
+/// A residual below this part of a constraint's terms is met.
 const TOLERANCE: f64 = 1e-12;
-/// A residual above this is never put down to rounding: a state known no better is lost.
+/// A residual above this part of a constraint's terms is never put down to rounding: a state known no better is lost.
 const LARGEST_ROUNDING: f64 = 1e-6;
-/// A change of positions that is rounding, in SI units.
+/// A change of positions that is rounding, beside those that count as 1.
 const ROUNDING: f64 = 1e-14;
-/// A change of positions, in SI units, and rates of constraints, below which one factorisation serves both projections:
-/// what it leaves of the rates is of the order of their product.
+/// A change of positions, and rates of constraints beside their terms, below which one factorisation serves both
+/// projections: what it leaves of the rates is of the order of their product.
 const SMALL_CHANGE: f64 = 1e-8;
 const SMALL_RATE: f64 = 1e-5;
 
@@ -29,38 +32,47 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
 
 /// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
-/// `redundant` is how many constraints depend on others everywhere.
 ///
 /// # Errors
-/// As those, and [`What::SingularPosition`] where more constraints depend on others.
+/// As those, and [`What::SingularPosition`] where constraints depend on others that are independent where the mechanism was
+/// measured.
 #[inline]
-pub fn project<M: Mechanism>(mechanism: &M, state: &mut State<M>, redundant: usize) -> Result<(), Failure> {
-    project_measured(mechanism, state, redundant, &Cell::new(M::L::filled(0.0))).map(|_| ())
+pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
+    project_measured(mechanism, measures, state, &Cell::new(M::L::filled(0.0))).map(|_| ())
 }
 
-/// The same; gives 1/s^2, where s is the smallest sine between a row of C_q and those before it, of those that are
+/// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
 /// independent. Rows count relative to the longest that they have been, of which it keeps the squares.
 #[inline]
 pub(crate) fn project_measured<M: Mechanism>(
     mechanism: &M,
+    measures: &Measures<M>,
     state: &mut State<M>,
-    redundant: usize,
     longest: &Cell<M::L>,
 ) -> Result<f64, Failure> {
     if M::L::LEN == 0 {
         return Ok(0.0);
     }
-    let (time, q) = (state.time, &mut state.positions);
-    let found = correct_positions(mechanism, time, q)?;
-    let open = rates::<M>(&found.linear, &state.speeds);
-    let serves =
-        !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && open.iter().all(|rate| rate.abs() <= SMALL_RATE);
-    let factors = if serves { found.factors } else { factorise_again::<M>(&found.linear.jacobian, time, q)? };
-    if !factors.is_regular() && factors.dependent().count() > redundant {
-        let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
-        return Err(Failure::at::<M>(What::SingularPosition { constraint }, time, q));
+    if measures.is_redundant() {
+        return project_redundant(mechanism, measures, state);
     }
-    correct_speeds::<M>(&found.linear, &factors, &open, time, q, &mut state.speeds)?;
+    let (time, q) = (state.time, &mut state.positions);
+    let found = correct_positions(mechanism, measures, time, q)?;
+    let open = rates::<M>(&found.linear, &state.speeds);
+    let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
+    let serves = !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
+    let factors = match serves {
+        true => found.factors,
+        false => factorise_again::<M>(&measures.columns(&found.linear.jacobian), time, q)?,
+    };
+    if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
+        return Err(singular_position::<M>(&factors, time, q));
+    }
+    let columns = measures.columns(&found.linear.jacobian);
+    subtract(&mut state.speeds, &least_change(measures, &columns, &factors, open));
+    if !factors.is_regular() {
+        check_dependent_rates(&found.linear, measures, time, q, &state.speeds)?;
+    }
     let (mut squares, mut closeness) = (longest.get(), 0.0f64);
     for row in 0..M::L::LEN {
         let (square, inverse_pivot) = factors.row(row);
@@ -71,8 +83,32 @@ pub(crate) fn project_measured<M: Mechanism>(
     Ok(closeness)
 }
 
-/// Corrects positions until |C_i| <= max(1e-12, 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|)), once at
-/// least; gives the constraints linearised there.
+/// The same where constraints are redundant; rows of the reduced C_q count relative to 1.
+#[cold]
+fn project_redundant<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+) -> Result<f64, Failure> {
+    let (time, q) = (state.time, &mut state.positions);
+    let linear = correct_redundant_positions(mechanism, measures, time, q)?;
+    let (change, factors) = reduced_change(measures, &linear.jacobian, &rates::<M>(&linear, &state.speeds), time, q)?;
+    if factors.dependent().count() > M::L::LEN - measures.rank() {
+        return Err(singular_position::<M>(&factors, time, q));
+    }
+    subtract(&mut state.speeds, &change);
+    check_dependent_rates(&linear, measures, time, q, &state.speeds)?;
+    Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
+}
+
+#[cold]
+fn singular_position<M: Mechanism>(factors: &Definite<M::LL, M::L>, time: f64, q: &M::Q) -> Failure {
+    let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
+    Failure::at::<M>(What::SingularPosition { constraint }, time, q)
+}
+
+/// Corrects positions until |C_i| <= 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|) + 1e-12 of what the constraint is
+/// measured by, once at least; gives the constraints linearised there.
 ///
 /// An absolute tolerance alone could not be met by constraints with large terms, and without the first correction
 /// the projection would set in at some step and spoil the order of the method.
@@ -80,11 +116,17 @@ pub(crate) fn project_measured<M: Mechanism>(
 /// # Errors
 /// [`What::NotProjected`] after ten corrections, [`What::NotFinite`] if a constraint leaves its domain.
 #[inline]
-pub fn project_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Linearization<M>, Failure> {
-    if M::L::LEN == 0 {
-        return Ok(mechanism.constraint_linearization(time, q));
+pub fn project_positions<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &mut M::Q,
+) -> Result<Linearization<M>, Failure> {
+    match M::L::LEN {
+        0 => Ok(mechanism.constraint_linearization(time, q)),
+        _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, time, q),
+        _ => Ok(correct_positions(mechanism, measures, time, q)?.linear),
     }
-    Ok(correct_positions(mechanism, time, q)?.linear)
 }
 
 /// Corrects velocities at a position where the constraints are already linearised.
@@ -93,6 +135,7 @@ pub fn project_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -
 /// [`What::DependentConstraint`] if a constraint that depends on others here contradicts them.
 #[inline]
 pub fn project_velocities<M: Mechanism>(
+    measures: &Measures<M>,
     linear: &Linearization<M>,
     time: f64,
     q: &M::Q,
@@ -101,8 +144,18 @@ pub fn project_velocities<M: Mechanism>(
     if M::L::LEN == 0 {
         return Ok(());
     }
-    let factors = factorise::<M>(&linear.jacobian, time, q)?;
-    correct_speeds::<M>(linear, &factors, &rates::<M>(linear, qd), time, q, qd)
+    let open = rates::<M>(linear, qd);
+    if measures.is_redundant() {
+        subtract(qd, &reduced_change(measures, &linear.jacobian, &open, time, q)?.0);
+        return check_dependent_rates(linear, measures, time, q, qd);
+    }
+    let columns = measures.columns(&linear.jacobian);
+    let factors = factorise::<M>(&columns, time, q)?;
+    subtract(qd, &least_change(measures, &columns, &factors, open));
+    match factors.is_regular() {
+        true => Ok(()),
+        false => check_dependent_rates(linear, measures, time, q, qd),
+    }
 }
 
 /// C_q q' + C_t.
@@ -115,15 +168,37 @@ pub fn rates<M: Mechanism>(linear: &Linearization<M>, qd: &M::Q) -> M::L {
 ///
 /// # Errors
 /// As [`project`], and where the mass matrix does not determine the change.
-pub(crate) fn by_mass<M: Mechanism>(mechanism: &M, state: &mut State<M>) -> Result<(), Failure> {
+pub(crate) fn by_mass<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+) -> Result<(), Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let (linear, _) = correct(mechanism, time, q, |linear, q| {
-        by_inertia(mechanism, time, q, &between_positions::<M>(&linear.jacobian), &linear.values)
-            .map(|change| (change, ()))
+    let (linear, ()) = correct(mechanism, measures, time, q, |linear, q| {
+        let jacobian = between_positions::<M>(&linear.jacobian);
+        let rank = measures.rank_of_positions();
+        smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank).map(|change| (change, ()))
     })?;
-    let change = by_inertia(mechanism, time, q, &linear.jacobian, &rates::<M>(&linear, &state.speeds))?;
+    let open = rates::<M>(&linear, &state.speeds);
+    let change = smallest_by_inertia(mechanism, measures, time, q, (&linear.jacobian, &open), measures.rank())?;
     subtract(&mut state.speeds, &change);
     Ok(())
+}
+
+/// M^-1 C_q' (C_q M^-1 C_q')^-1 r, for C_q of this rank away from singular positions.
+pub(crate) fn smallest_by_inertia<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    (jacobian, open): (&M::LQ, &M::L),
+    rank: usize,
+) -> Result<M::Q, Failure> {
+    if !measures.is_redundant() {
+        return by_inertia(mechanism, time, q, jacobian, open);
+    }
+    let reduction = Reduction::new(jacobian, measures, rank);
+    by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
 }
 
 /// Where positions have been corrected to.
@@ -132,27 +207,66 @@ struct Corrected<M: Mechanism> {
     linear: Linearization<M>,
     /// The factors that the last correction was made with.
     factors: Factors<M>,
-    /// The largest change of the last correction.
+    /// The largest change of the last correction, beside those that count as 1.
     last_change: f64,
 }
 
 #[inline]
-fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Result<Corrected<M>, Failure> {
-    let (linear, (factors, last_change)) = correct(mechanism, time, q, |linear, q| {
-        let without_speed_rows;
-        let jacobian = match has_speed_rows::<M>() {
-            false => &linear.jacobian,
-            true => {
-                without_speed_rows = between_positions::<M>(&linear.jacobian);
-                &without_speed_rows
-            }
+fn correct_positions<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &mut M::Q,
+) -> Result<Corrected<M>, Failure> {
+    let (linear, (factors, last_change)) = correct(mechanism, measures, time, q, |linear, q| {
+        let columns = match has_speed_rows::<M>() {
+            false => measures.columns(&linear.jacobian),
+            true => measures.columns(&between_positions::<M>(&linear.jacobian)),
         };
-        let factors = factorise::<M>(jacobian, time, q)?;
-        let change = least_change::<M>(jacobian, &factors, linear.values);
-        let size = change.iter().fold(0.0f64, |size, change| size.max(change.abs()));
+        let factors = factorise::<M>(&columns, time, q)?;
+        let change = least_change(measures, &columns, &factors, linear.values);
+        let size = measures.size(&change);
         Ok((change, (factors, size)))
     })?;
     Ok(Corrected { linear, factors, last_change })
+}
+
+fn correct_redundant_positions<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &mut M::Q,
+) -> Result<Linearization<M>, Failure> {
+    let (linear, ()) = correct(mechanism, measures, time, q, |linear, q| {
+        let jacobian = between_positions::<M>(&linear.jacobian);
+        let reduction = Reduction::new(&jacobian, measures, measures.rank_of_positions());
+        reduction_change(&reduction, measures, &jacobian, &linear.values, time, q).map(|(change, _)| (change, ()))
+    })?;
+    Ok(linear)
+}
+
+/// The smallest change of speeds that closes the rates of redundant constraints, with the factors of the reduced rows.
+fn reduced_change<M: Mechanism>(
+    measures: &Measures<M>,
+    jacobian: &M::LQ,
+    open: &M::L,
+    time: f64,
+    q: &M::Q,
+) -> Result<(M::Q, Factors<M>), Failure> {
+    reduction_change(&Reduction::new(jacobian, measures, measures.rank()), measures, jacobian, open, time, q)
+}
+
+fn reduction_change<M: Mechanism>(
+    reduction: &Reduction<M>,
+    measures: &Measures<M>,
+    jacobian: &M::LQ,
+    open: &M::L,
+    time: f64,
+    q: &M::Q,
+) -> Result<(M::Q, Factors<M>), Failure> {
+    let columns = measures.columns(&reduction.rows(jacobian));
+    let factors = factorise::<M>(&columns, time, q)?;
+    Ok((least_change(measures, &columns, &factors, reduction.values(open)), factors))
 }
 
 /// Subtracts corrections from positions until the constraints are met; gives the constraints there, and what came with
@@ -160,6 +274,7 @@ fn correct_positions<M: Mechanism>(mechanism: &M, time: f64, q: &mut M::Q) -> Re
 #[inline]
 fn correct<M: Mechanism, T>(
     mechanism: &M,
+    measures: &Measures<M>,
     time: f64,
     q: &mut M::Q,
     change: impl Fn(&Linearization<M>, &M::Q) -> Result<(M::Q, T), Failure>,
@@ -171,11 +286,11 @@ fn correct<M: Mechanism, T>(
         }
         let (correction, last) = change(&linear, q)?;
         subtract(q, &correction);
-        if is_rounding::<M>(&linear, &correction) {
+        if is_rounding(measures, &linear, &correction) {
             return Ok((linear, last));
         }
         linear = mechanism.constraint_linearization(time, q);
-        if is_met(mechanism, time, q, &linear) {
+        if is_met(mechanism, measures, time, q, &linear) {
             return Ok((linear, last));
         }
     }
@@ -194,18 +309,23 @@ fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
 /// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
 /// what it leaves of C is of its second order.
 #[inline]
-fn is_rounding<M: Mechanism>(linear: &Linearization<M>, correction: &M::Q) -> bool {
-    let is_small = |values: &[f64], bound: f64| values.iter().all(|value| value.abs() <= bound);
-    is_small(linear.values.as_ref(), 0.1 * TOLERANCE) && is_small(correction.as_ref(), ROUNDING)
+fn is_rounding<M: Mechanism>(measures: &Measures<M>, linear: &Linearization<M>, correction: &M::Q) -> bool {
+    is_within(measures, &linear.values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
 }
 
-/// The factors of C_q C_q'.
+/// Whether all of these residuals are at most this part of what the constraints are measured by.
 #[inline(always)]
-fn factorise<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
+    (0..M::L::LEN).all(|row| values[row].abs() <= part * measures.constraints()[row])
+}
+
+/// The factors of A A'.
+#[inline(always)]
+fn factorise<M: Mechanism>(columns: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
     let mut gram = M::LL::filled(M::L::filled(0.0));
     for i in 0..M::L::LEN {
         for j in 0..=i {
-            gram[i][j] = inner(&jacobian[i], &jacobian[j]);
+            gram[i][j] = inner(&columns[i], &columns[j]);
         }
     }
     Definite::new(gram).map_err(|undefined| {
@@ -215,37 +335,22 @@ fn factorise<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Fact
 }
 
 #[inline(never)]
-fn factorise_again<M: Mechanism>(jacobian: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    factorise::<M>(jacobian, time, q)
+fn factorise_again<M: Mechanism>(columns: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
+    factorise::<M>(columns, time, q)
 }
 
-/// C_q' (C_q C_q')^-1 r.
+/// D A' (A A')^-1 r, with A = C_q D.
 #[inline]
-fn least_change<M: Mechanism>(jacobian: &M::LQ, factors: &Factors<M>, residual: M::L) -> M::Q {
+fn least_change<M: Mechanism>(measures: &Measures<M>, columns: &M::LQ, factors: &Factors<M>, residual: M::L) -> M::Q {
     let weights = factors.solve(residual);
-    M::Q::from_fn(|j| (0..M::L::LEN).map(|i| jacobian[i][j] * weights[i]).sum())
-}
-
-#[inline]
-fn correct_speeds<M: Mechanism>(
-    linear: &Linearization<M>,
-    factors: &Factors<M>,
-    open: &M::L,
-    time: f64,
-    q: &M::Q,
-    qd: &mut M::Q,
-) -> Result<(), Failure> {
-    subtract(qd, &least_change::<M>(&linear.jacobian, factors, *open));
-    match factors.is_regular() {
-        true => Ok(()),
-        false => check_dependent_rates::<M>(linear, time, q, qd),
-    }
+    measures.change(M::Q::from_fn(|j| (0..M::L::LEN).map(|i| columns[i][j] * weights[i]).sum()))
 }
 
 /// A constraint that depends on others must not ask for another speed than they do.
 #[cold]
 fn check_dependent_rates<M: Mechanism>(
     linear: &Linearization<M>,
+    measures: &Measures<M>,
     time: f64,
     q: &M::Q,
     qd: &M::Q,
@@ -253,9 +358,8 @@ fn check_dependent_rates<M: Mechanism>(
     let terms = |i: usize| linear.jacobian[i].iter().zip(qd.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
     let left = rates::<M>(linear, qd);
     // A position within 1e-6 of a singular one leaves that part of the speeds.
-    let contradicts =
-        |i: &usize| !(left[*i].abs() <= 1e-6 * (terms(*i) + linear.time_derivative[*i].abs()) + TOLERANCE);
-    match (0..M::L::LEN).find(contradicts) {
+    let bound = |i: usize| 1e-6 * (terms(i) + linear.time_derivative[i].abs()) + TOLERANCE * measures.constraints()[i];
+    match (0..M::L::LEN).find(|row| !(left[*row].abs() <= bound(*row))) {
         None => Ok(()),
         Some(row) => {
             let what = What::DependentConstraint { constraint: constraint_name::<M>(row) };
@@ -278,16 +382,29 @@ fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
 
 /// Whether every residual is at the level of its own rounding.
 #[inline]
-pub(crate) fn is_met<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q, linear: &Linearization<M>) -> bool {
-    linear.values.iter().all(|value| value.abs() <= TOLERANCE) || is_met_by_rounding(mechanism, time, q, linear)
+pub(crate) fn is_met<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    linear: &Linearization<M>,
+) -> bool {
+    is_within(measures, &linear.values, TOLERANCE) || is_met_by_rounding(mechanism, measures, time, q, linear)
 }
 
 #[cold]
-fn is_met_by_rounding<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q, linear: &Linearization<M>) -> bool {
+fn is_met_by_rounding<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    linear: &Linearization<M>,
+) -> bool {
     let magnitudes = mechanism.constraint_magnitudes(time, q);
     (0..M::L::LEN).all(|i| {
         let moved: f64 = linear.jacobian[i].iter().zip(q.iter()).map(|(c, q)| (c * q).abs()).sum();
         let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
-        linear.values[i].abs() <= rounding.clamp(TOLERANCE, LARGEST_ROUNDING)
+        let size = measures.constraints()[i];
+        linear.values[i].abs() <= (rounding + TOLERANCE * size).min(LARGEST_ROUNDING * size)
     })
 }

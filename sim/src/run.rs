@@ -9,6 +9,7 @@ use crate::inertia::check_inertias;
 use crate::integrate::{
     Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
 };
+use crate::measures::Measures;
 use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::Motion;
 use crate::record::Recorder;
@@ -129,19 +130,20 @@ fn run_phases<M: Mechanism>(
     evaluations: &mut u64,
 ) -> Result<(), Failure> {
     let begin = state.time;
-    let (mut is_phase, mut redundant) = (true, 0);
+    let mut is_phase = true;
+    let mut measures = Measures::of_independent(&mechanism, state.time, &state.positions);
     loop {
         if is_phase {
             let found = mobility(&mechanism, state.time, &state.positions);
             found.check_regular::<M>(state.time, &state.positions)?;
-            redundant = found.dependent.len();
+            measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         }
         mechanism = control.ask(mechanism, &state, |mechanism| {
-            Motion::with_redundant(mechanism, settings.stabilisation, redundant).sample(state)
+            Motion::new(mechanism, settings.stabilisation, measures).sample(state)
         })?;
         let span = settings.until(control.holds_until(settings.end), begin);
-        let motion = Motion::with_redundant(&mechanism, settings.stabilisation, redundant);
-        let ended = motion.prepare(&state).and_then(|()| motion.sample(state)).and_then(|sample| {
+        let motion = Motion::new(&mechanism, settings.stabilisation, measures);
+        let ended = motion.sample(state).and_then(|sample| {
             if is_phase {
                 recorder.start(&motion, sample)?;
             }

@@ -67,13 +67,14 @@ pub enum Stepping {
     Adaptive(Tolerance),
 }
 
-/// The error that one step may make in a coordinate or speed x: `absolute`, in the declared unit of x, plus
-/// `relative` times |x|.
+/// The error that one step may make in a coordinate or speed x: `relative` times |x| plus `absolute` times what x is measured
+/// by, which is the mechanism's own length for lengths and 1 rad for angles ([`Measures`](crate::Measures)), whatever unit is
+/// declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Relative.
     pub relative: f64,
-    /// Absolute, in declared units.
+    /// Absolute, a part of what a coordinate is measured by.
     pub absolute: f64,
 }
 

@@ -3,10 +3,14 @@
 //! Branches of the configuration space cross there. Speeds do not jump, so the motion goes straight on along its own; but
 //! with s the sine of the angle between a row of C_q and those before it, rounding of positions is amplified by 1/s and
 //! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages and far from all of them.
+//!
+//! Sines are taken of C_q D: each coordinate is counted in what it is measured by, so that they are the same for a linkage of
+//! 1 mm and for one of 100 m.
 
 use crate::failure::{Failure, constraint_name};
 use crate::motion::Motion;
 use crate::project::inner;
+use crate::reduction::Reduction;
 use crate::root::find_root;
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
@@ -36,7 +40,10 @@ const APPROACH: f64 = 0.9;
 /// How far the sines at the ends of steps are foretold, in steps as long as the last.
 const FORESIGHT: f64 = 3.0;
 /// Below this sine, foretold, the way ahead is looked at.
-const LOOK: f64 = 0.06;
+const LOOK: f64 = 0.15;
+/// By how much the time to a singular position may differ from what the sine and its rate here make it, where that is beyond
+/// the next step: a sine that falls to zero does so evenly at last.
+const UNEVEN: f64 = 2.0;
 
 /// Whether a singular position may lie within the next steps, after two that ended at these sines.
 #[inline]
@@ -44,33 +51,35 @@ pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
     now - FORESIGHT * (before - now) < LOOK
 }
 
-/// How a step is laid.
+/// How steps over singular positions are laid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lie {
-    /// Where it would end were there no singular position.
-    pub(crate) goal: f64,
-    /// The longest that it may be, in seconds.
+    /// The longest that a step may be that need not be longer, in seconds.
     pub(crate) longest: f64,
     /// The place in a step that is farthest from its stages.
     pub(crate) gap: f64,
-    /// Whether its stages may be brought onto the constraints.
-    pub(crate) keeps_stages: bool,
-    /// Below this sine it does not start, but at the end of one that leads over a singular position, which may be longer.
+    /// The sine that a step over a singular position begins and ends at, at least; it may be longer for that.
     pub(crate) least_sine: f64,
 }
 
-/// Where a step from a sample should end, so that its stages keep away from the singular position ahead, if there is one:
-/// before it, or beyond it.
-///
-/// Explicit stages of a step that leads over it are evaluated on the constraints, so that what they are off is not divided by s.
-pub(crate) fn end_of_step<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> f64 {
+/// What lies ahead within about a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Ahead {
+    /// No singular position.
+    Nothing,
+    /// One that a step to this time leads up to, so that the next one leads over it.
+    UpTo(f64),
+    /// One that a step to this time leads over.
+    Over(f64),
+}
+
+/// How to go on from a sample so that stages keep away from the singular position ahead, if there is one.
+pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Ahead {
     let now = from.state.time;
-    let ahead = singularity_ahead(motion, from, lie);
-    motion.keep_stages(lie.keeps_stages && ahead.is_some_and(|(ahead, h)| ahead <= lie.gap * h));
-    match ahead {
-        Some((ahead, h)) if ahead <= lie.gap * h => now + ahead / lie.gap,
-        Some((ahead, h)) => lie.goal.min(now + ahead - APPROACH * lie.gap * h),
-        None => lie.goal,
+    match singularity_ahead(motion, from, lie) {
+        None => Ahead::Nothing,
+        Some((ahead, h)) if ahead <= lie.gap * h => Ahead::Over(now + ahead / lie.gap),
+        Some((ahead, h)) => Ahead::UpTo(now + ahead - APPROACH * lie.gap * h),
     }
 }
 
@@ -78,50 +87,92 @@ pub(crate) fn end_of_step<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, li
 /// long a step over it may be.
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
+    let followed = Followed::at(motion, state);
     let rows = |ahead: f64| {
         let position = |i: usize| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * from.accelerations[i]);
-        independent_parts::<M>(&motion.mechanism().constraint_jacobian(state.time + ahead, &M::Q::from_fn(position)))
+        followed.parts(state.time + ahead, &M::Q::from_fn(position))
     };
     let (here, next) = (rows(0.0), rows(lie.longest));
     let of_row = |row: usize| {
         let along = |rows: &M::LQ| inner(&rows[row], &here[row]);
-        let slope = sine(motion, row, &here) * (1.0 - along(&next) / along(&here)) / lie.longest;
+        let sine = followed.sine(row, &here);
+        let slope = sine * (1.0 - along(&next) / along(&here)) / lie.longest;
         let needed = lie.least_sine / (APPROACH * lie.gap * slope);
         let h = if needed > lie.longest { needed } else { lie.longest };
         let reach = 1.5 * h;
         let root =
             root_between(along(&here), along(&rows(reach)), 1e-4, &mut |s| Ok(along(&rows(s * reach)))).ok()??;
-        (sine(motion, row, &rows(root * reach)) < FORETOLD).then_some((root * reach, h))
+        let ahead = root * reach;
+        let is_even = (1.0 / UNEVEN..=UNEVEN).contains(&(ahead * slope / sine));
+        let is_found = followed.sine(row, &rows(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
+        is_found.then_some((ahead, h))
     };
     (0..M::L::LEN).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
-/// The singular position that a step has passed, if any: the part of a row of C_q that is independent of those before it
-/// has turned round. `inside` gives the state at a fraction of the step.
-pub(crate) fn passed<M: Mechanism>(
-    motion: &Motion<M>,
-    [from, to]: [&State<M>; 2],
-    [before, after]: [&M::LQ; 2],
-    inside: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
-) -> Result<Option<Singularity>, Failure> {
-    for row in 0..M::L::LEN {
-        let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
-        let found =
-            root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts_at(motion, &inside(s)?))))?;
-        let Some(fraction) = found else { continue };
-        let sine = sine(motion, row, &parts_at(motion, &inside(fraction)?));
-        if sine < FOUND {
-            let time = from.time + fraction * (to.time - from.time);
-            return Ok(Some(Singularity { constraint: constraint_name::<M>(row), time, sine }));
-        }
-    }
-    Ok(None)
+/// The rows of C_q D whose independence is followed: those declared, or where some are redundant, combinations of them that
+/// are not and that stay the same.
+pub(crate) struct Followed<'a, 'm, M: Mechanism> {
+    motion: &'a Motion<'m, M>,
+    reduction: Option<Reduction<M>>,
 }
 
-/// The part of each row of C_q at a state that is orthogonal to those before it.
-#[inline]
-pub(crate) fn parts_at<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> M::LQ {
-    independent_parts::<M>(&motion.mechanism().constraint_jacobian(state.time, &state.positions))
+impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
+    /// Those at a state.
+    pub(crate) fn at(motion: &'a Motion<'m, M>, state: &State<M>) -> Followed<'a, 'm, M> {
+        let measures = motion.measures();
+        let reduction = measures.is_redundant().then(|| {
+            let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+            Reduction::new(&jacobian, measures, measures.rank())
+        });
+        Followed { motion, reduction }
+    }
+
+    /// The part of each row at a position that is orthogonal to those before it.
+    #[inline]
+    pub(crate) fn parts(&self, time: f64, q: &M::Q) -> M::LQ {
+        independent_parts::<M>(&self.rows(time, q))
+    }
+
+    fn rows(&self, time: f64, q: &M::Q) -> M::LQ {
+        let jacobian = self.motion.mechanism().constraint_jacobian(time, q);
+        let columns = self.motion.measures().columns(&jacobian);
+        self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
+    }
+
+    /// The length of the independent part of a row, relative to the longest that the row has been; of a combination relative
+    /// to 1.
+    fn sine(&self, row: usize, parts: &M::LQ) -> f64 {
+        let longest = if self.reduction.is_some() { 1.0 } else { self.motion.longest()[row] };
+        (inner(&parts[row], &parts[row]) / longest).sqrt()
+    }
+
+    /// The constraint that a row is, or that has the largest part in it.
+    fn constraint(&self, row: usize) -> &'static str {
+        constraint_name::<M>(self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)))
+    }
+
+    /// The singular position that a step from these rows has passed, if any: the part of a row that is independent of those
+    /// before it has turned round. `inside` gives the state at a fraction of the step.
+    pub(crate) fn passed(
+        &self,
+        [from, to]: [&State<M>; 2],
+        [before, after]: [&M::LQ; 2],
+        inside: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
+    ) -> Result<Option<Singularity>, Failure> {
+        let mut parts = |fraction: f64| inside(fraction).map(|state| self.parts(state.time, &state.positions));
+        for row in 0..M::L::LEN {
+            let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
+            let found = root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts(s)?)))?;
+            let Some(fraction) = found else { continue };
+            let sine = self.sine(row, &parts(fraction)?);
+            if sine < FOUND {
+                let time = from.time + fraction * (to.time - from.time);
+                return Ok(Some(Singularity { constraint: self.constraint(row), time, sine }));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// A root in (0, 1) of a function that falls from a positive value to a negative one, if it does.
@@ -136,16 +187,12 @@ fn root_between(
 
 /// The constraint that is nearest to depending on those before it, of those that do not everywhere, with its sine.
 pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Option<(&'static str, f64)> {
-    let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
-    motion.lengthen(|row| inner(&jacobian[row], &jacobian[row]));
-    let rows = independent_parts::<M>(&jacobian);
-    let sines = (0..M::L::LEN).map(|row| (row, sine(motion, row, &rows))).filter(|(_, sine)| *sine > 0.0);
-    sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (constraint_name::<M>(row), sine))
-}
-
-/// The length of the independent part of a row, relative to the longest that the row has been.
-fn sine<M: Mechanism>(motion: &Motion<M>, row: usize, parts: &M::LQ) -> f64 {
-    (inner(&parts[row], &parts[row]) / motion.longest()[row]).sqrt()
+    let followed = Followed::at(motion, state);
+    let rows = followed.rows(state.time, &state.positions);
+    motion.lengthen(|row| inner(&rows[row], &rows[row]));
+    let parts = independent_parts::<M>(&rows);
+    let sines = (0..M::L::LEN).map(|row| (row, followed.sine(row, &parts))).filter(|(_, sine)| *sine > 0.0);
+    sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (followed.constraint(row), sine))
 }
 
 /// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere.

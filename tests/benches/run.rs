@@ -4,7 +4,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{QuickReturn, QuickReturnRatio};
-use sim::Mechanism;
+use sim::{Measures, Mechanism};
 use std::hint::black_box;
 use tests::{Random, run, shortest};
 
@@ -39,10 +39,12 @@ fn measure<M: Mechanism>(name: &str, mechanism: M, sine: f64) {
         let s = state(i);
         black_box(mechanism.dynamics(s.time, &s.positions, &s.speeds));
     });
+    let first = &state(0);
+    let measures = Measures::at(&mechanism, first.time, &first.positions);
     let project = per_call(|i| {
         let (mut positions, mut speeds) = (state(i).positions, state(i).speeds);
-        let linear = sim::project_positions(&mechanism, 0.0, &mut positions).unwrap();
-        sim::project_velocities::<M>(&linear, 0.0, &positions, &mut speeds).unwrap();
+        let linear = sim::project_positions(&mechanism, &measures, 0.0, &mut positions).unwrap();
+        sim::project_velocities(&measures, &linear, 0.0, &positions, &mut speeds).unwrap();
         black_box((positions, speeds));
     });
     let integration = (0..RUNS).map(|_| run(mechanism, 2.0, 8192).unwrap().integration_time).min().unwrap();

@@ -5,8 +5,8 @@
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
 use sim::{
-    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Mechanism, Motion, RK4, Radau5, Stabilisation,
-    State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
+    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Measures, Mechanism, Motion, RK4, Radau5,
+    Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -95,8 +95,8 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     end: f64,
     start: State<QuickReturn>,
 ) {
-    let motion = Motion::new(mechanism, stabilisation);
-    motion.prepare(&start).unwrap();
+    let measures = Measures::at(mechanism, start.time, &start.positions);
+    let motion = Motion::new(mechanism, stabilisation, measures);
     let first = motion.sample(start).unwrap();
     let mut events = EventSearch::new(0.0);
     let mut steps = Steps::default();

@@ -5,7 +5,7 @@ use crate::mechanisms::all_mechanisms;
 use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
 use codegen::oracle::{Measured, Oracle, Solution, State};
-use sim::{Array, Input, Mechanism, accelerate, project_positions, project_velocities};
+use sim::{Array, Input, Measures, Mechanism, accelerate, project_positions, project_velocities};
 use tests::Random;
 
 const STATES: usize = 1000;
@@ -75,11 +75,12 @@ fn check<M: Mechanism>() {
 /// Moves a state onto the constraints, from anywhere near enough. Gives whether that could be done.
 fn put_on_constraints<M: Mechanism>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mut M::Q) -> bool {
     let mut nearer = *q;
+    let measures = Measures::at(mechanism, t, q);
     // Projection gives up after ten corrections; from a random state a few more may be needed.
-    let projected = (0..5).find_map(|_| project_positions(mechanism, t, &mut nearer).ok());
+    let projected = (0..5).find_map(|_| project_positions(mechanism, &measures, t, &mut nearer).ok());
     let Some(linear) = projected else { return false };
     *q = nearer;
-    project_velocities::<M>(&linear, t, q, qd).is_ok()
+    project_velocities(&measures, &linear, t, q, qd).is_ok()
 }
 
 /// In space kernels take components in the frames of bodies, where what is zero in the world is a difference of what is not:

@@ -2,8 +2,8 @@
 
 use models::{DoublePendulum, FourBar, QuickReturn};
 use sim::{
-    Advance, Course, DOPRI5, Dop853, ExplicitRungeKutta, HEUN, Mechanism, Method, Motion, RK4, Radau5, Rows, Settings,
-    Stabilisation, Stepping, Steps, Table, assemble, declared_start, integrate,
+    Advance, Course, DOPRI5, Dop853, ExplicitRungeKutta, HEUN, Measures, Mechanism, Method, Motion, RK4, Radau5, Rows,
+    Settings, Stabilisation, Stepping, Steps, Table, assemble, declared_start, integrate,
 };
 use std::ops::ControlFlow;
 use tests::run_with;
@@ -92,8 +92,10 @@ type Pair = [f64; 2];
 /// The largest error at places inside one step of this length.
 fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
     let mechanism = QuickReturn::default();
-    let motion = Motion::new(&mechanism, Stabilisation::Projection);
-    let first = motion.sample(assemble(&mechanism, &declared_start(&mechanism)).unwrap()).unwrap();
+    let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
+    let measures = Measures::at(&mechanism, start.time, &start.positions);
+    let motion = Motion::new(&mechanism, Stabilisation::Projection, measures);
+    let first = motion.sample(start).unwrap();
     let course = Course { begin: 0.0, end: h, stepping: Stepping::Equal(1), interrupt: None };
     let mut inside = Vec::new();
     integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {

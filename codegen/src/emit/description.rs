@@ -3,16 +3,13 @@
 use super::{kebab_case, size};
 use crate::dsl::Mark;
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
+use crate::model::{Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path: &TokenStream) -> TokenStream {
     let model = &equations.model;
-    let quantity = |name: &str, unit: &Unit, docs: &str| {
-        let (text, factor) = (unit.text(), unit.factor());
-        quote! { #path::Quantity { name: #name, unit: #text, factor: #factor, docs: #docs } }
-    };
+    let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
     let coordinates = model.coordinates.iter().map(|c| {
         let position = quantity(&c.name, &c.unit, &c.docs);
@@ -82,6 +79,12 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// A named quantity.
+pub(super) fn quantity(name: &str, unit: &Unit, docs: &str, path: &TokenStream) -> TokenStream {
+    let (text, factor, is_length) = (unit.text(), unit.factor(), *unit.dimension() == Dimension::length());
+    quote! { #path::Quantity { name: #name, unit: #text, factor: #factor, is_length: #is_length, docs: #docs } }
 }
 
 /// Events with their actions. What a step sets is counted through, as in the kernel that computes it.

@@ -1,5 +1,6 @@
 //! What generalised speeds add to a mechanism: their struct, and the impl of their trait.
 
+use super::description::quantity;
 use super::record::record;
 use super::types::{documented, forward};
 use super::{ident, size};
@@ -26,10 +27,7 @@ pub(super) fn speeds(
         model.speeds.iter().map(|speed| (speed.name.clone(), documented(&speed.docs, &speed.unit))).collect();
     let docs = format!(" Generalised speeds of [`{}`] by name, in SI units; also for their rates.", model.name);
     let record = record(&head.visibility, &format_ident!("{}Speeds", model.name), &docs, &fields, path);
-    let quantities = model.speeds.iter().map(|speed| {
-        let (name, unit, factor, docs) = (&speed.name, speed.unit.text(), speed.unit.factor(), &speed.docs);
-        quote! { #path::Quantity { name: #name, unit: #unit, factor: #factor, docs: #docs } }
-    });
+    let quantities = model.speeds.iter().map(|speed| quantity(&speed.name, &speed.unit, &speed.docs, path));
     let (name, k, r) = (ident(&model.name), size(model.speeds.len()), size(speeds.rows.len()));
     let rows = speeds.rows.iter().copied().map(size);
     let kernels = program.kernels.iter().filter(|kernel| is_of_speeds(kernel));

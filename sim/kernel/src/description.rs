@@ -50,6 +50,8 @@ pub struct Quantity {
     pub unit: &'static str,
     /// The size of that unit in SI units.
     pub factor: f64,
+    /// Whether it is a length.
+    pub is_length: bool,
     /// Documentation.
     pub docs: &'static str,
 }

@@ -5,9 +5,9 @@ use crate::equations::accelerate;
 use crate::failure::Failure;
 use crate::least_norm::least_norm;
 use crate::linearize::Control;
+use crate::measures::Measures;
 use crate::partition::Partition;
 use crate::project::{is_met, project_positions};
-use crate::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Description, Dual, Input, Mechanism, Scalar};
 
@@ -81,11 +81,13 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     }
     fn is_met(&self, time: f64, q: &[f64]) -> bool {
         let q = array(q);
-        is_met(self.0, time, &q, &self.0.constraint_linearization(time, &q))
+        let measures = Measures::of_independent(self.0, time, &q);
+        is_met(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
     }
     fn project_positions(&self, time: f64, q: &mut [f64]) -> Result<(), Failure> {
         let mut projected = array(q);
-        project_positions(self.0, time, &mut projected)?;
+        let measures = Measures::of_independent(self.0, time, &projected);
+        project_positions(self.0, &measures, time, &mut projected)?;
         q.copy_from_slice(projected.as_ref());
         Ok(())
     }
@@ -116,9 +118,8 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         })
     }
     fn dependent(&self, at: At<f64>) -> Option<[Vec<usize>; 2]> {
-        let (positions, speeds) = (array(at.positions), array(at.speeds));
-        let mut partition = Partition::default();
-        partition.renew(self.0, &State { time: at.time, positions, speeds, work: 0.0 }).ok()?;
+        let q = array(at.positions);
+        let partition = Partition::at(self.0, &Measures::at(self.0, at.time, &q), at.time, &q);
         Some(partition.dependent::<M>().map(<[usize]>::to_vec))
     }
     fn solution_along(&self, at: At<Dual>, control: Option<Control>) -> Option<Vec<Dual>> {

@@ -133,7 +133,7 @@ impl KinematicsArguments {
     }
 }
 
-const SECOND: Quantity = Quantity { name: "t", unit: "s", factor: 1.0, docs: "" };
+const SECOND: Quantity = Quantity { name: "t", unit: "s", factor: 1.0, is_length: false, docs: "" };
 
 fn needed(option: &str, quantity: &Quantity) -> Stop {
     Stop::Usage(format!("{option} is needed for `{}`, as in `{option} 0.1{}`", quantity.name, quantity.unit))

@@ -63,6 +63,7 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
     fn finish(
         &self,
         tableau: &Tableau,
+        motion: &Motion<M>,
         start: &State<M>,
         time: f64,
         tolerance: Option<&Tolerance>,
@@ -72,15 +73,15 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         if !end.is_finite() {
             return Err(not_finite(start));
         }
-        let error = tolerance.map_or(0.0, |tolerance| self.error(start, &end, h, tolerance));
+        let error = tolerance.map_or(0.0, |tolerance| self.error(motion, [start, &end], h, tolerance));
         Ok(Attempt { end, error })
     }
 
     /// The estimated error of a step in units of the tolerance.
-    fn error(&self, from: &State<M>, to: &State<M>, h: f64, tolerance: &Tolerance) -> f64 {
+    fn error(&self, motion: &Motion<M>, [from, to]: [&State<M>; 2], h: f64, tolerance: &Tolerance) -> f64 {
         let size = |weights: &[Weight]| {
             let difference = self.combined(weights);
-            h.abs() * tolerance.norm(from, to, &(difference.positions, difference.speeds))
+            h.abs() * tolerance.norm(motion.measures(), from, to, &(difference.positions, difference.speeds))
         };
         match self.tableau.error {
             ErrorEstimate::None => 0.0,
@@ -119,14 +120,14 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
             self.stage(&RK4, 1, motion, start, h)?;
             self.stage(&RK4, 2, motion, start, h)?;
             self.stage(&RK4, 3, motion, start, h)?;
-            return self.finish(&RK4, start, time, None);
+            return self.finish(&RK4, motion, start, time, None);
         }
         // The last stage of an embedded pair serves its estimate alone.
         let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
         for stage in 1..needed {
             self.stage(tableau, stage, motion, start, h)?;
         }
-        self.finish(tableau, start, time, tolerance)
+        self.finish(tableau, motion, start, time, tolerance)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interpolate::hermite;
+use crate::measures::Measures;
 use crate::motion::Motion;
 use crate::settings::Tolerance;
 use crate::trajectory::{Sample, State};
@@ -69,17 +70,22 @@ pub struct Attempt<M: Mechanism> {
 impl Tolerance {
     /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.
     ///
-    /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is in the declared
-    /// unit of each coordinate, so that millimetres and degrees are measured as such.
+    /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is a part of what each
+    /// coordinate is measured by, so that neither a unit nor a size decides.
     #[inline]
-    pub fn norm<M: Mechanism>(&self, from: &State<M>, to: &State<M>, error: &(M::Q, M::Q)) -> f64 {
-        let coordinates = const { &M::DESCRIPTION }.coordinates;
+    pub fn norm<M: Mechanism>(
+        &self,
+        measures: &Measures<M>,
+        from: &State<M>,
+        to: &State<M>,
+        error: &(M::Q, M::Q),
+    ) -> f64 {
         let mut sum = 0.0;
         for i in 0..M::Q::LEN {
-            let (position, speed) = (&coordinates[i].position, &coordinates[i].speed);
-            let scale = |unit: f64, a: f64, b: f64| self.absolute * unit + self.relative * a.abs().max(b.abs());
-            sum += (error.0[i] / scale(position.factor, from.positions[i], to.positions[i])).powi(2);
-            sum += (error.1[i] / scale(speed.factor, from.speeds[i], to.speeds[i])).powi(2);
+            let absolute = self.absolute * measures.coordinates()[i];
+            let scale = |a: f64, b: f64| absolute + self.relative * a.abs().max(b.abs());
+            sum += (error.0[i] / scale(from.positions[i], to.positions[i])).powi(2);
+            sum += (error.1[i] / scale(from.speeds[i], to.speeds[i])).powi(2);
         }
         (sum / (2 * M::Q::LEN).max(1) as f64).sqrt()
     }

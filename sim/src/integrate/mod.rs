@@ -1,6 +1,7 @@
 //! Integration step by step: each step is attempted by a method, projected, and shown to whoever watches.
 
 mod control;
+mod crossing;
 mod dop853;
 mod dop853_tableau;
 mod explicit;
@@ -22,9 +23,10 @@ use crate::failure::{Failure, What};
 use crate::gimbal;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
-use crate::singular::{Lie, Singularity, end_of_step, may_be_ahead, parts_at, passed, weakest_constraint};
+use crate::singular::{Singularity, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
+use crossing::{Crossing, Way};
 use sim_kernel::{Array, Mechanism};
 use std::mem::swap;
 use std::ops::ControlFlow;
@@ -106,21 +108,6 @@ pub struct Steps {
     pub singularities: Vec<Singularity>,
 }
 
-impl Steps {
-    /// Notes the singular position that a step has passed, if any, by the parts of C_q at its ends.
-    fn note<M: Mechanism>(
-        &mut self,
-        motion: &Motion<M>,
-        method: &mut dyn Advance<M>,
-        [from, to]: [&Sample<M>; 2],
-        parts: [&M::LQ; 2],
-    ) -> Result<(), Failure> {
-        let mut inside = |fraction| method.inside(motion, from, to, fraction);
-        self.singularities.extend(passed(motion, [&from.state, &to.state], parts, &mut inside)?);
-        Ok(())
-    }
-}
-
 /// When and how far to integrate.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
@@ -175,7 +162,7 @@ fn equal_steps<M: Mechanism>(
     // Both ends of a step stay where they are, and the next one starts where the last ended.
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let length = (course.end - begin) / count as f64;
-    let mut sines = [0.0; 2];
+    let mut crossing = Crossing::new();
     for step in 1..=count {
         // From the start each time, so that times do not accumulate rounding.
         let goal = if step == count { course.end } else { begin + (course.end - begin) * (step as f64 / count as f64) };
@@ -183,25 +170,28 @@ fn equal_steps<M: Mechanism>(
         let rest = if step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
-            let is_near = may_be_ahead(sines);
-            let time = match is_near {
-                true => {
-                    let (gap, keeps_stages) = (method.gap(), method.is_explicit());
-                    let lie = Lie { goal, longest: length, gap, keeps_stages, least_sine: LEAST_SINE };
-                    end_of_step(motion, from, &lie).min(course.end)
-                }
-                false => goal,
+            let is_near = crossing.may_be_ahead();
+            let way = match is_near {
+                true => crossing.lead(motion, [from, to], [length, course.end], &EXACT, steps)?,
+                false => Way::On,
             };
-            attempt(motion, method, from, time, None, to).map_err(|failure| explained(motion, &from.state, failure))?;
-            sines = [sines[1], motion.least_sine()];
-            steps.accepted += 1;
-            if is_near {
-                let parts = [parts_at(motion, &from.state), parts_at(motion, &to.state)];
-                steps.note(motion, method, [from, to], parts.each_ref())?;
-            }
-            if watch(&mut Step { motion, method, from, to })?.is_break() {
+            let ended = match way {
+                Way::Crossed => watch(&mut crossing.step(motion, [from, to]))?,
+                Way::On | Way::UpTo(_) => {
+                    let time = if let Way::UpTo(time) = way { goal.min(time) } else { goal };
+                    let made = attempt(motion, method, from, time, None, to);
+                    made.map_err(|failure| explained(motion, &from.state, failure))?;
+                    steps.accepted += 1;
+                    if is_near {
+                        steps.note(motion, method, [from, to])?;
+                    }
+                    watch(&mut Step { motion, method, from, to })?
+                }
+            };
+            if ended.is_break() {
                 return Ok(());
             }
+            crossing.ended(motion);
             swap(&mut from, &mut to);
         }
     }
@@ -219,37 +209,41 @@ fn adaptive_steps<M: Mechanism>(
 ) -> Result<(), Failure> {
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);
-    let mut sines = [0.0; 2];
-    let mut parts = parts_at(motion, &from.state);
+    let mut crossing = Crossing::new();
+    motion.prepare(from, from.state.time);
     let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
-    let mut headway = Headway::from(from.state.time);
+    let (first, mut headway) = (h, Headway::from(from.state.time));
     while from.state.time < course.end {
         check_interrupt(course, from)?;
         let now = from.state.time;
-        if headway.is_lost(now, course.end - course.begin) {
+        if headway.is_lost(now) {
             return Err(too_small(motion, &from.state, h, None));
         }
         // The last step is not followed by a tiny one.
         let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
-        let lie = Lie {
-            goal: wanted,
-            longest: wanted - now,
-            gap: method.gap(),
-            keeps_stages: method.is_explicit(),
-            least_sine: 0.0,
+        let way = match crossing.may_be_ahead() {
+            true => crossing.lead(motion, [from, to], [wanted - now, course.end], tolerance, steps)?,
+            false => Way::On,
         };
-        let time = if may_be_ahead(sines) { end_of_step(motion, from, &lie) } else { wanted };
+        if let Way::Crossed = way {
+            if watch(&mut crossing.step(motion, [from, to]))?.is_break() {
+                return Ok(());
+            }
+            crossing.ended(motion);
+            swap(&mut from, &mut to);
+            continue;
+        }
+        let time = if let Way::UpTo(time) = way { wanted.min(time) } else { wanted };
         match attempt(motion, method, from, time, Some(tolerance), to) {
             Ok(error) if error <= 1.0 => {
-                sines = [sines[1], motion.least_sine()];
                 steps.accepted += 1;
                 // These steps may be so long that nothing foretells what they pass.
-                let there = parts_at(motion, &to.state);
-                steps.note(motion, method, [from, to], [&parts, &there])?;
-                parts = there;
+                steps.note(motion, method, [from, to])?;
                 if watch(&mut Step { motion, method, from, to })?.is_break() {
                     return Ok(());
                 }
+                crossing.ended(motion);
+                headway.comes(time - now);
                 let next = (time - now) * controller.accepted(error);
                 // A step that was cut short says little of how long they may be.
                 h = if time < wanted { next.max(h) } else { next };
@@ -258,7 +252,7 @@ fn adaptive_steps<M: Mechanism>(
             refused => {
                 steps.rejected += 1;
                 h = (time - now) * controller.rejected(refused.as_ref().ok().copied());
-                if h < 16.0 * f64::EPSILON * now.abs().max(1e-3 * course.end) {
+                if h < f64::EPSILON * (16.0 * now.abs()).max(first) {
                     return Err(too_small(motion, &from.state, h, refused.err()));
                 }
             }
@@ -271,34 +265,39 @@ fn adaptive_steps<M: Mechanism>(
 struct Headway {
     since: f64,
     attempts: u32,
+    /// The longest step so far, in seconds.
+    longest: f64,
 }
 
 impl Headway {
-    /// So many attempts that lead no further than this part of the whole time each will never come to its end: where a load
-    /// jumps to and fro, steps stay short enough to be accepted.
+    /// So many attempts that lead no further than this part of the longest step each will come to no end: where a load jumps
+    /// to and fro, steps stay short enough to be accepted.
     const ATTEMPTS: u32 = 20_000;
-    const LEAST: f64 = 1e-10;
+    const LEAST: f64 = 1e-8;
 
     fn from(time: f64) -> Headway {
-        Headway { since: time, attempts: 0 }
+        Headway { since: time, attempts: 0, longest: 0.0 }
     }
 
-    /// Whether the last of them have led nowhere.
-    fn is_lost(&mut self, now: f64, whole: f64) -> bool {
+    /// Takes note of a step.
+    fn comes(&mut self, length: f64) {
+        self.longest = self.longest.max(length);
+    }
+
+    /// Whether the last attempts have led nowhere.
+    fn is_lost(&mut self, now: f64) -> bool {
         self.attempts += 1;
         if self.attempts <= Headway::ATTEMPTS {
             return false;
         }
         let come = now - self.since;
-        *self = Headway::from(now);
-        come < Headway::LEAST * whole * f64::from(Headway::ATTEMPTS)
+        (self.since, self.attempts) = (now, 0);
+        come < Headway::LEAST * self.longest * f64::from(Headway::ATTEMPTS)
     }
 }
 
-/// The least sine of the angle between a row of C_q and those before it from which equal steps lead over a singular
-/// position: rounding of speeds, which grows with its square, stays near 1e-12, and longer steps are needed for it only
-/// where they are short.
-const LEAST_SINE: f64 = 0.01;
+/// What steps over singular positions are good to between equal steps.
+const EXACT: Tolerance = Tolerance::new(1e-12);
 /// A constraint whose rows are this near to depending on others, as a sine, explains why a step fails.
 const NEARLY_SINGULAR: f64 = 1e-2;
 
@@ -335,7 +334,7 @@ fn attempt<M: Mechanism>(
     tolerance: Option<&Tolerance>,
     to: &mut Sample<M>,
 ) -> Result<f64, Failure> {
-    motion.prepare(&from.state)?;
+    motion.prepare(from, time);
     let Attempt { mut end, error } = method.step(motion, from, time, tolerance)?;
     if !(error <= 1.0) {
         return Ok(error);
@@ -343,7 +342,7 @@ fn attempt<M: Mechanism>(
     let before = end;
     motion.keep(&mut end)?;
     *to = motion.sample_in_place(end)?;
-    let moved = |tolerance: &Tolerance| tolerance.norm(&before, &end, &difference(&before, &end));
+    let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
     Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / MOST_MOVED)))
 }
 

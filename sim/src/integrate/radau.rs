@@ -162,7 +162,9 @@ impl<M: Mechanism> Radau5<M> {
             let third = residual(2, [(pair.re, 2), (pair.im, 1)]);
             let [second, third] = self.solve_complex(pair, [&second, &third]);
             let changes = combined(&T, &[first, second, third]);
-            let size = |change: &Rates<M>| tolerance.norm(from, from, &(change.positions, change.speeds)).powi(2);
+            let size = |change: &Rates<M>| {
+                tolerance.norm(motion.measures(), from, from, &(change.positions, change.speeds)).powi(2)
+            };
             let change = (changes.iter().map(size).sum::<f64>() / 3.0).sqrt();
             self.stages.iter_mut().zip(&changes).for_each(|(stage, change)| stage.add(1.0, change));
             let ratio = change / last_change;
@@ -193,7 +195,8 @@ impl<M: Mechanism> Radau5<M> {
         self.stages.iter().zip(ESTIMATE).for_each(|(stage, weight)| stages.add(weight / h, stage));
         let mut rates = from.rates();
         rates.add(1.0, &stages);
-        let norm = |error: &Rates<M>| tolerance.norm(&from.state, end, &(error.positions, error.speeds));
+        let size = |error: &Rates<M>| (error.positions, error.speeds);
+        let norm = |error: &Rates<M>| tolerance.norm(motion.measures(), &from.state, end, &size(error));
         let error = self.solve_real(REAL / h, &rates);
         if norm(&error) < 1.0 {
             return Ok(norm(&error));

@@ -18,7 +18,7 @@ use crate::any::{Any, AnyMechanism, At};
 use crate::assemble::{Start, assemble};
 use crate::failure::Failure;
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
-use crate::mobility::mobility;
+use crate::measures::Measures;
 use crate::motion::Motion;
 use crate::run::{Run, run};
 use crate::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
@@ -114,8 +114,8 @@ fn kernels_agree(declared: &Declared, parts: &[Part]) -> Result<Vec<Check>, Veri
 /// `end`, or the time that so many steps take.
 fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, Failure> {
     let first = assemble(mechanism, start)?;
-    let redundant = mobility(mechanism, first.time, &first.positions).dependent.len();
-    let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
+    let measures = Measures::at(mechanism, first.time, &first.positions);
+    let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)), interrupt: None };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
     integrate(&motion, &mut Dop853::new(), &course, motion.sample(first)?, &mut steps, |step| {

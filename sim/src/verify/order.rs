@@ -3,7 +3,7 @@
 use super::Check;
 use crate::failure::Failure;
 use crate::integrate::{Advance, Course, Dop853, Steps, integrate};
-use crate::mobility::mobility;
+use crate::measures::Measures;
 use crate::motion::Motion;
 use crate::settings::{Stabilisation, Stepping};
 use crate::trajectory::State;
@@ -71,8 +71,8 @@ fn state_at<M: Mechanism>(
     method: &mut dyn Advance<M>,
     steps: usize,
 ) -> Result<State<M>, Failure> {
-    let redundant = mobility(mechanism, start.time, &start.positions).dependent.len();
-    let motion = Motion::with_redundant(mechanism, Stabilisation::Projection, redundant);
+    let measures = Measures::at(mechanism, start.time, &start.positions);
+    let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps), interrupt: None };
     let mut last = start;
     integrate(&motion, method, &course, motion.sample(start)?, &mut Steps::default(), |step| {

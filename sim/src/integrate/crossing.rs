@@ -1,0 +1,124 @@
+//! Steps over singular positions.
+
+use super::attempt;
+use super::dop853::Dop853;
+use super::method::Advance;
+use super::{Step, Steps};
+use crate::failure::Failure;
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::singular::{Ahead, Followed, Lie, look_ahead, may_be_ahead};
+use crate::trajectory::Sample;
+use sim_kernel::Mechanism;
+
+/// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and ends
+/// at. Where such a step is not good enough it is halved, at most so often.
+const LEAST_SINE: f64 = 0.05;
+const MOST_HALVINGS: i32 = 4;
+/// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
+const TOLERANCE: f64 = 1e-11;
+
+/// How to go on.
+pub(super) enum Way {
+    /// As if there were no singular position.
+    On,
+    /// To this time at most.
+    UpTo(f64),
+    /// A step over a singular position has been made.
+    Crossed,
+}
+
+/// What leads a motion over singular positions: steps of DOP853 whose error is estimated, whatever method and steps lead to
+/// them, with stages that are brought onto the constraints.
+pub(super) struct Crossing<M: Mechanism> {
+    method: Dop853<M>,
+    /// The smallest sines at the ends of the last two steps.
+    sines: [f64; 2],
+}
+
+impl<M: Mechanism> Crossing<M> {
+    pub(super) fn new() -> Crossing<M> {
+        Crossing { method: Dop853::new(), sines: [0.0; 2] }
+    }
+
+    /// Takes note that a step has ended here.
+    pub(super) fn ended(&mut self, motion: &Motion<M>) {
+        self.sines = [self.sines[1], motion.least_sine()];
+    }
+
+    /// Whether a singular position may lie within the next steps.
+    pub(super) fn may_be_ahead(&self) -> bool {
+        may_be_ahead(self.sines)
+    }
+
+    /// Makes a step over the singular position ahead, or says how to go on. No step is longer than `longest` but one that has
+    /// to be for its ends to be far enough, and none leads beyond `end`.
+    pub(super) fn lead(
+        &mut self,
+        motion: &Motion<M>,
+        [from, to]: [&mut Sample<M>; 2],
+        [longest, end]: [f64; 2],
+        tolerance: &Tolerance,
+        steps: &mut Steps,
+    ) -> Result<Way, Failure> {
+        for halvings in 0..=MOST_HALVINGS {
+            let lie = Lie { longest, gap: self.method.gap(), least_sine: LEAST_SINE * 0.5f64.powi(halvings) };
+            let possible = TOLERANCE * 8f64.powi(halvings);
+            let absolute = tolerance.absolute.max(possible) * rate(motion, from).max(1.0);
+            let relaxed = Tolerance { relative: tolerance.relative.max(possible), absolute };
+            let time = match look_ahead(motion, from, &lie) {
+                Ahead::Over(time) if time <= end => time,
+                Ahead::UpTo(time) => return Ok(Way::UpTo(time)),
+                _ => return Ok(Way::On),
+            };
+            motion.keep_stages(true);
+            let attempted = attempt(motion, &mut self.method, from, time, Some(&relaxed), to);
+            motion.keep_stages(false);
+            match attempted {
+                Ok(error) if error <= 1.0 => return self.check(motion, [from, to], steps),
+                _ => steps.rejected += 1,
+            }
+        }
+        Ok(Way::On)
+    }
+
+    /// The step has been worth it if it has passed a singular position.
+    fn check(&mut self, motion: &Motion<M>, [from, to]: [&Sample<M>; 2], steps: &mut Steps) -> Result<Way, Failure> {
+        let passed = steps.singularities.len();
+        steps.note(motion, &mut self.method, [from, to])?;
+        match steps.singularities.len() > passed {
+            true => {
+                steps.accepted += 1;
+                Ok(Way::Crossed)
+            }
+            false => Ok(Way::On),
+        }
+    }
+
+    /// The step over a singular position that has been made.
+    pub(super) fn step<'s>(&'s mut self, motion: &'s Motion<M>, [from, to]: [&'s Sample<M>; 2]) -> Step<'s, M> {
+        Step { motion, method: &mut self.method, from, to }
+    }
+}
+
+/// The largest speed, in what its coordinate is measured by: near a singular position a speed that happens to be small is
+/// known no better than those beside it.
+fn rate<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>) -> f64 {
+    motion.measures().size(&at.state.speeds)
+}
+
+impl Steps {
+    /// Notes the singular position that a step has passed, if any.
+    pub(super) fn note<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        method: &mut dyn Advance<M>,
+        [from, to]: [&Sample<M>; 2],
+    ) -> Result<(), Failure> {
+        let followed = Followed::at(motion, &from.state);
+        let parts = [from, to].map(|sample| followed.parts(sample.state.time, &sample.state.positions));
+        let mut inside = |fraction| method.inside(motion, from, to, fraction);
+        self.singularities.extend(followed.passed([&from.state, &to.state], parts.each_ref(), &mut inside)?);
+        Ok(())
+    }
+}

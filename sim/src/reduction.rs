@@ -1,0 +1,98 @@
+//! Constraints of which some say what others say already, reduced to as many as C_q has rank.
+//!
+//! On the constraints the redundant rows of C_q depend on the others; beside them, where stages of a step lie, they nearly do,
+//! and a solution that met them all would be a pole. Rows are therefore combined by the left singular vectors that belong to
+//! the largest singular values: what is solved for then meets all rows in least squares, and depends smoothly on the state.
+
+use crate::measures::Measures;
+use crate::project::inner;
+use sim_kernel::{Array, Mechanism};
+
+/// K, of which each row makes one row of the reduced constraints of those declared; the last rows are zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reduction<M: Mechanism> {
+    combinations: M::LL,
+}
+
+impl<M: Mechanism> Reduction<M> {
+    /// That of C_q to so many rows.
+    ///
+    /// Rows are orthonormalised with pivoting, which finds the row space up to what C_q is off its rank; one step of
+    /// orthogonal iteration (Golub and Van Loan, Matrix Computations, 2013, section 8.2.4) leaves the square of that.
+    pub(crate) fn new(jacobian: &M::LQ, measures: &Measures<M>, rank: usize) -> Reduction<M> {
+        let mut scaled = measures.columns(jacobian);
+        let inverse_lengths = M::L::from_fn(|i| inverse(measures.constraints()[i]));
+        for i in 0..M::L::LEN {
+            scaled[i].as_mut().iter_mut().for_each(|entry| *entry *= inverse_lengths[i]);
+        }
+        let space = row_space::<M>(scaled, rank);
+        // U: an orthonormal basis of the columns of A Q', by rows.
+        let mut combinations = M::LL::filled(M::L::filled(0.0));
+        for k in 0..rank.min(M::L::LEN) {
+            combinations[k] = M::L::from_fn(|i| inner(&scaled[i], &space[k]));
+            orthonormalise(combinations.as_mut(), k);
+        }
+        for row in combinations.as_mut() {
+            row.as_mut().iter_mut().zip(inverse_lengths.iter()).for_each(|(entry, inverse)| *entry *= inverse);
+        }
+        Reduction { combinations }
+    }
+
+    /// K A, for rows A of the constraints.
+    pub(crate) fn rows(&self, jacobian: &M::LQ) -> M::LQ {
+        M::LQ::from_fn(|k| {
+            let combination = &self.combinations[k];
+            M::Q::from_fn(|j| (0..M::L::LEN).map(|i| combination[i] * jacobian[i][j]).sum())
+        })
+    }
+
+    /// K r, for a number r of each constraint.
+    pub(crate) fn values(&self, values: &M::L) -> M::L {
+        M::L::from_fn(|k| inner(&self.combinations[k], values))
+    }
+
+    /// The constraint with the largest part in a row of K.
+    pub(crate) fn leading(&self, row: usize) -> usize {
+        let part = |i: &usize| self.combinations[row][*i].abs();
+        (0..M::L::LEN).max_by(|a, b| part(a).total_cmp(&part(b))).unwrap_or(row)
+    }
+
+    /// K' mu: multipliers of the constraints as declared, from those of the reduced ones.
+    pub(crate) fn multipliers(&self, reduced: &M::L) -> M::L {
+        M::L::from_fn(|i| (0..M::L::LEN).map(|k| self.combinations[k][i] * reduced[k]).sum())
+    }
+}
+
+fn inverse(length: f64) -> f64 {
+    if length > 0.0 { 1.0 / length } else { 0.0 }
+}
+
+/// An orthonormal basis of the space of the rows, of this dimension: the row with the largest rest first.
+fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
+    for k in 0..rank.min(M::L::LEN) {
+        let length = |i: &usize| inner(&rows[*i], &rows[*i]);
+        let Some(longest) = (k..M::L::LEN).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };
+        rows.as_mut().swap(k, longest);
+        orthonormalise(rows.as_mut(), k);
+        let direction = rows[k];
+        for i in k + 1..M::L::LEN {
+            remove(&mut rows[i], &direction);
+        }
+    }
+    rows
+}
+
+/// Takes from row k its parts along those before it, twice, so that rounding leaves nothing of them, and brings it to length 1.
+fn orthonormalise<A: Array<f64>>(rows: &mut [A], k: usize) {
+    let mut row = rows[k];
+    (0..k).chain(0..k).for_each(|before| remove(&mut row, &rows[before]));
+    let length = inner(&row, &row).sqrt();
+    row.as_mut().iter_mut().for_each(|entry| *entry *= inverse(length));
+    rows[k] = row;
+}
+
+/// Takes from a row its part along a direction of length 1.
+fn remove<A: Array<f64>>(row: &mut A, direction: &A) {
+    let share = inner(row, direction);
+    row.as_mut().iter_mut().zip(direction.iter()).for_each(|(entry, along)| *entry -= share * along);
+}
