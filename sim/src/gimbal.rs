@@ -41,6 +41,11 @@ fn locked(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<&'static st
     }
     let direction = eigen.eigenvectors.column(at);
     let largest = direction.amax();
-    let has_part = |i: &usize| direction[*i].abs() > NO_PART * largest;
-    (0..n).filter(has_part).map(|i| description.coordinates[i].position.name).collect()
+    let parts: Vec<usize> = (0..n).filter(|i| direction[*i].abs() > NO_PART * largest).collect();
+    // The length of a quaternion moves nothing either, and is held by its constraint.
+    let jacobian = mechanism.constraint_jacobian(time, q);
+    if description.norm_constraints.iter().any(|row| parts.iter().any(|i| jacobian[(*row, *i)] != 0.0)) {
+        return vec![];
+    }
+    parts.into_iter().map(|i| description.coordinates[i].position.name).collect()
 }

@@ -30,7 +30,7 @@ pub(super) struct SettingsArguments {
     #[arg(long, value_name = "NUMBER", default_value = "1e-10", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
     rtol: String,
 
-    /// Absolute tolerance, in the declared unit of each coordinate [default: rtol].
+    /// Absolute tolerance: lengths in the mechanism's own length, angles in radians [default: rtol].
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
     atol: Option<String>,
 
