@@ -1,5 +1,7 @@
 //! Mistakes of a stage, collected so that all of them show at once, and shown outside of rustc.
 
+use std::collections::HashSet;
+
 /// Every mistake as `file:line:column: message`, a line each; later lines of a message are indented.
 pub fn located(file: &str, mistakes: syn::Error) -> String {
     let line = |mistake: syn::Error| {
@@ -12,23 +14,29 @@ pub fn located(file: &str, mistakes: syn::Error) -> String {
 
 /// Errors met so far, in order.
 #[derive(Default)]
-pub struct Mistakes(Option<syn::Error>);
+pub struct Mistakes {
+    all: Option<syn::Error>,
+    /// Where each is, and what it says.
+    known: HashSet<(String, String)>,
+}
 
 impl Mistakes {
     /// Takes note of one more. What is written out at several places is one mistake.
     pub fn add(&mut self, mistake: syn::Error) {
         let words = |e: &syn::Error| (format!("{:?}", e.span()), e.to_string());
-        let is_known = |all: &syn::Error| all.clone().into_iter().any(|known| words(&known) == words(&mistake));
-        match &mut self.0 {
-            Some(all) if is_known(all) => {}
+        if self.known.contains(&words(&mistake)) {
+            return;
+        }
+        self.known.extend(mistake.clone().into_iter().map(|one| words(&one)));
+        match &mut self.all {
             Some(all) => all.combine(mistake),
-            None => self.0 = Some(mistake),
+            None => self.all = Some(mistake),
         }
     }
 
     /// Whether there was none.
     pub fn is_empty(&self) -> bool {
-        self.0.is_none()
+        self.all.is_none()
     }
 
     /// The value, or what was wrong with it, taken note of.
@@ -41,6 +49,6 @@ impl Mistakes {
     /// # Errors
     /// All mistakes, combined.
     pub fn or<T>(self, value: T) -> syn::Result<T> {
-        self.0.map_or(Ok(value), Err)
+        self.all.map_or(Ok(value), Err)
     }
 }

@@ -12,6 +12,7 @@ mod lagrange;
 mod oracle;
 
 mod arm;
+mod cardan;
 mod common;
 mod elliptic;
 mod gyroscope;

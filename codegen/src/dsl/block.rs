@@ -181,7 +181,7 @@ pub(super) fn equation(input: ParseStream) -> Result<Equation> {
     colon(input, "an equation has a name: `closure: left = right;`")?;
     let left = expression(input)?;
     equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)?, initially: None })
+    Ok(Equation { name, left, right: expression(input)?, initially: None, is_of_joint: false })
 }
 
 /// An equation, and whether it holds at the start if events switch it.

@@ -1,15 +1,16 @@
 //! Declarations in a text: a Rust file, or one declaration by itself.
 
-use super::parse_head;
+use super::{limits, parse_head};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::{Error, Result};
 
 /// The tokens of each `mechanism! { .. }` in a Rust file, in order; or the whole text, if it is a bare declaration.
 ///
 /// # Errors
-/// If the text is not made of Rust's tokens, and if it declares nothing.
+/// If the text is not made of Rust's tokens, or of brackets nested too deeply, and if it declares nothing.
 pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
     let tokens: TokenStream = text.parse()?;
+    limits::check_file(tokens.clone())?;
     let mut found = Vec::new();
     collect(tokens.clone(), &mut found);
     if found.is_empty() {

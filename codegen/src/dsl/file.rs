@@ -2,6 +2,7 @@
 //!
 //! So a declaration that is kept as text, in a built mechanism, needs no file any more.
 
+use super::limits;
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::path::Path;
 use syn::{Error, Result};
@@ -12,8 +13,9 @@ use syn::{Error, Result};
 /// and a first line of words are left out.
 ///
 /// # Errors
-/// Files that cannot be read, and lines that are no rows.
+/// Files that cannot be read, and lines that are no rows; what is beyond the limits of a declaration.
 pub fn read_files(tokens: TokenStream, folder: &Path) -> Result<(TokenStream, Vec<String>)> {
+    limits::check(tokens.clone())?;
     let mut files = Vec::new();
     Ok((put_in(tokens, folder, &mut files)?, files))
 }

@@ -101,7 +101,7 @@ impl Frames {
     fn equations(&self, joint: Joint) -> Result<Vec<Equation>> {
         let Joint { name, kind, initially, .. } = joint;
         let at = Region::from(&name);
-        let equation = |left, right| Equation { name: name.clone(), left, right, initially };
+        let equation = |left, right| Equation { name: name.clone(), left, right, initially, is_of_joint: true };
         Ok(match kind {
             JointKind::Pin(first, second) => vec![equation(first, second)],
             JointKind::Link(first, second, length) => {
@@ -114,6 +114,7 @@ impl Frames {
                     left: self.angle(&body)?,
                     right: guide.along.clone(),
                     initially,
+                    is_of_joint: true,
                 };
                 vec![equation(across(at, self.position(&body)?, &guide), zero(at)), turned]
             }

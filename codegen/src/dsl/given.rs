@@ -19,9 +19,7 @@ pub(super) struct Given {
 impl Given {
     /// None yet.
     pub(super) fn to(declaration: &Declaration) -> Given {
-        let has_units = declaration.parameters.iter().any(|p| p.unit.is_some())
-            || declaration.coordinates.iter().any(|c| c.unit.is_some());
-        Given { has_units, coordinates: vec![], norms: vec![], scalar_parts: vec![] }
+        Given { has_units: declaration.has_units(), coordinates: vec![], norms: vec![], scalar_parts: vec![] }
     }
 
     /// A coordinate, in a unit of the SI; gives its name as an expression.
@@ -43,7 +41,13 @@ impl Given {
         let squares = components.clone().map(|x| binary(Operator::Power, x, number(at, "2")));
         let [a, b, c, d] = squares;
         let left = sum(sum(sum(a, b), c), d);
-        self.norms.push(Equation { name: with_suffix(name, "norm"), left, right: number(at, "1"), initially: None });
+        self.norms.push(Equation {
+            name: with_suffix(name, "norm"),
+            left,
+            right: number(at, "1"),
+            initially: None,
+            is_of_joint: false,
+        });
         self.scalar_parts.push((with_suffix(name, "q0"), at));
         call(at, "quaternion", components.into())
     }

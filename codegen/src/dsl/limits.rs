@@ -1,40 +1,76 @@
-//! Bounds on what is parsed, so that no text can exhaust the stack.
+//! Bounds on what is parsed, so that no text can exhaust the stack or the patience of who waits for it.
 
 use super::Region;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use syn::{Error, Result};
 
-/// Words in one line of the language.
+/// Words of one line of the language that follow each other in the same brackets, with those of the brackets around and inside: as
+/// deep can an expression be.
 const LONGEST_LINE: usize = 1500;
 /// Brackets inside brackets.
 const DEEPEST: usize = 64;
+/// Brackets inside brackets of a Rust file, with those of its modules and functions.
+const DEEPEST_IN_FILE: usize = 200;
+/// Characters of a number. One of `f64` has at most 767 digits that count.
+const LONGEST_NUMBER: usize = 1000;
 
-/// Refuses brackets nested too deeply, and lines too long, for an expression to be taken apart recursively.
-pub(super) fn check(tokens: TokenStream) -> syn::Result<()> {
-    check_nesting(tokens, 0).map(|_| ())
+/// Refuses brackets nested too deeply, and lines too long, for an expression to be taken apart recursively; and numbers that no
+/// computer would work with.
+pub(super) fn check(tokens: TokenStream) -> Result<()> {
+    check_line(tokens, DEEPEST).map(|_| ())
 }
 
-/// The words in the longest line of these tokens.
-fn check_nesting(tokens: TokenStream, depth: usize) -> syn::Result<usize> {
-    let (mut longest, mut words) = (0, 0);
+/// Refuses brackets nested too deeply in a Rust file.
+pub(super) fn check_file(tokens: TokenStream) -> Result<()> {
+    check_nesting(tokens, DEEPEST_IN_FILE)
+}
+
+/// The most words that an expression of these tokens can be deep.
+fn check_line(tokens: TokenStream, levels: usize) -> Result<usize> {
+    let (mut deepest, mut words, mut inside) = (0, 0, 0);
     for token in tokens {
-        let span = token.span();
-        let mistake = |message| Err(Region::from(span).error(message));
+        let region = Region::from(token.span());
         match token {
-            TokenTree::Punct(punct) if punct.as_char() == ';' => words = 0,
-            TokenTree::Group(_) if depth == DEEPEST => {
-                return mistake("brackets are nested too deeply; name inner parts with `let`");
-            }
+            TokenTree::Punct(punct) if punct.as_char() == ';' => (words, inside) = (0, 0),
+            TokenTree::Group(_) if levels == 0 => return Err(nested(region)),
             TokenTree::Group(group) => {
-                let inside = check_nesting(group.stream(), depth + 1)?;
+                inside = check_line(group.stream(), levels - 1)?.max(inside);
                 // A block ends its line.
-                words = if group.delimiter() == Delimiter::Brace { 0 } else { words + inside };
+                if group.delimiter() == Delimiter::Brace {
+                    (words, inside) = (0, 0);
+                }
+            }
+            TokenTree::Literal(literal) => {
+                words += 1;
+                let text = literal.to_string();
+                if text.len() > LONGEST_NUMBER && text.starts_with(|first: char| first.is_ascii_digit()) {
+                    return Err(region.error(format!("a number has at most {LONGEST_NUMBER} characters")));
+                }
             }
             _ => words += 1,
         }
-        if words > LONGEST_LINE {
-            return mistake("this line is too long; name parts of it with `let`");
+        if words + inside > LONGEST_LINE {
+            return Err(region.error("this line is too long; name parts of it with `let`"));
         }
-        longest = longest.max(words);
+        deepest = deepest.max(words + inside);
     }
-    Ok(longest)
+    Ok(deepest)
+}
+
+fn check_nesting(tokens: TokenStream, levels: usize) -> Result<()> {
+    let groups = tokens.into_iter().filter_map(|token| match token {
+        TokenTree::Group(group) => Some(group),
+        _ => None,
+    });
+    for group in groups {
+        match levels {
+            0 => return Err(nested(group.span().into())),
+            _ => check_nesting(group.stream(), levels - 1)?,
+        }
+    }
+    Ok(())
+}
+
+fn nested(place: Region) -> Error {
+    place.error("brackets are nested too deeply; name inner parts with `let`")
 }

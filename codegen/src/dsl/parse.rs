@@ -44,12 +44,13 @@ pub struct Head {
 /// # Errors
 /// Where the head itself is not `/// docs  pub Name;`.
 pub fn parse_head(tokens: TokenStream) -> Result<Head> {
-    let parser = |input: ParseStream| {
-        let head = head(input)?;
-        input.parse::<TokenStream>()?;
-        Ok(head)
-    };
-    parser.parse2(tokens)
+    // The rest may be beyond the limits.
+    let mut is_open = true;
+    let ends = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
+    let words = tokens.into_iter().take_while(|token| std::mem::replace(&mut is_open, !ends(token)));
+    let words: TokenStream = words.collect();
+    limits::check(words.clone())?;
+    head.parse2(words)
 }
 
 /// Reads a whole declaration.
@@ -71,11 +72,13 @@ fn head(input: ParseStream) -> Result<Head> {
     if BLOCKS.iter().any(|block| name == block) {
         return Err(syn::Error::new(name.span(), FORM));
     }
-    if name == "S" {
-        return Err(syn::Error::new(
-            name.span(),
-            "`S` stands for the scalar in what is generated; choose another name",
-        ));
+    let taken = match name.unraw().to_string().as_str() {
+        "S" => "stands for the scalar in what is generated",
+        "sim" | "sim_kernel" | "core" | "alloc" | "std" => "is a crate, which paths here would no longer find",
+        _ => "",
+    };
+    if !taken.is_empty() {
+        return Err(syn::Error::new(name.span(), format!("`{name}` {taken}; choose another name")));
     }
     if input.parse::<Option<Token![;]>>()?.is_none() {
         return Err(here(input, FORM));

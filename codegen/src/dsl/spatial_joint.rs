@@ -213,5 +213,5 @@ pub(super) fn named(joint: &Ident, suffix: &str, left: Expression, right: Expres
         true => joint.clone(),
         false => Ident::new(&format!("{}{suffix}", joint.unraw()), joint.span()),
     };
-    Equation { name, left, right, initially: None }
+    Equation { name, left, right, initially: None, is_of_joint: true }
 }

@@ -41,6 +41,20 @@ pub struct Declaration {
     pub joints: Vec<super::Joint>,
 }
 
+impl Declaration {
+    /// Whether anything is declared with a unit. A declaration without any is not checked for them.
+    pub fn has_units(&self) -> bool {
+        let outputs = self.outputs.iter().flat_map(|group| &group.outputs);
+        self.coordinates.iter().any(|c| c.unit.is_some())
+            || self.inputs.iter().any(|input| input.unit.is_some())
+            || self.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
+            || self.auxiliary.iter().any(|a| a.unit.is_some())
+            || self.parameters.iter().any(|p| p.unit.is_some())
+            || self.speeds.iter().any(|speed| speed.unit.is_some())
+            || outputs.into_iter().any(|output| output.unit.is_some())
+    }
+}
+
 /// A kernel that not everyone needs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum OptionalKernel {
@@ -240,6 +254,8 @@ pub struct Equation {
     pub right: Expression,
     /// `initially released`, on a constraint that events switch.
     pub initially: Option<Activity>,
+    /// Whether a joint gave it: then none of its rows can be left out by whoever wrote the joint.
+    pub is_of_joint: bool,
 }
 
 /// Whether a constraint holds.

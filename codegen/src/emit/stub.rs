@@ -7,6 +7,7 @@ use quote::quote;
 /// The type and the trait's impl, of size zero, never to be run.
 pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     let Head { visibility, name, .. } = head;
+    let other = super::types::other_scalar(&name.to_string());
     let kernel = |name: &str, arguments: &[&str], returns: TokenStream| {
         let name = super::ident(name);
         let arguments = arguments.iter().map(|argument| {
@@ -63,7 +64,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type LP = [[S; 0]; 0];
             type Inputs = [#path::Input<S>; 0];
             type Prepared = ();
-            type On<T: #path::Scalar> = #name<T>;
+            type On<#other: #path::Scalar> = #name<#other>;
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
@@ -80,7 +81,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             fn with_parameters(&self, parameters: [S; 0]) -> Self {
                 Self(::core::marker::PhantomData)
             }
-            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+            fn on<#other: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> #other) -> #name<#other> {
                 #name(::core::marker::PhantomData)
             }
             fn inputs(&self) -> Self::Inputs {

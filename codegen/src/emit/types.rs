@@ -160,7 +160,7 @@ pub(super) fn mechanism_impl(
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
-    let (name, prepared) = (ident(&model.name), prepared_name(model));
+    let (name, prepared, other) = (ident(&model.name), prepared_name(model), other_scalar(&model.name));
     let [n, m] = [model.coordinates.len(), model.constraints.len()];
     let z = size(n + m);
     let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
@@ -213,7 +213,7 @@ pub(super) fn mechanism_impl(
             type LP = [[S; #p]; #m];
             type Inputs = [#path::Input<S>; #input_count];
             type Prepared = #prepared<S>;
-            type On<T: #path::Scalar> = #name<T>;
+            type On<#other: #path::Scalar> = #name<#other>;
 
             const DESCRIPTION: #path::Description = #description;
 
@@ -229,7 +229,7 @@ pub(super) fn mechanism_impl(
                 Self { #(#fields: parameters[#places],)* ..*self }
             }
 
-            fn on<T: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> T) -> #name<T> {
+            fn on<#other: #path::Scalar>(&self, convert: impl ::core::ops::Fn(S) -> #other) -> #name<#other> {
                 #name { #(#fields: convert(self.#fields),)* #(#inputs: self.#inputs.map(&convert),)* #(#activities: convert(self.#activities),)* #marker }
             }
 
@@ -250,6 +250,11 @@ pub(super) fn mechanism_impl(
             #(#forwards)*
         }
     }
+}
+
+/// What the scalar that a mechanism is converted to is called.
+pub(super) fn other_scalar(mechanism: &str) -> Ident {
+    ident(if mechanism == "T" { "U" } else { "T" })
 }
 
 /// How activities are read and changed, if there are any.

@@ -5,6 +5,7 @@ use super::level::{BEYOND_POSITION, no_input};
 use super::rates::linear_in_speeds;
 use super::scope::{Names, plain};
 use super::space::Spatial;
+use super::unmoved::without_coordinates;
 use super::value::{Shape, Value};
 use super::{Conditional, Constraint, Dependence, Dimension, Level, Unit};
 use crate::dsl::{self, Declaration, Region};
@@ -128,6 +129,13 @@ fn constraint_rows(
         Some(dimension) => Unit::coherent(work.over(dimension)),
         None => Unit::none(),
     };
+    let components: Vec<Expr> = components
+        .into_iter()
+        .map(|row| match equation.is_of_joint && level == Level::Positions {
+            true => without_coordinates(&mut i.graph, &mut i.dependences, row).unwrap_or(row),
+            false => row,
+        })
+        .collect();
     let suffixes: &[&str] = if components.len() == 1 { &[""] } else { &["_x", "_y", "_z"] };
     let named: Vec<_> = components.into_iter().zip(suffixes.iter().map(|suffix| format!("{name}{suffix}"))).collect();
     for (value, row) in &named {
@@ -135,7 +143,8 @@ fn constraint_rows(
             Level::Positions => Dependence::COORDINATE,
             Level::Speeds => Dependence::SPEED,
         };
-        if !i.dependences.of(&i.graph, *value).meets(constrained) {
+        // A joint whose row nothing moves is sound where it closes: the row is redundant.
+        if !equation.is_of_joint && !i.dependences.of(&i.graph, *value).meets(constrained) {
             if level == Level::Speeds {
                 let message = format!(
                     "no speed stands in constraint row `{row}`, though `dot()` is written; write it between positions, \

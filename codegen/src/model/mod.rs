@@ -28,6 +28,7 @@ mod spline;
 mod start;
 mod tables;
 mod units;
+mod unmoved;
 mod value;
 
 pub use crate::dsl::Direction;

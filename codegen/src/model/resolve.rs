@@ -53,7 +53,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         values: Names::new("value"),
         tables: Names::new("table"),
         origins: Origins::default(),
-        with_units: has_units(declaration),
+        with_units: declaration.has_units(),
         local: vec![],
         reactions: None,
         outputs: declaration
@@ -129,16 +129,4 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
-}
-
-/// Whether anything is declared with a unit. A declaration without any is not checked for them.
-fn has_units(declaration: &Declaration) -> bool {
-    let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs);
-    declaration.coordinates.iter().any(|c| c.unit.is_some())
-        || declaration.inputs.iter().any(|input| input.unit.is_some())
-        || declaration.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
-        || declaration.auxiliary.iter().any(|a| a.unit.is_some())
-        || declaration.parameters.iter().any(|p| p.unit.is_some())
-        || declaration.speeds.iter().any(|speed| speed.unit.is_some())
-        || outputs.into_iter().any(|output| output.unit.is_some())
 }

@@ -144,7 +144,7 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 }
 
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; for the multiplier of a constraint
-/// that events switch activity - 1, so that it is 0 where the constraint is released.
+/// that events switch activity - 1, so that it is 0 where the constraint is released, and -1 for that of a row that nothing moves.
 pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
@@ -180,12 +180,16 @@ pub(super) fn entries(
         row.iter().enumerate().for_each(|(j, expr)| enter(variables + i, j, *expr));
     }
     for (i, activity) in activities.enumerate() {
-        if let Some(activity) = activity {
-            let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
-            let inactivity = lowering.values.sum(vec![(false, one), (true, activity)]);
-            let place = variables + i;
-            entries.push((place, place, lowering.values.negate(inactivity)));
-        }
+        let inactivity = match activity {
+            Some(activity) => {
+                let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
+                lowering.values.sum(vec![(false, one), (true, activity)])
+            }
+            None if jacobian[i].iter().all(|expr| graph.is_zero(*expr)) => lowering.values.constant(1.0),
+            None => continue,
+        };
+        let place = variables + i;
+        entries.push((place, place, lowering.values.negate(inactivity)));
     }
     entries
 }

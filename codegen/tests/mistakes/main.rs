@@ -15,6 +15,7 @@ mod elements;
 mod events;
 mod expressions;
 mod joints;
+mod limits;
 mod loads;
 mod names;
 mod new_users;

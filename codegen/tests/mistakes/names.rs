@@ -30,3 +30,20 @@ fn names() {
         &["2:26 `phi_dot` is the name of a rate of `phi` in files and on the command line; choose another name"],
     );
 }
+
+#[test]
+fn what_is_generated_has_names_of_its_own() {
+    let expected = ["1:5 `S` stands for the scalar in what is generated; choose another name"];
+    check("pub Pendulum;", "pub S;", &expected);
+    for name in ["sim", "sim_kernel", "core", "alloc", "std", "r#std"] {
+        let expected = format!("1:5 `{name}` is a crate, which paths here would no longer find; choose another name");
+        check("pub Pendulum;", &format!("pub {name};"), &[&expected]);
+    }
+    for name in ["self", "Self", "super", "crate", "_"] {
+        check("pub Pendulum;", &format!("pub {name};"), &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
+    }
+    // These are compiled in `tests/language/pass/names_of_mechanisms.rs`.
+    for name in ["T", "U", "Mechanism", "Option", "f64"] {
+        check("pub Pendulum;", &format!("pub {name};"), &[]);
+    }
+}

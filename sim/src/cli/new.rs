@@ -20,7 +20,19 @@ const FILES: [(&str, &str); 6] = [
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// Names that Cargo refuses, or that the crate's own dependencies have.
-const TAKEN: [&str; 8] = ["sim", "test", "core", "std", "alloc", "proc-macro", "build", "deps"];
+const TAKEN: [&str; 11] = [
+    "sim",
+    "sim-kernel",
+    "mechanism-macros",
+    "codegen",
+    "test",
+    "core",
+    "std",
+    "alloc",
+    "proc-macro",
+    "build",
+    "deps",
+];
 
 /// Makes a crate with a mechanism of one's own.
 pub(super) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
@@ -69,7 +81,7 @@ fn check_name(name: &str) -> Result<(), Stop> {
     if !name.chars().all(is_word) {
         return fail("letters, digits, `-` and `_` are possible");
     }
-    if TAKEN.contains(&name) || syn_keyword(name) {
+    if TAKEN.contains(&name.replace('_', "-").as_str()) || syn_keyword(name) {
         return fail("that word is taken");
     }
     Ok(())
@@ -90,8 +102,8 @@ fn type_name(name: &str) -> String {
     let capital =
         |word: &str| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1)).collect::<String>();
     let joined: String = words.map(capital).collect();
-    // `S` is the scalar of generated types.
-    if joined == "S" { "SMechanism".to_owned() } else { joined }
+    // `S` is the scalar of generated types, and `Self` is a word of Rust.
+    if ["S", "Self"].contains(&joined.as_str()) { format!("{joined}Mechanism") } else { joined }
 }
 
 /// What the command line calls a type.
@@ -136,11 +148,12 @@ mod tests {
         assert_eq!(type_name("my-linkage"), "MyLinkage");
         assert_eq!(type_name("four_bar2"), "FourBar2");
         assert_eq!(type_name("s"), "SMechanism");
+        assert_eq!(type_name("self-"), "SelfMechanism");
     }
 
     #[test]
     fn names_that_cargo_refuses_are_refused() {
-        for bad in ["", "2bars", "my linkage", "sim", "match", "\u{e4}"] {
+        for bad in ["", "2bars", "my linkage", "sim", "sim_kernel", "proc_macro", "match", "\u{e4}"] {
             assert!(check_name(bad).is_err(), "{bad}");
         }
         assert!(check_name("my-linkage").is_ok());

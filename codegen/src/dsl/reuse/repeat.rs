@@ -117,7 +117,7 @@ impl Expander<'_> {
         Ok((indices.with(&plain(index), value), number))
     }
 
-    /// `sum(i in 1..=3, term)` as `((term) + (term) + (term))`
+    /// `sum(i in 1..=3, term)` as `((term) + (term) + (term))`, or of many terms as a sum of such sums.
     fn sum(&mut self, terms: &Group, indices: &Indices, instance: usize) -> Result<TokenTree> {
         let place = self.places.place(terms.span(), instance);
         let words = list(terms.stream());
@@ -137,16 +137,13 @@ impl Expander<'_> {
         if range.first > range.last {
             return Err(Error::new(index.span(), format!("a sum has at least one term, and {} is empty", range.text)));
         }
-        let mut out = Vec::new();
+        let mut summands = Vec::new();
         for value in range.first..=range.last {
-            if !out.is_empty() {
-                out.push(Punct::new('+', Spacing::Alone).into());
-            }
             let (indices, round) = self.round(&index, value, indices, instance)?;
             let term = self.unroll(term, &indices, round)?;
-            out.push(regroup(terms, term, place));
+            summands.push(regroup(terms, term, place));
         }
-        Ok(regroup(terms, out, place))
+        Ok(nested_sum(terms, &summands, place))
     }
 
     /// `P_[i]`, and `leg_[i]_foot`: the name, and of how many words.
@@ -239,6 +236,23 @@ impl Expander<'_> {
             }
         }
     }
+}
+
+/// Terms in brackets with plus signs between them. Many of them are halved, as an expression is taken apart sign by sign.
+fn nested_sum(brackets: &Group, terms: &[TokenTree], place: Span) -> TokenTree {
+    const MOST_TERMS: usize = 64;
+    if terms.len() > MOST_TERMS {
+        let halves = terms.chunks(terms.len().div_ceil(2)).map(|half| nested_sum(brackets, half, place));
+        return nested_sum(brackets, &halves.collect::<Vec<_>>(), place);
+    }
+    let mut sum = Vec::new();
+    for term in terms {
+        if !sum.is_empty() {
+            sum.push(Punct::new('+', Spacing::Alone).into());
+        }
+        sum.push(term.clone());
+    }
+    regroup(brackets, sum, place)
 }
 
 /// Whether brackets after a name that ends in `_` hold an index, and not a unit: all of their names are indices, or no

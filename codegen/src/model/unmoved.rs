@@ -1,0 +1,64 @@
+//! Rows that no coordinate moves though coordinates stand in them, as where a point lies on the axis that its body turns about:
+//! what cancels there does not always cancel in symbols.
+//!
+//! A row is evaluated at places drawn once and for all. An analytic expression that is constant along the coordinates at all of
+//! them, to rounding, is so everywhere but for a chance that is none (Schwartz, Journal of the ACM 27, 1980).
+
+use super::{Dependence, Dependences};
+use crate::symbolic::{Expr, Graph, Symbol, evaluate, substitute};
+
+/// Values of all parameters, each with this many positions.
+const PLACES: usize = 4;
+const POSITIONS: usize = 4;
+/// A difference this small beside the largest value on the way to it is rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The row without coordinates, if none moves it.
+pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependences, row: Expr) -> Option<Expr> {
+    let symbols = graph.symbols_of(&[row]);
+    let mut coordinates = Vec::new();
+    for symbol in &symbols {
+        let variable = graph.variable(*symbol);
+        if dependences.of(graph, variable).meets(Dependence::COORDINATE) {
+            coordinates.push(*symbol);
+        }
+    }
+    let on_the_way = graph.reachable(&[row]);
+    let drawn = |symbol: Symbol, place: usize, position: usize| {
+        let position = if coordinates.contains(&symbol) { position } else { 0 };
+        drawn(symbols.binary_search(&symbol).unwrap_or_default(), place * POSITIONS + position)
+    };
+    let mut is_zero = true;
+    for place in 0..PLACES {
+        let mut first = None;
+        for position in 0..POSITIONS {
+            let values = evaluate(graph, &on_the_way, |symbol| drawn(symbol, place, position));
+            let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
+            let value = *values.last()?;
+            let start = *first.get_or_insert(value);
+            if !((value - start).abs() <= ROUNDING * largest) {
+                return None;
+            }
+            is_zero &= value.abs() <= ROUNDING * largest;
+        }
+    }
+    let zero = graph.zero();
+    if is_zero {
+        return Some(zero);
+    }
+    // Where the row has no value at 0, as a quaternion has none, it stays as it is.
+    let at_zero: Vec<_> = coordinates.iter().map(|symbol| (*symbol, zero)).collect();
+    let rest = substitute(graph, &[row], &at_zero)[0];
+    let value = evaluate(graph, &[rest], |symbol| drawn(symbol, 0, 0))[0];
+    value.is_finite().then_some(rest)
+}
+
+/// A number between 1/2 and 3/2, another one for each symbol and place, of no relation to others.
+fn drawn(symbol: usize, place: usize) -> f64 {
+    const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+    let mut bits = (symbol as u64 + 1).wrapping_mul(GOLDEN) ^ (place as u64 + 1);
+    for shift in [30, 27, 31] {
+        bits = (bits ^ (bits >> shift)).wrapping_mul(GOLDEN);
+    }
+    0.5 + (bits >> 11) as f64 / (1u64 << 53) as f64
+}
