@@ -6,5 +6,7 @@ mod dyads;
 mod inverse;
 mod limits;
 mod linear;
+mod peaks;
 mod sections;
+mod straight;
 mod sweeps;

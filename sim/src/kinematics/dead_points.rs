@@ -1,7 +1,6 @@
 //! Dead points that a run has passed.
 
 use super::driven::Driven;
-use super::inverse::SINGULAR;
 use super::system::{Law, System};
 use crate::any::{Any, AnyMechanism};
 use crate::interpolate::hermite;
@@ -10,6 +9,9 @@ use crate::run::Run;
 use crate::trajectory::State;
 use sim_kernel::{Mechanism, Start};
 use std::convert::Infallible;
+
+/// A determinant this small beside the lengths of its columns has no sign.
+const NOTHING: f64 = 1e-10;
 
 /// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on upon
 /// another branch: a knee that was bent to one side is bent to the other.
@@ -34,14 +36,16 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     let start = run.trajectory.samples.first().map(|sample| sample.state.positions);
     let independent = start.and_then(|start| independent(&any, start.as_ref(), run.mobility.degrees_of_freedom));
     let Some((independent, system)) = independent else { return Vec::new() };
-    let determinant = |state: &State<M>| relative_determinant(&system, state.positions.as_ref(), state.time);
+    let redundant: Vec<usize> = system.redundant_rows(&run.mobility);
+    let determinant =
+        |state: &State<M>| relative_determinant(&system, &redundant, state.positions.as_ref(), state.time);
     let mut found = Vec::new();
     let mut last: Option<(usize, f64)> = None;
     let samples = &run.trajectory.samples;
     for (i, sample) in samples.iter().enumerate() {
         let value = determinant(&sample.state);
         // What is nearly zero has no sign.
-        if !(value.abs() > SINGULAR) {
+        if !(value.abs() > NOTHING) {
             continue;
         }
         if let Some((before, known)) = last.filter(|(_, known)| known * value < 0.0) {
@@ -54,9 +58,9 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     found
 }
 
-/// det C_qd, beside the lengths of the columns.
-fn relative_determinant(system: &System, q: &[f64], time: f64) -> f64 {
-    let jacobian = system.linear(q, time).jacobian;
+/// det C_qd without redundant rows, beside the lengths of the columns.
+fn relative_determinant(system: &System, redundant: &[usize], q: &[f64], time: f64) -> f64 {
+    let jacobian = system.linear(q, time).jacobian.remove_rows_at(redundant);
     let size: f64 = jacobian.column_iter().map(|column| column.norm()).product();
     jacobian.determinant() / size
 }
