@@ -12,6 +12,8 @@ pub struct Failure {
     pub time: f64,
     /// The coordinates there, by name, in SI units.
     pub state: Vec<(&'static str, f64)>,
+    /// Their declared units, with what they are in SI units.
+    pub(crate) units: Vec<(&'static str, f64)>,
 }
 
 /// What went wrong.
@@ -294,8 +296,9 @@ impl Failure {
 
     /// A failure at a state of the mechanism of this description.
     pub(crate) fn of(description: &'static Description, what: What, time: f64, q: &[f64]) -> Failure {
-        let names = description.coordinates.iter().map(|c| c.position.name);
-        Failure { what, time, state: names.zip(q.iter().copied()).collect() }
+        let coordinates = || description.coordinates.iter().map(|c| &c.position);
+        let state = coordinates().map(|c| c.name).zip(q.iter().copied()).collect();
+        Failure { what, time, state, units: coordinates().map(|c| (c.unit, c.factor)).collect() }
     }
 }
 
@@ -308,8 +311,13 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let state: Vec<String> =
-            self.state.iter().map(|(name, value)| format!("{name} = {}", readable(*value))).collect();
+        let coordinates = self.state.iter().zip(&self.units);
+        let state: Vec<String> = coordinates
+            .map(|((name, value), (unit, factor))| {
+                let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
+                format!("{name} = {}{unit}", readable(value / factor))
+            })
+            .collect();
         write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
     }
 }
@@ -318,6 +326,8 @@ impl std::error::Error for Failure {}
 
 /// Six decimals, or six digits where that would be too long or say nothing.
 fn readable(value: f64) -> String {
+    // Zero has no sign here.
+    let value = value + 0.0;
     let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
     if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
 }

@@ -12,7 +12,7 @@ use crate::integrate::{
 use crate::measures::Measures;
 use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::Motion;
-use crate::record::Recorder;
+use crate::record::{DeadPoint, Recorder};
 use crate::settings::{Method, Settings};
 use crate::trajectory::{Sample, State, Trajectory};
 use sim_kernel::Mechanism;
@@ -33,6 +33,8 @@ pub struct Run<M: Mechanism> {
     pub trajectory: Trajectory<M>,
     /// Events along it.
     pub events: Vec<Occurrence<M>>,
+    /// Dead points along it: see [`crate::dead_points`].
+    pub dead_points: Vec<DeadPoint<M>>,
     /// Degrees of freedom and dependent constraints at the start.
     pub mobility: Mobility,
     /// How many steps were made.
@@ -93,10 +95,13 @@ fn run_with<M: Mechanism>(
     mobility.check_regular::<M>(first.time, &first.positions)?;
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
+    recorder.seek_dead_points(&mechanism, &first, &mobility);
     let (mut steps, mut evaluations) = (Steps::default(), 0);
     let clock = Instant::now();
     let control = Control::new(controller, first.time);
     let ended = run_phases(mechanism, first, settings, control, &mut recorder, &mut steps, &mut evaluations);
+    recorder.finish();
+    let dead_points = recorder.dead_points();
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
@@ -107,6 +112,7 @@ fn run_with<M: Mechanism>(
         settings: *settings,
         trajectory,
         events: recorder.events.found,
+        dead_points,
         mobility,
         steps,
         evaluations,

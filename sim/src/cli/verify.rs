@@ -39,7 +39,7 @@ fn as_json(checks: &[Check]) -> String {
 }
 
 fn as_text(name: &str, checks: &[Check]) -> String {
-    let mut text = format!("{name:<34} {:>9} {:>9}  {:<7}what\n", "figure", "bound", "verdict");
+    let mut text = format!("{name:<34} {:>9} {:>9}  {:<7} what\n", "figure", "bound", "verdict");
     for check in checks {
         let verdict = if check.passes() { "ok" } else { "FAILS" };
         let Check { name, figure, bound, meaning, .. } = check;

@@ -1,6 +1,5 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
-mod dead_points;
 mod driven;
 mod extremes;
 mod inverse;
@@ -18,7 +17,6 @@ use inverse::AnyPrescribed;
 use sim_kernel::{Array, Description, Mechanism};
 use sweep::Swept;
 
-pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
 pub use extremes::{Extreme, Extremes, Range, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};
