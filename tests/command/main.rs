@@ -290,6 +290,7 @@ fn what_installs_with_the_program_is_generated() {
     for (words, expected) in [
         (&["generate", "completions", "bash"][..], "quick-return|complete"),
         (&["generate", "completions", "zsh"], "compdef"),
+        (&["generate", "completions", "fish"], "quick-return"),
         (&["generate", "man"], ".TH sim"),
         (&["generate", "schema"], "Linkwright run file"),
     ] {
