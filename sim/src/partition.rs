@@ -47,11 +47,6 @@ impl Partition {
         }
     }
 
-    /// The dependent coordinates and the dependent speeds, by index.
-    pub(crate) fn dependent<M: Mechanism>(&self) -> [&[usize]; 2] {
-        [&self.positions.dependent, &self.of_speeds::<M>().dependent]
-    }
-
     fn of_speeds<M: Mechanism>(&self) -> &Choice {
         if has_speed_rows::<M>() { &self.speeds } else { &self.positions }
     }
