@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix};
 use sim::{NoEigenvalues, eigen};
+use tests::spectra::Exact;
 
 /// A share of those that `figures numbers` takes.
 #[test]
@@ -9,6 +10,27 @@ fn exact_spectra_are_found_to_what_they_are_worth() {
     for (what, value, bound) in tests::spectra::lines(200) {
         println!("{what}: {value:.1e}");
         assert!(value <= bound, "{what}: {value:e}");
+    }
+}
+
+/// The roots of unity are those of a cycle, which QR with its usual shifts maps onto itself.
+#[test]
+fn cycles_are_left() {
+    for n in [2, 3, 4, 5, 8, 40] {
+        let cycle = DMatrix::from_fn(n, n, |i, j| f64::from(u8::from(i == (j + 1) % n)));
+        for value in eigen(&cycle).unwrap().values {
+            // n roundings or so, n times as many in the power.
+            assert!((value.powu(n as u32) - 1.0).norm() < 1e-15 * (n * n) as f64, "{n}: {value}");
+        }
+    }
+}
+
+/// What is left of nilpotent blocks beside larger ones is rounding everywhere, and never small beside its neighbours.
+#[test]
+fn rounding_is_not_iterated_on() {
+    for number in [2138, 5458, 9009] {
+        let exact = Exact::numbered(number);
+        assert!(exact.errors(&eigen(&exact.matrix).unwrap())[..2].iter().all(|error| *error <= 1.0), "{number}");
     }
 }
 
