@@ -53,9 +53,9 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     let near = assembled.positions.as_ref().to_vec();
     let found = match newton(any, near.clone())? {
         Ended::AtRest(found) => found,
-        Ended::Moving(_) => match descend(any, near)? {
+        Ended::Moving(stuck) => match descend(any, near)? {
             Ended::AtRest(found) => found,
-            Ended::Moving(at) => return Err(at.moving(any)),
+            Ended::Moving(last) => return Err(nowhere(any, &stuck, &last)),
         },
     };
     let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
@@ -144,12 +144,10 @@ fn halved(
     Ok(None)
 }
 
-impl Statics {
-    /// That it is no equilibrium; the singular position beside it, if there is one.
-    fn moving(&self, mechanism: &dyn AnyMechanism) -> Failure {
-        if let Some(singular) = self.singular_nearby(mechanism) {
-            return singular;
-        }
-        mechanism.failure(What::NoEquilibrium { acceleration: self.largest_acceleration() }, 0.0, &self.q)
-    }
+/// That nothing was found where both searches ended; the singular position beside one of them, if there is one.
+fn nowhere(mechanism: &dyn AnyMechanism, stuck: &Statics, last: &Statics) -> Failure {
+    let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
+    singular.unwrap_or_else(|| {
+        mechanism.failure(What::NoEquilibrium { acceleration: stuck.largest_acceleration() }, 0.0, &stuck.q)
+    })
 }

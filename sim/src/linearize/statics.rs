@@ -3,7 +3,7 @@
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
 use crate::any::{AnyMechanism, At};
-use crate::failure::Failure;
+use crate::failure::{Failure, What};
 use crate::measures::measure;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -55,6 +55,11 @@ impl Statics {
             by_positions.set_column(k, &derivatives.along(&reduction, k)?.accelerations);
         }
         let accelerations = DVector::from_column_slice(derivatives.accelerations());
+        let numbers = accelerations.iter().chain(&by_positions).chain(&moves);
+        if numbers.into_iter().any(|number| !number.is_finite()) {
+            let quantity = "how accelerations change with the position".into();
+            return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, &q));
+        }
         Ok(Statics { sizes: measure(mechanism, 0.0, &q).0, reduction, accelerations, by_positions, root, moves, q })
     }
 
@@ -75,8 +80,11 @@ impl Statics {
         parts.iter().zip(&self.sizes).fold(0.0, |largest, (part, size)| largest.max((part / size).abs()))
     }
 
-    /// The shortest y that Newton's method takes.
+    /// The shortest y that Newton's method takes; none where nothing moves.
     pub(crate) fn newton_step(&self) -> Option<DVector<f64>> {
+        if self.root.is_empty() {
+            return None;
+        }
         let factors = self.stiffness().try_svd(true, true, f64::EPSILON, MOST_SWEEPS)?;
         let least = FREE * factors.singular_values.amax();
         let step = factors.solve(&-self.force(), least.max(f64::MIN_POSITIVE)).ok()?;
