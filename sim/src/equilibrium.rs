@@ -107,10 +107,9 @@ fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> 
     let mut at = Statics::at(mechanism, q)?;
     for _ in 0..MOST_DESCENTS {
         let (step, is_down) = at.descent(STIFFER);
-        if is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR) {
-            if let Ended::AtRest(found) = newton(mechanism, at.q.clone())? {
-                return Ok(Ended::AtRest(found));
-            }
+        let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
+        if is_near && let Ended::AtRest(found) = newton(mechanism, at.q.clone())? {
+            return Ok(Ended::AtRest(found));
         }
         let share = (LONGEST / at.size(&step)).min(1.0);
         let along = at.force().dot(&step);
