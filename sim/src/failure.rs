@@ -1,5 +1,6 @@
 //! What can go wrong in a motion, with where and when.
 
+use crate::eigen::NoEigenvalues;
 use sim_kernel::{Description, Mechanism};
 use std::fmt;
 
@@ -83,6 +84,21 @@ pub enum What {
     SingularStart {
         /// The constraint.
         constraint: &'static str,
+    },
+    /// The same where small motions, or the reactions at rest, are asked for.
+    #[error(
+        "the position is singular: constraint `{constraint}` is not independent of the others here, though it is nearby. Branches of \
+             the motion cross here: small motions have no linear equations, and the reactions are not determined. Ask beside it"
+    )]
+    SingularState {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The linearised motion has no eigenvalues that could be found.
+    #[error("the eigenvalues of the small motions about this state were not found: {why}")]
+    NoEigenvalues {
+        /// Why.
+        why: NoEigenvalues,
     },
     /// The equations of motion do not determine the accelerations.
     #[error(

@@ -3,8 +3,11 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod dyads;
+mod eigenvalues;
+mod equilibria;
 mod inverse;
 mod limits;
 mod linear;
 mod sections;
+mod steady;
 mod sweeps;

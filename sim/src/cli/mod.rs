@@ -38,6 +38,7 @@ mod run_file;
 mod settings;
 mod signals;
 mod statics;
+mod steady;
 mod stored;
 mod verify;
 
