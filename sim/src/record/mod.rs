@@ -40,6 +40,8 @@ pub(crate) struct Recorder<M: Mechanism> {
     has_ended: bool,
     /// The end of the last step.
     reached: Option<State<M>>,
+    /// The largest |work| at the end of any step, in joules.
+    pub(crate) largest_work: f64,
 }
 
 /// Whether any event does something.
@@ -78,6 +80,7 @@ impl<M: Mechanism> Recorder<M> {
             next_phase: None,
             has_ended: false,
             reached: None,
+            largest_work: 0.0,
         }
     }
 
@@ -137,6 +140,7 @@ impl<M: Mechanism> Recorder<M> {
 
     pub(crate) fn watch(&mut self, step: &mut Step<M>) -> Result<ControlFlow<()>, Failure> {
         self.reached = Some(step.to.state);
+        self.largest_work = self.largest_work.max(step.to.state.work.abs());
         let first = self.events.found.len();
         self.events.search(step)?;
         let acting = self.first_acting(first);
