@@ -45,8 +45,8 @@ pub struct Run<M: Mechanism> {
     pub position_residual: f64,
     /// The largest |(C_q q' + C_t)_i| of any sample.
     pub velocity_residual: f64,
-    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy or
-    /// work.
+    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy of any
+    /// sample or work of any step.
     pub energy_balance: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
@@ -105,7 +105,7 @@ fn run_with<M: Mechanism>(
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
-    let energy_balance = energy_balance(&mechanism, &trajectory);
+    let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work);
     let energy_taken = trajectory.phases.last().map_or(0.0, |phase| phase.energy_taken);
     Ok(Run {
         mechanism,
@@ -213,8 +213,9 @@ fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) ->
     })
 }
 
-fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> f64 {
-    let (mut largest, mut change, mut start) = (0.0f64, 0.0f64, None);
+/// `largest` is the largest work between samples: a mechanism may be at rest in all of them.
+fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, mut largest: f64) -> f64 {
+    let (mut change, mut start) = (0.0f64, None);
     for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {
         let state = &sample.state;
         let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);

@@ -49,6 +49,8 @@ pub(crate) struct Recorder<M: Mechanism> {
     /// The same, if it has been recorded as far as rows lie in it.
     last_step: Option<Sample<M>>,
     dead_points: Option<DeadPoints<M>>,
+    /// The largest |work| at the end of any step, in joules.
+    pub(crate) largest_work: f64,
 }
 
 /// Whether any event does something.
@@ -92,6 +94,7 @@ impl<M: Mechanism> Recorder<M> {
             reached: None,
             last_step: None,
             dead_points: None,
+            largest_work: 0.0,
         }
     }
 
@@ -166,6 +169,7 @@ impl<M: Mechanism> Recorder<M> {
 
     pub(crate) fn watch(&mut self, step: &mut Step<M>) -> Result<ControlFlow<()>, Failure> {
         self.reached = Some(step.to.state);
+        self.largest_work = self.largest_work.max(step.to.state.work.abs());
         let first = self.events.found.len();
         self.events.search(step)?;
         let acting = self.first_acting(first);
