@@ -23,12 +23,6 @@ pub fn hermite<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) ->
     }
 }
 
-/// The same of one coordinate, whose values, rates and second derivatives at the ends of an interval of length `h` these are.
-pub(crate) fn quintic(value: [f64; 2], rate: [f64; 2], second: [f64; 2], h: f64, fraction: f64) -> f64 {
-    let second = second.map(|second| h * h * second);
-    Ends { value, rate: rate.map(|rate| h * rate), second }.at(fraction).0
-}
-
 /// The cubic with these values and rates at 0 and 1.
 pub(crate) fn cubic(value: [f64; 2], rate: [f64; 2], s: f64) -> f64 {
     let r = 1.0 - s;

@@ -8,6 +8,8 @@ mod equilibria;
 mod inverse;
 mod limits;
 mod linear;
+mod peaks;
 mod sections;
 mod steady;
+mod straight;
 mod sweeps;

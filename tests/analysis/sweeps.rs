@@ -20,7 +20,7 @@ pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, 
 }
 
 /// The place of an output.
-fn output<M: Mechanism>(name: &str) -> usize {
+pub(crate) fn output<M: Mechanism>(name: &str) -> usize {
     M::DESCRIPTION.outputs.iter().position(|output| output.name == name).unwrap()
 }
 

@@ -47,8 +47,6 @@ pub(crate) trait AnyMechanism {
     fn is_met(&self, time: f64, q: &[f64]) -> bool;
     /// As [`project_positions`].
     fn project_positions(&self, time: f64, q: &mut [f64]) -> Result<(), Failure>;
-    /// The multipliers of least norm with the same forces, where so many rows are independent.
-    fn least_norm(&self, time: f64, q: &[f64], multipliers: &[f64], rank: usize) -> Vec<f64>;
     /// Accelerations and multipliers, of the mechanism with other parameters and inputs.
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure>;
     /// The inputs as they are at a time, each held at its value there.

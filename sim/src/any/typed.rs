@@ -3,7 +3,6 @@
 use super::{AnyMechanism, At, Linear, below};
 use crate::equations::accelerate;
 use crate::failure::Failure;
-use crate::least_norm::least_norm;
 use crate::linearize::Control;
 use crate::measures::Measures;
 use crate::project::{is_met, project_positions};
@@ -89,10 +88,6 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         project_positions(self.0, &measures, time, &mut projected)?;
         q.copy_from_slice(projected.as_ref());
         Ok(())
-    }
-    fn least_norm(&self, time: f64, q: &[f64], multipliers: &[f64], rank: usize) -> Vec<f64> {
-        let jacobian = self.0.constraint_jacobian(time, &array(q));
-        least_norm::<M>(jacobian, &array(multipliers), rank).as_ref().to_vec()
     }
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure> {
         let mut set = self.0.inputs();

@@ -5,7 +5,7 @@ use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
 use super::{Stop, folder, unknown};
-use crate::kinematics::quotient;
+use crate::kinematics::{prescribed_coordinate, quotient};
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
     Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, kinematics,
@@ -28,8 +28,8 @@ pub(super) struct KinematicsArguments {
     /// The mechanism, as `list` names it.
     model: String,
 
-    /// What is driven: a coordinate, or an output that is a function of positions [default: the first coordinate that is
-    /// given at the start].
+    /// What is driven: a coordinate, or an output that is a function of positions [default: the coordinate that a constraint
+    /// prescribes, or the first that is given at the start].
     #[arg(long, value_name = "NAME")]
     drive: Option<String>,
 
@@ -76,16 +76,18 @@ impl KinematicsArguments {
         &self.model
     }
 
-    /// The sweep of a mechanism of which `now` tells the values of coordinates and outputs at the start, with these speeds there.
+    /// The sweep of a mechanism of which `now` tells the values of coordinates and outputs at the start, with these speeds there;
+    /// `prescribed` is a coordinate that a constraint drives.
     fn sweep(
         &self,
         description: &'static Description,
         now: &dyn Fn(Driven) -> f64,
         speeds: &[Option<f64>],
+        prescribed: Option<(usize, f64)>,
     ) -> Result<Sweep, Stop> {
         let driven = match &self.drive {
             Some(name) => find(description, name)?,
-            None => default_drive(description)?,
+            None => prescribed.map_or_else(|| default_drive(description), |(i, _)| Ok(Driven::Coordinate(i)))?,
         };
         let quantity = driven.quantity(description);
         let value = |option: &str, text: &str| parse_quantity(option, text, quantity.unit);
@@ -106,7 +108,7 @@ impl KinematicsArguments {
             )));
         }
         let declared = match driven {
-            Driven::Coordinate(i) => speeds[i],
+            Driven::Coordinate(i) => prescribed.filter(|(j, _)| *j == i).map(|(_, speed)| speed).or(speeds[i]),
             Driven::Output(_) => None,
         };
         let speed = self.speed(description, driven, declared)?;
@@ -169,7 +171,8 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
     let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
-    let sweep = arguments.sweep(description, &now, &speeds)?;
+    let prescribed = prescribed_coordinate(&mechanism, &start.positions);
+    let sweep = arguments.sweep(description, &now, &speeds, prescribed)?;
     let directory = arguments.out.clone();
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
@@ -276,6 +279,7 @@ fn summary(found: &Found) -> Value {
     let multipliers = description.constraints.iter().zip(&extremes.multipliers);
     let multipliers =
         multipliers.filter_map(|(c, found)| Some((c.name.to_owned(), range(found.as_ref()?, c.factor, c.unit))));
+    let without_bounds = without_bounds(found);
     let drives = found.drives().filter_map(|(driven, found)| {
         let unit = driven.force_unit(description);
         Some((driven.quantity(description).name.to_owned(), range(found.as_ref()?, 1.0, unit)))
@@ -301,7 +305,19 @@ fn summary(found: &Found) -> Value {
         "transmission_index": extremes.transmission.as_ref().map(|found| range(found, 1.0, "1")),
         "outputs": outputs.collect::<Map<_, _>>(),
         "multipliers": multipliers.collect::<Map<_, _>>(),
+        "without_bounds": without_bounds,
     })
+}
+
+/// The columns that have no least and no greatest value.
+fn without_bounds(found: &Found) -> Vec<String> {
+    let (description, extremes) = (found.description, found.extremes);
+    let drives = found.drives().map(|(driven, range)| (format!("drive_{}", driven.quantity(description).name), range));
+    let multipliers = description.constraints.iter().zip(&extremes.multipliers);
+    let multipliers = multipliers.map(|(c, range)| (format!("lambda_{}", c.name), range));
+    let outputs = description.outputs.iter().zip(&extremes.outputs).map(|(o, range)| (o.name.to_owned(), range));
+    let all = drives.chain(multipliers).chain(outputs);
+    all.filter(|(_, range)| range.is_none()).map(|(name, _)| name).collect()
 }
 
 /// The same to be read.
@@ -328,7 +344,10 @@ fn report(found: &Found) -> String {
     }
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
     let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
-        let Some(Range { least, greatest }) = range else { return };
+        let Some(Range { least, greatest }) = range else {
+            text += &format!("{name:<22} not finite everywhere, or without bound towards a special position\n");
+            return;
+        };
         let numbers =
             [least.value / factor, least.at / driven.factor, greatest.value / factor, greatest.at / driven.factor];
         let numbers = numbers.map(|number| format!("{:>14}", significant(number))).join(" ");

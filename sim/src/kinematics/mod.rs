@@ -1,9 +1,15 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
+mod crossing;
 mod driven;
 mod extremes;
 mod inverse;
+mod motion;
 mod path;
+mod search;
+mod series;
+mod sizes;
+mod stand_in;
 mod sweep;
 mod system;
 mod tabulate;
@@ -22,7 +28,7 @@ pub use extremes::{Extreme, Extremes, Range, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};
 pub use sweep::{SpecialPosition, Sweep};
 #[cfg(feature = "cli")]
-pub(crate) use tabulate::quotient;
+pub(crate) use {stand_in::prescribed_coordinate, tabulate::quotient};
 
 /// What a mechanism does while it is driven through a range.
 #[derive(Clone, Debug)]
@@ -39,8 +45,9 @@ pub struct Kinematics<M: Mechanism> {
     pub forces: Vec<Vec<f64>>,
     /// The transmission index at each sample, from 0 in a dead point to 1.
     ///
-    /// It is |det C_qd| over the product of the largest length that each column of C_qd has in the range, where C_qd are
-    /// the columns of the constraint Jacobian that no drive holds: how well the drive determines the rest, relative to the
+    /// It is |det C_qd| over the product of the largest length that each column of C_qd has anywhere in the range, where C_qd are
+    /// the columns of the constraint Jacobian that no drive holds (of redundant constraints all rows count, and the volume that
+    /// the columns span is taken for the determinant): how well the drive determines the rest, relative to the
     /// best possible, as in Sutherland and Roth, A transmission index for spatial mechanisms (J. Eng. Ind. 95, 1973).
     /// For a four-bar linkage driven at its crank it is sin mu, with mu the transmission angle (Balli and Chand,
     /// Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over its largest value.
@@ -58,8 +65,11 @@ pub struct Kinematics<M: Mechanism> {
 /// Drives a mechanism through a range, on the branch on which it is assembled.
 ///
 /// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
-/// curvature; velocities, accelerations and reactions exactly from the kernels, by [`inverse_dynamics`]. What is given
+/// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by [`inverse_dynamics`]. What is given
 /// of the start closes the loops; from there drive and holds are first brought to where the sweep begins.
+///
+/// Where a constraint prescribes the driven coordinate as a function of time, the sweep stands in for it: the coordinate moves
+/// as the sweep says, and what the drive exerts is the reaction of that constraint.
 ///
 /// # Errors
 /// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if where the sweep begins
@@ -79,8 +89,8 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
     let assembled = assemble(&mechanism, &still)?.positions;
     let any = Any(&mechanism);
     let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep)?;
+    let extremes = extremes::extremes(&swept, sweep);
     let transmission = transmission(&swept);
-    let extremes = extremes::find(&swept, sweep, &transmission);
     let work = work(&swept);
     let samples = swept.motion.iter().zip(work).map(|(motion, work)| motion.sample(&mechanism, work)).collect();
     let (values, forces) = drives(&swept);
@@ -114,11 +124,10 @@ fn work(swept: &Swept) -> Vec<f64> {
     swept.motion.iter().map(|motion| kinetic(motion) - first).collect()
 }
 
-/// See [`Kinematics::transmission`]. Products are of logarithms, which neither overflow nor underflow.
+/// See [`Kinematics::transmission`].
 fn transmission(swept: &Swept) -> Vec<f64> {
-    let longest = |j: usize| swept.motion.iter().fold(0.0f64, |most, motion| most.max(motion.columns[j]));
-    let largest: f64 = swept.system.dependent_columns().map(|j| longest(j).ln()).sum();
-    swept.motion.iter().map(|motion| (motion.determinant.abs().ln() - largest).exp()).collect()
+    let largest = swept.found.largest_columns();
+    swept.motion.iter().map(|motion| (motion.volume.ln() - largest).exp()).collect()
 }
 
 impl<M: Mechanism> Kinematics<M> {

@@ -1,73 +1,109 @@
 //! The curve F(q, p) = 0, followed by its arc length, so that a dead point of the drive is a point like any other.
 //!
 //! Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977); Allgower and Georg, Introduction
-//! to Numerical Continuation Methods (SIAM 2003), ch. 2, 5 and 8: where the component of the tangent along p changes sign
-//! the curve turns back (a limit position); where det [F_z; tangent'] does, another branch crosses it.
+//! to Numerical Continuation Methods (SIAM 2003), ch. 2, 5 and 8. Steps are as long as the direction of the curve allows and
+//! know nothing of what is recorded. One is made when the curve over it is a polynomial to rounding, with every node on the
+//! curve: what was stepped over cannot be another branch then.
 
+use super::crossing::find_dip;
+use super::series::{Series, nodes};
+use super::sizes::Sizes;
 use super::system::System;
 use crate::failure::{Failure, What};
+use crate::interpolate::cubic;
 use crate::root::find_root;
 use nalgebra::{DMatrix, DVector};
+use std::cell::OnceCell;
+use std::convert::Infallible;
 
 /// Newton steps of a correction.
 const MOST_CORRECTIONS: usize = 12;
+/// A correction this small that no longer shrinks is rounding.
+const ROUNDING: f64 = 1e-9;
 /// The first correction of a step, as a part of it, beyond which the step is refused: it might lead to another branch.
 const LARGEST_CORRECTION: f64 = 0.1;
 /// The least cosine between the tangents at both ends of a step.
 const STRAIGHT: f64 = 0.98;
-/// A step this small, as a part of the longest, is given up.
-const SMALLEST_STEP: f64 = 1e-10;
-/// The longest step, as a part of the range of p.
-const LONGEST_STEP: f64 = 0.02;
-/// To what special positions are located, as a part of a step.
-const PLACE: f64 = 1e-14;
+/// The longest step: about so much of a turn that a step of a crank is a fiftieth of it or less.
+const LONGEST_STEP: f64 = 0.25;
+/// A step this small is given up.
+const SMALLEST_STEP: f64 = 1e-9;
+/// A step to where the curve ends need not be shorter.
+const SHORT: f64 = 1e-3;
+/// The last coefficients of a curve that is a polynomial to rounding, and what they may be where rounding is amplified.
+const RESOLVED: f64 = 1e-12;
+const LEAST_RESOLVED: f64 = 1e-9;
+/// A step so short may have a corner in it, as a table has or a modulus, and this part of it may be no polynomial.
+const SHORTEST: f64 = 1e-6;
+const CORNER: f64 = 0.01;
+/// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away.
+const CENTRED: f64 = 0.02;
+/// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew.
+const AROUND: f64 = 0.2;
+const MOST_LAYINGS: usize = 4;
+/// Directions in which F_q is this small, beside its largest part, are left as the curve has them.
+const REGULAR: f64 = 1e-4;
+/// Where rounding is amplified so much, another branch may cross nearby.
+const NEAR: f64 = 1e3;
+/// After so many sweeps a decomposition is given up; it takes a few for each singular value.
+const MOST_SWEEPS: usize = 10_000;
+/// How far from a position of the curve the same may be found for a value of p.
+const SAME: f64 = 1e-6;
 
-/// A point of the curve: z = (q, w p), its unit tangent, and the sign of det [F_z; tangent'].
+/// A point of the curve: z = (q, p), each in its size, and its unit tangent.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
-    z: DVector<f64>,
+    pub(super) z: DVector<f64>,
     tangent: DVector<f64>,
-    orientation: f64,
+    /// How far F_z is from a lower rank there, without units.
+    pub(super) regularity: f64,
+    /// How far rounding may be amplified there.
+    condition: f64,
 }
 
-/// A step along the curve.
-pub(super) struct Span<'a> {
-    from: &'a Point,
-    to: &'a Point,
+/// A step along the curve, for x from -1 to 1.
+pub(super) struct Piece {
+    pub(super) from: Point,
+    pub(super) to: Point,
     length: f64,
+    /// z(x).
+    curve: Vec<Series>,
+    /// Where another branch crosses.
+    pub(super) crossing: Option<f64>,
+    /// Where the drive turns back.
+    pub(super) limit: Option<f64>,
+    /// What is computed once of a step in which another branch crosses.
+    pub(super) beside: OnceCell<Option<Vec<Series>>>,
 }
 
-/// A place where the curve is special.
-#[derive(Clone, Debug)]
-pub(super) enum Special {
-    /// The drive cannot go further.
-    Limit,
-    /// Another branch crosses.
-    Branch,
-}
-
-/// A curve, and how p is scaled on it.
+/// A curve.
 pub(super) struct Path<'s> {
-    system: &'s System<'s>,
-    /// w: the largest rate of a drive, so that p weighs what it moves.
-    weight: f64,
-    longest: f64,
+    pub(super) system: &'s System<'s>,
+    pub(super) sizes: Sizes,
+    /// Where it ends, as p.
+    end: f64,
 }
 
 impl<'s> Path<'s> {
-    /// The curve of a system, for p from 0 to `end`.
-    pub(super) fn new(system: &'s System<'s>, end: f64) -> Path<'s> {
-        let weight = system.laws.iter().fold(0.0f64, |most, law| most.max(law.rate.abs())).max(f64::MIN_POSITIVE);
-        Path { system, weight, longest: LONGEST_STEP * weight * end }
+    /// The curve of a system from a position, for p from 0 to `end`.
+    pub(super) fn new(system: &'s System<'s>, q: &[f64], end: f64) -> Path<'s> {
+        Path { system, sizes: Sizes::new(system, q, end), end }
     }
 
-    pub(super) fn place(&self, point: &Point) -> (Vec<f64>, f64) {
-        self.split(&point.z)
-    }
-
-    fn split(&self, z: &DVector<f64>) -> (Vec<f64>, f64) {
+    /// A position and its p.
+    fn place(&self, z: &DVector<f64>) -> (Vec<f64>, f64) {
         let n = z.len() - 1;
-        (z.as_slice()[..n].to_vec(), z[n] / self.weight)
+        (self.sizes.coordinates.iter().zip(z).map(|(size, z)| size * z).collect(), z[n] * self.sizes.parameter)
+    }
+
+    /// The position and p at a place of a step.
+    pub(super) fn at(&self, piece: &Piece, x: f64) -> (Vec<f64>, f64) {
+        self.place(&piece.z(x))
+    }
+
+    /// p at the end of a step.
+    pub(super) fn reached(&self, piece: &Piece) -> f64 {
+        self.place(&piece.to.z).1
     }
 
     /// Where the curve starts, with p growing.
@@ -76,63 +112,133 @@ impl<'s> Path<'s> {
     /// [`What::DriveSingular`] where the drive does not determine the motion.
     pub(super) fn start(&self, q: &[f64]) -> Result<Point, Failure> {
         let n = q.len();
-        let z = DVector::from_fn(n + 1, |j, _| if j < n { q[j] } else { 0.0 });
+        let z = DVector::from_fn(n + 1, |j, _| if j < n { q[j] / self.sizes.coordinates[j] } else { 0.0 });
         let along = DVector::from_fn(n + 1, |j, _| f64::from(u8::from(j == n)));
-        let point = self.tangent(z, &along).filter(|point| point.tangent[n] > 1e-9);
-        point.ok_or_else(|| self.system.singular(q, 0.0))
+        let is_regular = |point: &Point| point.tangent[n] > 1e-9 && point.condition < 1e9;
+        self.tangent(z, &along).filter(is_regular).ok_or_else(|| self.system.singular(q, 0.0))
     }
 
-    /// The next point, at most `length` away.
+    /// The next step, of at most `length` where nothing is special; where another branch crosses, it does so in the middle.
     ///
     /// # Errors
     /// [`What::NotFollowed`] if no step is small enough.
-    pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<(Point, f64), Failure> {
-        *length = length.min(self.longest);
-        loop {
-            if let Some(to) = self.step(from, *length) {
-                let taken = *length;
-                *length *= 1.5;
-                return Ok((to, taken));
+    pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<Piece, Failure> {
+        let mut tried = length.min(LONGEST_STEP).min(self.to_the_end(from));
+        while tried > SMALLEST_STEP {
+            let Some(piece) = self.step(from, tried) else {
+                tried /= 2.0;
+                continue;
+            };
+            let found = match find_dip(self, &piece) {
+                Some(dip) if dip.is_crossing => self.across(from, tried * (1.0 + dip.x) / 2.0),
+                Some(dip) if !dip.is_closed && dip.x <= 1.0 => None,
+                _ => Some(piece),
+            };
+            if let Some(piece) = found {
+                *length = 1.5 * piece.length;
+                return Ok(self.with_limit(piece));
             }
-            *length /= 2.0;
-            if !(*length > SMALLEST_STEP * self.longest) {
-                let (q, p) = self.place(from);
-                let mechanism = self.system.mechanism;
-                let driven = self.system.laws[0].driven.quantity(mechanism.description()).name;
-                return Err(mechanism.failure(What::NotFollowed { driven }, self.system.time(p), &q));
-            }
+            tried /= 2.0;
         }
+        let (q, p) = self.place(&from.z);
+        let (mechanism, driven) = (self.system.mechanism, self.system.drive());
+        Err(mechanism.failure(What::NotFollowed { driven }, self.system.time(p), &q))
     }
 
-    pub(super) fn first_length(&self) -> f64 {
-        self.longest
+    /// A step with a crossing in its middle that is about so far ahead of a point, or one that ends well before it; `None` where
+    /// the branch does not go straight on. It may begin before the point, never beyond it.
+    fn across(&self, from: &Point, mut ahead: f64) -> Option<Piece> {
+        let mut half = AROUND;
+        while half > SMALLEST_STEP {
+            if half < 0.9 * ahead {
+                return self.step(from, ahead - half);
+            }
+            // What a step foretold is a little off: the middle is met in a few trials.
+            for _ in 0..MOST_LAYINGS {
+                let around = half.max(ahead);
+                let Some(mut piece) = self.behind(from, around - ahead).and_then(|base| self.step(&base, 2.0 * around))
+                else {
+                    break;
+                };
+                let Some(dip) = find_dip(self, &piece).filter(|dip| dip.is_crossing) else { break };
+                let is_centred = dip.x.abs() <= CENTRED;
+                let is_earlier_crossing = from.tangent.dot(&(&piece.to.z - &from.z)) < half / 2.0;
+                if is_centred && !is_earlier_crossing {
+                    piece.crossing = Some(dip.x);
+                    return dip.is_closed.then_some(piece);
+                }
+                if is_centred || ahead + around * dip.x <= 0.0 {
+                    break;
+                }
+                ahead += around * dip.x;
+            }
+            half /= 2.0;
+        }
+        None
     }
 
-    fn step(&self, from: &Point, length: f64) -> Option<Point> {
+    /// The point of the curve so far behind another.
+    fn behind(&self, point: &Point, distance: f64) -> Option<Point> {
+        if distance <= SMALLEST_STEP {
+            return Some(point.clone());
+        }
+        let back = Point { tangent: -&point.tangent, ..point.clone() };
+        let found = self.step(&back, distance)?.to;
+        Some(Point { tangent: -found.tangent, ..found })
+    }
+
+    /// About how far it is to the end of the curve.
+    fn to_the_end(&self, from: &Point) -> f64 {
+        let n = from.z.len() - 1;
+        let left = self.end / self.sizes.parameter - from.z[n];
+        (1.02 * left / from.tangent[n]).max(SHORT)
+    }
+
+    /// A step of this length, if it is short enough.
+    fn step(&self, from: &Point, length: f64) -> Option<Piece> {
         let (z, first) = self.correct(from, &from.z + length * &from.tangent, length)?;
         if first > LARGEST_CORRECTION * length {
             return None;
         }
         let to = self.tangent(z, &from.tangent)?;
-        (to.tangent.dot(&from.tangent) > STRAIGHT).then_some(to)
+        if !(to.tangent.dot(&from.tangent) > STRAIGHT) {
+            return None;
+        }
+        let curve = self.curve(from, &to, length)?;
+        Some(Piece { from: from.clone(), to, length, curve, crossing: None, limit: None, beside: OnceCell::new() })
+    }
+
+    /// The curve between two points, if it is a polynomial to rounding.
+    fn curve(&self, from: &Point, to: &Point, length: f64) -> Option<Vec<Series>> {
+        let slope = |point: &Point, j: usize| length * point.tangent[j] / from.tangent.dot(&point.tangent);
+        let between = |j: usize, s: f64| cubic([from.z[j], to.z[j]], [slope(from, j), slope(to, j)], s);
+        let node = |x: f64| {
+            let s = (1.0 + x) / 2.0;
+            let guess = DVector::from_fn(from.z.len(), |j, _| between(j, s));
+            let (z, _) = self.correct(from, guess.clone(), s * length)?;
+            ((&z - guess).norm() <= LARGEST_CORRECTION * length).then_some(z)
+        };
+        let places: Vec<DVector<f64>> = nodes().into_iter().map(node).collect::<Option<_>>()?;
+        let series = |j: usize| Series::through(std::array::from_fn(|k: usize| places[k][j]));
+        let curve: Vec<Series> = (0..from.z.len()).map(series).collect();
+        let rounding = 16.0 * f64::EPSILON * from.condition.max(to.condition) * (1.0 + from.z.amax());
+        let corner = if length <= SHORTEST { CORNER * length } else { 0.0 };
+        let bound = (RESOLVED + rounding).min(LEAST_RESOLVED).max(corner);
+        curve.iter().all(|series| series.tail() <= bound).then_some(curve)
     }
 
     /// The point of the curve at this distance along the tangent of another, and the size of the first correction.
     fn correct(&self, from: &Point, mut z: DVector<f64>, length: f64) -> Option<(DVector<f64>, f64)> {
-        let n = z.len() - 1;
         let (mut first, mut last) = (None, f64::INFINITY);
         for _ in 0..MOST_CORRECTIONS {
-            let (q, p) = self.split(&z);
-            let values = self.system.linear(&q, p).values;
+            let (values, jacobian) = self.linear(&z);
             let ahead = from.tangent.dot(&(&z - &from.z)) - length;
-            let rhs = DVector::from_fn(n + 1, |i, _| if i < n { values[i] } else { ahead });
-            let change = self.bordered(&z, &from.tangent).lu().solve(&rhs)?;
+            let m = values.len();
+            let change = least_squares(bordered(jacobian, &from.tangent), values.insert_row(m, ahead))?;
             z -= &change;
             let size = change.norm();
             first = first.or(Some(size));
-            let floor = 4.0 * f64::EPSILON * (1.0 + z.norm());
-            // Corrections that no longer shrink are rounding.
-            if size <= floor || (size <= 1e3 * floor && size >= 0.25 * last) {
+            if is_rounding(size, last, &z) {
                 return first.map(|first| (z, first));
             }
             if !(size < last) {
@@ -143,119 +249,170 @@ impl<'s> Path<'s> {
         None
     }
 
-    /// [F_q, F_p / w; along'].
-    fn bordered(&self, z: &DVector<f64>, along: &DVector<f64>) -> DMatrix<f64> {
-        let n = z.len() - 1;
-        let (q, p) = self.split(z);
-        let linear = self.system.linear(&q, p);
-        DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-            (false, _) => along[j],
-            (true, true) => linear.jacobian[(i, j)],
-            (true, false) => linear.by_parameter[i] / self.weight,
-        })
+    /// F and F_z, without units.
+    fn linear(&self, z: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+        let (q, p) = self.place(z);
+        let (n, sizes, linear) = (q.len(), &self.sizes, self.system.linear(&q, p));
+        let jacobian = DMatrix::from_fn(linear.values.len(), n + 1, |i, j| match j < n {
+            true => linear.jacobian[(i, j)] * sizes.coordinates[j] / sizes.rows[i],
+            false => linear.by_parameter[i] * sizes.parameter / sizes.rows[i],
+        });
+        (DVector::from_fn(linear.values.len(), |i, _| linear.values[i] / sizes.rows[i]), jacobian)
     }
 
     /// A point with its tangent, in the direction of another.
     fn tangent(&self, z: DVector<f64>, along: &DVector<f64>) -> Option<Point> {
-        let n = z.len() - 1;
-        let last = DVector::from_fn(n + 1, |i, _| f64::from(u8::from(i == n)));
-        let tangent = self.bordered(&z, along).lu().solve(&last)?.normalize();
-        if tangent.iter().any(|entry| !entry.is_finite()) {
-            return None;
+        let (values, jacobian) = self.linear(&z);
+        let singular = singular_values(&jacobian)?;
+        let rhs = DVector::zeros(values.len()).insert_row(values.len(), 1.0);
+        let tangent = least_squares(bordered(jacobian, along), rhs)?.normalize();
+        let regularity = singular[z.len() - 2];
+        let point = Point { z, tangent, regularity, condition: singular[0] / regularity };
+        point.tangent.iter().all(|entry| entry.is_finite()).then_some(point)
+    }
+
+    /// How far F_z is from a lower rank at a place of a step, without units.
+    pub(super) fn regularity(&self, piece: &Piece, x: f64) -> f64 {
+        let z = piece.z(x);
+        singular_values(&self.linear(&z).1).map_or(0.0, |values| values[z.len() - 2])
+    }
+
+    /// How far the equations are open at a place of a step, without units.
+    pub(super) fn open(&self, piece: &Piece, x: f64) -> f64 {
+        self.linear(&piece.z(x)).0.amax()
+    }
+
+    /// A step with the limit position in it, if there is one.
+    fn with_limit(&self, mut piece: Piece) -> Piece {
+        let n = piece.from.z.len() - 1;
+        piece.limit = piece.curve[n].turns().first().map(|turn| self.limit(&piece, *turn));
+        piece
+    }
+
+    /// The place of a limit position near one: where the tangent has no part along p.
+    fn limit(&self, piece: &Piece, near: f64) -> f64 {
+        let n = piece.from.z.len() - 1;
+        let along = |x: f64| {
+            let length = piece.length * (1.0 + x) / 2.0;
+            let point =
+                self.correct(&piece.from, piece.z(x), length).and_then(|(z, _)| self.tangent(z, &piece.from.tangent));
+            point.map_or(f64::NAN, |point| point.tangent[n])
+        };
+        let width = 1e-3;
+        let place = |s: f64| near + width * (2.0 * s - 1.0);
+        let [before, after] = [along(place(0.0)), along(place(1.0))];
+        if !(before > 0.0 && after < 0.0) {
+            return near;
         }
-        let orientation = self.bordered(&z, &tangent).determinant().signum();
-        Some(Point { z, tangent, orientation })
+        find_root(before, after, 1e-13, &mut |s| Ok::<f64, Infallible>(along(place(s)))).map_or(near, place)
     }
 
-    /// What is special in a step, and where.
-    pub(super) fn special(&self, span: &Span) -> Option<(Special, Vec<f64>, f64)> {
-        let n = span.from.z.len() - 1;
-        let (kind, [before, after]) = if span.from.orientation != span.to.orientation {
-            (Special::Branch, [span.from.orientation, span.to.orientation])
-        } else if span.to.tangent[n] <= 0.0 {
-            (Special::Limit, [span.from.tangent[n], span.to.tangent[n]])
-        } else {
-            return None;
-        };
-        let value = |fraction: f64| {
-            let point = self.inside(span, fraction);
-            match kind {
-                Special::Limit => point.tangent[n],
-                Special::Branch => self.bordered(&point.z, &point.tangent).determinant() * before.signum(),
-            }
-        };
-        let ends = match kind {
-            Special::Limit => [before, after],
-            Special::Branch => [value(0.0), value(1.0)],
-        };
-        let found = find_root::<std::convert::Infallible>(ends[0], ends[1], PLACE, &mut |fraction| Ok(value(fraction)));
-        let fraction = found.unwrap_or(1.0);
-        let (q, p) = self.place(&self.inside(span, fraction));
-        Some((kind, q, p))
+    /// Where in a step p has a value.
+    pub(super) fn locate(&self, piece: &Piece, p: f64) -> f64 {
+        let (n, last) = (piece.from.z.len() - 1, piece.limit.unwrap_or(1.0));
+        let place = |s: f64| s * (1.0 + last) - 1.0;
+        let mut short = |s: f64| Ok::<f64, Infallible>(piece.curve[n].at(place(s)) - p / self.sizes.parameter);
+        let Ok([first, end]) = short(0.0).and_then(|first| Ok([first, short(1.0)?]));
+        match () {
+            _ if first >= 0.0 => -1.0,
+            _ if end <= 0.0 => last,
+            _ => find_root(first, end, 1e-15, &mut short).map_or(last, place),
+        }
     }
 
-    /// The point of the curve inside a step; next to a crossing branch, where none can be found, that of the cubic through
-    /// both ends.
-    fn inside(&self, span: &Span, fraction: f64) -> Point {
-        let guess = span.cubic(fraction);
-        let length = span.from.tangent.dot(&(&guess - &span.from.z));
-        let close = |z: &DVector<f64>| (z - &guess).norm() <= LARGEST_CORRECTION * span.length;
-        let z = self.correct(span.from, guess.clone(), length).map(|(z, _)| z).filter(close).unwrap_or(guess.clone());
-        let along = span.from.tangent.lerp(&span.to.tangent, fraction);
-        self.tangent(z, &along).unwrap_or_else(|| Point {
-            z: guess,
-            tangent: along.normalize(),
-            orientation: span.to.orientation,
-        })
-    }
-
-    /// The position in a step at a given p; `None` if it is singular there.
-    pub(super) fn at(&self, span: &Span, p: f64) -> Option<Vec<f64>> {
-        let n = span.from.z.len() - 1;
-        let wanted = self.weight * p;
-        let mut ahead = |fraction: f64| Ok::<f64, std::convert::Infallible>(span.cubic(fraction)[n] - wanted);
-        let ends = [span.from.z[n] - wanted, span.to.z[n] - wanted];
-        let fraction = match () {
-            _ if ends[0] == 0.0 => 0.0,
-            _ if ends[1] == 0.0 => 1.0,
-            _ => find_root(ends[0], ends[1], PLACE, &mut ahead).unwrap_or(1.0),
-        };
-        let guess = self.inside(span, fraction);
-        let (q, _) = self.place(&guess);
-        self.at_parameter(&q, p, LARGEST_CORRECTION * span.length)
-    }
-
-    /// The solution at a given p, next to a guess, by Newton's method; `None` if it is further away than allowed.
-    pub(super) fn at_parameter(&self, guess: &[f64], p: f64, furthest: f64) -> Option<Vec<f64>> {
-        let mut q = guess.to_vec();
+    /// The position at a value of p that a step has at x; `None` where that does not determine it, or if it is elsewhere.
+    pub(super) fn solve(&self, piece: &Piece, x: f64, p: f64) -> Option<Vec<f64>> {
+        let n = piece.from.z.len() - 1;
+        let mut z = piece.z(x);
+        let guess = z.clone();
+        z[n] = p / self.sizes.parameter;
         let mut last = f64::INFINITY;
         for _ in 0..MOST_CORRECTIONS {
-            let linear = self.system.linear(&q, p);
-            let change = linear.jacobian.lu().solve(&linear.values)?;
-            q.iter_mut().zip(&change).for_each(|(q, change)| *q -= change);
+            let (values, jacobian) = self.linear(&z);
+            let change = match piece.crossing {
+                None => least_squares(jacobian.remove_column(n), values)?,
+                Some(_) => in_regular_directions(jacobian.remove_column(n), &values)?,
+            };
+            z.rows_mut(0, n).axpy(-1.0, &change, 1.0);
             let size = change.norm();
-            let floor = 4.0 * f64::EPSILON * (1.0 + q.iter().map(|value| value * value).sum::<f64>().sqrt());
-            if size <= floor || (size <= 1e3 * floor && size >= 0.25 * last) {
-                return Some(q);
+            if is_rounding(size, last, &z) {
+                let same = (&z - &guess).norm() <= SAME * (1.0 + guess.amax());
+                let mut q = DVector::from_vec(self.place(&z).0);
+                self.system.prescribe(|k| self.system.laws[k].at(p), &mut q);
+                return same.then(|| q.as_slice().to_vec());
             }
-            if !(size < last.min(furthest)) {
+            if !(size < last) {
                 return None;
             }
             last = size;
         }
         None
     }
+
+    /// A value of p within the sweep; one that is an end of it but for rounding is that.
+    pub(super) fn within(&self, p: f64) -> f64 {
+        let ends = [0.0, self.end];
+        ends.into_iter().find(|end| (p - end).abs() <= 1e-13 * self.end).unwrap_or(p)
+    }
+
+    /// A point of the curve some way before another, if branches may cross near that: what is known of the motion beside a
+    /// crossing is known from both sides of it.
+    pub(super) fn before(&self, point: Point) -> Point {
+        if point.condition < NEAR {
+            return point;
+        }
+        let lengths = (0..8).map(|halvings| AROUND / f64::from(1 << halvings));
+        lengths.into_iter().find_map(|length| self.behind(&point, length)).unwrap_or(point)
+    }
 }
 
-impl<'a> Span<'a> {
-    pub(super) fn new(from: &'a Point, to: &'a Point, length: f64) -> Span<'a> {
-        Span { from, to, length }
+impl Piece {
+    /// How far rounding may be amplified at its ends.
+    pub(super) fn condition(&self) -> f64 {
+        self.from.condition.max(self.to.condition)
     }
 
-    /// The cubic with the points and tangents of both ends.
-    fn cubic(&self, s: f64) -> DVector<f64> {
-        let r = 1.0 - s;
-        let ends = &self.from.z * (1.0 + 2.0 * s) * r * r + &self.to.z * (3.0 - 2.0 * s) * s * s;
-        ends + (&self.from.tangent * r - &self.to.tangent * s) * (s * r * self.length)
+    fn z(&self, x: f64) -> DVector<f64> {
+        DVector::from_fn(self.curve.len(), |j, _| self.curve[j].at(x))
     }
+}
+
+/// Corrections end when they are rounding, or no longer shrink.
+fn is_rounding(size: f64, last: f64, z: &DVector<f64>) -> bool {
+    let floor = 4.0 * f64::EPSILON * (1.0 + z.norm());
+    size <= floor || (size <= ROUNDING && size >= 0.25 * last)
+}
+
+/// A matrix with a row below it.
+fn bordered(matrix: DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64> {
+    let m = matrix.nrows();
+    let mut bordered = matrix.insert_row(m, 0.0);
+    bordered.row_mut(m).copy_from(&row.transpose());
+    bordered
+}
+
+/// The x with A x nearest to the right-hand side.
+fn least_squares(matrix: DMatrix<f64>, rhs: DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.is_square() {
+        return matrix.lu().solve(&rhs);
+    }
+    let factors = matrix.qr();
+    factors.r().solve_upper_triangular(&factors.q().tr_mul(&rhs))
+}
+
+/// The singular values, the largest first, if the matrix is finite.
+fn singular_values(matrix: &DMatrix<f64>) -> Option<DVector<f64>> {
+    let decomposed = || matrix.clone().try_svd(false, false, 5.0 * f64::EPSILON, MOST_SWEEPS);
+    matrix.iter().all(|entry| entry.is_finite()).then(decomposed)?.map(|found| found.singular_values)
+}
+
+/// The shortest change that closes the equations in those directions in which the curve's own position is not known better:
+/// beside a crossing rounding is amplified in the others.
+fn in_regular_directions(matrix: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
+    let factors = matrix.try_svd(true, true, 5.0 * f64::EPSILON, MOST_SWEEPS)?;
+    let least = REGULAR * factors.singular_values[0];
+    factors.solve(rhs, least).ok()
 }

@@ -1,13 +1,17 @@
 //! A drive through its range: the sweep.
 
 use super::driven::Driven;
-use super::inverse::{AnyPrescribed, prescribed};
-use super::path::{Path, Point, Span, Special};
+use super::inverse::AnyPrescribed;
+use super::path::{Path, Piece, Point};
+use super::search::{Found, Search};
 use super::system::{Law, System};
 use crate::any::AnyMechanism;
-use crate::failure::{Failure, What, largest};
-use crate::interpolate::quintic;
+use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
+use std::rc::Rc;
+
+/// What is driven is where it should be when less than this part of it is missing.
+const THERE: f64 = 1e-14;
 
 /// How a mechanism is driven.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +37,7 @@ impl Sweep {
     }
 
     /// When the k-th position is reached.
-    fn parameter(&self, k: usize) -> f64 {
+    pub(super) fn parameter(&self, k: usize) -> f64 {
         ((self.to - self.from) / self.speed).abs() * (k as f64 / self.steps as f64)
     }
 }
@@ -55,28 +59,7 @@ pub(super) struct Swept<'m> {
     pub(super) branches: Vec<SpecialPosition>,
     pub(super) limit: Option<SpecialPosition>,
     pub(super) failure: Option<Failure>,
-}
-
-impl Swept<'_> {
-    /// The motion between two of its positions, next to them.
-    pub(super) fn between(&self, at: usize, p: f64) -> Result<AnyPrescribed, Failure> {
-        let path = Path::new(&self.system, 1.0);
-        let (Some(a), Some(b)) = (self.motion.get(at), self.motion.get(at + 1)) else {
-            let there = &self.motion[at.min(self.motion.len() - 1)];
-            return prescribed(&self.system, &there.positions, there.time, &[]);
-        };
-        let h = b.time - a.time;
-        let ends = |j: usize| {
-            [[a, b].map(|m| m.positions[j]), [a, b].map(|m| m.speeds[j]), [a, b].map(|m| m.accelerations[j])]
-        };
-        let position = |j: usize| {
-            let [values, rates, seconds] = ends(j);
-            quintic(values, rates, seconds, h, (p - a.time) / h)
-        };
-        let guess: Vec<f64> = (0..a.positions.len()).map(position).collect();
-        let q = path.at_parameter(&guess, p, f64::INFINITY).unwrap_or(guess);
-        prescribed(&self.system, &q, p, &[])
-    }
+    pub(super) found: Found,
 }
 
 /// Drives a mechanism from its assembled position to where the sweep begins, and through its range, on one branch.
@@ -92,14 +75,17 @@ pub(super) fn sweep<'m>(
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
     let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.rate() }].into_iter().chain(held).collect();
     let system = system.running(laws);
-    let along = system.clone();
-    let path = Path::new(&along, sweep.parameter(sweep.steps));
-    let from = path.start(&q)?;
-    let q = path.at_parameter(&q, 0.0, f64::INFINITY).unwrap_or(q);
-    let motion = vec![checked(&system, &q, 0.0)?];
-    let mut swept = Swept { system, mobility, motion, branches: Vec::new(), limit: None, failure: None };
-    swept.failure = advance(&mut swept, &path, from, sweep).err();
-    Ok(swept)
+    let path = Path::new(&system, &q, sweep.parameter(sweep.steps));
+    let start = path.start(&q)?;
+    let mut followed = Followed { path: &path, sweep, motion: Vec::new(), branches: Vec::new(), limit: None };
+    let mut search = Search::new(&path);
+    let failure = followed.follow(path.before(start), &mut search).err();
+    if let (true, Some(failure)) = (followed.motion.is_empty(), &failure) {
+        return Err(failure.clone());
+    }
+    let found = search.conclude();
+    let Followed { motion, branches, limit, .. } = followed;
+    Ok(Swept { motion, branches, limit, failure, found, mobility, system: system.clone() })
 }
 
 /// Brings what is driven and held from where it was assembled to where the sweep begins, while time stands still.
@@ -111,87 +97,83 @@ fn approach<'m>(
     let targets = [(sweep.driven, sweep.from)].into_iter().chain(sweep.held.iter().copied());
     let law = |(driven, target): (Driven, f64)| {
         let start = driven.value_of(mechanism, 0.0, &q);
-        Law { driven, start, rate: target - start }
+        // What is there but for rounding need not be moved.
+        let is_there = (target - start).abs() <= THERE * target.abs().max(start.abs());
+        Law { driven, start: if is_there { target } else { start }, rate: if is_there { 0.0 } else { target - start } }
     };
     let (system, mobility) = System::new(mechanism, targets.map(law).collect(), &q)?;
     if system.laws.iter().all(|law| law.rate == 0.0) {
         return Ok((system, mobility, q));
     }
-    let path = Path::new(&system, 1.0);
-    let (mut from, mut length) = (path.start(&q)?, path.first_length());
+    let path = Path::new(&system, &q, 1.0);
+    let (mut from, mut length) = (path.start(&q)?, f64::INFINITY);
     loop {
-        let (to, taken) = path.next(&from, &mut length)?;
-        let span = Span::new(&from, &to, taken);
-        let special = path.special(&span);
-        if let Some((Special::Limit, q, p)) = &special
-            && *p < 1.0
+        let piece = path.next(&from, &mut length)?;
+        let x = path.locate(&piece, 1.0);
+        if let Some(end) = piece.limit
+            && path.at(&piece, end).1 < 1.0
         {
-            return Err(limit(&system, q, *p).1);
+            let (q, p) = path.at(&piece, end);
+            return Err(limit(&system, &q, p).1);
         }
-        if path.place(&to).1 >= 1.0 || matches!(special, Some((Special::Limit, ..))) {
-            let q = path.at(&span, 1.0).ok_or_else(|| system.singular(&path.place(&to).0, 1.0))?;
+        if path.reached(&piece) >= 1.0 || piece.limit.is_some() {
+            let q = path.solve(&piece, x, 1.0).ok_or_else(|| system.singular(&path.at(&piece, x).0, 1.0))?;
             return Ok((system, mobility, q));
         }
-        from = to;
+        from = piece.to;
     }
 }
 
-/// The recorded positions after the first, one after the other, until the end or what ends the sweep.
-fn advance(swept: &mut Swept, path: &Path, mut from: Point, sweep: &Sweep) -> Result<(), Failure> {
-    let system = swept.system.clone();
-    let (mut next, mut length) = (1, path.first_length());
-    while next <= sweep.steps {
-        let (to, taken) = path.next(&from, &mut length)?;
-        let span = Span::new(&from, &to, taken);
-        let special = path.special(&span);
-        let reached = match &special {
-            Some((Special::Limit, _, p)) => *p,
-            _ => path.place(&to).1,
-        };
-        while next <= sweep.steps && sweep.parameter(next) <= reached {
-            match sample(&system, path, &span, sweep.parameter(next))? {
-                Some(motion) => swept.motion.push(motion),
-                // Where branches cross the drive leaves the speeds open; a limit position is reported below.
-                None if matches!(special, Some((Special::Limit, ..))) => break,
-                None => {}
+/// A curve as far as it has been followed.
+struct Followed<'s> {
+    path: &'s Path<'s>,
+    sweep: &'s Sweep,
+    motion: Vec<AnyPrescribed>,
+    branches: Vec<SpecialPosition>,
+    limit: Option<SpecialPosition>,
+}
+
+impl<'s> Followed<'s> {
+    /// Follows the curve until its end or what ends the sweep; rows are recorded and extremes are looked for on the way.
+    fn follow(&mut self, mut from: Point, search: &mut Search<'s>) -> Result<(), Failure> {
+        let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
+        loop {
+            let piece = Rc::new(path.next(&from, &mut length)?);
+            self.record(&piece)?;
+            search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p)))?;
+            let crossing = piece.crossing.map(|x| path.at(&piece, x));
+            if let Some((positions, p)) = crossing.filter(|(_, p)| (0.0..=end).contains(p)) {
+                self.branches.push(SpecialPosition { value: path.system.laws[0].at(p), positions });
             }
-            next += 1;
-        }
-        match special {
-            Some((Special::Limit, q, p)) if next <= sweep.steps => {
-                let (position, failure) = limit(&system, &q, p);
-                swept.limit = Some(position);
+            if let Some(x) = piece.limit
+                && self.motion.len() <= self.sweep.steps
+            {
+                let (q, p) = path.at(&piece, x);
+                let (position, failure) = limit(path.system, &q, p);
+                self.limit = Some(position);
                 return Err(failure);
             }
-            Some((Special::Branch, positions, p)) if p <= sweep.parameter(sweep.steps) => {
-                swept.branches.push(SpecialPosition { value: system.laws[0].at(p), positions });
+            if path.reached(&piece) >= end || self.motion.len() > self.sweep.steps {
+                return Ok(());
             }
-            _ => {}
+            from = piece.to.clone();
         }
-        from = to;
     }
-    Ok(())
-}
 
-/// The motion in a span at a given p; `None` where the drive does not determine it.
-fn sample(system: &System, path: &Path, span: &Span, p: f64) -> Result<Option<AnyPrescribed>, Failure> {
-    let Some(q) = path.at(span, p) else { return Ok(None) };
-    match checked(system, &q, p) {
-        Err(Failure { what: What::DriveSingular { .. }, .. }) => Ok(None),
-        found => found.map(Some),
+    /// The rows in a step.
+    fn record(&mut self, piece: &Piece) -> Result<(), Failure> {
+        let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
+        while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
+            let p = self.sweep.parameter(self.motion.len());
+            match self.path.motion(piece, self.path.locate(piece, p), p) {
+                Ok(motion) => self.motion.push(motion),
+                // In a limit position itself, which is reported.
+                Err(Failure { what: What::DriveSingular { .. }, .. }) if piece.limit.is_some() => break,
+                Err(failure) => return Err(failure),
+            }
+        }
+        Ok(())
     }
-}
-
-/// The motion at a position, where all constraints hold.
-fn checked(system: &System, q: &[f64], p: f64) -> Result<AnyPrescribed, Failure> {
-    let (mechanism, time) = (system.mechanism, system.time(p));
-    // Those that depend on others too.
-    if !mechanism.is_met(time, q) {
-        let (row, residual) = largest(mechanism.constraints(time, q).iter()).unwrap_or((0, f64::NAN));
-        let constraint = mechanism.constraint_name(row);
-        return Err(mechanism.failure(What::NotProjected { constraint, residual, iterations: 1 }, time, q));
-    }
-    prescribed(system, q, p, &[])
 }
 
 /// A limit position, and the failure to pass it.

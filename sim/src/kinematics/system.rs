@@ -1,9 +1,11 @@
-//! A mechanism whose freedoms are all driven: as many equations F(q, p) = 0 as coordinates.
+//! A mechanism whose freedoms are all driven: F(q, p) = 0, which has one solution for each p.
 //!
-//! F stacks the independent constraints and, for each drive, y(q, t) - y0 - r p. The parameter p is the time of the sweep;
-//! on the way from the assembled start to where the sweep begins, time stands still.
+//! F stacks the constraints and, for each drive, y(q, t) - y0 - r p. Where constraints depend on others it has more rows than
+//! there are coordinates, and all of them are kept: which of them say what others say may change on the way. The parameter p
+//! is the time of the sweep; on the way from the assembled start to where the sweep begins, time stands still.
 
 use super::driven::Driven;
+use super::stand_in::{StandIn, stand_in};
 use crate::any::AnyMechanism;
 use crate::failure::{Failure, What};
 use crate::mobility::{Mobility, mobility_of};
@@ -28,13 +30,15 @@ impl Law {
 pub(super) struct System<'m> {
     pub(super) mechanism: &'m dyn AnyMechanism,
     pub(super) laws: Vec<Law>,
-    /// The constraints that do not depend on others, by index.
-    rows: Vec<usize>,
+    /// The constraints that hold, by index, but for those that a drive stands in for.
+    pub(super) rows: Vec<usize>,
+    /// The constraints that drives stand in for.
+    stand_ins: Vec<StandIn>,
     /// Whether time runs: t = p, or t = 0.
     runs: bool,
 }
 
-/// F, F_q (n x n) and F_p at one place.
+/// F, F_q (m x n, m >= n) and F_p at one place.
 pub(super) struct Linear {
     pub(super) values: DVector<f64>,
     pub(super) jacobian: DMatrix<f64>,
@@ -42,7 +46,7 @@ pub(super) struct Linear {
 }
 
 impl<'m> System<'m> {
-    /// The system of these laws, with the constraints that are independent at a position.
+    /// The system of these laws at a position.
     ///
     /// # Errors
     /// [`What::NotDriven`] unless each degree of freedom has one law, [`What::NotOfPositions`].
@@ -53,14 +57,17 @@ impl<'m> System<'m> {
     ) -> Result<(System<'m>, Mobility), Failure> {
         laws.iter().try_for_each(|law| law.driven.check(mechanism, 0.0, q))?;
         let found = mobility_of(mechanism, 0.0, q);
-        if found.degrees_of_freedom != laws.len() {
-            let what = What::NotDriven { freedoms: found.degrees_of_freedom, driven: laws.len() };
+        let stand_ins: Vec<StandIn> =
+            laws.iter().enumerate().filter_map(|(k, law)| stand_in(mechanism, law.driven, k, q)).collect();
+        let freedoms = found.degrees_of_freedom + stand_ins.len();
+        if freedoms != laws.len() {
+            let what = What::NotDriven { freedoms, driven: laws.len() };
             return Err(mechanism.failure(what, 0.0, q));
         }
-        let constraints = mechanism.description().constraints;
-        let is_independent = |i: &usize| !found.dependent.contains(&constraints[*i].name);
-        let rows = (0..constraints.len()).filter(|i| mechanism.is_active(*i)).filter(is_independent).collect();
-        Ok((System { mechanism, laws, rows, runs: false }, found))
+        let constraints = 0..mechanism.description().constraints.len();
+        let holds = |row: &usize| mechanism.is_active(*row) && stand_ins.iter().all(|drive| drive.row != *row);
+        let rows = constraints.filter(holds).collect();
+        Ok((System { mechanism, laws, rows, stand_ins, runs: false }, found))
     }
 
     /// The same mechanism on other laws, with time running.
@@ -73,11 +80,11 @@ impl<'m> System<'m> {
     }
 
     pub(super) fn linear(&self, q: &[f64], p: f64) -> Linear {
-        let (n, time) = (q.len(), self.time(p));
+        let (n, m, time) = (q.len(), self.rows.len() + self.laws.len(), self.time(p));
         let constraints = self.mechanism.constraint_linearization(time, q);
         let flow = if self.runs { 1.0 } else { 0.0 };
         let mut linear =
-            Linear { values: DVector::zeros(n), jacobian: DMatrix::zeros(n, n), by_parameter: DVector::zeros(n) };
+            Linear { values: DVector::zeros(m), jacobian: DMatrix::zeros(m, n), by_parameter: DVector::zeros(m) };
         for (k, i) in self.rows.iter().enumerate() {
             linear.values[k] = constraints.values[*i];
             linear.by_parameter[k] = flow * constraints.time_derivative[*i];
@@ -98,25 +105,49 @@ impl<'m> System<'m> {
         let constraints = self.mechanism.constraint_convective(time, q, qd);
         let of_rows = self.rows.iter().map(|i| constraints[*i]);
         let of_drives = self.laws.iter().map(|law| law.driven.convective(self.mechanism, time, q, qd));
-        DVector::from_iterator(q.len(), of_rows.chain(of_drives))
+        DVector::from_iterator(self.rows.len() + self.laws.len(), of_rows.chain(of_drives))
     }
 
-    /// Multipliers of all constraints and of the drives from those of F. Where constraints depend on others they share
-    /// the reactions with least norm, as in runs.
-    pub(super) fn split(&self, multipliers: &DVector<f64>, q: &[f64], p: f64) -> (Vec<f64>, Vec<f64>) {
+    /// Gives coordinates that are driven themselves what their laws say, to the last bit.
+    pub(super) fn prescribe(&self, value: impl Fn(usize) -> f64, of: &mut DVector<f64>) {
+        for (k, law) in self.laws.iter().enumerate() {
+            if let Driven::Coordinate(j) = law.driven {
+                of[j] = value(k);
+            }
+        }
+    }
+
+    /// Multipliers of all constraints and of the drives, from those of F. What a drive exerts that stands in for a constraint
+    /// is the reaction of that constraint.
+    pub(super) fn split(&self, multipliers: &DVector<f64>) -> (Vec<f64>, Vec<f64>) {
         let mut constraints = vec![0.0; self.mechanism.description().constraints.len()];
         self.rows.iter().enumerate().for_each(|(k, i)| constraints[*i] = multipliers[k]);
-        if self.rows.len() < constraints.len() {
-            constraints = self.mechanism.least_norm(self.time(p), q, &constraints, self.rows.len());
-        }
-        (constraints, multipliers.iter().skip(self.rows.len()).copied().collect())
+        let drives: Vec<f64> = multipliers.iter().skip(self.rows.len()).copied().collect();
+        self.stand_ins.iter().for_each(|drive| constraints[drive.row] = drives[drive.law] / drive.factor);
+        (constraints, drives)
+    }
+
+    /// The multipliers of constraints without those that drives stand in for.
+    pub(super) fn without_stand_ins(&self, multipliers: &[f64]) -> Vec<f64> {
+        let mut multipliers = multipliers.to_vec();
+        self.stand_ins.iter().for_each(|drive| multipliers[drive.row] = 0.0);
+        multipliers
     }
 
     /// That the drive does not determine the motion at a position.
     pub(super) fn singular(&self, q: &[f64], p: f64) -> Failure {
-        let description = self.mechanism.description();
-        let driven = self.laws.first().map_or("nothing", |law| law.driven.quantity(description).name);
-        self.mechanism.failure(What::DriveSingular { driven }, self.time(p), q)
+        self.mechanism.failure(What::DriveSingular { driven: self.drive() }, self.time(p), q)
+    }
+
+    /// The rows of F that say what others say.
+    pub(super) fn redundant_rows(&self, mobility: &Mobility) -> Vec<usize> {
+        let name = |k: usize| self.mechanism.constraint_name(self.rows[k]);
+        (0..self.rows.len()).filter(|k| mobility.dependent.contains(&name(*k))).collect()
+    }
+
+    /// The name of what is driven first of all.
+    pub(super) fn drive(&self) -> &'static str {
+        self.laws.first().map_or("nothing", |law| law.driven.quantity(self.mechanism.description()).name)
     }
 
     /// The coordinates that no drive holds directly.

@@ -1,0 +1,100 @@
+//! The motion at a place of the curve.
+
+use super::inverse::{AnyPrescribed, Factors, prescribed};
+use super::path::{Path, Piece};
+use super::series::{NODES, Series, nodes};
+use crate::failure::{Failure, What};
+
+/// How near to a crossing, in half steps, the motion is that of the nodes around it: nearer than all of them.
+const BESIDE: f64 = 0.1;
+/// How near the drive itself leaves reactions open.
+const AT: f64 = 1e-9;
+/// The last coefficients of what goes through a crossing, beside its largest; a pole has coefficients that do not fall.
+const SMOOTH: f64 = 1e-6;
+/// What may be left of a constraint, of its terms.
+const CLOSED: f64 = 1e-12;
+
+impl Path<'_> {
+    /// The motion at a place of a step, where p has this value.
+    ///
+    /// # Errors
+    /// [`What::DriveSingular`] where the drive does not determine it, [`What::NotProjected`], [`What::NotFinite`].
+    pub(super) fn motion(&self, piece: &Piece, x: f64, p: f64) -> Result<AnyPrescribed, Failure> {
+        let Some(q) = self.solve(piece, x, p) else { return Err(self.system.singular(&self.at(piece, x).0, p)) };
+        self.check(&q, p)?;
+        match piece.crossing.filter(|crossing| (x - crossing).abs() < BESIDE) {
+            None => prescribed(self.system, &self.sizes, (&q, p), &[]),
+            Some(crossing) => self.beside(piece, x, (q, p), (x - crossing).abs()),
+        }
+    }
+
+    /// The motion at a place of a step, wherever p is.
+    ///
+    /// # Errors
+    /// As [`Path::motion`].
+    pub(super) fn motion_at(&self, piece: &Piece, x: f64) -> Result<AnyPrescribed, Failure> {
+        let (_, p) = self.at(piece, x);
+        self.motion(piece, x, p)
+    }
+
+    /// That all constraints hold, those that depend on others too.
+    fn check(&self, q: &[f64], p: f64) -> Result<(), Failure> {
+        let (system, linear) = (self.system, self.system.linear(q, p));
+        let (mechanism, time) = (system.mechanism, system.time(p));
+        let magnitudes = mechanism.constraint_magnitudes(time, q);
+        let rounding = |k: usize, row: usize| {
+            let moved: f64 = linear.jacobian.row(k).iter().zip(q).map(|(c, q)| (c * q).abs()).sum();
+            8.0 * f64::EPSILON * (magnitudes[row] + moved) + CLOSED * self.sizes.rows[k]
+        };
+        let is_open = |(k, row): &(usize, &usize)| !(linear.values[*k].abs() <= rounding(*k, **row));
+        let Some((k, row)) = system.rows.iter().enumerate().find(is_open) else { return Ok(()) };
+        let (constraint, residual) = (mechanism.constraint_name(*row), linear.values[k]);
+        Err(mechanism.failure(What::NotProjected { constraint, residual, iterations: 1 }, time, q))
+    }
+
+    /// The motion beside a crossing, where the equations leave it open or amplify rounding: it goes straight on, as the
+    /// polynomial through the nodes to both sides. A reaction that grows without bound towards the crossing is what the
+    /// equations give, and infinite in it.
+    fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64), distance: f64) -> Result<AnyPrescribed, Failure> {
+        let singular = || self.system.singular(&q, p);
+        let smooth = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
+        let direct = if distance > AT { prescribed(self.system, &self.sizes, (&q, p), &[]).ok() } else { None };
+        let direct = direct.map(|found| numbers(&found));
+        let (n, m) = (q.len(), self.system.mechanism.description().constraints.len());
+        let value = |(k, series): (usize, &Series)| match k < 2 * n || series.tail() <= SMOOTH * series.largest() {
+            true => series.at(x),
+            false => direct.as_ref().map_or(f64::INFINITY, |direct| direct[k]),
+        };
+        let values: Vec<f64> = smooth.iter().enumerate().map(value).collect();
+        let factors = Factors::new(&self.system.linear(&q, p).jacobian, &self.sizes);
+        let found = AnyPrescribed {
+            time: self.system.time(p),
+            positions: q,
+            speeds: values[..n].to_vec(),
+            accelerations: values[n..2 * n].to_vec(),
+            multipliers: values[2 * n..2 * n + m].to_vec(),
+            power: 0.0,
+            forces: values[2 * n + m..].to_vec(),
+            volume: factors.volume,
+            columns: factors.columns,
+        };
+        Ok(found.with_power(self.system))
+    }
+
+    /// Speeds, accelerations, multipliers and forces through the nodes of a step.
+    fn nodes(&self, piece: &Piece) -> Option<Vec<Series>> {
+        let at = |x: f64| {
+            let (_, p) = self.at(piece, x);
+            let q = self.solve(piece, x, p)?;
+            Some(numbers(&prescribed(self.system, &self.sizes, (&q, p), &[]).ok()?))
+        };
+        let values: Vec<Vec<f64>> = nodes().into_iter().map(at).collect::<Option<_>>()?;
+        let series = |k: usize| Series::through(std::array::from_fn::<f64, NODES, _>(|node| values[node][k]));
+        Some((0..values[0].len()).map(series).collect())
+    }
+}
+
+/// What of a motion goes smoothly through a crossing.
+fn numbers(found: &AnyPrescribed) -> Vec<f64> {
+    [&found.speeds[..], &found.accelerations, &found.multipliers, &found.forces].concat()
+}
