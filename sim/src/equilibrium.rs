@@ -1,13 +1,11 @@
 //! Static equilibrium, and small motions about it.
 
-use crate::any::{Any, AnyMechanism, At, array, below};
+use crate::any::{Any, AnyMechanism, At, array};
 use crate::assemble::{Start, assemble};
 use crate::failure::{Failure, What};
-use crate::linearize::{Derivatives, linearize};
-use crate::measures::Measures;
-use crate::project::project;
+use crate::linearize::{Statics, linearize};
 use crate::trajectory::State;
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// A position in which a mechanism at rest stays.
@@ -22,28 +20,48 @@ pub struct Equilibrium<M: Mechanism> {
     pub eigenvalues: Vec<Complex<f64>>,
 }
 
+/// Steps of Newton's method.
 const MOST_STEPS: usize = 100;
-/// Accelerations up to here, in SI units, are at rest.
-const AT_REST: f64 = 1e-8;
-/// So are those that the rounding of positions makes, in stiff mechanisms: q'' changes by q''_q times q times as many ulp.
-const ROUNDINGS: f64 = 64.0;
+/// Steps of the way that the mechanism would come to rest.
+const MOST_DESCENTS: usize = 1000;
+/// The longest first step, in what coordinates are measured by: radians, and parts of the mechanism's own length.
+const LONGEST: f64 = 0.3;
+/// A step is as good as foretold where the residual falls within this part of what it should.
+const FORETOLD: f64 = 0.1;
+/// A step that is halved so often leads nowhere.
+const MOST_HALVINGS: i32 = 20;
+/// Descent ends where this step of Newton's method is left, in the same measure.
+const NEAR: f64 = 0.1;
+/// How much stiffer than it has to be the way down is made, as a part of all stiffness.
+const STIFFER: f64 = 1e-3;
+/// A step may turn the force along it round, but to no more than this part of it: it has led down then.
+const TURNED: f64 = 0.5;
 
-/// The equilibrium near a start, by Newton's method on q''(q, 0) = 0 with C(q) = 0, in steps of least norm that are halved
-/// until the residual falls.
+/// The equilibrium near a start.
+///
+/// By Newton's method on q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the residual
+/// falls. Where that ends elsewhere, as it does midway between two equilibria, it is the one at which the mechanism would come to rest
+/// if it moved slowly and everything resisted: the way down, in steps of (s M - K)^-1 Q with s so large that the
+/// matrix is positive, and Newton's method from near its end. Accelerations and steps are measured by the mass matrix, and steps by the
+/// mechanism's own length and the radian, so that no unit decides.
 ///
 /// # Errors
-/// If the start cannot be assembled, or [`What::NoEquilibrium`].
+/// If the start cannot be assembled, [`What::NoEquilibrium`], and [`What::SingularState`] where it is in a singular position.
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
     let any: &dyn AnyMechanism = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
-    let near = still_position(any, assembled.positions.as_ref().to_vec())?;
-    let mut state = State { positions: array(&near), speeds: M::Q::filled(0.0), ..assembled };
-    let measures = Measures::at(mechanism, assembled.time, &assembled.positions);
-    project(mechanism, &measures, &mut state)?;
-    state.speeds = M::Q::filled(0.0);
-    let multipliers = check_rest(any, state.positions.as_ref())?;
+    let near = assembled.positions.as_ref().to_vec();
+    let found = match newton(any, near.clone())? {
+        Ended::AtRest(found) => found,
+        Ended::Moving(stuck) => match descend(any, near)? {
+            Ended::AtRest(found) => found,
+            Ended::Moving(last) => return Err(nowhere(any, &stuck, &last)),
+        },
+    };
+    let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
+    let state = State { positions: array(&found.q), speeds: M::Q::filled(0.0), ..assembled };
     let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
-    Ok(Equilibrium { state, multipliers: array(&multipliers), eigenvalues })
+    Ok(Equilibrium { state, multipliers: array(&multipliers.as_slice()[M::Q::LEN..]), eigenvalues })
 }
 
 /// The same start with all coordinates free and no speeds.
@@ -52,54 +70,83 @@ fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
     Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
 }
 
-/// Where q'' and C are least, near a position.
-fn still_position(mechanism: &dyn AnyMechanism, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
-    let mut residual = residual_at(mechanism, &q)?;
+/// How a search ended.
+enum Ended {
+    AtRest(Statics),
+    Moving(Statics),
+}
+
+impl Ended {
+    fn at(at: Statics) -> Ended {
+        if at.is_at_rest() { Ended::AtRest(at) } else { Ended::Moving(at) }
+    }
+}
+
+/// Where Newton's method leads from a position on the constraints.
+fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+    let mut at = Statics::at(mechanism, q)?;
+    let mut longest = LONGEST;
     for _ in 0..MOST_STEPS {
-        let jacobian = jacobian_at(mechanism, &q)?;
-        let Ok(step) = jacobian.svd(true, true).solve(&residual, 1e-12) else { break };
-        let mut scale = 1.0;
-        let better = loop {
-            let trial: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q - scale * step).collect();
-            match residual_at(mechanism, &trial) {
-                Ok(found) if found.norm() < residual.norm() => break Some((trial, found)),
-                _ if scale < 1e-6 => break None,
-                _ => scale /= 2.0,
-            }
-        };
+        let Some(whole) = at.newton_step() else { break };
+        let share = (longest / at.size(&whole)).min(1.0);
+        let residual = at.force().norm();
+        let falls = |force: &DVector<f64>| force.norm() < residual;
         // At rounding no step is better.
-        let Some(found) = better else { break };
-        (q, residual) = found;
+        let Some((next, force, part)) = halved(mechanism, &at, &(whole * share), &falls)? else { break };
+        let (foretold, fallen) = (share * part, 1.0 - force.norm() / residual);
+        if part == 1.0 && (fallen - foretold).abs() <= FORETOLD * foretold {
+            longest *= 2.0;
+        }
+        at = next;
     }
-    Ok(q)
+    Ok(Ended::at(at))
 }
 
-/// That nothing accelerates at a position; gives the reactions there.
-fn check_rest(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<Vec<f64>, Failure> {
-    let (n, by_positions) = (q.len(), accelerations_by_positions(mechanism, q)?);
-    let solution = mechanism.accelerate(At::moving(0.0, q, &[]))?;
-    let (accelerations, multipliers) = solution.as_slice().split_at(n);
-    let rounding = |i: usize| (0..n).map(|j| (by_positions[(i, j)] * q[j]).abs()).sum::<f64>();
-    let moves = |i: usize| !(accelerations[i].abs() <= AT_REST + ROUNDINGS * f64::EPSILON * rounding(i));
-    if (0..n).any(moves) {
-        let acceleration = accelerations.iter().fold(0.0f64, |largest, a| largest.max(a.abs()));
-        return Err(mechanism.failure(What::NoEquilibrium { acceleration }, 0.0, q));
+/// Where the mechanism comes to rest.
+fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+    let mut at = Statics::at(mechanism, q)?;
+    for _ in 0..MOST_DESCENTS {
+        let (step, is_down) = at.descent(STIFFER);
+        let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
+        if is_near && let Ended::AtRest(found) = newton(mechanism, at.q.clone())? {
+            return Ok(Ended::AtRest(found));
+        }
+        let share = (LONGEST / at.size(&step)).min(1.0);
+        let along = at.force().dot(&step);
+        let leads_down = |force: &DVector<f64>| force.dot(&step) >= -TURNED * along;
+        let Some((next, _, _)) = halved(mechanism, &at, &(&step * share), &leads_down)? else { break };
+        at = next;
     }
-    Ok(multipliers.to_vec())
+    Ok(Ended::at(at))
 }
 
-/// q'' and C.
-fn residual_at(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DVector<f64>, Failure> {
-    let solution = mechanism.accelerate(At::moving(0.0, q, &[]))?;
-    Ok(DVector::from_vec([&solution.as_slice()[..q.len()], mechanism.constraints(0.0, q).as_slice()].concat()))
+/// The first of a step, its half and so on that leads where it should; with the force there, and which part it is.
+///
+/// # Errors
+/// [`What::SingularState`] if that is there.
+fn halved(
+    mechanism: &dyn AnyMechanism,
+    at: &Statics,
+    step: &DVector<f64>,
+    leads: &dyn Fn(&DVector<f64>) -> bool,
+) -> Result<Option<(Statics, DVector<f64>, f64)>, Failure> {
+    for part in (0..MOST_HALVINGS).map(|k| 0.5f64.powi(k)) {
+        let Ok((q, force)) = at.moved(mechanism, &(step * part)) else { continue };
+        if leads(&force) {
+            match Statics::at(mechanism, q) {
+                Ok(next) => return Ok(Some((next, force, part))),
+                Err(singular) if matches!(singular.what, What::SingularState { .. }) => return Err(singular),
+                Err(_) => continue,
+            }
+        }
+    }
+    Ok(None)
 }
 
-fn jacobian_at(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DMatrix<f64>, Failure> {
-    let constraints = mechanism.between_positions(mechanism.constraint_jacobian(0.0, q));
-    Ok(below(accelerations_by_positions(mechanism, q)?, constraints))
-}
-
-fn accelerations_by_positions(mechanism: &dyn AnyMechanism, q: &[f64]) -> Result<DMatrix<f64>, Failure> {
-    let still = vec![0.0; q.len()];
-    Ok(Derivatives::at(mechanism, At::moving(0.0, q, &still), &[])?.by_positions().rows(0, q.len()).into())
+/// That nothing was found where both searches ended; the singular position beside one of them, if there is one.
+fn nowhere(mechanism: &dyn AnyMechanism, stuck: &Statics, last: &Statics) -> Failure {
+    let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
+    singular.unwrap_or_else(|| {
+        mechanism.failure(What::NoEquilibrium { acceleration: stuck.largest_acceleration() }, 0.0, &stuck.q)
+    })
 }

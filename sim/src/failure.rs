@@ -1,5 +1,6 @@
 //! What can go wrong in a motion, with where and when.
 
+use crate::eigen::NoEigenvalues;
 use sim_kernel::{Description, Mechanism};
 use std::fmt;
 
@@ -12,6 +13,8 @@ pub struct Failure {
     pub time: f64,
     /// The coordinates there, by name, in SI units.
     pub state: Vec<(&'static str, f64)>,
+    /// Their declared units, with what they are in SI units.
+    pub(crate) units: Vec<(&'static str, f64)>,
 }
 
 /// What went wrong.
@@ -81,6 +84,21 @@ pub enum What {
     SingularStart {
         /// The constraint.
         constraint: &'static str,
+    },
+    /// The same where small motions, or the reactions at rest, are asked for.
+    #[error(
+        "the position is singular: constraint `{constraint}` is not independent of the others here, though it is nearby. Branches of \
+             the motion cross here: small motions have no linear equations, and the reactions are not determined. Ask beside it"
+    )]
+    SingularState {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The linearised motion has no eigenvalues that could be found.
+    #[error("the eigenvalues of the small motions about this state were not found: {why}")]
+    NoEigenvalues {
+        /// Why.
+        why: NoEigenvalues,
     },
     /// The equations of motion do not determine the accelerations.
     #[error(
@@ -294,8 +312,9 @@ impl Failure {
 
     /// A failure at a state of the mechanism of this description.
     pub(crate) fn of(description: &'static Description, what: What, time: f64, q: &[f64]) -> Failure {
-        let names = description.coordinates.iter().map(|c| c.position.name);
-        Failure { what, time, state: names.zip(q.iter().copied()).collect() }
+        let coordinates = || description.coordinates.iter().map(|c| &c.position);
+        let state = coordinates().map(|c| c.name).zip(q.iter().copied()).collect();
+        Failure { what, time, state, units: coordinates().map(|c| (c.unit, c.factor)).collect() }
     }
 }
 
@@ -308,8 +327,13 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let state: Vec<String> =
-            self.state.iter().map(|(name, value)| format!("{name} = {}", readable(*value))).collect();
+        let coordinates = self.state.iter().zip(&self.units);
+        let state: Vec<String> = coordinates
+            .map(|((name, value), (unit, factor))| {
+                let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
+                format!("{name} = {}{unit}", readable(value / factor))
+            })
+            .collect();
         write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
     }
 }
@@ -318,6 +342,8 @@ impl std::error::Error for Failure {}
 
 /// Six decimals, or six digits where that would be too long or say nothing.
 fn readable(value: f64) -> String {
+    // Zero has no sign here.
+    let value = value + 0.0;
     let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
     if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
 }

@@ -12,6 +12,7 @@ pub mod cli;
 mod conditional;
 mod control;
 mod dyads;
+mod eigen;
 mod equations;
 mod equilibrium;
 mod events;
@@ -67,6 +68,7 @@ pub use batch::{accelerate_each, accelerate_each_with};
 pub use conditional::is_active;
 pub use control::Controller;
 pub use dyads::{Branches, Form, Loop};
+pub use eigen::{Eigen, NoEigenvalues, eigen};
 pub use equations::{accelerate, residuals};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use events::{Crossing, EventSearch, Occurrence};
@@ -79,8 +81,8 @@ pub use integrate::{
 };
 pub use interpolate::hermite;
 pub use kinematics::{
-    DeadPoint, Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio,
-    dead_points, inverse_dynamics, kinematics,
+    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
+    kinematics,
 };
 pub use linearize::{Control, Linearization, Mode, linearize};
 pub use measures::Measures;
@@ -88,6 +90,7 @@ pub use mobility::{Mobility, check_masses, mobility};
 pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
+pub use record::{DeadPoint, dead_points};
 pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{

@@ -141,6 +141,9 @@ fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<f64
     coordinates.iter().map(|coordinate| if coordinate.position.is_length { length } else { 1.0 }).collect()
 }
 
+/// An arm by which an angle moves a point is no measure where it is this small beside the root of moments of inertia over masses.
+const SHORTEST: f64 = 0.01;
+
 /// The mechanism's own length, in metres: all lengths of the same mechanism twice as large make it twice as large.
 ///
 /// How far its points move for a change of its angles: by the constraints, the median of rows in which both lengths and
@@ -149,7 +152,13 @@ fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let sources: [&dyn Fn() -> f64; 3] = [
-        &|| median(lever_arms(&mechanism.constraint_jacobian(time, q), &is_length)),
+        &|| {
+            // An arm that is short beside its inertia is one in a dead point.
+            let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
+            let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), &is_length);
+            arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
+            median(arms)
+        },
         &|| gyration(&mechanism.mass_matrix(time, q), &is_length),
         &|| {
             let description = mechanism.description();

@@ -4,7 +4,6 @@
 use crate::events::{Crossing, Occurrence};
 use crate::failure::Failure;
 use crate::integrate::Steps;
-use crate::kinematics::dead_points;
 use crate::mobility::Mobility;
 use crate::run::Run;
 use crate::settings::Settings;
@@ -97,7 +96,7 @@ impl<M: Mechanism> Recorded for Run<M> {
             samples: samples.len(),
             failure: self.trajectory.failure.clone(),
             events: self.events.iter().map(happening).collect(),
-            dead_points: dead_points(self).into_iter().map(|point| (point.of, point.state.time)).collect(),
+            dead_points: self.dead_points.iter().map(|point| (point.of.clone(), point.state.time)).collect(),
             period: self.period(),
             mobility: self.mobility.clone(),
             steps: self.steps.clone(),

@@ -26,13 +26,6 @@ struct Choice {
 }
 
 impl Partition {
-    /// The choice at a position.
-    pub(crate) fn at<M: Mechanism>(mechanism: &M, measures: &Measures<M>, time: f64, q: &M::Q) -> Partition {
-        let mut partition = Partition::default();
-        partition.choose(measures, &mechanism.constraint_jacobian(time, q));
-        partition
-    }
-
     /// Chooses for a step from a sample to a time, by the position in its middle, foretold from its start.
     pub(crate) fn renew<M: Mechanism>(&mut self, mechanism: &M, measures: &Measures<M>, from: &Sample<M>, time: f64) {
         let (state, h) = (&from.state, (time - from.state.time) / 2.0);
@@ -45,11 +38,6 @@ impl Partition {
         if has_speed_rows::<M>() {
             self.speeds.choose(measures, *jacobian, measures.rank());
         }
-    }
-
-    /// The dependent coordinates and the dependent speeds, by index.
-    pub(crate) fn dependent<M: Mechanism>(&self) -> [&[usize]; 2] {
-        [&self.positions.dependent, &self.of_speeds::<M>().dependent]
     }
 
     fn of_speeds<M: Mechanism>(&self) -> &Choice {

@@ -13,7 +13,7 @@ use crate::trajectory::{Phase, State, Trajectory};
 use sim_kernel::{Description, Mechanism};
 use std::f64::consts::TAU;
 
-/// A part of a motion's extent, within which two states are the same.
+/// The part within which two states are the same, of a motion's extent and of the speeds that lead through it.
 const SAME: f64 = 1e-6;
 
 /// What is asked of a section.
@@ -50,8 +50,10 @@ pub struct Period {
 /// Runs a mechanism until an event has happened so often, or until the end of its settings, and keeps the states where it
 /// did: points of the return map (Guckenheimer and Holmes, Nonlinear Oscillations, 1983, sec. 1.5).
 ///
-/// States are the same where coordinates, angles but for whole turns, and speeds agree to a millionth of their extent. A
-/// periodic motion is told from three states on.
+/// States are the same where coordinates, angles but for whole turns, and speeds agree to a millionth: angles of 1 rad, others of
+/// the largest that they are in the section, or that their speeds would make them from one crossing to the next; speeds of
+/// the largest in the section, or of those that lead through that in this time. So neither a section where the motion turns back,
+/// with speeds that are rounding, nor one through the origin hides a period. A periodic motion is told from three states on.
 ///
 /// # Errors
 /// If no start can be assembled, or no state sampled. What ends the motion on the way does not lose the states.
@@ -93,19 +95,18 @@ fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M
 
 /// The least number of crossings after which all states are the same again.
 fn period(description: &'static Description, states: &[At<f64>]) -> Option<Period> {
-    let extent = |value: &dyn Fn(&At<f64>) -> f64| states.iter().fold(0.0f64, |most, at| most.max(value(at).abs()));
-    let n = description.coordinates.len();
-    let is_angle = |j: &usize| Driven::Coordinate(*j).turn(description).is_some();
-    let (angles, others): (Vec<usize>, Vec<usize>) = (0..n).partition(is_angle);
-    let largest_speed = |of: &[usize]| of.iter().map(|j| extent(&|state| state.speeds[*j])).fold(0.0, f64::max);
-    let largest_position = others.iter().map(|j| extent(&|state| state.positions[*j])).fold(0.0, f64::max);
-    let (turning, moving) = (largest_speed(&angles), largest_speed(&others));
+    let between = states.last()?.time - states.first()?.time;
+    let usual = between / (states.len() - 1).max(1) as f64;
+    let is_angle: Vec<bool> =
+        (0..description.coordinates.len()).map(|j| Driven::Coordinate(j).turn(description).is_some()).collect();
+    let [of_angles, of_others] = [true, false].map(|kind| Extent::of(states, usual, |j| is_angle[j] == kind));
+    let of_angles = Extent { positions: 1.0, speeds: of_angles.speeds.max(1.0 / usual) };
     let is_same = |a: &At<f64>, b: &At<f64>| {
-        (0..n).all(|j| {
-            let (apart, faster) = (b.positions[j] - a.positions[j], (b.speeds[j] - a.speeds[j]).abs());
-            match is_angle(&j) {
-                true => (apart - TAU * (apart / TAU).round()).abs() <= SAME && faster <= SAME * turning,
-                false => apart.abs() <= SAME * largest_position && faster <= SAME * moving,
+        is_angle.iter().enumerate().all(|(j, is_angle)| {
+            let (apart, faster) = (b.positions[j] - a.positions[j], b.speeds[j] - a.speeds[j]);
+            match is_angle {
+                true => of_angles.is_nothing(apart - TAU * (apart / TAU).round(), faster),
+                false => of_others.is_nothing(apart, faster),
             }
         })
     };
@@ -114,4 +115,28 @@ fn period(description: &'static Description, states: &[At<f64>]) -> Option<Perio
     let returns = (states.len() - 1) / crossings;
     let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
     Some(Period { seconds, crossings })
+}
+
+/// How far coordinates of one kind go, and how fast.
+struct Extent {
+    positions: f64,
+    speeds: f64,
+}
+
+impl Extent {
+    /// In the section, and from one state of it to the next, which takes this long.
+    fn of(states: &[At<f64>], between: f64, is_of_kind: impl Fn(usize) -> bool) -> Extent {
+        let largest = |values: &[f64]| {
+            let of_kind = values.iter().enumerate().filter(|(j, _)| is_of_kind(*j));
+            of_kind.fold(0.0f64, |largest, (_, value)| largest.max(value.abs()))
+        };
+        let over = |values: &dyn Fn(&At<f64>) -> f64| states.iter().map(values).fold(0.0, f64::max);
+        let (positions, speeds) = (over(&|at| largest(at.positions)), over(&|at| largest(at.speeds)));
+        Extent { positions: positions.max(speeds * between), speeds: speeds.max(positions / between) }
+    }
+
+    /// Whether a difference of positions and one of speeds are too small to tell states apart.
+    fn is_nothing(&self, positions: f64, speeds: f64) -> bool {
+        positions.abs() <= SAME * self.positions && speeds.abs() <= SAME * self.speeds
+    }
 }

@@ -12,7 +12,7 @@ use crate::integrate::{
 use crate::measures::Measures;
 use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::Motion;
-use crate::record::Recorder;
+use crate::record::{DeadPoint, Recorder};
 use crate::settings::{Method, Settings};
 use crate::trajectory::{Sample, State, Trajectory};
 use sim_kernel::Mechanism;
@@ -33,6 +33,8 @@ pub struct Run<M: Mechanism> {
     pub trajectory: Trajectory<M>,
     /// Events along it.
     pub events: Vec<Occurrence<M>>,
+    /// Dead points along it: see [`crate::dead_points`].
+    pub dead_points: Vec<DeadPoint<M>>,
     /// Degrees of freedom and dependent constraints at the start.
     pub mobility: Mobility,
     /// How many steps were made.
@@ -43,8 +45,8 @@ pub struct Run<M: Mechanism> {
     pub position_residual: f64,
     /// The largest |(C_q q' + C_t)_i| of any sample.
     pub velocity_residual: f64,
-    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy or
-    /// work.
+    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy of any
+    /// sample or work of any step.
     pub energy_balance: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
@@ -93,20 +95,24 @@ fn run_with<M: Mechanism>(
     mobility.check_regular::<M>(first.time, &first.positions)?;
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
+    recorder.seek_dead_points(&mechanism, &first, &mobility);
     let (mut steps, mut evaluations) = (Steps::default(), 0);
     let clock = Instant::now();
     let control = Control::new(controller, first.time);
     let ended = run_phases(mechanism, first, settings, control, &mut recorder, &mut steps, &mut evaluations);
+    recorder.finish();
+    let dead_points = recorder.dead_points();
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
-    let energy_balance = energy_balance(&mechanism, &trajectory);
+    let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work);
     let energy_taken = trajectory.phases.last().map_or(0.0, |phase| phase.energy_taken);
     Ok(Run {
         mechanism,
         settings: *settings,
         trajectory,
         events: recorder.events.found,
+        dead_points,
         mobility,
         steps,
         evaluations,
@@ -207,8 +213,9 @@ fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) ->
     })
 }
 
-fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> f64 {
-    let (mut largest, mut change, mut start) = (0.0f64, 0.0f64, None);
+/// `largest` is the largest work between samples: a mechanism may be at rest in all of them.
+fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, mut largest: f64) -> f64 {
+    let (mut change, mut start) = (0.0f64, None);
     for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {
         let state = &sample.state;
         let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);

@@ -132,7 +132,8 @@ impl fmt::Display for Stabilisation {
 pub enum Rows {
     /// After each step.
     Steps,
-    /// At the ends of this many intervals of equal length.
+    /// At the ends of this many intervals of equal length. A run that ends early has up to twice as many, of a length that
+    /// is a power of two shorter, and its last state.
     Even(usize),
 }
 

@@ -231,6 +231,8 @@ mod tests {
         let factors = Definite::new([[1.0, 0.0], [2.0, 4.0]]).unwrap();
         assert!(!factors.is_regular());
         assert_eq!(factors.solve([1.0, 2.0]), [1.0, 0.0]);
+        // Where the dependent row asks for something else than the others, its unknown is zero nevertheless.
+        assert_eq!(factors.solve([1.0, 5.0]), [1.0, 0.0]);
         assert!(Definite::new([[1.0, 0.0], [f64::NAN, 4.0]]).is_err());
     }
 }

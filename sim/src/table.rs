@@ -2,7 +2,7 @@
 
 use crate::any::{Any, AnyMechanism, At};
 use crate::trajectory::Trajectory;
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Description, Mechanism, Quantity};
 use std::borrow::Cow;
 
 /// A column of a table.
@@ -35,40 +35,48 @@ pub struct Table {
 impl Table {
     /// The table of a trajectory that starts with this mechanism.
     pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
-        let rows = trajectory.with_mechanisms(mechanism).map(|(mechanism, sample)| {
+        let mut rows = trajectory.with_mechanisms(mechanism).map(|(mechanism, sample)| {
             let at = At::sample(sample);
             (at, Any(&mechanism).outputs(at))
         });
-        Table::from_rows(const { &M::DESCRIPTION }, &rows.collect::<Vec<_>>())
+        Table::from_rows(const { &M::DESCRIPTION }, trajectory.samples.len(), &mut rows)
     }
 
-    /// The table of samples with their outputs.
-    fn from_rows(description: &'static Description, rows: &[(At<f64>, Vec<f64>)]) -> Table {
-        let column = |name: String, unit: &'static str, factor: f64, value: &dyn Fn(&At<f64>) -> f64| Column {
-            name,
+    /// The table of so many samples with their outputs. Millions of rows are never held twice.
+    fn from_rows<'a>(
+        description: &'static Description,
+        count: usize,
+        rows: &mut dyn Iterator<Item = (At<'a, f64>, Vec<f64>)>,
+    ) -> Table {
+        let mut table = Table::empty(description, count);
+        let factors: Vec<f64> = factors(description).collect();
+        for (at, outputs) in rows {
+            let At { time, positions, speeds, accelerations, multipliers } = at;
+            let time = [time];
+            let values = [&time, positions, speeds, accelerations, multipliers, &outputs].into_iter().flatten();
+            for ((column, value), factor) in table.columns.iter_mut().zip(values).zip(&factors) {
+                column.values.push(value / factor);
+            }
+        }
+        table
+    }
+
+    /// Its columns, with room for so many rows.
+    fn empty(description: &'static Description, count: usize) -> Table {
+        let column = |name: Cow<'static, str>, unit: &'static str| Column {
+            name: name.into_owned(),
             unit: unit.into(),
-            values: rows.iter().map(|(at, _)| value(at) / factor).collect(),
+            values: Vec::with_capacity(count),
         };
-        let mut columns = vec![column("t".into(), "s", 1.0, &|at| at.time)];
-        for (i, c) in description.coordinates.iter().enumerate() {
-            let q = &c.position;
-            columns.push(column(q.name.into(), q.unit, q.factor, &|at| at.positions[i]));
-        }
-        for (i, c) in description.coordinates.iter().enumerate() {
-            columns.push(column(c.speed.name.into(), c.speed.unit, c.speed.factor, &|at| at.speeds[i]));
-        }
-        for (i, c) in description.coordinates.iter().enumerate() {
-            let a = &c.acceleration;
-            columns.push(column(a.name.into(), a.unit, a.factor, &|at| at.accelerations[i]));
-        }
-        for (i, c) in description.constraints.iter().enumerate() {
-            columns.push(column(format!("lambda_{}", c.name), c.unit, c.factor, &|at| at.multipliers[i]));
-        }
+        let of = |q: &Quantity| column(q.name.into(), q.unit);
+        let mut columns = vec![column("t".into(), "s")];
+        let coordinates = description.coordinates;
+        columns.extend(coordinates.iter().map(|c| of(&c.position)));
+        columns.extend(coordinates.iter().map(|c| of(&c.speed)));
+        columns.extend(coordinates.iter().map(|c| of(&c.acceleration)));
+        columns.extend(description.constraints.iter().map(|c| column(format!("lambda_{}", c.name).into(), c.unit)));
         let first_output = columns.len();
-        for (i, o) in description.outputs.iter().enumerate() {
-            let values = rows.iter().map(|(_, outputs)| outputs[i] / o.factor).collect();
-            columns.push(Column { name: o.name.into(), unit: o.unit.into(), values });
-        }
+        columns.extend(description.outputs.iter().map(of));
         Table { columns, first_output }
     }
 
@@ -105,4 +113,15 @@ impl Table {
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
     }
+}
+
+/// What each column's unit is in SI units.
+fn factors(description: &Description) -> impl Iterator<Item = f64> {
+    let coordinates = description.coordinates.iter();
+    let positions = coordinates.clone().map(|c| c.position.factor);
+    let speeds = coordinates.clone().map(|c| c.speed.factor);
+    let accelerations = coordinates.map(|c| c.acceleration.factor);
+    let multipliers = description.constraints.iter().map(|c| c.factor);
+    let outputs = description.outputs.iter().map(|o| o.factor);
+    [1.0].into_iter().chain(positions).chain(speeds).chain(accelerations).chain(multipliers).chain(outputs)
 }

@@ -2,7 +2,9 @@
 
 use crate::sweeps::{driven, sweep};
 use models::{BouncingBall, DoublePendulum, FourBar, SliderCrank, TumblingQuaternion};
-use sim::{Driven, Mechanism, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism};
+use sim::{
+    Driven, Mechanism, Method, Rows, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism,
+};
 use std::f64::consts::PI;
 
 /// Crank and ground link of 0.5 m and 0.65 m, coupler and rocker of 0.4 m and 0.3 m: no link can turn fully.
@@ -91,6 +93,68 @@ fn a_run_in_space_says_which_dead_points_it_passed() {
     let speeds = run.trajectory.samples.windows(2).map(|pair| pair[0].state.speeds[0] * pair[1].state.speeds[0]);
     let turns = speeds.filter(|product| *product < 0.0).count();
     assert!(turns > 3 && passed.len() == turns, "{turns} {passed:?}");
+}
+
+mechanism! {
+    /// A bob on a circle, in absolute coordinates, from the height of the pivot.
+    Bob;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; l [m] = 1; }
+    let P = [x, y];
+    bodies { bob: mass m at P; }
+    loads { gravity [0, -1 [m/s^2]]; }
+    constraints { circle: x^2 + y^2 = l^2; }
+    initial { x = 1; y = 0; dot(x) = 0; dot(y) = 1; }
+}
+
+/// Thrown upwards with v^2 = g l the bob turns back at sin theta = 1/2. With 1 - 2 sin theta = u^2 it is back at the height of the
+/// pivot, where x tells nothing, after 2 int_0^1 du/cos theta each way. What is recorded has no part in that.
+#[test]
+fn dead_points_do_not_depend_on_rows() {
+    let cosine = |u: f64| (1.0 - (1.0 - u * u).powi(2) / 4.0).sqrt();
+    let n = 1000;
+    let simpson = |k: u32| if k == 0 || k == n { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+    let sum: f64 = (0..=n).map(|k| simpson(k) / cosine(f64::from(k) / f64::from(n))).sum();
+    let expected = 2.0 * sum / (3.0 * f64::from(n));
+    let times = |rows| {
+        let settings = Settings { rows, ..Settings::adaptive(Method::Dop853, 10.0, 1e-12) };
+        let run = sim::run(Bob::default(), &declared_start(&Bob::default()), &settings).unwrap();
+        dead_points(&run).iter().map(|point| point.state.time).collect::<Vec<f64>>()
+    };
+    let found = times(Rows::Even(1));
+    println!("{found:?}, {expected:.12}");
+    // The tolerance of a step, times the steps.
+    assert!((found[0] - expected).abs() < 1e-10, "{found:?} {expected}");
+    for rows in [Rows::Even(11), Rows::Even(1000), Rows::Steps] {
+        assert_eq!(times(rows), found);
+    }
+}
+
+mechanism! {
+    /// A crank and a rod of equal length: where both stand upright the piston may stay and both turn about it.
+    EqualRods;
+    coordinates { theta [rad]; phi [rad]; }
+    parameters { l [m] = 1; m [kg] = 1; }
+    let A = l*[cos(theta), sin(theta)];
+    let C = A + l*[cos(phi), sin(phi)];
+    bodies {
+        crank: mass m at A/2, inertia m*l^2/12, angle theta;
+        rod: mass m at (A + C)/2, inertia m*l^2/12, angle phi;
+    }
+    constraints { rail: C.y = 0; }
+    initial { theta = pi/4; dot(theta) = 4; guess phi = -pi/4; }
+}
+
+/// dC/dphi changes its sign in the singular position too, but the motion passes it straight on: phi = -theta before and after.
+#[test]
+fn a_singular_position_is_no_dead_point() {
+    let rods = EqualRods::default();
+    for end in [0.5, 0.77] {
+        let run = sim::run(rods, &declared_start(&rods), &Settings::new(end)).unwrap();
+        let [theta, phi] = run.trajectory.samples.last().unwrap().state.positions;
+        assert!(theta > 1.7 && (theta + phi).abs() < 1e-6, "{theta} {phi}");
+        assert!(dead_points(&run).is_empty(), "{:?}", dead_points(&run));
+    }
 }
 
 /// Components of a quaternion change their signs, and nothing is dead there.

@@ -3,10 +3,13 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod dyads;
+mod eigenvalues;
+mod equilibria;
 mod inverse;
 mod limits;
 mod linear;
 mod peaks;
 mod sections;
+mod steady;
 mod straight;
 mod sweeps;

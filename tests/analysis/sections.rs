@@ -35,6 +35,42 @@ fn a_pendulum_has_the_period_of_its_elliptic_integral() {
 }
 
 mechanism! {
+    /// A swing, watched where it turns back; and a mass on a spring, watched where it passes its place at rest.
+    Swings;
+    coordinates { phi [rad]; x [m]; }
+    parameters { l [m] = 2.2; g [m/s^2] = 9.81; w [rad/s] = 7; s [m] = 0.1; }
+    bodies { seat: mass 30 [kg] at l*[sin(phi), -cos(phi)]; slider: mass 1 [kg] at [x, 0]; }
+    loads { gravity [0, -g]; force [-w^2*x*1 [kg], 0] at [x, 0]; }
+    initial { phi = 50 [deg]; x = 0; dot(x) = w*s; }
+    events { turns: dot(phi) = 0 falling; passes: x = 0 rising; }
+}
+
+/// Speeds that are rounding where it turns back, and positions that are where it passes the origin, hide no period; nor does the size.
+#[test]
+fn sections_through_zero_speeds_and_places_have_periods() {
+    let (mut a, mut b) = (1.0f64, (25.0f64).to_radians().cos());
+    for _ in 0..6 {
+        (a, b) = ((a + b) / 2.0, (a * b).sqrt());
+    }
+    for size in [1e-3, 1.0, 100.0] {
+        let base: Swings = Swings::default();
+        let swing = Swings { l: base.l * size, g: base.g * size, s: 0.0, ..base };
+        let period = section(swing, &declared_start(&swing), "turns", None, 8).period.unwrap();
+        let expected = std::f64::consts::TAU * (base.l / base.g).sqrt() / a;
+        // Seven periods at 1e-12 a step; where it turns back the event is as sharp as the speed's slope.
+        assert!(period.crossings == 1 && (period.seconds - expected).abs() < 1e-9 * expected, "{period:?} {expected}");
+        let hanging = Start { positions: [0.0, 0.0], ..declared_start(&Swings { s: base.s * size, ..swing }) };
+        let period = section(Swings { s: base.s * size, ..swing }, &hanging, "passes", None, 8).period.unwrap();
+        let expected = std::f64::consts::TAU / base.w;
+        // At 1e-12 of the length of the swing, which is 22 times as far as the mass goes.
+        assert!(period.crossings == 1 && (period.seconds - expected).abs() < 1e-9 * expected, "{period:?}");
+    }
+    // Together they repeat nothing.
+    let both = Swings::default();
+    assert_eq!(section(both, &declared_start(&both), "turns", None, 12).period, None);
+}
+
+mechanism! {
     /// The double pendulum, with a section where the upper bar hangs.
     Double;
     coordinates { phi1 [rad]; phi2 [rad]; }

@@ -13,7 +13,13 @@ fn a_run_that_fails_keeps_what_it_computed() {
         sim(&["run", "quick-return", "--method", "rk4", "--steps", "12", "--out", directory.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
     let message = stderr(&output);
-    assert!(message.contains("at t = ") && message.contains("alpha = ") && message.contains("constraint"), "{message}");
+    assert!(
+        message.contains("at t = ")
+            && message.contains("alpha = ")
+            && message.contains(" rad, beta = ")
+            && message.contains("constraint"),
+        "{message}"
+    );
     let summary = summary(&directory);
     assert!(message.contains(summary["failure"].as_str().unwrap()), "{summary}");
     let times = column(&directory, "t [s]");

@@ -151,7 +151,7 @@ fn settings_have_units() {
 /// Words that cannot be understood: exit status 2, and the way out.
 #[test]
 fn unknown_words_name_the_nearest_known() {
-    let rows: [(&[&str], &str); 20] = [
+    let rows: [(&[&str], &str); 22] = [
         (&["run", "quick-retrun"], "no model is called `quick-retrun` (did you mean `quick-return`?)"),
         (&["run", "quick-return", "--set", "O2B=1"], "no parameter is called `O2B` (did you mean `O2A`?)"),
         (&["run", "quick-return", "--set", "O2A=1 mtr"], "`mtr` is not a known unit"),
@@ -168,6 +168,8 @@ fn unknown_words_name_the_nearest_known() {
         (&["run", "quick-return", "--method", "rk5"], "no method is called `rk5` (did you mean `rk3`?)"),
         (&["run", "quick-return", "--rtol", "1e-20"], "--rtol from 1e-14 to 0.1"),
         (&["run", "quick-return", "--rtol", "1e-8", "--steps", "100"], "cannot be used with"),
+        (&["run", "quick-return", "--method", "rk4", "--rtol", "1e-5"], "rk4 takes equal steps and estimates no error"),
+        (&["run", "quick-return", "--method", "euler", "--atol", "1e-5"], "dopri5, radau5, dop853"),
         (&["run", "quick-return", "--projection", "baumgart"], "known: projection, mass-projection, partitioning"),
         (&["run", "quick-return", "--rows", "0"], "a whole number from 1"),
         (&["run", "quick-return", "--until", "perod"], "no event is called `perod` (did you mean `period`?)"),
@@ -200,6 +202,17 @@ fn methods_and_projections_find_the_same_period() {
         assert!((period - 0.877_997_139_511_224_4).abs() < 1e-10, "{options:?}: {period}");
         assert_eq!(column(&directory, "t [s]").last(), Some(&period), "{options:?}");
     }
+}
+
+/// A run that is to end with an event that does not come says so.
+#[test]
+fn an_event_that_never_comes_is_told() {
+    let directory = fresh("never");
+    let words = ["run", "quick-return", "--until", "period:3", "--no-figures", "--no-report", "--out"];
+    let output = sim(&[&words[..], &[directory.to_str().unwrap()]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let told = "until        `period` has happened 1 time, not 3: the run went on to its end";
+    assert!(stdout(&output).contains(told), "{}", stdout(&output));
 }
 
 #[test]
@@ -277,6 +290,7 @@ fn what_installs_with_the_program_is_generated() {
     for (words, expected) in [
         (&["generate", "completions", "bash"][..], "quick-return|complete"),
         (&["generate", "completions", "zsh"], "compdef"),
+        (&["generate", "completions", "fish"], "quick-return"),
         (&["generate", "man"], ".TH sim"),
         (&["generate", "schema"], "Linkwright run file"),
     ] {

@@ -25,7 +25,7 @@ fn ended_by(signal: &str, mut child: Child) -> (Option<i32>, String) {
 fn a_run_keeps_what_it_has() {
     for signal in ["-INT", "-TERM"] {
         let directory = fresh(&format!("interrupted{signal}"));
-        let words = ["run", "quick-return", "--t-end", "1e6", "--rows", "1000000", "--no-figures"];
+        let words = ["run", "quick-return", "--t-end", "1e6", "--rows", "20", "--no-figures"];
         let child = start(&words, &directory);
         std::thread::sleep(Duration::from_millis(1000));
         let (status, said) = ended_by(signal, child);
@@ -35,6 +35,8 @@ fn a_run_keeps_what_it_has() {
             "{said}"
         );
         assert!(complete(&directory, &said) > 0.0);
+        // A day's run that is ended after a second has rows of that second: more than 160 steps are made in it.
+        assert!((21..=42).contains(&rows(&directory).len()), "{}", rows(&directory).len());
     }
 }
 

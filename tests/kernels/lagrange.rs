@@ -1,4 +1,6 @@
-//! TMT against Lagrange's equations: two derivations from one declaration, which share nothing but the engine.
+//! TMT against Lagrange's equations: two derivations from one declaration. Each has its own mass matrix, forces, C_q and
+//! convective terms; they share the resolved model, with the velocities that constraints between speeds are written in, and
+//! the engine.
 
 use crate::mechanisms;
 use crate::oracle::OVERCONSTRAINED;
@@ -33,21 +35,24 @@ fn compare(description: &Description) -> f64 {
     for _ in 0..STATES {
         let state = random_state(&equations.model, &mut random);
         let value = |exprs: &[Expr]| evaluate(&equations.model.graph, exprs, |symbol| state[&symbol]);
-        let jacobian = value(&equations.constraints.jacobian.concat());
-        let constraint_convective = value(&equations.constraints.convective);
-        let solve = |mass: Vec<f64>, force: Vec<f64>| {
-            let m = constraint_convective.len();
+        let active: Vec<bool> = equations
+            .model
+            .constraints
+            .iter()
+            .map(|constraint| constraint.activity.is_none_or(|activity| value(&[activity])[0] != 0.0))
+            .collect();
+        let solve = |mass: Vec<f64>, force: Vec<f64>, jacobian: Vec<f64>, convective: Vec<f64>| {
+            let m = active.len();
+            let of = |row: usize, x: f64| if active[row] { x } else { 0.0 };
             let mut matrix = DMatrix::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {
                 (true, true) => mass[i * n + j],
-                (true, false) => jacobian[(j - n) * n + i],
-                (false, true) => jacobian[(i - n) * n + j],
+                (true, false) => of(j - n, jacobian[(j - n) * n + i]),
+                (false, true) => of(i - n, jacobian[(i - n) * n + j]),
                 (false, false) => 0.0,
             });
             // The multiplier of a released constraint is 0.
-            for i in (0..m).filter(|i| jacobian[i * n..(i + 1) * n].iter().all(|entry| *entry == 0.0)) {
-                matrix[(n + i, n + i)] = -1.0;
-            }
-            let mut rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { -constraint_convective[i - n] });
+            (0..m).filter(|i| !active[*i]).for_each(|i| matrix[(n + i, n + i)] = -1.0);
+            let mut rhs = DVector::from_fn(n + m, |i, _| if i < n { force[i] } else { of(i - n, -convective[i - n]) });
             // Units apart, the condition says what the equations themselves amplify.
             let scale: Vec<f64> = matrix.row_iter().map(|row| row.amax().sqrt().recip()).collect();
             for i in 0..n + m {
@@ -58,8 +63,19 @@ fn compare(description: &Description) -> f64 {
             let singular = matrix.singular_values();
             (matrix.lu().solve(&rhs).unwrap(), singular.max() / singular.min())
         };
-        let (tmt, condition) = solve(value(&equations.tmt.mass_matrix.concat()), value(&equations.tmt.right_hand_side));
-        let (lagrange, _) = solve(value(&other.mass_matrix.concat()), value(&other.right_hand_side));
+        let constraints = &equations.constraints;
+        let (tmt, condition) = solve(
+            value(&equations.tmt.mass_matrix.concat()),
+            value(&equations.tmt.right_hand_side),
+            value(&constraints.jacobian.concat()),
+            value(&constraints.convective),
+        );
+        let (lagrange, _) = solve(
+            value(&other.mass_matrix.concat()),
+            value(&other.right_hand_side),
+            value(&other.constraint_jacobian.concat()),
+            value(&other.constraint_convective),
+        );
         let difference = (&tmt - &lagrange).norm() / (f64::EPSILON * condition * tmt.norm());
         assert!(difference.is_finite(), "{}", description.name);
         worst = worst.max(difference);

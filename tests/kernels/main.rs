@@ -14,4 +14,5 @@ mod lanes;
 mod mechanisms;
 mod oracle;
 mod refusal;
+mod sparse;
 mod tabled;

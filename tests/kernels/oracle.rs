@@ -1,10 +1,16 @@
-//! Every kernel of every mechanism against the oracle, which interprets the declaration with jets and shares no
-//! code with the engine, at random states and parameters, half of them on the constraints.
+//! Every kernel of every mechanism against the oracle, which interprets the declaration with jets, at random states and
+//! parameters, half of them on the constraints.
+//!
+//! The oracle shares nothing with the engine, the model, the derivation and the planning of kernels. It shares the parsed
+//! declaration, and with that all that `dsl` writes out: fragments and repetitions, joints as constraints, poses and
+//! coordinates, free bodies, points `on()` them; and the sizes of units. Joints are therefore checked apart, against equations
+//! written by hand (`tests/space/joints_by_hand.rs`, `tests/motion/joints.rs`).
 
 use crate::mechanisms::all_mechanisms;
 use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
-use codegen::oracle::{Measured, Oracle, Solution, State};
+use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, residual};
+use sim::verify::{computed, observed};
 use sim::{Array, Input, Measures, Mechanism, accelerate, project_positions, project_velocities};
 use tests::Random;
 
@@ -88,33 +94,12 @@ fn put_on_constraints<M: Mechanism>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mu
 const PART_IN_SPACE: f64 = 0.01;
 
 struct Found {
-    /// Components of vectors.
-    dimension: usize,
     /// The largest difference, relative to its magnitude.
     worst: f64,
     /// Where.
     term: &'static str,
     /// The residual of the solved equations in eps n (|K||z| + |r|); none where they have no solution.
     residual: Option<f64>,
-}
-
-impl Found {
-    fn term(&mut self, term: &'static str, values: &[f64], expected: &[Measured]) {
-        assert_eq!(values.len(), expected.len(), "{term}");
-        let largest = expected.iter().map(|entry| entry.magnitude).filter(|x| x.is_finite()).fold(0.0, f64::max);
-        let least = if self.dimension == 3 { PART_IN_SPACE * largest } else { 0.0 };
-        for (value, expected) in values.iter().zip(expected) {
-            let both_undefined = !value.is_finite() && !expected.value.is_finite();
-            if both_undefined {
-                continue;
-            }
-            let difference = (value - expected.value).abs() / expected.magnitude.max(least).max(f64::MIN_POSITIVE);
-            assert!(difference.is_finite(), "{term}: {value} instead of {}", expected.value);
-            if difference > self.worst {
-                (self.worst, self.term) = (difference, term);
-            }
-        }
-    }
 }
 
 fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
@@ -125,71 +110,26 @@ fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M
     let inputs: Vec<Option<f64>> = mechanism.inputs().iter().map(|input| input.held()).collect();
     let (parameters, coordinates, speeds) = (parameters.as_ref(), q.as_ref(), qd.as_ref());
     let at = State { time: t, parameters, inputs: &inputs, coordinates, speeds };
-    let terms = oracle.terms(&at).unwrap();
-    let mut found = Found { dimension: M::DESCRIPTION.dimension, worst: 0.0, term: "", residual: None };
-    let matrix = |rows: Vec<Vec<f64>>| rows.concat();
-    let mass = matrix(mechanism.mass_matrix(t, q).iter().map(|row| row.as_ref().to_vec()).collect());
-    let jacobian = matrix(mechanism.constraint_jacobian(t, q).iter().map(|row| row.as_ref().to_vec()).collect());
-    found.term("mass matrix", &mass, &terms.mass_matrix.concat());
-    found.term("convective forces", mechanism.convective_forces(t, q, qd).as_ref(), &terms.convective);
-    found.term("generalised forces", mechanism.generalized_forces(t, q, qd).as_ref(), &terms.applied_forces);
-    found.term("constraints", mechanism.constraints(t, q).as_ref(), &terms.constraints);
-    found.term("constraint Jacobian", &jacobian, &terms.constraint_jacobian.concat());
-    found.term("C_t", mechanism.constraint_time_derivative(t, q).as_ref(), &terms.constraint_time_derivative);
-    found.term(
-        "constraint convective",
-        mechanism.constraint_convective(t, q, qd).as_ref(),
-        &terms.constraint_convective,
-    );
-    found.term("kinetic energy", &[mechanism.kinetic_energy(t, q, qd)], &[terms.kinetic_energy]);
+    let mut comparison = Comparison::new(if M::DESCRIPTION.dimension == 3 { PART_IN_SPACE } else { 0.0 });
+    let terms = comparison.enter(&computed(mechanism, t, q, qd), &oracle, &at).unwrap();
     let linear = mechanism.constraint_linearization(t, q);
-    let linear_jacobian = matrix(linear.jacobian.iter().map(|row| row.as_ref().to_vec()).collect());
-    found.term("linearised C", linear.values.as_ref(), &terms.constraints);
-    found.term("linearised C_q", &linear_jacobian, &terms.constraint_jacobian.concat());
-    found.term("linearised C_t", linear.time_derivative.as_ref(), &terms.constraint_time_derivative);
-    let Ok(solved) = accelerate(mechanism, t, q, qd) else { return found };
-    let given = |values: &[f64]| values.iter().map(|value| Measured::given(*value)).collect::<Vec<_>>();
-    let solution = Solution {
-        accelerations: given(solved.accelerations.as_ref()),
-        multipliers: given(solved.multipliers.as_ref()),
-    };
-    let events = mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers);
-    found.term("events", events.as_ref(), &oracle.events(&at, &solution).unwrap());
-    found.term("what events set", mechanism.event_values(t, q, qd).as_ref(), &oracle.event_values(&at).unwrap());
-    for (row, lambda) in solved.multipliers.iter().enumerate() {
-        assert!(sim::is_active(mechanism, row) || *lambda == 0.0, "a released row has the multiplier {lambda}");
-    }
-    let outputs = mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers);
-    found.term("outputs", outputs.as_ref(), &oracle.outputs(&at, &solution).unwrap());
-    found.term("power", &[solved.power], &[oracle.power(&at, &solution).unwrap()]);
-    found.residual = Some(residual(&terms, solved.accelerations.as_ref(), solved.multipliers.as_ref()));
-    let power = mechanism.power(t, q, qd, &solved.accelerations, &solved.multipliers);
-    found.term("power alone", &[power], &[oracle.power(&at, &solution).unwrap()]);
-    found
-}
-
-/// |K z - r| of the oracle's equations at the kernel's solution in eps n (|K||z| + |r|), in the largest norm; |r| is the sum
-/// of the magnitudes of its terms, as both sides compute it with their own rounding.
-fn residual(terms: &codegen::oracle::Terms, accelerations: &[f64], multipliers: &[f64]) -> f64 {
-    let n = accelerations.len();
-    let z = [accelerations, multipliers].concat();
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |largest, x| largest.max(x.abs()));
-    let (mut residual, mut matrix_norm, mut rhs_norm) = (0.0f64, 0.0f64, 0.0f64);
-    for i in 0..z.len() {
-        let row: Vec<f64> = match i < n {
-            true => {
-                let mass = terms.mass_matrix[i].iter().map(|entry| entry.value);
-                mass.chain(terms.constraint_jacobian.iter().map(|row| row[i].value)).collect()
-            }
-            false => terms.constraint_jacobian[i - n].iter().map(|entry| entry.value).collect(),
-        };
-        let (sign, rhs) =
-            if i < n { (1.0, terms.generalized_forces[i]) } else { (-1.0, terms.constraint_convective[i - n]) };
-        let sum: f64 = row.iter().zip(&z).map(|(k, z)| k * z).sum();
-        residual = residual.max((sum - sign * rhs.value).abs());
-        matrix_norm = matrix_norm.max(row.iter().map(|k| k.abs()).sum());
-        rhs_norm = rhs_norm.max(rhs.magnitude);
-    }
-    let size = matrix_norm * largest(&mut z.iter().copied()) + rhs_norm;
-    residual / (f64::EPSILON * z.len() as f64 * size)
+    let linear_jacobian: Vec<f64> = linear.jacobian.iter().flat_map(|row| row.as_ref().to_vec()).collect();
+    comparison.term("linearised C", linear.values.as_ref(), &terms.constraints);
+    comparison.term("linearised C_q", &linear_jacobian, &terms.constraint_jacobian.concat());
+    comparison.term("linearised C_t", linear.time_derivative.as_ref(), &terms.constraint_time_derivative);
+    let residual = accelerate(mechanism, t, q, qd).ok().map(|solved| {
+        let (accelerations, multipliers) = (&solved.accelerations, &solved.multipliers);
+        let given = |values: &[f64]| values.iter().map(|value| Measured::given(*value)).collect::<Vec<_>>();
+        let solution =
+            Solution { accelerations: given(accelerations.as_ref()), multipliers: given(multipliers.as_ref()) };
+        for (row, lambda) in multipliers.iter().enumerate() {
+            assert!(sim::is_active(mechanism, row) || *lambda == 0.0, "a released row has the multiplier {lambda}");
+        }
+        let observed = observed(mechanism, t, q, qd, accelerations, multipliers);
+        comparison.enter_solved(&observed, &oracle, &at, &solution).unwrap();
+        comparison.term("power of dynamics", &[solved.power], &[oracle.power(&at, &solution).unwrap()]);
+        residual(&terms, accelerations.as_ref(), multipliers.as_ref())
+    });
+    let (worst, term) = comparison.worst();
+    Found { worst, term, residual }
 }

@@ -1,6 +1,6 @@
 //! A mechanism one of whose kernels is spoiled, for tests of what verification sees.
 
-use sim::sim_kernel::{ConstraintLinearization, Initial};
+use sim::sim_kernel::{ConstraintLinearization, DynamicsJacobian, Initial};
 use sim::{Array, Description, Dynamics, Mechanism, Scalar};
 
 /// What is wrong.
@@ -19,6 +19,12 @@ pub(crate) enum Fault {
     UnitFactor(usize, f64),
     /// The first two outputs are exchanged.
     SwappedOutputs,
+    /// d(q'')/dq lacks its first entry.
+    LostDerivative,
+    /// Accelerations leave out what the constraints' convective terms are.
+    LostConvective,
+    /// The power of loads is half of what it is.
+    HalfPower,
 }
 
 /// The mechanism `true_one`, spoiled.
@@ -129,6 +135,9 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
         self.kernels().constraint_time_derivative(t, q)
     }
     fn constraint_convective(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::L {
+        if self.fault == Fault::LostConvective {
+            return Self::L::filled(0.0);
+        }
         self.kernels().constraint_convective(t, q, qd)
     }
     fn constraint_linearization(&self, t: f64, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ> {
@@ -145,10 +154,20 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
         let mut dynamics = prepared.kernels().dynamics(t, q, qd);
         match prepared.fault {
             Fault::MultiplierSign => dynamics.multipliers[0] *= -1.0,
-            Fault::MixedDerivative | Fault::Frozen(_) | Fault::LostLoad(_) => dynamics.refused = true,
+            Fault::HalfPower => dynamics.power *= 0.5,
+            Fault::MixedDerivative | Fault::Frozen(_) | Fault::LostLoad(_) | Fault::LostConvective => {
+                dynamics.refused = true;
+            }
             _ => {}
         }
         dynamics
+    }
+    fn dynamics_jacobian(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<f64, Self::QQ, Self::LQ> {
+        let mut jacobian = self.kernels().dynamics_jacobian(t, q, qd);
+        if self.fault == Fault::LostDerivative {
+            jacobian.accelerations_by_positions[0][0] = 0.0;
+        }
+        jacobian
     }
     fn power(&self, t: f64, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> f64 {
         self.moved().power(t, q, qd, qdd, lambda)

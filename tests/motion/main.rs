@@ -23,6 +23,7 @@ mod nonholonomic;
 mod order;
 mod pendulum;
 mod quick_return;
+mod records;
 mod scaled;
 mod singular;
 mod singular_start;

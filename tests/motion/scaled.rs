@@ -27,9 +27,9 @@ mechanism! {
 impl FreeEngine {
     /// The same with its lengths, masses and forces times these; forces are such that the motion is similar.
     fn scaled(length: f64, mass: f64) -> FreeEngine {
-        let FreeEngine { r, l, m, J, F, .. } = <FreeEngine>::default();
+        let FreeEngine { r, l, m, J, F } = <FreeEngine>::default();
         let (force, inertia) = (mass * length, mass * length * length);
-        FreeEngine { r: r * length, l: l * length, m: m * mass, J: J * inertia, F: F * force, ..Default::default() }
+        FreeEngine { r: r * length, l: l * length, m: m * mass, J: J * inertia, F: F * force }
     }
 }
 

@@ -1,12 +1,13 @@
 //! Verification passes for every shipped mechanism, and fails in the right row for each fault that is planted.
 
 use crate::faulty::{Fault, Faulty};
-use models::QuickReturn;
-use sim::verify::{constraint_residuals, order_of_convergence, verify};
+use models::{HangingChain, QuickReturn, RobotArm, Stewart};
+use sim::verify::{Check, constraint_residuals, order_of_convergence, runs_agree, verify};
 use sim::{
-    ErrorEstimate, ExplicitRungeKutta, Measures, Mechanism, Method, RK4, Settings, Tableau, assemble, declared_start,
-    mechanism, project_positions,
+    Course, DOPRI5, ErrorEstimate, ExplicitRungeKutta, Measures, Mechanism, Method, Motion, RK4, Run, Settings,
+    Stabilisation, Stepping, Steps, Tableau, Weight, assemble, declared_start, integrate, mechanism, project_positions,
 };
+use std::ops::ControlFlow;
 use tests::run_with;
 
 mechanism! {
@@ -22,27 +23,32 @@ mechanism! {
     outputs { x [m] = P.x; y [m] = P.y; }
 }
 
-/// The rows that fail.
-fn failing<M: Mechanism>(mechanism: M, end: f64) -> Vec<&'static str> {
+/// Every row.
+fn checks<M: Mechanism>(mechanism: M, end: f64) -> Vec<Check> {
     let checks = verify(mechanism, &declared_start(&mechanism), end).unwrap();
     for check in &checks {
-        println!(
-            "{:<16} {:<34} {:>9.1e} {:>9.0e} {}",
-            M::DESCRIPTION.name,
-            check.name,
-            check.figure,
-            check.bound,
-            check.meaning
-        );
+        let Check { name, figure, bound, meaning } = check;
+        let figure = figure.map_or("-".into(), |figure| format!("{figure:.1e}"));
+        println!("{:<16} {name:<34} {figure:>9} {bound:>9.1e} {meaning}", M::DESCRIPTION.name);
     }
     assert!(checks.len() >= 7);
-    checks.iter().filter(|check| !check.passes()).map(|check| check.name).collect()
+    checks
 }
 
-const ORACLE: &str = "kernels against the oracle";
+/// The rows that fail.
+fn failing<M: Mechanism>(mechanism: M, end: f64) -> Vec<&'static str> {
+    checks(mechanism, end).iter().filter(|check| !check.passes()).map(|check| check.name).collect()
+}
+
 const LAGRANGE: &str = "TMT against Lagrange";
+const ORACLE: &str = "kernels against the oracle";
+const DUALS: &str = "Jacobians against dual numbers";
 const REACTIONS: &str = "reactions against Newton-Euler";
+const CONSTRAINTS: &str = "constraints along the run";
 const ENERGY: &str = "energy and work";
+const METHODS: &str = "DOP853 against DOPRI5";
+const ORDER: &str = "order of convergence";
+const PARTITIONING: &str = "projection against partitioning";
 
 #[test]
 fn every_shipped_mechanism_passes() {
@@ -51,6 +57,19 @@ fn every_shipped_mechanism_passes() {
     }
     models::all_models!(all);
     assert_eq!(failing(Shaken::default(), 1.0), [""; 0]);
+}
+
+/// The trait has these derivatives from dual numbers, with which they would be compared.
+#[test]
+fn where_there_is_no_kernel_of_derivatives_none_is_compared() {
+    let row = |checks: Vec<Check>| checks.into_iter().find(|check| check.name == DUALS).unwrap();
+    let absent = [row(checks(RobotArm::default(), 0.1)), row(checks(HangingChain::default(), 0.1))];
+    for Check { figure, meaning, .. } in absent {
+        assert!(figure.is_none() && meaning.starts_with("no kernel"), "{figure:?} {meaning}");
+    }
+    // It has constraints, whose derivatives are kernels.
+    let Check { figure, meaning, .. } = row(checks(Stewart::default(), 0.1));
+    assert!(figure.is_some() && meaning.ends_with("no kernel of d(q'', lambda)/d(q, q') to compare"), "{meaning}");
 }
 
 /// Which parameter is called so.
@@ -63,36 +82,63 @@ fn a_wrapper_without_a_fault_passes() {
     assert_eq!(failing(Faulty { true_one: Shaken::default(), fault: Fault::None }, 1.0), [""; 0]);
 }
 
+/// Which rows see a fault, at a hundred times their bound at least.
+fn seeing(found: &[Check]) -> Vec<&'static str> {
+    let sees = |check: &&Check| check.figure.is_some_and(|figure| figure >= 100.0 * check.bound);
+    let seeing = found.iter().filter(sees).map(|check| check.name).collect();
+    let doubtful: Vec<&Check> = found.iter().filter(|check| !check.passes() && !sees(check)).collect();
+    assert!(doubtful.is_empty(), "{doubtful:?}");
+    seeing
+}
+
 #[test]
 fn spoiled_kernels_fail_in_their_rows() {
-    let quick_return = |fault| failing(Faulty { true_one: QuickReturn::default(), fault }, 0.5);
-    let shaken = |fault| failing(Faulty { true_one: Shaken::default(), fault }, 1.0);
-    assert_eq!(quick_return(Fault::MultiplierSign), [REACTIONS]);
+    let quick_return = |fault| seeing(&checks(Faulty { true_one: QuickReturn::default(), fault }, 0.5));
+    let shaken = |fault| seeing(&checks(Faulty { true_one: Shaken::default(), fault }, 1.0));
+    assert_eq!(quick_return(Fault::MultiplierSign), [LAGRANGE, REACTIONS]);
     assert_eq!(quick_return(Fault::SwappedOutputs), [ORACLE]);
-    let lost = quick_return(Fault::LostLoad(parameter::<QuickReturn>("F")));
-    assert!([LAGRANGE, ORACLE, REACTIONS, ENERGY].iter().all(|row| lost.contains(row)), "{lost:?}");
-    let unit = quick_return(Fault::UnitFactor(parameter::<QuickReturn>("BC"), 1.01));
-    assert!([LAGRANGE, ORACLE].iter().all(|row| unit.contains(row)), "{unit:?}");
-    let mixed = shaken(Fault::MixedDerivative);
-    assert!([LAGRANGE, ORACLE, ENERGY].iter().all(|row| mixed.contains(row)), "{mixed:?}");
-    let frozen = shaken(Fault::Frozen(parameter::<Shaken>("w")));
-    assert!([LAGRANGE, ORACLE].iter().all(|row| frozen.contains(row)), "{frozen:?}");
+    assert_eq!(quick_return(Fault::LostDerivative), [DUALS]);
+    assert_eq!(quick_return(Fault::HalfPower), [ENERGY]);
+    let all = |rows: &[&str], seen: Vec<&str>| assert!(rows.iter().all(|row| seen.contains(row)), "{seen:?}");
+    let lost = Fault::LostLoad(parameter::<QuickReturn>("F"));
+    all(&[LAGRANGE, ORACLE, REACTIONS, ENERGY], quick_return(lost));
+    all(&[LAGRANGE, ORACLE], quick_return(Fault::UnitFactor(parameter::<QuickReturn>("BC"), 1.01)));
+    all(&[LAGRANGE, ORACLE, ENERGY], shaken(Fault::MixedDerivative));
+    all(&[LAGRANGE, ORACLE], shaken(Fault::Frozen(parameter::<Shaken>("w"))));
+}
+
+/// The start of the quick-return.
+fn start() -> sim::State<QuickReturn> {
+    let mechanism = QuickReturn::default();
+    assemble(&mechanism, &declared_start(&mechanism)).unwrap()
+}
+
+/// A run of it with equal steps, all of which are rows.
+fn run_by(method: Method, stabilisation: Stabilisation) -> Run<QuickReturn> {
+    run_with(QuickReturn::default(), &Settings { stabilisation, ..Settings::equal_steps(method, 0.5, 1024) }).unwrap()
+}
+
+fn sees(check: Check, name: &str) {
+    println!("{check:?}");
+    assert_eq!(check.name, name);
+    assert_eq!(seeing(&[check]), [name]);
 }
 
 /// Positions projected and velocities not.
 #[test]
 fn a_velocity_projection_that_is_skipped_fails_the_constraints() {
-    let settings = Settings { stabilisation: sim::Stabilisation::None, ..Settings::equal_steps(Method::Rk4, 2.0, 256) };
-    let mut run = run_with(QuickReturn::default(), &settings).unwrap();
-    let start = run.trajectory.samples[0].state;
-    let measures = Measures::at(&run.mechanism, start.time, &start.positions);
+    let mut run = run_by(Method::Heun, Stabilisation::None);
+    let first = start();
+    let measures = Measures::at(&run.mechanism, first.time, &first.positions);
     for sample in &mut run.trajectory.samples {
         project_positions(&run.mechanism, &measures, sample.state.time, &mut sample.state.positions).unwrap();
     }
-    let check = constraint_residuals(&run);
-    println!("{check:?}");
-    assert!(!check.passes());
-    assert!(constraint_residuals(&run_with(QuickReturn::default(), &Settings::new(2.0)).unwrap()).passes());
+    sees(constraint_residuals(&run), CONSTRAINTS);
+    assert!(constraint_residuals(&run_by(Method::Heun, Stabilisation::Projection)).passes());
+    // A speed without a value is no smaller than any.
+    let mut run = run_by(Method::Heun, Stabilisation::Projection);
+    run.trajectory.samples[7].state.speeds[1] = f64::NAN;
+    sees(constraint_residuals(&run), CONSTRAINTS);
 }
 
 /// RK4 with one entry of its tableau wrong.
@@ -101,9 +147,49 @@ fn a_wrong_tableau_fails_the_order() {
     const WRONG: Tableau =
         Tableau { a: &[&[], &[(0, 0.5)], &[(1, 0.51)], &[(2, 1.0)]], error: ErrorEstimate::None, ..RK4 };
     let mechanism = QuickReturn::default();
-    let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     let order =
-        |tableau| order_of_convergence(&mechanism, start, 0.5, || ExplicitRungeKutta::new(tableau), 4.0).unwrap();
-    println!("{:?}\n{:?}", order(&RK4), order(&WRONG));
-    assert!(order(&RK4).passes() && !order(&WRONG).passes());
+        |tableau| order_of_convergence(&mechanism, start(), 0.5, || ExplicitRungeKutta::new(tableau), 4.0).unwrap();
+    assert!(order(&RK4).passes());
+    sees(order(&WRONG), ORDER);
+}
+
+/// DOPRI5 with one weight wrong by a hundredth.
+#[test]
+fn a_wrong_method_fails_beside_another() {
+    let good = run_by(Method::Dop853, Stabilisation::Projection);
+    assert!(runs_agree(METHODS, &good, &run_by(Method::Dopri5, Stabilisation::Projection)).passes());
+    let weights: Vec<Weight> = DOPRI5.b.iter().map(|(stage, weight)| (*stage, 1.01 * weight)).collect();
+    let wrong = Tableau { b: weights.leak(), ..DOPRI5 };
+    let mechanism = QuickReturn::default();
+    let measures = Measures::at(&mechanism, 0.0, &start().positions);
+    let motion = Motion::new(&mechanism, Stabilisation::Projection, measures);
+    let course = Course { begin: 0.0, end: 0.5, stepping: Stepping::Equal(1024), interrupt: None };
+    let (mut spoiled, first) = (good.clone(), motion.sample(start()).unwrap());
+    spoiled.trajectory.samples = vec![first];
+    let mut method = ExplicitRungeKutta::new(Box::leak(Box::new(wrong)));
+    integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
+        spoiled.trajectory.samples.push(*step.to);
+        Ok(ControlFlow::Continue(()))
+    })
+    .unwrap();
+    sees(runs_agree(METHODS, &good, &spoiled), METHODS);
+}
+
+/// Accelerations that leave the constraints: projection brings the motion back across them, partitioning along them.
+#[test]
+fn lost_convective_terms_fail_between_projection_and_partitioning() {
+    let faulty = Faulty { true_one: QuickReturn::default(), fault: Fault::LostConvective };
+    let run = |stabilisation| {
+        run_with(faulty, &Settings { stabilisation, ..Settings::equal_steps(Method::Rk4, 0.5, 1024) }).unwrap()
+    };
+    let [one, other] = [Stabilisation::Projection, Stabilisation::Partitioning].map(run);
+    sees(runs_agree(PARTITIONING, &one, &other), PARTITIONING);
+    let [one, other] = [Stabilisation::Projection, Stabilisation::Partitioning].map(|kept| run_by(Method::Rk4, kept));
+    assert!(runs_agree(PARTITIONING, &one, &other).passes());
+}
+
+#[test]
+fn a_row_has_been_seen_to_fail_for_each_that_is_printed() {
+    let rows: Vec<&str> = checks(QuickReturn::default(), 0.5).iter().map(|check| check.name).collect();
+    assert_eq!(rows, [LAGRANGE, ORACLE, DUALS, REACTIONS, CONSTRAINTS, ENERGY, METHODS, ORDER, PARTITIONING]);
 }

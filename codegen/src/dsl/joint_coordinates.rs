@@ -2,7 +2,7 @@
 //!
 //! With A1, A2 the attitudes of the bodies, B1 = [t1, t2, n] the marks in the frame of the first and B2 those in the frame of
 //! the second, A2 = A1 J B1 B2', where J is what the joint turns, in the frame of the first. So the marks of both sides are
-//! aligned where all coordinates are 0. The second point is shifted against the first along the marks of the first
+//! aligned where all coordinates are 0; of a universal joint whose axes are at right angles as they are written, both frames. The second point is shifted against the first along the marks of the first
 //! (Wittenburg, Dynamics of Multibody Systems, 2008, section 5.3).
 
 use super::given::{Given, with_suffix};
@@ -44,14 +44,17 @@ impl JointCoordinates<'_> {
     /// Axes that are none.
     pub(super) fn pose(&self, given: &mut Given) -> Result<Pose> {
         let SpatialJoint { kind, first, second, .. } = self.joint;
-        let (own, mut other) = (Marks::of(first)?, Marks::of(second)?);
-        if *kind == SpatialKind::Universal {
-            other = other.in_turn();
-        }
-        let frames = [&own, &other].map(|marks| marks.frame(self.at()));
+        let crossed = if *kind == SpatialKind::Universal { Marks::crossed(first, second)? } else { None };
+        let (own, other) = match (crossed, *kind) {
+            (Some(crossed), _) => (crossed, None),
+            (None, SpatialKind::Universal) => (Marks::of(first)?, Some(Marks::of(second)?.in_turn())),
+            (None, _) => (Marks::of(first)?, Some(Marks::of(second)?)),
+        };
+        let frames = [Some(&own), other.as_ref()].map(|marks| marks.map(|marks| marks.frame(self.at())));
         let Freedom { mut turns, shift } = self.freedom(own, given);
-        if frames[0].to_string() != frames[1].to_string() {
-            let [own, other] = frames;
+        if let [Some(own), Some(other)] = frames
+            && own.to_string() != other.to_string()
+        {
             turns.extend([own, inverse(other)]);
         }
         let first = (&first.body, shift.into_iter().fold(first.at.clone(), sum));

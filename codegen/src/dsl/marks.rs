@@ -29,7 +29,7 @@ impl Marks {
         let form = || {
             at.error(
                 "the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
-                 components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
+                 components, `[0, sin(a), cos(a)]`, or is a name of such a vector; turn the body's frame instead",
             )
         };
         let Kind::Vector(components) = &axis.kind else { return Err(form()) };
@@ -60,6 +60,18 @@ impl Marks {
         Ok(Marks { axis, across: [first, second] })
     }
 
+    /// About the axis n of the first side, with the axis m of the second across it, where both are of numbers and at right angles
+    /// as they are written: n, m and n x m, in either frame.
+    pub(super) fn crossed(first: &Side, second: &Side) -> Result<Option<Marks>> {
+        let [n, m] = [Marks::of(first)?.axis, Marks::of(second)?.axis];
+        let [a, b] = [direction(first), direction(second)];
+        let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        Ok(a.zip(b).filter(|(a, b)| inner(a, b).powi(2) <= RIGHT * inner(a, a) * inner(b, b)).map(|_| {
+            let third = call(n.region, "cross", vec![n.clone(), m.clone()]);
+            Marks { axis: n, across: [m, third] }
+        }))
+    }
+
     /// The rotation from the frame of t1, t2 and n, as its x, y and z, to that in which they are written.
     pub(super) fn frame(&self, at: Region) -> Expression {
         let [t1, t2] = self.across.clone();
@@ -70,6 +82,18 @@ impl Marks {
     pub(super) fn in_turn(self) -> Marks {
         let [t1, t2] = self.across;
         Marks { axis: t2, across: [self.axis, t1] }
+    }
+}
+
+/// The squared cosine of a right angle, to rounding.
+const RIGHT: f64 = 1e-28;
+
+/// The axis of a side as it is written, if it is of numbers.
+fn direction(side: &Side) -> Option<Vec<f64>> {
+    match &side.axis {
+        None => Some(vec![0.0, 0.0, 1.0]),
+        Some(Expression { kind: Kind::Vector(components), .. }) => components.iter().map(value).collect(),
+        Some(_) => None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! Stage 1: text to parsed declaration, with the place of every word kept.
 
+mod axes;
 mod block;
 mod choice;
 mod declarations;

@@ -59,6 +59,7 @@ pub fn parse_head(tokens: TokenStream) -> Result<Head> {
 /// All mistakes of form, each at the user's own word, combined into one error.
 pub fn parse(tokens: TokenStream) -> Result<Declaration> {
     let mut declaration = declaration.parse2(super::reuse::expand(tokens)?)?;
+    super::axes::write_out(&mut declaration);
     super::free::give_coordinates(&mut declaration)?;
     super::spanning_tree::place_bodies(&mut declaration)?;
     super::frame::write_out(declaration)

@@ -1,26 +1,40 @@
 //! Lagrange's equations, as a check of the TMT method.
 //!
-//! Everything here comes from two scalars, the kinetic energy `sum of m v.v / 2` and the power of the loads, by
-//! the Euler-Lagrange operator; neither T_q' M T_q nor the convective accelerations are used.
+//! The left-hand sides come from the kinetic energy by the Euler-Lagrange operator, the forces from the power of the loads,
+//! and the constraints from their second rate along the motion, whose coefficients of q'' are C_q. Neither T_q' M T_q nor
+//! convective accelerations nor derivatives with respect to coordinates of what the TMT method differentiates so are used, and
+//! in space neither frames nor angular velocities: energy and power of what turns are those of its matrix.
+//!
+//! Shared with what it checks are the resolved model (names, units, joints, `let`s, and in constraints between speeds the
+//! velocities that the declaration writes) and the engine's derivatives and rewriting.
 
-use crate::model::{Attitude, Model};
+use crate::model::{Attitude, Body, Level, Model, Pushed};
 use crate::symbolic::{Differential, Expr, Graph, Number, substitute};
 
-/// `d/dt (dE/dq') - dE/dq = Q`, brought to the form `mass_matrix q'' = right_hand_side`.
+/// `d/dt (dE/dq') - dE/dq = Q - C_q' lambda`, brought to the form `mass_matrix q'' + C_q' lambda = right_hand_side`, and
+/// `C'' = C_q q'' + convective = 0`.
 pub struct Lagrange {
     /// The coefficients of q'', n x n.
     pub mass_matrix: Vec<Vec<Expr>>,
     /// Q minus the rest of the Euler-Lagrange operator, n.
     pub right_hand_side: Vec<Expr>,
+    /// C_q, m x n, as if every constraint were active; w_q' for a row w = 0 between speeds.
+    pub constraint_jacobian: Vec<Vec<Expr>>,
+    /// What C'' is without accelerations, m; w' for a row between speeds.
+    pub constraint_convective: Vec<Expr>,
 }
 
-/// Lagrange's equations of a model without its constraints.
+/// Lagrange's equations of a model.
 pub fn lagrange(model: &mut Model) -> Lagrange {
     let mut rate = model.time_derivative();
     let energy = kinetic_energy(model, &mut rate);
     let forces = generalized_forces(model, &mut rate);
-    let accelerations: Vec<_> = model.coordinates.iter().map(|c| c.acceleration).collect();
-    let mut result = Lagrange { mass_matrix: vec![], right_hand_side: vec![] };
+    let mut result = Lagrange {
+        mass_matrix: vec![],
+        right_hand_side: vec![],
+        constraint_jacobian: vec![],
+        constraint_convective: vec![],
+    };
     for (j, force) in forces.into_iter().enumerate() {
         let graph = &mut model.graph;
         let (position, speed) = (model.coordinates[j].position, model.coordinates[j].speed);
@@ -28,15 +42,32 @@ pub fn lagrange(model: &mut Model) -> Lagrange {
         let momentum_rate = rate.of(graph, momentum);
         let by_position = Differential::partial(graph, position).of(graph, energy);
         let operator = graph.sub(momentum_rate, by_position);
-        // The operator is linear in q'': its coefficients are its derivatives, the rest is its value at 0.
-        let coefficients = accelerations.iter().map(|a| Differential::partial(graph, *a).of(graph, operator));
-        result.mass_matrix.push(coefficients.collect());
-        let zero = graph.zero();
-        let at_rest: Vec<_> = accelerations.iter().map(|a| (*a, zero)).collect();
-        let rest = substitute(graph, &[operator], &at_rest)[0];
-        result.right_hand_side.push(graph.sub(force, rest));
+        let (coefficients, rest) = linear_in_accelerations(model, operator);
+        result.mass_matrix.push(coefficients);
+        result.right_hand_side.push(model.graph.sub(force, rest));
+    }
+    for row in 0..model.constraints.len() {
+        let (level, value) = (model.constraints[row].level, model.constraints[row].value);
+        let speed = match level {
+            Level::Positions => rate.of(&mut model.graph, value),
+            Level::Speeds => value,
+        };
+        let acceleration = rate.of(&mut model.graph, speed);
+        let (coefficients, rest) = linear_in_accelerations(model, acceleration);
+        result.constraint_jacobian.push(coefficients);
+        result.constraint_convective.push(rest);
     }
     result
+}
+
+/// The coefficients of q'' of what is linear in it, which are its derivatives, and the rest, its value at 0.
+fn linear_in_accelerations(model: &mut Model, expr: Expr) -> (Vec<Expr>, Expr) {
+    let graph = &mut model.graph;
+    let accelerations: Vec<_> = model.coordinates.iter().map(|c| c.acceleration).collect();
+    let coefficients = accelerations.iter().map(|a| Differential::partial(graph, *a).of(graph, expr)).collect();
+    let zero = graph.zero();
+    let at_rest: Vec<_> = accelerations.iter().map(|a| (*a, zero)).collect();
+    (coefficients, substitute(graph, &[expr], &at_rest)[0])
 }
 
 /// `sum of m (x'^2 + y'^2)/2 + J phi'^2/2`, each rate by the chain rule.
@@ -93,8 +124,9 @@ fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
             works.extend(at.iter().zip(gravity).map(|(x, g)| (model.graph.mul(*mass, *g), *x)));
         }
     }
-    let pushes: Vec<(Expr, Expr)> =
-        model.pushes.iter().flat_map(|push| push.effort.into_iter().zip(push.along.velocity)).collect();
+    for push in &model.pushes {
+        works.extend(pushed(&mut model.graph, &model.bodies, &push.in_world));
+    }
     let speeds: Vec<_> = model.coordinates.iter().map(|c| c.speed).collect();
     speeds
         .into_iter()
@@ -108,12 +140,27 @@ fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
                     model.graph.mul(*force, partial)
                 })
                 .collect();
-            let pushed = pushes.iter().map(|(effort, velocity)| {
-                let partial = by_speed.of(&mut model.graph, *velocity);
-                model.graph.mul(*effort, partial)
-            });
-            let terms: Vec<Expr> = terms.into_iter().chain(pushed.collect::<Vec<_>>()).collect();
             model.graph.sum(&terms)
         })
         .collect()
+}
+
+/// Forces with what they work along. A torque M works on what R turns by half of M x r on each column r of R, as it turns by
+/// half the sum of r x dr.
+fn pushed(graph: &mut Graph, bodies: &[Body], push: &Pushed) -> Vec<(Expr, Expr)> {
+    match push {
+        Pushed::Force { force, at } => force.iter().copied().zip(at.iter().copied()).collect(),
+        Pushed::Torque { moment, body } => {
+            let Some(Attitude { matrix, .. }) = &bodies[*body].attitude else { return vec![] };
+            let mut works = Vec::new();
+            for (column, i) in (0..3).flat_map(|column| (0..3).map(move |i| (column, i))) {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                let ahead = graph.mul(moment[j], matrix[k][column]);
+                let back = graph.mul(moment[k], matrix[j][column]);
+                let arm = graph.sub(ahead, back);
+                works.push((graph.scale(&Number::HALF, arm), matrix[i][column]));
+            }
+            works
+        }
+    }
 }

@@ -58,6 +58,12 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
         quote! { #path::Shape::#shape }
     });
     let dimension = size(model.dimension);
+    let made = [
+        ("dynamics_jacobian", equations.declared.by_state.is_some()),
+        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
+        ("inverse_dynamics", equations.inverse.is_some()),
+    ];
+    let kernels = made.iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name);
     quote! {
         #path::Description {
             name: #name,
@@ -75,6 +81,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             outputs: &[#(#outputs),*],
             rated_outputs: &[#(#rated),*],
             figures: &[#(#figures),*],
+            optional_kernels: &[#(#kernels),*],
             dimension: #dimension,
             drawing: &[#(#drawing),*],
         }

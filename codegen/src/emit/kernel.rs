@@ -206,6 +206,29 @@ fn matrix(rows: &[Vec<Tree>]) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
+/// A matrix by its entries that are not always 0.
+fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
+    let [rows, columns] = shape.map(size);
+    let len = size(entries.len());
+    let places = entries.iter().map(|(place, _)| {
+        let [i, j] = place.map(size);
+        quote! { [#i, #j] }
+    });
+    // Entries come first, as they may speak of names that the rest would hide.
+    let entries = entries.iter().map(|(_, entry)| entry);
+    quote! {
+        {
+            let entries = [#(#entries),*];
+            let places: [[::core::primitive::usize; 2]; #len] = [#(#places),*];
+            let mut matrix = [[S::from_f64(0.0); #columns]; #rows];
+            for (entry, [i, j]) in entries.into_iter().zip(places) {
+                matrix[i][j] = entry;
+            }
+            matrix
+        }
+    }
+}
+
 /// What a kernel returns: a struct with named fields where there is one.
 fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     match (record_of(model, kernel), &kernel.results) {
@@ -243,6 +266,10 @@ pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream)
                 quote! { #prepared<S> }
             }
         },
+        Results::Sparse(size, _) => {
+            let [rows, columns] = size.map(super::size);
+            quote! { [[S; #columns]; #rows] }
+        }
         Results::Refused(_) => quote! { S::Mask },
     }
 }
@@ -271,6 +298,7 @@ fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> Token
         Results::Scalar(value) => value.to_token_stream(),
         Results::Vector(entries) => vector(entries),
         Results::Matrix(_, rows) => matrix(rows),
+        Results::Sparse(size, entries) => sparse(*size, entries),
         Results::Refused(pivots) => refused(pivots.as_deref(), path),
         Results::Record(record, fields) => {
             let name = match record {

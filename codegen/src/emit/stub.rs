@@ -69,7 +69,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
                 speed_constraints: &[], norm_constraints: &[],
-                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], dimension: 2, drawing: &[],
+                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
             };
 
             fn defaults() -> Self {

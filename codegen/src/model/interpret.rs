@@ -21,6 +21,8 @@ pub(super) struct Interpreter {
     pub(super) origins: Origins,
     /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
     pub(super) with_units: bool,
+    /// Reserved names that something is called nevertheless: its uses are no mistakes too.
+    pub(super) misnamed: Vec<String>,
     /// Words that have a meaning in one expression alone.
     pub(super) local: Vec<(&'static str, Value)>,
     /// The multipliers of each constraint; absent until constraints are resolved.
@@ -175,6 +177,9 @@ impl Interpreter {
 
     fn name(&mut self, name: &Ident) -> Option<Value> {
         let text = plain(name);
+        if self.misnamed.contains(&text) {
+            return None;
+        }
         match text.as_str() {
             "pi" => return Some(Value::scalar(self.graph.constant(Constant::Pi), Some(Dimension::none()))),
             "e" => return Some(Value::scalar(self.graph.constant(Constant::E), Some(Dimension::none()))),

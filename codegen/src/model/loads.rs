@@ -6,7 +6,7 @@ use super::interpret::Interpreter;
 use super::level::{self, BEYOND_SPEED};
 use super::scope::{Names, plain};
 use super::space::{Spatial, Turn};
-use super::{Body, Dimension, Effort, Force, Point, Push};
+use super::{Body, Dimension, Effort, Force, Point, Push, Pushed};
 use crate::dsl::{self, Declaration, Expression, Extent, Kind, Region};
 use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
@@ -37,7 +37,8 @@ pub(super) fn resolve_loads(
                 loads.pushes.extend(spatial_force(force, point, i));
             }
             dsl::Load::Torque { moment, body } if turned_body(body, turns, names).is_some() => {
-                loads.pushes.extend(turned_body(body, turns, names).and_then(|turn| spatial_torque(moment, turn, i)));
+                let turned = turned_body(body, turns, names);
+                loads.pushes.extend(turned.and_then(|(body, turn)| spatial_torque(moment, body, turn, i)));
             }
             dsl::Load::Force { force, point } => {
                 let value = i.point_of(force, &Dimension::force(), "a force");
@@ -86,33 +87,40 @@ pub(super) fn resolve_loads(
 /// A force at a point: it works along the point's velocity, in the frame that the force is written in.
 fn spatial_force(force: &Expression, point: &Expression, i: &mut Interpreter) -> Option<Push> {
     let value = spatial_load(force, &Dimension::force(), "a force", i);
-    level::position(point, "the point of a force", i)?;
-    let (value, (at, _)) = (value?, i.spatial_value(point)?);
+    let place = level::position(point, "the point of a force", i)?;
+    let ((value, force), (at, _)) = (value?, i.spatial_value(point)?);
     let turn = value.frame().unwrap_or(Turn::NONE);
     let Interpreter { graph, motion, frames, .. } = i;
     let along = frames.point_rates(graph, motion, &at, turn);
-    Some(Push { effort: frames.resolved_in(graph, &value, turn), along })
+    let in_world = Pushed::Force { force, at: place };
+    Some(Push { effort: frames.resolved_in(graph, &value, turn), along, in_world })
 }
 
 /// A torque on a body: it works along the angular velocity, in the body's frame.
-fn spatial_torque(moment: &Expression, turn: Turn, i: &mut Interpreter) -> Option<Push> {
-    let value = spatial_load(moment, &Dimension::energy(), "a torque", i)?;
+fn spatial_torque(moment: &Expression, body: usize, turn: Turn, i: &mut Interpreter) -> Option<Push> {
+    let (value, moment) = spatial_load(moment, &Dimension::energy(), "a torque", i)?;
     let effort = i.frames.resolved_in(&mut i.graph, &value, turn);
-    Some(Push { effort, along: i.frames.spin_rates(turn) })
+    Some(Push { effort, along: i.frames.spin_rates(turn), in_world: Pushed::Torque { moment, body } })
 }
 
-fn spatial_load(expression: &Expression, needed: &Dimension, what: &str, i: &mut Interpreter) -> Option<Spatial> {
+/// A load, and its components in the world's frame.
+fn spatial_load(
+    expression: &Expression,
+    needed: &Dimension,
+    what: &str,
+    i: &mut Interpreter,
+) -> Option<(Spatial, Point)> {
     let (vector, value) = i.spatial_value(expression)?;
     i.expect_world(expression.region, &value.bases)?;
     i.expect_in_place(value.measured(expression), needed, what);
     let components = i.resolved(&vector).to_vec();
-    load_level(expression, components, i)?;
-    Some(vector)
+    let components = load_level(expression, components, i)?;
+    Some((vector, components))
 }
 
-/// The attitude of a body by its name.
-fn turned_body(body: &Ident, turns: &[TurnedBody], names: &Names<usize>) -> Option<Turn> {
-    names.get(&plain(body)).and_then(|at| turns[*at].as_ref()).map(|(turn, _)| *turn)
+/// A body with an attitude, by its name: its place in the list, and the attitude.
+fn turned_body(body: &Ident, turns: &[TurnedBody], names: &Names<usize>) -> Option<(usize, Turn)> {
+    names.get(&plain(body)).and_then(|at| turns[*at].as_ref().map(|(turn, _)| (*at, *turn)))
 }
 
 /// A torque on a body, about its angle; or, where no body is called so, on an angle itself.

@@ -35,7 +35,7 @@ pub use crate::dsl::Direction;
 pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
-pub use space::{Attitude, Fall, Norm, Push, Rates, Tensor, impossible_inertia};
+pub use space::{Attitude, Fall, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
 pub use units::Unit;
 
 use crate::symbolic::{Differential, Expr, Graph, Symbol};

@@ -28,7 +28,12 @@ fn define_symbol(name: &Ident, symbol: Symbol, written: &Option<dsl::Unit>, unit
 }
 
 pub(super) fn define(name: &Ident, value: Option<Value>, i: &mut Interpreter) {
-    match check_reserved(name).and_then(|()| i.tables.check_free(name)) {
+    if let Err(mistake) = check_reserved(name) {
+        i.mistakes.add(mistake);
+        i.misnamed.push(plain(name));
+        return;
+    }
+    match i.tables.check_free(name) {
         Ok(()) => i.values.define(name, value, &mut i.mistakes),
         Err(mistake) => i.mistakes.add(mistake),
     }

@@ -54,6 +54,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         tables: Names::new("table"),
         origins: Origins::default(),
         with_units: declaration.has_units(),
+        misnamed: vec![],
         local: vec![],
         reactions: None,
         outputs: declaration

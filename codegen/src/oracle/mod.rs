@@ -1,16 +1,19 @@
 //! The equations of motion by numbers alone: a second, slower way to everything that a kernel computes.
 //!
 //! The parsed declaration is interpreted with second-order jets, and the equations are assembled and solved densely.
-//! Nothing here is shared with the symbolic engine or with the derivation, so that a fault of either shows as a
-//! difference. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
+//! Nothing here is shared with the symbolic engine, the resolved model or the derivation, so that a fault of any shows as a
+//! difference. Shared is the parsed declaration, and with it all that `dsl` writes out: fragments and repetitions, joints, free
+//! bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
 //! is to be compared with.
 //!
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
 
+mod comparison;
 mod constraint;
 mod elements;
 mod error;
+mod freed;
 mod function;
 mod interpret;
 mod jet;
@@ -25,7 +28,9 @@ mod state;
 mod table;
 mod value;
 
+pub use comparison::{Comparison, Computed, Observed, residual};
 pub use error::{OracleError, Result};
+pub use freed::Balance;
 pub use measured::Measured;
 pub use motion::{Solution, Terms};
 pub use state::State;

@@ -114,13 +114,18 @@ impl Matrix {
         (values.sum(terms), size)
     }
 
+    /// Whether there is an entry that need not be zero.
+    pub(super) fn holds(&self, i: usize, j: usize) -> bool {
+        self.entries.contains_key(&(i.min(j), i.max(j)))
+    }
+
     /// The entry as it stands.
     pub(super) fn entry(&mut self, values: &mut Values, i: usize, j: usize) -> Value {
         self.value(values, i, j).unwrap_or_else(|| values.constant(0.0))
     }
 
     /// The entry as it stands, as one value from now on; nothing if it is zero.
-    fn value(&mut self, values: &mut Values, i: usize, j: usize) -> Option<Value> {
+    pub(super) fn value(&mut self, values: &mut Values, i: usize, j: usize) -> Option<Value> {
         let entry = self.entries.get_mut(&(i.min(j), i.max(j)))?;
         let terms = add_multiples(values, std::mem::take(entry));
         let sum = values.sum(terms);

@@ -46,7 +46,9 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
         &constraints.convective,
         &constraints.time_derivative,
     ];
-    let exprs: Vec<Expr> = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied().collect();
+    let zero = model.graph.zero();
+    let exprs = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied();
+    let exprs: Vec<Expr> = exprs.filter(|expr| *expr != zero).collect();
     let expanded = exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?)));
     expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()
 }

@@ -9,6 +9,10 @@ use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::Expr;
 use std::ops::Range;
 
+/// A matrix of more entries than this is written by those that are not 0, if fewer than one in so many are.
+const LARGEST_DENSE: usize = 4096;
+const SPARSE: usize = 4;
+
 /// T_q' M T_q, n x n.
 pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     matrix(equations, lowering, 0..equations.model.coordinates.len())
@@ -55,6 +59,17 @@ fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<us
     let n = equations.model.coordinates.len();
     let system = system(equations, &equations.declared, lowering);
     let mut reduced = reduce(&mut lowering.values, &system);
+    let size = [rows.len(), n];
+    let held = rows.clone().map(|i| (0..n).filter(|j| reduced.holds(i, *j)).count()).sum::<usize>();
+    if n * rows.len() > LARGEST_DENSE && held * SPARSE < n * rows.len() {
+        let mut entries = Vec::with_capacity(held);
+        for (row, i) in rows.enumerate() {
+            for j in 0..n {
+                entries.extend(reduced.value(&mut lowering.values, i, j).map(|value| ([row, j], value)));
+            }
+        }
+        return Results::Sparse(size, entries);
+    }
     let mut row = |i: usize| (0..n).map(|j| reduced.entry(&mut lowering.values, i, j)).collect();
     Results::Matrix(n, rows.map(&mut row).collect())
 }

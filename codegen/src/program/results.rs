@@ -8,6 +8,8 @@ pub enum Results<T> {
     Vector(Vec<T>),
     /// A matrix by rows, with its number of columns.
     Matrix(usize, Vec<Vec<T>>),
+    /// A matrix of so many rows and columns by the entries that are not always 0, each with its row and column.
+    Sparse([usize; 2], Vec<([usize; 2], T)>),
     /// A struct by its fields.
     Record(Record, Vec<(String, Results<T>)>),
     /// Whether a pivot is refused, from each pivot with the magnitude of its terms; without any, every state is.
@@ -53,6 +55,7 @@ impl<T> Results<T> {
             Results::Scalar(entry) => f(entry),
             Results::Vector(entries) => entries.iter().for_each(f),
             Results::Matrix(_, rows) => rows.iter().flatten().for_each(f),
+            Results::Sparse(_, entries) => entries.iter().for_each(|(_, entry)| f(entry)),
             Results::Record(_, fields) => fields.iter().for_each(|(_, field)| field.visit(f)),
             Results::Refused(pivots) => pivots.iter().flatten().for_each(|(pivot, terms)| {
                 f(pivot);
@@ -68,6 +71,9 @@ impl<T> Results<T> {
             Results::Vector(entries) => Results::Vector(entries.iter().map(f).collect()),
             Results::Matrix(columns, rows) => {
                 Results::Matrix(*columns, rows.iter().map(|row| row.iter().map(&mut *f).collect()).collect())
+            }
+            Results::Sparse(size, entries) => {
+                Results::Sparse(*size, entries.iter().map(|(place, entry)| (*place, f(entry))).collect())
             }
             Results::Record(record, fields) => {
                 Results::Record(*record, fields.iter().map(|(name, field)| (name.clone(), field.map(f))).collect())

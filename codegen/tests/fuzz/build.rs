@@ -19,6 +19,8 @@ pub(crate) struct State {
     pub(crate) parameters: Vec<f64>,
     pub(crate) coordinates: Vec<f64>,
     pub(crate) speeds: Vec<f64>,
+    /// Of the motion whose forces are asked for.
+    pub(crate) accelerations: Vec<f64>,
 }
 
 /// Prints every kernel's values of a state on one line, as bits, under their names.
@@ -37,9 +39,9 @@ fn rows<R: AsRef<[f64]>>(rows: impl AsRef<[R]>) -> Vec<f64> {
     rows.as_ref().iter().flat_map(|row| row.as_ref().to_vec()).collect()
 }
 
-fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
+fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64], qdd: &[f64]) {
     let mechanism = M::defaults().with_parameters(M::Parameters::from_fn(|i| p[i]));
-    let (q, qd) = (&M::Q::from_fn(|i| q[i]), &M::Q::from_fn(|i| qd[i]));
+    let [q, qd, qdd] = &[q, qd, qdd].map(|values| M::Q::from_fn(|i| values[i]));
     let vector = |values: &dyn AsRef<[f64]>| values.as_ref().to_vec();
     print("mass_matrix", rows(mechanism.mass_matrix(t, q)));
     print("convective", vector(&mechanism.convective_forces(t, q, qd)));
@@ -57,7 +59,14 @@ fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64]) {
     print("events", vector(&mechanism.events(t, q, qd, &solved.accelerations, &solved.multipliers)));
     print("outputs", vector(&mechanism.outputs(t, q, qd, &solved.accelerations, &solved.multipliers)));
     print("event_values", vector(&mechanism.event_values(t, q, qd)));
-    println!();
+    print("inverse", vector(&mechanism.inverse_dynamics(t, q, qd, qdd)));
+    let by_state = mechanism.dynamics_jacobian(t, q, qd);
+    let below = |above: Vec<f64>, below: Vec<f64>| [above, below].concat();
+    print("by_positions", below(rows(by_state.accelerations_by_positions), rows(by_state.multipliers_by_positions)));
+    print("by_speeds", below(rows(by_state.accelerations_by_speeds), rows(by_state.multipliers_by_speeds)));
+    let by_parameters = mechanism.dynamics_sensitivity(t, q, qd);
+    print("by_parameters", below(rows(by_parameters.accelerations), rows(by_parameters.multipliers)));
+        println!();
 }
 "#;
 
@@ -102,10 +111,10 @@ fn made(cases: &[Case]) -> PathBuf {
         let module = case.name.to_lowercase();
         let items = codegen::generate_text(&case.declaration, "sim_kernel").unwrap();
         writeln!(source, "#[allow(warnings)] mod {module} {{\n{items}\n}}").unwrap();
-        for State { time, parameters, coordinates, speeds } in &case.states {
+        for State { time, parameters, coordinates, speeds, accelerations } in &case.states {
             writeln!(
                 calls,
-                "evaluate::<{module}::{}>({time:?}, &{parameters:?}, &{coordinates:?}, &{speeds:?});",
+                "evaluate::<{module}::{}>({time:?}, &{parameters:?}, &{coordinates:?}, &{speeds:?}, &{accelerations:?});",
                 case.name
             )
             .unwrap();

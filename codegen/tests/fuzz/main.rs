@@ -7,6 +7,7 @@
 
 mod build;
 mod compare;
+mod derivatives;
 mod expression;
 mod mangle;
 mod parts;

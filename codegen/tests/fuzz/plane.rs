@@ -26,7 +26,7 @@ impl Plane {
             text += &self.fragment();
         }
         text += &tables(&mut self.known.random);
-        text += "auxiliary { cut; } inputs { drive = sin(p1*t)/2; }\n";
+        text += "auxiliary { cut; } inputs { drive = sin(0.7*t)/2; }\n";
         text += &self.bodies();
         text += &self.loads();
         let constraints = self.known.constraints();
@@ -36,7 +36,7 @@ impl Plane {
         }
         text += &self.known.events(&constraints.switched);
         text += &self.outputs(&constraints.names);
-        text
+        text + "kernels { dynamics_jacobian; dynamics_sensitivity; inverse_dynamics; }\n"
     }
 
     fn coordinates(&mut self, count: usize) -> String {

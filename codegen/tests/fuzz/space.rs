@@ -39,7 +39,7 @@ impl Space {
         text += &self.known.named_rotations(2);
         text += &self.known.named_vectors(2);
         text += &tables(&mut self.known.random);
-        text += "auxiliary { cut; } inputs { drive = sin(p1*t)/2; }\n";
+        text += "auxiliary { cut; } inputs { drive = sin(0.7*t)/2; }\n";
         text += &self.bodies();
         let constraints = self.known.constraints();
         text += &constraints.block;
@@ -49,8 +49,12 @@ impl Space {
         text += &self.loads();
         text += &self.known.events(&constraints.switched);
         text += &self.outputs(&constraints.names, &loops.1);
-        // The long derivatives are not compared.
-        text + "kernels { }\n"
+        // Derivatives in space are long, and so are made of a few.
+        text + if self.known.random.once_in(4) {
+            "kernels { dynamics_jacobian; dynamics_sensitivity; inverse_dynamics; }\n"
+        } else {
+            "kernels { inverse_dynamics; }\n"
+        }
     }
 
     /// Every coordinate has a mass of its own, so that the mass matrix has full rank.

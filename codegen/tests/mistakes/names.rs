@@ -40,10 +40,23 @@ fn what_is_generated_has_names_of_its_own() {
         check("pub Pendulum;", &format!("pub {name};"), &[&expected]);
     }
     for name in ["self", "Self", "super", "crate", "_"] {
-        check("pub Pendulum;", &format!("pub {name};"), &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
+        check(
+            "pub Pendulum;",
+            &format!("pub {name};"),
+            &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"],
+        );
     }
     // These are compiled in `tests/language/pass/names_of_mechanisms.rs`.
     for name in ["T", "U", "Mechanism", "Option", "f64"] {
         check("pub Pendulum;", &format!("pub {name};"), &[]);
     }
+}
+
+#[test]
+fn uses_of_a_reserved_name_are_no_mistakes_too() {
+    let expected = ["3:15 `e` is Euler's number in the language; choose another name"];
+    check("l [m] = 1;", "e [m] = 0.1; l [m] = 1;", &expected);
+    let used = ["4:5 `e` is Euler's number in the language; choose another name"];
+    check("let P = l*[sin(phi), -cos(phi)];", "let e = 0.1*l; let P = e*[sin(phi), -cos(phi)] + [e, l + e];", &used);
+    check("phi [rad];", "phi [rad]; t [m];", &["2:26 `t` is time in the language; choose another name"]);
 }

@@ -253,7 +253,7 @@ fn joints() {
         "j: revolute ground at [0, 0, 0] axis P to top at [0, 0, 0];",
         &[
             "9:47 the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
-           components, `[0, sin(a), cos(a)]`; turn the body's frame instead",
+           components, `[0, sin(a), cos(a)]`, or is a name of such a vector; turn the body's frame instead",
         ],
     );
     in_the_plane(

@@ -35,6 +35,9 @@ pub struct Description {
     pub rated_outputs: &'static [usize],
     /// Which outputs belong in one figure, in order.
     pub figures: &'static [Figure],
+    /// Those of `dynamics_jacobian`, `dynamics_sensitivity` and `inverse_dynamics` that are kernels of their own; the others
+    /// come from other kernels, the derivatives by dual numbers.
+    pub optional_kernels: &'static [&'static str],
     /// 2 if its vectors lie in a plane, 3 if they stand in space.
     pub dimension: usize,
     /// What to draw, in the order of the numbers of [`crate::Mechanism::drawing`].

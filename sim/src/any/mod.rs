@@ -53,8 +53,6 @@ pub(crate) trait AnyMechanism {
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
     /// d(q'', lambda)/dq and d(q'', lambda)/dq', each n + m x n, from the generated kernels; `None` where these refuse a pivot.
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]>;
-    /// The dependent coordinates and the dependent speeds that pivoting chooses.
-    fn dependent(&self, at: At<f64>) -> Option<[Vec<usize>; 2]>;
     /// Accelerations and multipliers with their derivatives along a change of positions and speeds, and of a control;
     /// `None` where the elimination refuses a pivot.
     fn solution_along(&self, at: At<Dual>, control: Option<Control>) -> Option<Vec<Dual>>;

@@ -5,7 +5,6 @@ use crate::equations::accelerate;
 use crate::failure::Failure;
 use crate::linearize::Control;
 use crate::measures::Measures;
-use crate::partition::Partition;
 use crate::project::{is_met, project_positions};
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Description, Dual, Input, Mechanism, Scalar};
@@ -111,11 +110,6 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
                 of(&found.accelerations_by_speeds, &found.multipliers_by_speeds),
             ]
         })
-    }
-    fn dependent(&self, at: At<f64>) -> Option<[Vec<usize>; 2]> {
-        let q = array(at.positions);
-        let partition = Partition::at(self.0, &Measures::at(self.0, at.time, &q), at.time, &q);
-        Some(partition.dependent::<M>().map(<[usize]>::to_vec))
     }
     fn solution_along(&self, at: At<Dual>, control: Option<Control>) -> Option<Vec<Dual>> {
         let solved = self.lifted(at, control).dynamics(at.time, &array(at.positions), &array(at.speeds));

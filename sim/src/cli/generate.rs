@@ -1,26 +1,25 @@
 //! `sim generate`.
 
-use super::arguments::{Arguments, GenerateArguments, Generated};
+use super::arguments::{GenerateArguments, Generated};
 use super::run_file::SCHEMA;
-use super::{Stop, print, program};
-use clap::CommandFactory;
+use super::{Entry, Stop, own, print, program};
 
 /// Prints completions, the man page or the schema.
-pub(super) fn generate(arguments: &GenerateArguments) -> Result<(), Stop> {
+pub(super) fn generate(arguments: &GenerateArguments, mechanisms: &[Entry]) -> Result<(), Stop> {
     let mut text = Vec::new();
     match arguments.what {
         Generated::Completions { shell } => {
-            clap_complete::generate(shell, &mut Arguments::command(), program(), &mut text);
+            clap_complete::generate(shell, &mut own::with_names(mechanisms, &program()), program(), &mut text);
         }
-        Generated::Man => man(&mut text)?,
+        Generated::Man => man(mechanisms, &mut text)?,
         Generated::Schema => text.extend(SCHEMA.bytes()),
     }
     print(&String::from_utf8_lossy(&text))
 }
 
 /// One page with all commands.
-fn man(out: &mut Vec<u8>) -> Result<(), Stop> {
-    let mut command = Arguments::command().name("sim");
+fn man(mechanisms: &[Entry], out: &mut Vec<u8>) -> Result<(), Stop> {
+    let mut command = own::command(mechanisms, &program());
     command.build();
     clap_mangen::Man::new(command.clone()).render(out)?;
     for sub in command.get_subcommands().filter(|sub| sub.get_name() != "help") {

@@ -3,6 +3,7 @@
 use super::arguments::{StartArguments, Voice};
 use super::given::{mechanism_with, start_with};
 use super::settings::positive;
+use super::steady::advice;
 use super::{Stop, print, unknown};
 use crate::formats::numpy::write_matrices;
 use crate::{
@@ -19,6 +20,10 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  sim linearize four-bar\n  sim linearize four-bar --input T\n  sim linearize cart-pole --initial phi=0\n  sim linearize double-pendulum --at 0.5\n\n\
+    Steady motions: `--at initial`, with the speeds that are kept up declared or given, linearises about a motion that goes on as it \
+    is, as a spinning top or a bicycle that rolls. Its coordinates must be such that the motion changes only those that nothing depends on, \
+    at constant speeds: angles, of which the last turns about the axis of the spin, not a quaternion. Where they are not, it is \
+    said, and the modes are those of an instant.\n\n\
     Files written to DIR:\n  linear.json   the state, A, B, C, D, eigenvalues and modes, in SI units\n  \
     linear.npz    numpy.load(\"linear.npz\")[\"A\"], and B, C, D"
 )]
@@ -26,7 +31,8 @@ pub(super) struct LinearizeArguments {
     #[command(flatten)]
     pub(super) start: StartArguments,
 
-    /// About which state: `equilibrium`, the one nearest to the start; `initial`, the start; or a time of the motion.
+    /// About which state: `equilibrium`, the one near the start; `initial`, the start, as for steady motions; or a time of the
+    /// motion.
     #[arg(long, value_name = "PLACE|TIME", default_value = "equilibrium", allow_hyphen_values = true)]
     at: String,
 
@@ -47,7 +53,7 @@ pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, vo
     let inputs = controls(description, &arguments.input)?;
     let state = state_at(&mechanism, &start, &arguments.at)?;
     let State { time, positions, speeds, .. } = &state;
-    let Linearization { independent, independent_speeds, a, b, c, d, eigenvalues, modes, .. } =
+    let Linearization { independent, independent_speeds, unsteady, a, b, c, d, eigenvalues, modes, .. } =
         linearize(&mechanism, &state, &inputs)?;
     let found = Found {
         description,
@@ -55,6 +61,8 @@ pub(super) fn linearize_command<M: Mechanism>(arguments: &LinearizeArguments, vo
         positions: positions.as_ref(),
         speeds: speeds.as_ref(),
         states: states(description, &independent, &independent_speeds),
+        unsteady: names(description, &unsteady),
+        advice: advice(&mechanism, &state, &unsteady),
         inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
         matrices: [("A", &a), ("B", &b), ("C", &c), ("D", &d)],
         eigenvalues: &eigenvalues,
@@ -71,6 +79,9 @@ struct Found<'a> {
     speeds: &'a [f64],
     /// The names of the entries of x.
     states: Vec<&'static str>,
+    /// The coordinates in which the motion is not steady, and in which it may be.
+    unsteady: Vec<&'static str>,
+    advice: Option<String>,
     inputs: Vec<&'static str>,
     matrices: [(&'static str, &'a DMatrix<f64>); 4],
     eigenvalues: &'a [Complex<f64>],
@@ -147,6 +158,9 @@ fn summary(found: &Found, place: &str) -> Value {
         "coordinates": positions.collect::<Map<_, _>>(),
         "speeds": speeds.collect::<Map<_, _>>(),
         "states": found.states,
+        "steady": found.unsteady.is_empty(),
+        "unsteady": found.unsteady,
+        "advice": found.advice,
         "inputs": found.inputs,
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
     });
@@ -156,6 +170,11 @@ fn summary(found: &Found, place: &str) -> Value {
     said["eigenvalues"] = found.eigenvalues.iter().map(|value| json!([value.re, value.im])).collect();
     said["modes"] = found.modes.iter().map(mode).collect();
     said
+}
+
+/// The names of coordinates.
+fn names(description: &Description, coordinates: &[usize]) -> Vec<&'static str> {
+    coordinates.iter().map(|j| description.coordinates[*j].position.name).collect()
 }
 
 /// The names of the entries of x.
@@ -172,13 +191,26 @@ fn report(found: &Found) -> String {
         text += &format!("{:<12} {:>20.12} {}\n", c.position.name, q / c.position.factor, c.position.unit);
     }
     text += &format!("{:<12} {}\n", "states", found.states.join(", "));
+    if let Some(advice) = &found.advice {
+        let coordinates = found.unsteady.join(", ");
+        text +=
+            &format!("{:<12} no: A changes as {coordinates} go on, and the modes are those of an instant\n", "steady");
+        text += &format!("{:<12} {advice}\n", "");
+    } else if found.speeds.iter().any(|speed| *speed != 0.0) {
+        text += &format!("{:<12} yes: A stays as it is while the motion goes on\n", "steady");
+    }
     for (k, mode) in found.modes.iter().enumerate() {
         let Mode { eigenvalue, .. } = mode;
-        text += &format!("{:<12} {:.9} {:+.9} i 1/s", format!("mode {}", k + 1), eigenvalue.re, eigenvalue.im);
+        text += &format!(
+            "{:<12} {:.9} {:+.9} i 1/s",
+            format!("mode {}", k + 1),
+            plain(eigenvalue.re, 9),
+            plain(eigenvalue.im, 9)
+        );
         text += &match (eigenvalue.im == 0.0, eigenvalue.re > 0.0) {
             (true, true) => ", grows\n".to_owned(),
             (true, false) => ", does not oscillate\n".to_owned(),
-            _ => format!(", {:.9} Hz, damping ratio {:.6}\n", mode.frequency(), mode.damping_ratio()),
+            _ => format!(", {:.9} Hz, damping ratio {:.6}\n", mode.frequency(), plain(mode.damping_ratio(), 6)),
         };
         let entries = coordinates.iter().zip(&mode.shape);
         let entries = entries.map(|(c, entry)| format!("{} {}", c.position.name, polar(entry.norm(), entry.arg())));
@@ -187,10 +219,15 @@ fn report(found: &Found) -> String {
     text
 }
 
+/// The number, without the sign where so many digits print it as zero.
+fn plain(value: f64, digits: i32) -> f64 {
+    if value.abs() < 0.5 * 0.1f64.powi(digits) { 0.0 } else { value }
+}
+
 /// A real number where the phase is 0 or half a turn, else amplitude and phase in degrees.
 fn polar(amplitude: f64, phase: f64) -> String {
     match phase {
-        _ if phase.sin().abs() < 1e-6 || amplitude < 1e-9 => format!("{:.6}", amplitude * phase.cos()),
+        _ if phase.sin().abs() < 1e-6 || amplitude < 1e-9 => format!("{:.6}", plain(amplitude * phase.cos(), 6)),
         _ => format!("{amplitude:.6} at {:.2} deg", phase.to_degrees()),
     }
 }

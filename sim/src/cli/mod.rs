@@ -28,6 +28,7 @@ mod kinematics;
 mod linearize;
 mod list;
 mod new;
+mod own;
 mod plot;
 mod poincare;
 mod progress;
@@ -37,11 +38,12 @@ mod run_file;
 mod settings;
 mod signals;
 mod statics;
+mod steady;
 mod stored;
 mod verify;
 
 use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
-use clap::Parser;
+use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use kinematics::KinematicsArguments;
 use linearize::LinearizeArguments;
@@ -102,7 +104,8 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
     signals::listen();
     let words: Vec<OsString> = std::env::args_os().collect();
-    let arguments = Arguments::parse_from(&words);
+    let matches = own::command(mechanisms, &program()).get_matches_from(&words);
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     match with_run_file(mechanisms, arguments, &words) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Stop::Usage(message)) => {
@@ -152,7 +155,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Plot(arguments) => plot::plot(&arguments, voice),
         Command::Compare(arguments) => compare::compare(&arguments, voice),
         Command::New(arguments) => new::new(&arguments, voice),
-        Command::Generate(arguments) => generate::generate(&arguments),
+        Command::Generate(arguments) => generate::generate(&arguments, mechanisms),
     }
 }
 

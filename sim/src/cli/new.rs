@@ -20,19 +20,8 @@ const FILES: [(&str, &str); 6] = [
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// Names that Cargo refuses, or that the crate's own dependencies have.
-const TAKEN: [&str; 11] = [
-    "sim",
-    "sim-kernel",
-    "mechanism-macros",
-    "codegen",
-    "test",
-    "core",
-    "std",
-    "alloc",
-    "proc-macro",
-    "build",
-    "deps",
-];
+const TAKEN: [&str; 11] =
+    ["sim", "sim-kernel", "mechanism-macros", "codegen", "test", "core", "std", "alloc", "proc-macro", "build", "deps"];
 
 /// Makes a crate with a mechanism of one's own.
 pub(super) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
@@ -54,10 +43,19 @@ pub(super) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
             .replace("{{dependency}}", &dependency);
         write(&path.join(file), &text)?;
     }
-    // The versions that the workspace was built with are on this machine already.
-    if let Some(lock) = workspace.map(|workspace| workspace.join("Cargo.lock")).filter(|lock| lock.is_file()) {
-        let to = path.join("Cargo.lock");
-        fs::copy(lock, &to).map_err(|why| WriteError::new(&to, why))?;
+    if let Some(workspace) = workspace {
+        let manifest = workspace.join("Cargo.toml");
+        let alias = ["run", "-q", "--release", "--manifest-path", &manifest.to_string_lossy(), "-p", "codegen", "--"];
+        let text = format!(
+            "[alias]\n# Prints what is made of a declaration: `cargo kernels src/lib.rs`.\nkernels = {alias:?}\n"
+        );
+        write(&path.join(".cargo/config.toml"), &text)?;
+        // The versions that the workspace was built with are on this machine already.
+        let lock = workspace.join("Cargo.lock");
+        if lock.is_file() {
+            let to = path.join("Cargo.lock");
+            fs::copy(lock, &to).map_err(|why| WriteError::new(&to, why))?;
+        }
     }
     if voice.quiet {
         return Ok(());

@@ -129,6 +129,15 @@ fn method(run: &Outcome) -> String {
     format!("{name}, {steps}, {} right-hand sides, {kept}", run.evaluations)
 }
 
+/// That the event which was to end the run has not done so, where it came to its end.
+fn never(run: &Outcome) -> Option<String> {
+    let stop = run.settings.stop.filter(|_| run.failure.is_none())?;
+    let event = run.description.events.get(stop.event)?.name;
+    let times = run.events.iter().filter(|happening| happening.event == stop.event).count();
+    let (count, asked) = (counted(times, "time"), stop.occurrence);
+    (times < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
+}
+
 /// The short table for the terminal.
 fn report(run: &Outcome, files: &Files, times: &Times) -> String {
     let description = run.description;
@@ -150,6 +159,7 @@ fn report(run: &Outcome, files: &Files, times: &Times) -> String {
         let more: String = impulses.collect();
         rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
     }
+    rows.extend(never(run).map(|line| ("until", line)));
     for (of, time) in run.dead_points.iter().take(8) {
         let of = of.join(", ");
         rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));

@@ -3,7 +3,7 @@
 use super::arguments::{Arguments, RunArguments};
 use super::{Stop, identity, json, program, unknown};
 use crate::Start;
-use crate::settings::{Rows, Settings, Stepping};
+use crate::settings::{Method, Rows, Settings, Stepping};
 use clap::CommandFactory;
 use codegen::model::Unit;
 use serde_json::{Map, Value, json};
@@ -257,6 +257,7 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     }
     let options = long_options();
     let steps = ["steps", "step", "rtol", "atol"];
+    let takes_no_tolerance = has_equal_steps_method(own);
     let says_steps = own.iter().any(|word| steps.iter().any(|step| mentions(word, step)));
     for (name, value) in object(file, "options")? {
         let Some((_, takes_value)) = options.iter().find(|(known, _)| known == name) else {
@@ -264,6 +265,9 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
             return Err(message(unknown("option of a run file", name, known)));
         };
         if says_steps && steps.contains(&name.as_str()) || own.iter().any(|word| mentions(word, name)) {
+            continue;
+        }
+        if takes_no_tolerance && ["rtol", "atol"].contains(&name.as_str()) {
             continue;
         }
         match (value, takes_value) {
@@ -277,6 +281,13 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
         }
     }
     Ok(words)
+}
+
+/// Whether the user's own words ask for a method that does not choose its steps, so that tolerances of the file say nothing.
+fn has_equal_steps_method(own: &[String]) -> bool {
+    let at = own.iter().rposition(|word| mentions(word, "method"));
+    let name = at.and_then(|at| own[at].split_once('=').map(|(_, name)| name).or(own.get(at + 1).map(String::as_str)));
+    Method::ALL.iter().any(|method| !method.is_adaptive() && Some(method.name()) == name)
 }
 
 /// What a value is.

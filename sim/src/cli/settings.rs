@@ -10,6 +10,8 @@ use sim_kernel::Description;
 const MOST: usize = 10_000_000;
 /// A relative tolerance that doubles can still meet.
 const LEAST_TOLERANCE: f64 = 1e-14;
+/// The relative tolerance of a method that chooses its steps.
+const RTOL: f64 = 1e-10;
 /// Rows of a run whose method chooses its steps.
 const ROWS: usize = 1024;
 /// Steps of a method that does not choose them.
@@ -26,9 +28,9 @@ pub(super) struct SettingsArguments {
     #[arg(long, value_name = "NAME", default_value = "dop853")]
     method: String,
 
-    /// Relative tolerance of a method that chooses its steps: dopri5, radau5, dop853.
-    #[arg(long, value_name = "NUMBER", default_value = "1e-10", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
-    rtol: String,
+    /// Relative tolerance of a method that chooses its steps: dopri5, radau5, dop853 [default: 1e-10].
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
+    rtol: Option<String>,
 
     /// Absolute tolerance: lengths in the mechanism's own length, angles in radians [default: rtol].
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
@@ -48,7 +50,7 @@ pub(super) struct SettingsArguments {
     projection: String,
 
     /// Records N + 1 rows at equal intervals, or `steps` for one after each step [default: steps where they are equal,
-    /// else 1024].
+    /// else 1024]. A run that ends early has up to twice as many, closer by a power of two, and its last state.
     #[arg(long, value_name = "N|steps", allow_hyphen_values = true)]
     rows: Option<String>,
 
@@ -82,16 +84,17 @@ impl SettingsArguments {
             (Some(step), _) => (end / positive("--step", step)? * (1.0 - 1e-12)).ceil().max(1.0),
             (None, Some(steps)) => steps as f64,
             (None, None) if method.is_adaptive() => return Ok(Stepping::Adaptive(self.tolerance()?)),
+            (None, None) if self.rtol.is_some() || self.atol.is_some() => return Err(no_tolerance(method)),
             (None, None) => STEPS as f64,
         };
         match (1.0..=MOST as f64).contains(&steps) {
             true => Ok(Stepping::Equal(steps as usize)),
-            false => Err(Stop::Usage(format!("{steps:e} steps are asked for; from 1 to {MOST:e} are possible"))),
+            false => Err(Stop::Usage(format!("{steps} steps are asked for; from 1 to {MOST} are possible"))),
         }
     }
 
     fn tolerance(&self) -> Result<Tolerance, Stop> {
-        let relative = number("--rtol", &self.rtol)?;
+        let relative = self.rtol.as_deref().map_or(Ok(RTOL), |text| number("--rtol", text))?;
         let absolute = self.atol.as_deref().map_or(Ok(relative), |text| number("--atol", text))?;
         let possible = (LEAST_TOLERANCE..=0.1).contains(&relative) && absolute > 0.0;
         match possible {
@@ -122,10 +125,22 @@ impl SettingsArguments {
             (None, Stepping::Equal(_)) | (Some("steps"), _) => Ok(Rows::Steps),
             (Some(text), _) => match text.parse::<usize>() {
                 Ok(rows) if (1..=MOST).contains(&rows) => Ok(Rows::Even(rows)),
-                _ => Err(Stop::Usage(format!("--rows: `steps` or a whole number from 1 to {MOST:e} is needed"))),
+                _ => Err(Stop::Usage(format!("--rows: `steps` or a whole number from 1 to {MOST} is needed"))),
             },
         }
     }
+}
+
+/// That a method has no use for a tolerance.
+fn no_tolerance(method: Method) -> Stop {
+    let adaptive: Vec<&str> =
+        Method::ALL.iter().filter(|method| method.is_adaptive()).map(|method| method.name()).collect();
+    Stop::Usage(format!(
+        "--rtol and --atol: {} takes equal steps and estimates no error; give their number with --steps, or a method that \
+         chooses them: {}",
+        method.name(),
+        adaptive.join(", ")
+    ))
 }
 
 fn stop_at(text: &str, description: &Description) -> Result<StopAt, Stop> {

@@ -3,6 +3,7 @@
 use super::arguments::{AssembleArguments, StartArguments, Voice};
 use super::given::{mechanism_with, start_with};
 use super::list::counted;
+use super::quantity::fixed;
 use super::{Stop, print};
 use crate::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
@@ -68,12 +69,8 @@ fn say_assembled(
         writeln!(out, "singular     {line}")?;
     }
     for (c, (q, qd)) in description.coordinates.iter().zip(positions.iter().zip(speeds)) {
-        let (position, speed) = (q / c.position.factor, qd / c.speed.factor);
-        writeln!(
-            out,
-            "{:<12} {position:>20.15} {:<10} {speed:>20.15} {}",
-            c.position.name, c.position.unit, c.speed.unit
-        )?;
+        let (position, speed) = (fixed(q / c.position.factor, 15), fixed(qd / c.speed.factor, 15));
+        writeln!(out, "{:<12} {position:>20} {:<10} {speed:>20} {}", c.position.name, c.position.unit, c.speed.unit)?;
     }
     writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
     print(&out)
@@ -114,7 +111,8 @@ fn say_branches(
         writeln!(out, "branches     none: the links do not reach each other")?;
     }
     for (k, q) in branches.iter().enumerate() {
-        let values = positions().zip(q.iter()).map(|(c, q)| format!("{} = {:.12} {}", c.name, q / c.factor, c.unit));
+        let values =
+            positions().zip(q.iter()).map(|(c, q)| format!("{} = {} {}", c.name, fixed(q / c.factor, 12), c.unit));
         writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
     }
     print(&out)
@@ -151,13 +149,13 @@ fn say_equilibrium(
     }
     let mut out = String::new();
     for (c, q) in description.coordinates.iter().zip(positions) {
-        writeln!(out, "{:<20} {:>20.12} {}", c.position.name, q / c.position.factor, c.position.unit)?;
+        writeln!(out, "{:<20} {:>20} {}", c.position.name, fixed(q / c.position.factor, 12), c.position.unit)?;
     }
     for (c, lambda) in description.constraints.iter().zip(multipliers) {
-        writeln!(out, "{:<20} {:>20.12} {}", format!("lambda_{}", c.name), lambda / c.factor, c.unit)?;
+        writeln!(out, "{:<20} {:>20} {}", format!("lambda_{}", c.name), fixed(lambda / c.factor, 12), c.unit)?;
     }
     for value in eigenvalues {
-        writeln!(out, "{:<20} {:>20.12} {:+.12} i 1/s", "eigenvalue", value.re, value.im)?;
+        writeln!(out, "{:<20} {:>20} {:+.12} i 1/s", "eigenvalue", fixed(value.re, 12), value.im + 0.0)?;
     }
     print(&out)
 }

@@ -58,8 +58,8 @@ impl<M: Mechanism> Step<'_, M> {
     }
 
     /// The state at a time inside it with what follows from it. At a singular position the equations of motion do not
-    /// determine that: there accelerations are the rates of the interpolated speeds, and reactions, which have a pole, and
-    /// power are those of the nearer end.
+    /// determine that: there accelerations are interpolated between regular positions of the step, and reactions, which have a
+    /// pole, and power are those of the nearer end.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
@@ -68,16 +68,40 @@ impl<M: Mechanism> Step<'_, M> {
         if !is_singular {
             return self.motion.sample(state);
         }
-        let (begin, h) = (self.from.state.time, self.length());
-        // Differences of fourth order; 1e-2 to the fourth is beside what the interpolant itself loses.
-        let d = 0.01;
-        let s = ((time - begin) / h).clamp(2.0 * d, 1.0 - 2.0 * d);
-        let [a, b, c, e] = [s - 2.0 * d, s - d, s + d, s + 2.0 * d]
-            .map(|s| self.method.inside(self.motion, self.from, self.to, s).map(|state| state.speeds));
-        let (a, b, c, e) = (a?, b?, c?, e?);
-        let accelerations = M::Q::from_fn(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - e[i]) / (12.0 * d * h));
-        let nearer = if s < 0.5 { self.from } else { self.to };
+        let fraction = (time - self.from.state.time) / self.length();
+        let accelerations = self.accelerations_across(fraction)?;
+        let nearer = if fraction < 0.5 { self.from } else { self.to };
         Ok(Sample { state, accelerations, ..*nearer })
+    }
+
+    /// The accelerations at a fraction of this step that is at a singular position, by the polynomial through those at regular
+    /// positions on both sides of it: along the motion they are smooth.
+    ///
+    /// Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46 (2004), (3.3).
+    fn accelerations_across(&mut self, fraction: f64) -> Result<M::Q, Failure> {
+        const INTERVALS: usize = 10;
+        let mut known = [(0.0, self.from.accelerations); INTERVALS + 1];
+        let mut count = 1;
+        for k in 1..=INTERVALS {
+            let node = k as f64 / INTERVALS as f64;
+            let accelerations = match k {
+                INTERVALS => self.to.accelerations,
+                _ => match self.find(self.from.state.time + node * self.length())? {
+                    (_, true) => continue,
+                    (state, false) => self.motion.sample(state)?.accelerations,
+                },
+            };
+            known[count] = (node, accelerations);
+            count += 1;
+        }
+        let known = &known[..count];
+        let weight = |(k, (node, _)): (usize, &(f64, M::Q))| {
+            let others = known.iter().enumerate().filter(|(j, _)| *j != k);
+            1.0 / (fraction - node) / others.map(|(_, (other, _))| node - other).product::<f64>()
+        };
+        let weights: f64 = known.iter().enumerate().map(weight).sum();
+        let part = |i: usize| known.iter().enumerate().map(|(k, known)| weight((k, known)) * known.1[i]).sum::<f64>();
+        Ok(M::Q::from_fn(|i| part(i) / weights))
     }
 
     /// The state at a time, and whether it is at a singular position.
@@ -176,11 +200,15 @@ fn equal_steps<M: Mechanism>(
                 false => Way::On,
             };
             let ended = match way {
-                Way::Crossed => watch(&mut crossing.step(motion, [from, to]))?,
+                Way::Crossed => {
+                    crossing.ended(motion);
+                    watch(&mut crossing.step(motion, [from, to]))?
+                }
                 Way::On | Way::UpTo(_) => {
                     let time = if let Way::UpTo(time) = way { goal.min(time) } else { goal };
                     let made = attempt(motion, method, from, time, None, to);
                     made.map_err(|failure| explained(motion, &from.state, failure))?;
+                    crossing.ended(motion);
                     steps.accepted += 1;
                     if is_near {
                         steps.note(motion, method, [from, to])?;
@@ -191,7 +219,6 @@ fn equal_steps<M: Mechanism>(
             if ended.is_break() {
                 return Ok(());
             }
-            crossing.ended(motion);
             swap(&mut from, &mut to);
         }
     }
@@ -226,23 +253,23 @@ fn adaptive_steps<M: Mechanism>(
             false => Way::On,
         };
         if let Way::Crossed = way {
+            crossing.ended(motion);
             if watch(&mut crossing.step(motion, [from, to]))?.is_break() {
                 return Ok(());
             }
-            crossing.ended(motion);
             swap(&mut from, &mut to);
             continue;
         }
         let time = if let Way::UpTo(time) = way { wanted.min(time) } else { wanted };
         match attempt(motion, method, from, time, Some(tolerance), to) {
             Ok(error) if error <= 1.0 => {
+                crossing.ended(motion);
                 steps.accepted += 1;
                 // These steps may be so long that nothing foretells what they pass.
                 steps.note(motion, method, [from, to])?;
                 if watch(&mut Step { motion, method, from, to })?.is_break() {
                     return Ok(());
                 }
-                crossing.ended(motion);
                 headway.comes(time - now);
                 let next = (time - now) * controller.accepted(error);
                 // A step that was cut short says little of how long they may be.

@@ -1,7 +1,6 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
 mod crossing;
-mod dead_points;
 mod driven;
 mod extremes;
 mod inverse;
@@ -24,7 +23,6 @@ use inverse::AnyPrescribed;
 use sim_kernel::{Array, Description, Mechanism};
 use sweep::Swept;
 
-pub use dead_points::{DeadPoint, dead_points};
 pub use driven::Driven;
 pub use extremes::{Extreme, Extremes, Range, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};

@@ -139,12 +139,6 @@ impl<'m> System<'m> {
         self.mechanism.failure(What::DriveSingular { driven: self.drive() }, self.time(p), q)
     }
 
-    /// The rows of F that say what others say.
-    pub(super) fn redundant_rows(&self, mobility: &Mobility) -> Vec<usize> {
-        let name = |k: usize| self.mechanism.constraint_name(self.rows[k]);
-        (0..self.rows.len()).filter(|k| mobility.dependent.contains(&name(*k))).collect()
-    }
-
     /// The name of what is driven first of all.
     pub(super) fn drive(&self) -> &'static str {
         self.laws.first().map_or("nothing", |law| law.driven.quantity(self.mechanism.description()).name)

@@ -1,120 +1,139 @@
 //! How accelerations, multipliers and outputs change with state and inputs.
 
+use super::reduce::Reduction;
 use super::{Change, Control};
 use crate::any::{AnyMechanism, At};
 use crate::failure::Failure;
+use crate::measures::measure;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Dual;
 
+/// The step of differences of fourth order, as a part of what a variable is measured by: the fifth root of rounding.
+const STEP: f64 = 1e-3;
+
 /// The derivatives of z = (q'', lambda) at a state.
-pub(crate) struct Derivatives {
+pub(crate) struct Derivatives<'m> {
+    mechanism: &'m dyn AnyMechanism,
+    at: At<'m, f64>,
+    inputs: &'m [Control],
     /// z there.
     solution: DVector<f64>,
-    /// By q, by q' and by the inputs: n + m rows.
-    by_positions: DMatrix<f64>,
-    by_speeds: DMatrix<f64>,
-    by_inputs: DMatrix<f64>,
-    n: usize,
+    /// By q and by q', each n + m x n, from the generated kernels; these refuse a pivot where constraints are redundant.
+    by_state: Option<[DMatrix<f64>; 2]>,
 }
 
-impl Derivatives {
-    /// From the generated kernels, or where these refuse a pivot, as with redundant constraints, by differences.
-    pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<Derivatives, Failure> {
-        let n = at.positions.len();
+impl<'m> Derivatives<'m> {
+    pub(crate) fn at(
+        mechanism: &'m dyn AnyMechanism,
+        at: At<'m, f64>,
+        inputs: &'m [Control],
+    ) -> Result<Derivatives<'m>, Failure> {
         let solution = mechanism.accelerate(at)?;
         let by_state = mechanism.by_state(at.time, at.positions, at.speeds);
-        let by_inputs = by_inputs(mechanism, at, inputs);
-        match (by_state, by_inputs) {
-            (Some([by_positions, by_speeds]), Some(columns)) => {
-                let by_inputs = DMatrix::from_fn(solution.len(), inputs.len(), |i, k| columns[k][i]);
-                Ok(Derivatives { solution, by_positions, by_speeds, by_inputs, n })
-            }
-            _ => differences(mechanism, at, inputs, solution),
-        }
+        Ok(Derivatives { mechanism, at, inputs, solution, by_state })
     }
 
-    /// By q, n + m x n.
-    pub(crate) fn by_positions(&self) -> &DMatrix<f64> {
-        &self.by_positions
+    pub(super) fn mechanism(&self) -> &'m dyn AnyMechanism {
+        self.mechanism
     }
 
-    /// A change of positions and speeds with what follows from it.
-    pub(super) fn follow(&self, (positions, speeds): (DVector<f64>, DVector<f64>)) -> Change {
-        let solution = &self.by_positions * &positions + &self.by_speeds * &speeds;
-        self.change(positions, speeds, &solution)
+    /// Where they are.
+    pub(super) fn state(&self) -> At<'m, f64> {
+        self.at
+    }
+
+    /// The accelerations, n.
+    pub(crate) fn accelerations(&self) -> &[f64] {
+        &self.solution.as_slice()[..self.at.positions.len()]
+    }
+
+    /// The change of everything with entry k of x: exact, or where kernels refuse, by differences along the constraints that are good to
+    /// some 1e-11.
+    ///
+    /// # Errors
+    /// As the right-hand side, near the state too.
+    pub(crate) fn along(&self, reduction: &Reduction, k: usize) -> Result<Change, Failure> {
+        let (positions, speeds) = reduction.change(k);
+        let solution = match &self.by_state {
+            Some([by_positions, by_speeds]) => by_positions * &positions + by_speeds * &speeds,
+            None => self.difference_along(reduction, k)?,
+        };
+        Ok(self.change(positions, speeds, &solution))
     }
 
     /// What follows from a change of an input.
-    pub(super) fn forced(&self, input: usize) -> Change {
-        let still = DVector::zeros(self.n);
-        self.change(still.clone(), still, &self.by_inputs.column(input).into())
+    pub(super) fn forced(&self, input: usize) -> Result<Change, Failure> {
+        let still = DVector::zeros(self.at.positions.len());
+        Ok(self.change(still.clone(), still, &self.by_input(self.inputs[input])?))
     }
 
     fn change(&self, positions: DVector<f64>, speeds: DVector<f64>, solution: &DVector<f64>) -> Change {
-        let m = solution.len() - self.n;
-        let accelerations = solution.rows(0, self.n).into();
-        Change { positions, speeds, accelerations, multipliers: solution.rows(self.n, m).into() }
+        let n = self.at.positions.len();
+        let accelerations = solution.rows(0, n).into();
+        Change { positions, speeds, accelerations, multipliers: solution.rows(n, solution.len() - n).into() }
+    }
+
+    #[cold]
+    fn difference_along(&self, reduction: &Reduction, k: usize) -> Result<DVector<f64>, Failure> {
+        let At { time, positions, speeds, .. } = self.at;
+        let h = reduction.independent().len();
+        let size = match k < h {
+            true => measure(self.mechanism, time, positions).0[reduction.independent()[k]],
+            false => {
+                let j = reduction.independent_speeds()[k - h];
+                measure(self.mechanism, time, positions).0[j].max(speeds[j].abs())
+            }
+        };
+        difference(size, &|step| {
+            let (mut q, mut qd) = (positions.to_vec(), speeds.to_vec());
+            match k < h {
+                true => q[reduction.independent()[k]] += step,
+                false => qd[reduction.independent_speeds()[k - h]] += step,
+            }
+            reduction.follow(self.mechanism, time, (&mut q, &mut qd))?;
+            self.mechanism.accelerate(At::moving(time, &q, &qd))
+        })
+    }
+
+    /// How z changes with an input.
+    fn by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
+        let [positions, speeds] = [self.at.positions, self.at.speeds].map(constants);
+        let still = At::moving(Dual::constant(self.at.time), &positions, &speeds);
+        match self.mechanism.solution_along(still, Some(control)) {
+            Some(solution) => Ok(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative))),
+            None => self.difference_by_input(control),
+        }
+    }
+
+    #[cold]
+    fn difference_by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
+        let Derivatives { mechanism, at, .. } = self;
+        let (parameters, inputs) = (mechanism.parameters(), mechanism.inputs());
+        let description = mechanism.description();
+        match control {
+            Control::Parameter(p) => difference(parameters[p].abs().max(description.parameters[p].factor), &|step| {
+                let mut parameters = parameters.clone();
+                parameters[p] += step;
+                mechanism.accelerate_with(&parameters, &inputs, *at)
+            }),
+            Control::Input(input) => {
+                let held = mechanism.held_inputs(at.time, at.positions)[input];
+                let size = held.held().unwrap_or_default().abs();
+                difference(size.max(description.inputs[input].factor), &|step| {
+                    let mut inputs = inputs.clone();
+                    inputs[input] = held.map(|value| value + step);
+                    mechanism.accelerate_with(&parameters, &inputs, *at)
+                })
+            }
+        }
     }
 }
 
-/// How accelerations and multipliers change with each input; nothing where a pivot is refused.
-fn by_inputs(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Option<Vec<DVector<f64>>> {
-    let [positions, speeds] = [at.positions, at.speeds].map(constants);
-    let still = At::moving(Dual::constant(at.time), &positions, &speeds);
-    let column = |control: &Control| {
-        let solution = mechanism.solution_along(still, Some(*control))?;
-        Some(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative)))
-    };
-    inputs.iter().map(column).collect()
-}
-
-/// The same by central differences, good to some 1e-9.
-#[cold]
-fn differences(
-    mechanism: &dyn AnyMechanism,
-    at: At<f64>,
-    inputs: &[Control],
-    solution: DVector<f64>,
-) -> Result<Derivatives, Failure> {
-    let n = at.positions.len();
-    let columns =
-        |count: usize, at: &dyn Fn(usize, f64) -> Result<DVector<f64>, Failure>, size: &dyn Fn(usize) -> f64| {
-            let mut matrix = DMatrix::zeros(solution.len(), count);
-            for j in 0..count {
-                let step = f64::EPSILON.cbrt() * size(j).abs().max(1.0);
-                matrix.set_column(j, &((at(j, step)? - at(j, -step)?) / (2.0 * step)));
-            }
-            Ok(matrix)
-        };
-    let moved = |values: &[f64], j: usize, step: f64| {
-        let mut values = values.to_vec();
-        values[j] += step;
-        values
-    };
-    let (parameters, given) = (mechanism.parameters(), mechanism.inputs());
-    let held = mechanism.held_inputs(at.time, at.positions);
-    let solve =
-        |q: &[f64], qd: &[f64]| mechanism.accelerate_with(&parameters, &given, At { positions: q, speeds: qd, ..at });
-    let changed = |k: usize, step: f64| match inputs[k] {
-        Control::Parameter(p) => mechanism.accelerate_with(&moved(&parameters, p, step), &given, at),
-        Control::Input(input) => {
-            let mut inputs = given.clone();
-            inputs[input] = held[input].map(|value| value + step);
-            mechanism.accelerate_with(&parameters, &inputs, at)
-        }
-    };
-    let size = |k: usize| match inputs[k] {
-        Control::Parameter(p) => parameters[p],
-        Control::Input(input) => held[input].held().unwrap_or_default(),
-    };
-    let (q, qd) = (at.positions, at.speeds);
-    Ok(Derivatives {
-        by_positions: columns(n, &|j, step| solve(&moved(q, j, step), qd), &|j| q[j])?,
-        by_speeds: columns(n, &|j, step| solve(q, &moved(qd, j, step)), &|j| qd[j])?,
-        by_inputs: columns(inputs.len(), &changed, &size)?,
-        solution,
-        n,
-    })
+/// f'(0) by central differences of fourth order, of a variable that is measured by a size.
+fn difference(size: f64, f: &dyn Fn(f64) -> Result<DVector<f64>, Failure>) -> Result<DVector<f64>, Failure> {
+    let step = STEP * size;
+    let apart = |steps: f64| Ok::<_, Failure>(f(steps * step)? - f(-steps * step)?);
+    Ok((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
 }
 
 /// Numbers that do not change.
@@ -130,17 +149,12 @@ pub(super) fn constraints_depend_on(mechanism: &dyn AnyMechanism, at: At<f64>, c
 }
 
 /// How the outputs change with a change of everything, and with an input.
-pub(super) fn output_slopes(
-    mechanism: &dyn AnyMechanism,
-    at: At<f64>,
-    derivatives: &Derivatives,
-    change: &Change,
-    input: Option<Control>,
-) -> Vec<f64> {
+pub(super) fn output_slopes(derivatives: &Derivatives, change: &Change, input: Option<Control>) -> Vec<f64> {
     let moving = |values: &[f64], change: &DVector<f64>| -> Vec<Dual> {
         values.iter().zip(change).map(|(value, derivative)| Dual { value: *value, derivative: *derivative }).collect()
     };
-    let (accelerations, multipliers) = derivatives.solution.as_slice().split_at(derivatives.n);
+    let Derivatives { mechanism, at, solution, .. } = derivatives;
+    let (accelerations, multipliers) = solution.as_slice().split_at(at.positions.len());
     let moving = At {
         time: Dual::constant(at.time),
         positions: &moving(at.positions, &change.positions),

@@ -3,32 +3,39 @@
 mod derivatives;
 mod modes;
 mod reduce;
+mod split;
+mod statics;
+mod steady;
 
 use crate::any::{Any, AnyMechanism, At};
 use crate::failure::{Failure, What};
 use crate::trajectory::State;
-pub(crate) use derivatives::Derivatives;
-use derivatives::{constraints_depend_on, output_slopes};
+use derivatives::{Derivatives, constraints_depend_on, output_slopes};
 use nalgebra::{Complex, DMatrix, DVector};
 use reduce::Reduction;
 use sim_kernel::{Description, Mechanism};
 
 pub use modes::Mode;
+pub(crate) use statics::Statics;
+pub(crate) use steady::quaternions;
 
 /// x' = A x + B u, y = C x + D u about a state, in SI units.
 ///
 /// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of inputs, or of
 /// parameters that stand for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
-/// alone; eigenvalues away from an equilibrium are those of an instant.
+/// alone; eigenvalues are those of an instant where the motion is not steady.
 #[derive(Clone, Debug)]
 pub struct Linearization<M: Mechanism> {
     /// Where.
     pub state: State<M>,
-    /// The independent coordinates, by index: those whose values the declaration gives at the start, if they determine the
-    /// others here, else those that pivoting chooses.
+    /// The independent coordinates, by index: those whose speeds the declaration gives at the start, after them those whose values
+    /// it gives, as far as they determine the others here, else those that pivoting chooses.
     pub independent: Vec<usize>,
     /// The independent speeds, likewise: of the same coordinates, unless constraints hold between speeds alone.
     pub independent_speeds: Vec<usize>,
+    /// The coordinates that make A change as the motion goes on. None where the motion is steady: then it moves along coordinates that nothing
+    /// depends on, A is constant, and its eigenvalues are those of all small motions about it. Rest is steady.
+    pub unsteady: Vec<usize>,
     /// What u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
@@ -76,18 +83,20 @@ impl Control {
 /// Dynamic Simulation of Multibody Systems, 1994, ch. 9; there for equilibria.)
 ///
 /// # Errors
-/// [`What::NotAnInput`] for a parameter that constraints depend on; as the right-hand side.
+/// [`What::NotAnInput`] for a parameter that constraints depend on, [`What::SingularState`] in a singular position,
+/// [`What::NoEigenvalues`]; as the right-hand side.
 pub fn linearize<M: Mechanism>(
     mechanism: &M,
     state: &State<M>,
     inputs: &[Control],
 ) -> Result<Linearization<M>, Failure> {
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
-    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction } = found;
+    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady } = found;
     Ok(Linearization {
         state: *state,
-        independent: reduction.independent,
-        independent_speeds: reduction.independent_speeds,
+        independent: reduction.independent().to_vec(),
+        independent_speeds: reduction.independent_speeds().to_vec(),
+        unsteady,
         inputs: inputs.to_vec(),
         a,
         b,
@@ -107,6 +116,7 @@ struct AnyLinearization {
     eigenvalues: Vec<Complex<f64>>,
     modes: Vec<Mode>,
     reduction: Reduction,
+    unsteady: Vec<usize>,
 }
 
 fn linearize_any(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
@@ -116,39 +126,51 @@ fn linearize_any(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) 
         return Err(mechanism.failure(what, at.time, at.positions));
     }
     let derivatives = Derivatives::at(mechanism, at, inputs)?;
-    let reduction = Reduction::at(mechanism, at);
-    let h = reduction.independent.len();
-    let size = h + reduction.independent_speeds.len();
-    // Each column: how the state, with accelerations and multipliers, changes with one entry of x or u.
-    let columns: Vec<Change> = (0..size).map(|k| derivatives.follow(reduction.change(k))).collect();
-    let forced: Vec<Change> = (0..inputs.len()).map(|k| derivatives.forced(k)).collect();
-    let rate = |change: &Change, i: usize| match i < h {
-        true => change.speeds[reduction.independent[i]],
-        false => change.accelerations[reduction.independent_speeds[i - h]],
-    };
-    let slopes = |change: &Change, input: Option<Control>| output_slopes(mechanism, at, &derivatives, change, input);
+    let reduction = Reduction::at(mechanism, at)?;
+    let columns = columns(&derivatives, &reduction)?;
+    let forced = (0..inputs.len()).map(|k| derivatives.forced(k)).collect::<Result<Vec<Change>, Failure>>()?;
+    let slopes = |change: &Change, input: Option<Control>| output_slopes(&derivatives, change, input);
     let by_state: Vec<Vec<f64>> = columns.iter().map(|change| slopes(change, None)).collect();
     let by_input: Vec<Vec<f64>> =
         forced.iter().zip(inputs).map(|(change, input)| slopes(change, Some(*input))).collect();
     let outputs = description.outputs.len();
-    let a = DMatrix::from_fn(size, size, |i, k| rate(&columns[k], i));
-    let eigenvalues = modes::eigenvalues(&a);
+    let a = matrix(&reduction, &columns);
+    let (eigenvalues, modes) = modes::modes(&a, |x| reduction.positions(x))
+        .map_err(|why| mechanism.failure(What::NoEigenvalues { why }, at.time, at.positions))?;
     Ok(AnyLinearization {
-        b: DMatrix::from_fn(size, inputs.len(), |i, k| rate(&forced[k], i)),
-        c: DMatrix::from_fn(outputs, size, |i, k| by_state[k][i]),
+        unsteady: steady::unsteady(&derivatives, &reduction, &a, &eigenvalues)?,
+        b: matrix(&reduction, &forced),
+        c: DMatrix::from_fn(outputs, a.ncols(), |i, k| by_state[k][i]),
         d: DMatrix::from_fn(outputs, inputs.len(), |i, k| by_input[k][i]),
-        modes: modes::modes(&a, &eigenvalues, |x| reduction.positions(x)),
+        modes,
         a,
         eigenvalues,
         reduction,
     })
 }
 
+/// How the state, with accelerations and multipliers, changes with each entry of x.
+fn columns(derivatives: &Derivatives, reduction: &Reduction) -> Result<Vec<Change>, Failure> {
+    let size = reduction.independent().len() + reduction.independent_speeds().len();
+    (0..size).map(|k| derivatives.along(reduction, k)).collect()
+}
+
+/// A of the changes with the entries of x, B of those with inputs.
+fn matrix(reduction: &Reduction, changes: &[Change]) -> DMatrix<f64> {
+    let (positions, speeds) = (reduction.independent(), reduction.independent_speeds());
+    let h = positions.len();
+    DMatrix::from_fn(h + speeds.len(), changes.len(), |i, k| match i < h {
+        true => changes[k].speeds[positions[i]],
+        false => changes[k].accelerations[speeds[i - h]],
+    })
+}
+
 /// A small change of everything at a state.
 #[derive(Clone, Debug)]
-struct Change {
+pub(crate) struct Change {
     positions: DVector<f64>,
     speeds: DVector<f64>,
-    accelerations: DVector<f64>,
+    /// Of the accelerations.
+    pub(crate) accelerations: DVector<f64>,
     multipliers: DVector<f64>,
 }

@@ -1,9 +1,7 @@
 //! Eigenvalues and modes.
 
+use crate::eigen::{NoEigenvalues, eigen};
 use nalgebra::{Complex, DMatrix, DVector};
-
-/// Eigenvalues this close, as a part of the largest, are one.
-const EQUAL: f64 = 1e-7;
 
 /// A small motion that keeps its shape: dq = Re(shape e^(eigenvalue t)).
 #[derive(Clone, Debug)]
@@ -27,46 +25,24 @@ impl Mode {
     }
 }
 
-/// The eigenvalues of a matrix, by imaginary part.
-pub(super) fn eigenvalues(a: &DMatrix<f64>) -> Vec<Complex<f64>> {
-    if a.is_empty() {
-        return Vec::new();
-    }
-    let mut eigenvalues: Vec<Complex<f64>> = a.complex_eigenvalues().iter().copied().collect();
-    eigenvalues
-        .sort_by(|a, b| a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re)));
-    eigenvalues
-}
-
-/// The modes of a matrix with these eigenvalues; `positions` makes the changes of all coordinates of an eigenvector.
+/// The eigenvalues of a matrix, by imaginary part, and its modes: one for each pair of conjugate eigenvalues and each real one.
+/// `positions` makes the changes of all coordinates of an eigenvector.
 pub(super) fn modes(
     a: &DMatrix<f64>,
-    eigenvalues: &[Complex<f64>],
     positions: impl Fn(&DVector<Complex<f64>>) -> DVector<Complex<f64>>,
-) -> Vec<Mode> {
-    let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    let shown: Vec<Complex<f64>> = eigenvalues.iter().filter(|value| value.im >= 0.0).copied().collect();
-    let mut modes = Vec::new();
-    for (i, eigenvalue) in shown.iter().enumerate() {
-        let same = |other: &&Complex<f64>| (*other - eigenvalue).norm() <= EQUAL * largest;
-        let copy = shown[..i].iter().filter(same).count();
-        let shape = positions(&null_vector(a, *eigenvalue, copy));
-        modes.push(Mode { eigenvalue: *eigenvalue, shape: normalised(shape) });
-    }
-    modes
-}
-
-/// The vector that A - lambda I takes nearest to zero; of several, one after the other.
-fn null_vector(a: &DMatrix<f64>, eigenvalue: Complex<f64>, copy: usize) -> DVector<Complex<f64>> {
-    let n = a.nrows();
-    let shifted = a.map(|entry| Complex::new(entry, 0.0)) - DMatrix::from_diagonal_element(n, n, eigenvalue);
-    let svd = shifted.svd(false, true);
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|i, j| svd.singular_values[*i].total_cmp(&svd.singular_values[*j]));
-    match svd.v_t {
-        Some(v_t) => v_t.row(order[copy.min(n - 1)]).adjoint(),
-        None => DVector::zeros(n),
-    }
+) -> Result<(Vec<Complex<f64>>, Vec<Mode>), NoEigenvalues> {
+    let found = eigen(a)?;
+    let mut order: Vec<usize> = (0..found.values.len()).collect();
+    order.sort_by(|i, j| {
+        let (a, b) = (found.values[*i], found.values[*j]);
+        a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re))
+    });
+    let mode = |k: &usize| {
+        let shape = positions(&found.vectors.column(*k).into());
+        Mode { eigenvalue: found.values[*k], shape: normalised(shape) }
+    };
+    let shown = order.iter().filter(|k| found.values[**k].im >= 0.0);
+    Ok((order.iter().map(|k| found.values[*k]).collect(), shown.map(mode).collect()))
 }
 
 /// The largest entry 1.

@@ -1,21 +1,27 @@
 //! From changes of the independent coordinates and speeds to those of all.
 
 use super::derivatives::constants;
+use super::split::{Split, Wanted};
 use crate::any::{AnyMechanism, At};
-use crate::mobility::mobility_of;
-use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD};
-use sim_kernel::{Dual, Start};
+use crate::failure::{Failure, What};
+use crate::measures::measure;
+use crate::mobility::{Mobility, mobility_of};
+use nalgebra::{Complex, DMatrix, DVector};
+use sim_kernel::{Description, Dual, Start};
 
-/// The given coordinates are taken as independent ones if the columns of the others are this far from singular.
-const REGULAR: f64 = 1e-3;
+/// Newton steps after which the dependent coordinates are given up; from nearby it takes three or four.
+const MOST_STEPS: usize = 20;
+/// A state this near to a singular position, in what coordinates are measured by, is in it: rounding of 1e-16 is amplified by
+/// the square of the distance.
+const BESIDE: f64 = 1e-6;
+/// The step of differences by which such a position is looked for.
+const STEP: f64 = 1e-4;
 
 /// dq = H dq_i, dq' = N dq_i' + S dq_i. Where constraints hold between speeds alone there are more independent coordinates
 /// than independent speeds; elsewhere H is N.
-pub(super) struct Reduction {
-    /// The independent coordinates, h of them.
-    pub(super) independent: Vec<usize>,
-    /// The independent speeds, f of them.
-    pub(super) independent_speeds: Vec<usize>,
+pub(crate) struct Reduction {
+    of_positions: Split,
+    of_speeds: Split,
     /// H, n x h.
     by_positions: DMatrix<f64>,
     /// S, n x h.
@@ -25,31 +31,97 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    pub(super) fn at(mechanism: &dyn AnyMechanism, at: At<f64>) -> Reduction {
+    /// # Errors
+    /// [`What::SingularState`] in a singular position, or so near to one that rounding decides.
+    pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>) -> Result<Reduction, Failure> {
+        let (n, freedoms) = (at.positions.len(), mobility_of(mechanism, at.time, at.positions));
+        if let Some(failure) = singular(mechanism, at.time, at.positions, &freedoms) {
+            return Err(failure);
+        }
         let of_speeds = mechanism.constraint_jacobian(at.time, at.positions);
         let of_positions = mechanism.between_positions(of_speeds.clone());
-        let chosen = chosen(mechanism, at);
-        let freedoms = mobility_of(mechanism, at.time, at.positions);
-        // In a singular position more than nearby.
-        let more = freedoms.singular.len();
-        let [moves, rates] = [
-            Split::new(&of_positions, freedoms.configuration_freedom + more, &chosen[0]),
-            Split::new(&of_speeds, freedoms.degrees_of_freedom + more, &chosen[1]),
-        ];
-        let by_positions = moves.spread(1.0, &moves.columns(&of_positions));
+        let wanted = wanted(mechanism.description());
+        let moves = Split::new(&of_positions, n - freedoms.configuration_freedom, &wanted);
+        let rates = Split::new(&of_speeds, n - freedoms.degrees_of_freedom, &wanted);
+        let found = Reduction::of(mechanism, at, moves, rates);
+        let sizes = measure(mechanism, at.time, at.positions).0;
+        for direction in found.by_positions.column_iter() {
+            let size = direction.iter().zip(&sizes).fold(0.0, |size: f64, (part, of)| size.max((part / of).abs()));
+            match found.singular_along(mechanism, at.time, at.positions, &(direction / size), BESIDE) {
+                Some(failure) => return Err(failure),
+                None => continue,
+            }
+        }
+        Ok(found)
+    }
+
+    /// The same coordinates at another state.
+    pub(super) fn moved(&self, mechanism: &dyn AnyMechanism, at: At<f64>) -> Reduction {
+        Reduction::of(mechanism, at, self.of_positions.clone(), self.of_speeds.clone())
+    }
+
+    fn of(mechanism: &dyn AnyMechanism, at: At<f64>, moves: Split, rates: Split) -> Reduction {
+        let (n, jacobian) = (at.positions.len(), mechanism.constraint_jacobian(at.time, at.positions));
+        let none = |columns: usize| DMatrix::zeros(jacobian.nrows(), columns);
+        let [h, f] = [&moves, &rates].map(|split| split.independent.len());
+        let by_positions = moves.complete(&mechanism.between_positions(jacobian.clone()), moves.units(n), &none(h));
         let bent = rates_by_positions(mechanism, at) * &by_positions;
         Reduction {
-            speeds_by_positions: rates.spread(0.0, &bent),
-            by_speeds: rates.spread(1.0, &rates.columns(&of_speeds)),
+            speeds_by_positions: rates.complete(&jacobian, DMatrix::zeros(n, h), &bent),
+            by_speeds: rates.complete(&jacobian, rates.units(n), &none(f)),
             by_positions,
-            independent: moves.independent,
-            independent_speeds: rates.independent,
+            of_positions: moves,
+            of_speeds: rates,
         }
+    }
+
+    /// The independent coordinates, h of them.
+    pub(crate) fn independent(&self) -> &[usize] {
+        &self.of_positions.independent
+    }
+
+    /// The independent speeds, f of them.
+    pub(crate) fn independent_speeds(&self) -> &[usize] {
+        &self.of_speeds.independent
+    }
+
+    /// N, n x f.
+    pub(super) fn by_speeds(&self) -> &DMatrix<f64> {
+        &self.by_speeds
+    }
+
+    /// The failure that names the singular position beside this one in a direction, if one is within reach: where a pivot by
+    /// which dependent speeds follow from the others changes its sign.
+    pub(super) fn singular_along(
+        &self,
+        mechanism: &dyn AnyMechanism,
+        time: f64,
+        q: &[f64],
+        direction: &DVector<f64>,
+        reach: f64,
+    ) -> Option<Failure> {
+        let moved = |way: f64| -> Vec<f64> { q.iter().zip(direction).map(|(q, part)| q + way * part).collect() };
+        let pivots = |way: f64| self.of_speeds.pivot_values(&mechanism.constraint_jacobian(time, &moved(way)));
+        let (mut way, mut step) = (0.0, STEP);
+        // Three steps of the secant method square what is left three times.
+        for _ in 0..3 {
+            let roots = pivots(way).into_iter().zip(pivots(way + step)).map(|(a, b)| -a * step / (b - a));
+            step = roots.filter(|root| root.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+            way += step;
+            if !(way.abs() <= reach) {
+                return None;
+            }
+            if step.abs() <= f64::EPSILON {
+                break;
+            }
+        }
+        let q = moved(way);
+        singular(mechanism, time, &q, &mobility_of(mechanism, time, &q))
     }
 
     /// The change of positions and speeds with entry k of x.
     pub(super) fn change(&self, k: usize) -> (DVector<f64>, DVector<f64>) {
-        let h = self.independent.len();
+        let h = self.independent().len();
         match k < h {
             true => (self.by_positions.column(k).into(), self.speeds_by_positions.column(k).into()),
             false => (DVector::zeros(self.by_positions.nrows()), self.by_speeds.column(k - h).into()),
@@ -58,71 +130,62 @@ impl Reduction {
 
     /// The change of all coordinates in a mode.
     pub(super) fn positions(&self, x: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-        self.by_positions.map(|entry| Complex::new(entry, 0.0)) * x.rows(0, self.independent.len())
+        self.by_positions.map(|entry| Complex::new(entry, 0.0)) * x.rows(0, self.independent().len())
     }
-}
 
-/// Independent and dependent columns of a constraint Jacobian.
-struct Split {
-    independent: Vec<usize>,
-    dependent: Vec<usize>,
-    /// Of the dependent columns, if there are any.
-    factors: Option<SVD<f64, Dyn, Dyn>>,
-}
-
-impl Split {
-    /// The columns that are given at the start are independent if the others are regular, else those that pivoting chose.
-    fn new(jacobian: &DMatrix<f64>, freedoms: usize, chosen: &Given) -> Split {
-        let n = jacobian.ncols();
-        let rest = |taken: &[usize]| (0..n).filter(|j| !taken.contains(j)).collect::<Vec<usize>>();
-        let given: Vec<usize> = chosen.given.iter().copied().take(freedoms).collect();
-        let is_regular = |dependent: &DMatrix<f64>| {
-            let values = dependent.singular_values();
-            values.iter().take(dependent.ncols()).all(|value| *value > REGULAR * values.max())
-        };
-        if jacobian.is_empty() || freedoms == n {
-            return Split { independent: rest(&[]), dependent: Vec::new(), factors: None };
+    /// Makes the dependent coordinates and speeds follow from the independent ones.
+    ///
+    /// # Errors
+    /// [`What::NotProjected`].
+    pub(crate) fn follow(
+        &self,
+        mechanism: &dyn AnyMechanism,
+        time: f64,
+        (q, qd): (&mut [f64], &mut [f64]),
+    ) -> Result<(), Failure> {
+        let n = q.len();
+        let column = |values: &[f64]| DMatrix::from_column_slice(values.len(), 1, values);
+        let mut steps = 0;
+        while self.of_positions.rank() > 0 {
+            let linear = mechanism.constraint_linearization(time, q);
+            let by_positions = mechanism.between_positions(linear.jacobian);
+            let open = column(linear.values.as_slice());
+            let change = self.of_positions.complete(&by_positions, DMatrix::zeros(n, 1), &open);
+            q.iter_mut().zip(&change).for_each(|(q, change)| *q += change);
+            steps += 1;
+            // Once more where it is met already, as rounding is all that is left then.
+            if steps > 1 && mechanism.is_met(time, q) {
+                break;
+            }
+            if steps == MOST_STEPS || !q.iter().all(|q| q.is_finite()) {
+                let residual = linear.values.amax();
+                let constraint = mechanism.constraint_name(linear.values.iamax());
+                return Err(mechanism.failure(What::NotProjected { constraint, residual, iterations: steps }, time, q));
+            }
         }
-        let independent = if given.len() == freedoms && is_regular(&jacobian.select_columns(&rest(&given))) {
-            given
-        } else {
-            rest(&chosen.dependent)
-        };
-        let dependent = rest(&independent);
-        let factors = (!dependent.is_empty()).then(|| jacobian.select_columns(&dependent).svd(true, true));
-        Split { independent, dependent, factors }
-    }
-
-    fn columns(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
-        jacobian.select_columns(&self.independent)
-    }
-
-    /// The change of all with each column: `own` times a unit vector of the independent ones, and the others so that
-    /// J_d x_d = -rates. Rows that depend on others agree with them, and least squares solves them all.
-    fn spread(&self, own: f64, rates: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut all = DMatrix::zeros(self.independent.len() + self.dependent.len(), rates.ncols());
-        if own != 0.0 {
-            self.independent.iter().enumerate().for_each(|(k, j)| all[(*j, k)] = own);
-        }
-        if let Some(Ok(others)) = self.factors.as_ref().map(|factors| factors.solve(&-rates, 1e-12)) {
-            self.dependent.iter().enumerate().for_each(|(k, j)| all.set_row(*j, &others.row(k)));
-        }
-        all
+        let linear = mechanism.constraint_linearization(time, q);
+        let mut own = DMatrix::zeros(n, 1);
+        self.independent_speeds().iter().for_each(|j| own[*j] = qd[*j]);
+        let speeds = self.of_speeds.complete(&linear.jacobian, own, &column(linear.time_derivative.as_slice()));
+        qd.copy_from_slice(speeds.as_slice());
+        Ok(())
     }
 }
 
-/// Coordinates or speeds that the declaration gives at the start, and those that pivoting takes for dependent.
-struct Given {
-    given: Vec<usize>,
-    dependent: Vec<usize>,
+/// The failure that says so, if a position is singular.
+fn singular(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], freedoms: &Mobility) -> Option<Failure> {
+    let constraint = freedoms.singular.first()?;
+    Some(mechanism.failure(What::SingularState { constraint }, time, q))
 }
 
-fn chosen(mechanism: &dyn AnyMechanism, at: At<f64>) -> [Given; 2] {
-    let coordinates = mechanism.description().coordinates.iter().enumerate();
-    let given: Vec<usize> = coordinates.filter(|(_, c)| c.start == Start::Given).map(|(j, _)| j).collect();
-    // What pivoting cannot choose, because nothing is independent, is not asked for either.
-    let chosen = mechanism.dependent(at).unwrap_or_default();
-    chosen.map(|dependent| Given { given: given.clone(), dependent })
+/// Which coordinates should be independent: those whose speeds, and after them those whose values the declaration gives.
+fn wanted(description: &Description) -> Vec<Wanted> {
+    let of = |given: bool, speed_given: bool| match (given, speed_given) {
+        (_, true) => Wanted::First,
+        (true, false) => Wanted::Independent,
+        (false, false) => Wanted::Dependent,
+    };
+    description.coordinates.iter().map(|c| of(c.start == Start::Given, c.speed_given)).collect()
 }
 
 /// (C_q q' + C_t)_q, m x n, by dual numbers.

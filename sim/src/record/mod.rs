@@ -1,14 +1,20 @@
 //! What is kept of a run: rows, events, and the phases between events that change something.
 
 mod actions;
+mod dead_points;
+mod grid;
 
 use crate::events::EventSearch;
 use crate::failure::{Failure, What};
 use crate::integrate::Step;
+use crate::mobility::Mobility;
 use crate::motion::Motion;
 use crate::onset::Onset;
 use crate::settings::{Rows, Settings, Stepping, StopAt};
 use crate::trajectory::{Phase, Sample, State};
+use dead_points::DeadPoints;
+pub use dead_points::{DeadPoint, dead_points};
+use grid::Grid;
 use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
 use std::collections::VecDeque;
@@ -19,13 +25,13 @@ pub(crate) struct Recorder<M: Mechanism> {
     pub(crate) samples: Vec<Sample<M>>,
     pub(crate) phases: Vec<Phase<M>>,
     pub(crate) events: EventSearch<M>,
-    rows: Rows,
+    /// Where rows at equal intervals lie; without one, each step is a row.
+    grid: Option<Grid>,
     stop: Option<StopAt>,
     begin: f64,
     end: f64,
-    /// The next row, of those at equal intervals.
-    next: usize,
-    expected: usize,
+    /// The rows to make room for.
+    expected: Option<usize>,
     /// How often each event has happened that does something.
     counts: Vec<usize>,
     /// When each of them has last happened.
@@ -40,6 +46,11 @@ pub(crate) struct Recorder<M: Mechanism> {
     has_ended: bool,
     /// The end of the last step.
     reached: Option<State<M>>,
+    /// The same, if it has been recorded as far as rows lie in it.
+    last_step: Option<Sample<M>>,
+    dead_points: Option<DeadPoints<M>>,
+    /// The largest |work| at the end of any step, in joules.
+    pub(crate) largest_work: f64,
 }
 
 /// Whether any event does something.
@@ -56,20 +67,23 @@ const fn any_acts(events: &[Event]) -> bool {
 
 impl<M: Mechanism> Recorder<M> {
     pub(crate) fn new(settings: &Settings, begin: f64) -> Recorder<M> {
-        let expected = match (settings.rows, settings.stepping) {
-            (Rows::Even(count), _) => count,
-            (Rows::Steps, Stepping::Equal(count)) => count,
-            (Rows::Steps, Stepping::Adaptive(_)) => 1024,
+        let equal_steps = match settings.stepping {
+            Stepping::Equal(count) => Some(count),
+            Stepping::Adaptive(_) => None,
         };
+        let grid = match settings.rows {
+            Rows::Even(count) => Some(Grid::new(begin, settings.end, count, equal_steps)),
+            Rows::Steps => None,
+        };
+        let expected = grid.as_ref().map_or(equal_steps.unwrap_or(1024).checked_add(2), Grid::most);
         Recorder {
             samples: Vec::new(),
             phases: Vec::new(),
             events: EventSearch::new(begin),
-            rows: settings.rows,
+            grid,
             stop: settings.stop,
             begin,
             end: settings.end,
-            next: 1,
             expected,
             counts: vec![0; M::Events::LEN],
             last: vec![f64::NEG_INFINITY; M::Events::LEN],
@@ -78,15 +92,32 @@ impl<M: Mechanism> Recorder<M> {
             next_phase: None,
             has_ended: false,
             reached: None,
+            last_step: None,
+            dead_points: None,
+            largest_work: 0.0,
         }
     }
 
     pub(crate) fn make_room(&mut self) -> Result<(), What> {
-        let rows = self.expected.checked_add(2);
-        match rows.is_some_and(|rows| self.samples.try_reserve_exact(rows).is_ok()) {
+        let (samples, grid) = (&mut self.samples, &mut self.grid);
+        let asked = grid.as_ref().map(Grid::asked);
+        let mut has_room = |rows: usize| {
+            samples.try_reserve_exact(rows).is_ok() && grid.as_mut().is_none_or(|grid| grid.make_room(rows))
+        };
+        match self.expected.is_some_and(&mut has_room) {
             true => Ok(()),
-            false => Err(What::TooManyRows { rows: self.expected }),
+            false => Err(What::TooManyRows { rows: asked.or(self.expected).unwrap_or(usize::MAX) }),
         }
+    }
+
+    /// Looks for dead points from here on.
+    pub(crate) fn seek_dead_points(&mut self, mechanism: &M, start: &State<M>, mobility: &Mobility) {
+        self.dead_points = DeadPoints::new(mechanism, start, mobility);
+    }
+
+    /// Those that were found.
+    pub(crate) fn dead_points(&mut self) -> Vec<DeadPoint<M>> {
+        self.dead_points.take().map_or(Vec::new(), |sought| sought.found)
     }
 
     /// When the run has begun.
@@ -101,7 +132,8 @@ impl<M: Mechanism> Recorder<M> {
     pub(crate) fn start(&mut self, motion: &Motion<M>, sample: Sample<M>) -> Result<(), Failure> {
         let (mechanism, first) = (*motion.mechanism(), self.samples.len());
         self.phases.push(Phase { mechanism, first, energy_taken: self.energy_taken });
-        self.samples.push(sample);
+        self.push(sample);
+        self.dead_points.iter_mut().for_each(DeadPoints::restart);
         if self.has_ended {
             return Ok(());
         }
@@ -137,16 +169,27 @@ impl<M: Mechanism> Recorder<M> {
 
     pub(crate) fn watch(&mut self, step: &mut Step<M>) -> Result<ControlFlow<()>, Failure> {
         self.reached = Some(step.to.state);
+        self.largest_work = self.largest_work.max(step.to.state.work.abs());
         let first = self.events.found.len();
         self.events.search(step)?;
         let acting = self.first_acting(first);
         let stop = self.stopping_state();
         let until = stop.or(acting.map(|at| self.events.found[at].state));
-        self.record(step, until.map_or(step.to.state.time, |state| state.time))?;
-        let Some(state) = until else { return Ok(ControlFlow::Continue(())) };
+        let end = until.map_or(step.to.state.time, |state| state.time);
+        self.record(step, end)?;
+        if let Some(dead_points) = &mut self.dead_points {
+            dead_points.watch(step, end)?;
+        }
+        let Some(state) = until else {
+            // Without a grid it is a row.
+            self.last_step = self.grid.is_some().then_some(*step.to);
+            return Ok(ControlFlow::Continue(()));
+        };
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
-        if state.time > last {
-            self.samples.push(step.motion.sample(state)?);
+        match (&mut self.grid, state.time > last) {
+            (_, true) => self.push(step.motion.sample(state)?),
+            (Some(grid), false) => grid.keep_last(),
+            (None, false) => {}
         }
         match (stop, acting) {
             (None, Some(at)) => self.act_from(step.motion.mechanism(), at)?,
@@ -165,22 +208,35 @@ impl<M: Mechanism> Recorder<M> {
         Some(state)
     }
 
+    /// A row that lies on no grid.
+    fn push(&mut self, sample: Sample<M>) {
+        self.samples.push(sample);
+        self.grid.iter_mut().for_each(Grid::add_other);
+    }
+
+    /// Ends the record. What was asked for is there where the run came to its end; where it did not, all rows stay, with the
+    /// state that it came to.
+    pub(crate) fn finish(&mut self) {
+        let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
+        if let Some(reached) = self.last_step.take().filter(|reached| reached.state.time > last) {
+            self.push(reached);
+        } else if let Some(grid) = self.grid.as_mut().filter(|_| last == self.end) {
+            grid.finish(&mut self.samples, &mut self.phases);
+        }
+    }
+
     fn record(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
-        match self.rows {
-            Rows::Steps if until == step.to.state.time => self.samples.push(*step.to),
-            Rows::Steps => {}
-            Rows::Even(count) => {
-                while self.next <= count {
-                    let time = self.begin + (self.end - self.begin) * (self.next as f64 / count as f64);
-                    if time > until {
-                        break;
-                    }
-                    let is_end = time == step.to.state.time;
-                    let sample = if is_end { *step.to } else { step.sample(time)? };
-                    self.samples.push(sample);
-                    self.next += 1;
-                }
+        let Some(grid) = &mut self.grid else {
+            if until == step.to.state.time {
+                self.samples.push(*step.to);
             }
+            return Ok(());
+        };
+        grid.prepare([step.from.state.time, until], &mut self.samples, &mut self.phases);
+        while let Some(time) = grid.next_time().filter(|time| *time <= until) {
+            let sample = if time == step.to.state.time { *step.to } else { step.sample(time)? };
+            self.samples.push(sample);
+            grid.advance();
         }
         Ok(())
     }

@@ -1,17 +1,16 @@
 //! Generated derivatives against dual numbers, which differentiate the kernels themselves.
 
-use super::Check;
-use super::formulations::places;
+use super::scale::scales;
+use super::worst::{Worst, largest, relative};
+use super::{Check, places};
 use crate::any::{Any, AnyMechanism, At};
 use crate::trajectory::Sample;
+use nalgebra::DMatrix;
 use sim_kernel::{Dual, Mechanism};
-use std::collections::BTreeMap;
 
-/// How much more than its own rounding a derivative may differ; it is relative to the largest entry of its row.
+/// How much more than its own rounding a derivative may differ. Both ways solve K dz = dr - dK z, which amplifies rounding by the
+/// condition of K: 1e-8 lets it be 1e8.
 const BOUND: f64 = 1e-8;
-/// A row this small beside all rows of all samples, as that of an acceleration that time prescribes, or of a follower where its
-/// cam dwells, may be rounding.
-const SMALL: f64 = 1e-6;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
 pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
@@ -19,70 +18,87 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
 }
 
 pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64>]) -> Check {
-    let mut compared: Vec<Difference> = Vec::new();
-    let mut compare = |what: &'static str, generated: f64, dual: f64, size: f64| {
-        compared.push(Difference { what, apart: (generated - dual).abs(), size });
+    let mut worst = Worst::<&str>::default();
+    let constraints = compare_constraints(mechanism, samples, &mut worst);
+    let found = compare_solutions(mechanism, samples, &mut worst);
+    let is_made = mechanism.description().optional_kernels.contains(&"dynamics_jacobian");
+    let solutions = match (is_made, found) {
+        (false, _) => "no kernel of d(q'', lambda)/d(q, q') to compare",
+        (true, 0) => "the kernel of d(q'', lambda)/d(q, q') refuses every state: nothing of it is compared",
+        (true, _) => "",
     };
-    for sample in samples {
-        let (t, q, qd) = (sample.time, sample.positions, sample.speeds);
-        let (n, m) = (q.len(), sample.multipliers.len());
-        let jacobian = mechanism.constraint_jacobian(t, q);
-        let columns: Vec<Vec<f64>> = (0..n).map(|j| constraints_by(mechanism, sample, j)).collect();
-        let sizes = row_sizes(&|i, j| columns[j][i], m, n);
-        // Rows between speeds are no derivatives of anything.
-        for i in (0..m).filter(|i| !mechanism.description().speed_constraints.contains(i)) {
-            (0..n).for_each(|j| compare("C_q", jacobian[(i, j)], columns[j][i], sizes[i]));
+    let compared = if constraints == 0 && found == 0 { None } else { Some(worst.figure) };
+    let where_ = if worst.at.is_empty() { String::new() } else { format!(": {}", worst.at) };
+    let meaning = match (compared, solutions) {
+        (None, why) => why.to_owned(),
+        (_, "") => format!("largest difference relative to matrices{where_}"),
+        (_, why) => format!("largest difference relative to rows of C_q{where_}; {why}"),
+    };
+    Check { figure: compared, ..Check::new("Jacobians against dual numbers", 0.0, BOUND, meaning) }
+}
+
+/// C_q, relative to the largest entry that a row has in any sample. Gives how many entries were compared.
+fn compare_constraints(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
+    // Rows between speeds are no derivatives of anything.
+    let between_speeds = mechanism.description().speed_constraints;
+    let mut compared = 0;
+    let pairs = samples.iter().map(|sample| {
+        let kernel = mechanism.constraint_jacobian(sample.time, sample.positions);
+        let columns: Vec<Vec<f64>> =
+            (0..sample.positions.len()).map(|j| constraints_by(mechanism, sample, j)).collect();
+        (kernel, columns)
+    });
+    let pairs: Vec<(DMatrix<f64>, Vec<Vec<f64>>)> = pairs.collect();
+    let rows = mechanism.description().constraints.len();
+    for i in (0..rows).filter(|i| !between_speeds.contains(i)) {
+        let entries = || {
+            pairs
+                .iter()
+                .flat_map(|(kernel, dual)| dual.iter().enumerate().map(move |(j, column)| (kernel[(i, j)], column[i])))
+        };
+        let size = largest(entries().flat_map(|(kernel, dual)| [kernel, dual]));
+        for (kernel, dual) in entries() {
+            worst.enter(relative((kernel - dual).abs(), size), "C_q");
+            compared += 1;
         }
-        let Some(generated) = mechanism.by_state(t, q, qd) else { continue };
-        let names = [["d(q'')/dq", "d(lambda)/dq"], ["d(q'')/dq'", "d(lambda)/dq'"]];
-        for ((generated, names), by_speed) in generated.iter().zip(names).zip([false, true]) {
-            let columns: Option<Vec<Vec<f64>>> = (0..n).map(|j| solution_by(mechanism, sample, j, by_speed)).collect();
+    }
+    compared
+}
+
+/// d(q'', lambda)/dq and d(q'', lambda)/dq', each relative to its largest entry in any sample, in units in which all
+/// coordinates, accelerations and multipliers compare. Gives how many entries were compared.
+fn compare_solutions(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
+    if !mechanism.description().optional_kernels.contains(&"dynamics_jacobian") {
+        return 0;
+    }
+    let n = mechanism.description().coordinates.len();
+    let coordinates = scales(mechanism, samples);
+    let names = [["d(q'')/dq", "d(lambda)/dq"], ["d(q'')/dq'", "d(lambda)/dq'"]];
+    let mut found: [Vec<(&str, f64, f64)>; 2] = [vec![], vec![]];
+    for sample in samples {
+        let Some(generated) = mechanism.by_state(sample.time, sample.positions, sample.speeds) else { continue };
+        let jacobian = mechanism.constraint_jacobian(sample.time, sample.positions);
+        // A multiplier counts by the force that it makes.
+        let forces = (0..jacobian.nrows()).map(|k| largest((0..n).map(|j| jacobian[(k, j)] / coordinates[j])));
+        let rows: Vec<f64> = coordinates.iter().copied().chain(forces).collect();
+        for (by_speed, generated) in generated.iter().enumerate() {
+            let columns: Option<Vec<Vec<f64>>> =
+                (0..n).map(|j| solution_by(mechanism, sample, j, by_speed == 1)).collect();
             let Some(columns) = columns else { continue };
-            let sizes = row_sizes(&|i, j| columns[j][i], n + m, n);
-            for i in 0..n + m {
-                let name = names[usize::from(i >= n)];
-                (0..n).for_each(|j| compare(name, generated[(i, j)], columns[j][i], sizes[i]));
+            for (j, column) in columns.iter().enumerate() {
+                for (i, dual) in column.iter().enumerate() {
+                    let unit = rows[i] / coordinates[j];
+                    let apart = (generated[(i, j)] - dual).abs() * unit;
+                    found[by_speed].push((names[by_speed][usize::from(i >= n)], apart, dual.abs() * unit));
+                }
             }
         }
     }
-    let worst = worst(&compared);
-    let meaning = match worst.1 {
-        "" => "largest difference relative to its row".into(),
-        what => format!("largest difference relative to its row: {what}"),
-    };
-    Check { name: "Jacobians against dual numbers", figure: worst.0, bound: BOUND, meaning }
-}
-
-/// The difference of an entry of some matrix, and the size of its row.
-struct Difference {
-    what: &'static str,
-    apart: f64,
-    size: f64,
-}
-
-/// The largest difference relative to its row, and in which matrix it is.
-fn worst(compared: &[Difference]) -> (f64, &'static str) {
-    // Accelerations and multipliers are one solution: where one of both is zero it is rounding of the other.
-    let by = |what: &'static str| what.rsplit('/').next();
-    let mut largest: BTreeMap<Option<&str>, f64> = BTreeMap::new();
-    for Difference { what, size, .. } in compared {
-        let all = largest.entry(by(what)).or_default();
-        *all = all.max(*size);
+    for entries in &found {
+        let size = largest(entries.iter().map(|(_, _, size)| *size));
+        entries.iter().for_each(|(name, apart, _)| worst.enter(relative(*apart, size), name));
     }
-    let mut worst = (0.0, "");
-    for Difference { what, apart, size } in compared {
-        let size = largest.get(&by(what)).map_or(*size, |all| size.max(SMALL * all));
-        let relative = apart / size;
-        if !(relative <= worst.0) && size > 0.0 {
-            worst = (relative, what);
-        }
-    }
-    worst
-}
-
-/// The largest entry of each row.
-fn row_sizes(entry: &dyn Fn(usize, usize) -> f64, rows: usize, n: usize) -> Vec<f64> {
-    (0..rows).map(|i| (0..n).fold(0.0f64, |size, j| entry(i, j).abs().max(size))).collect()
+    found.iter().map(Vec::len).sum()
 }
 
 /// The same numbers, of which one is what derivatives are taken by.

@@ -2355,6 +2355,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &[],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(2),

@@ -665,6 +665,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
     };

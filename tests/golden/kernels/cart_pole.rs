@@ -619,6 +619,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),

@@ -1027,6 +1027,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &[],
         dimension: 2,
         drawing: &[sim_kernel::Shape::Ground(1), sim_kernel::Shape::Line(6)],
     };

@@ -3130,6 +3130,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
                 len: 2,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Line(2),

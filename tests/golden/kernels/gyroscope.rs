@@ -1107,6 +1107,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Gyroscope<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(1),

@@ -1151,6 +1151,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
                 len: 2,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Curve(2),

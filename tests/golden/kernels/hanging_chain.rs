@@ -1186,6 +1186,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &[],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),

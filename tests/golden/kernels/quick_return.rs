@@ -1419,6 +1419,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
                 len: 2,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),

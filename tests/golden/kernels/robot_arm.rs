@@ -2705,6 +2705,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["inverse_dynamics"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(1),

@@ -1904,6 +1904,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Curve(5),

@@ -971,6 +971,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(2),

@@ -994,6 +994,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),

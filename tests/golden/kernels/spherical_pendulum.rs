@@ -736,6 +736,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SphericalPendulum<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Ground(1),

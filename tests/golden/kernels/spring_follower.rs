@@ -681,6 +681,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
                 len: 2,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(1),

@@ -5886,6 +5886,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Stewart<S> {
                 len: 2,
             },
         ],
+        optional_kernels: &[],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Line(2),

@@ -1054,6 +1054,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Tumbling<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Line(5),

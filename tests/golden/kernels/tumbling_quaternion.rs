@@ -2289,6 +2289,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for TumblingQuaternion<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[
             sim_kernel::Shape::Line(5),

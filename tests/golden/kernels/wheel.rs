@@ -1470,6 +1470,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Wheel<S> {
         outputs: &[],
         rated_outputs: &[],
         figures: &[],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 3,
         drawing: &[],
     };

@@ -1254,6 +1254,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
                 len: 1,
             },
         ],
+        optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[
             sim_kernel::Shape::Ground(2),

@@ -104,6 +104,24 @@ fn a_ball_that_comes_to_rest_chatters_and_says_so() {
     assert!(matches!(run.trajectory.failure.unwrap().what, What::Restitution { constraint: "floor", .. }));
 }
 
+/// Each flight is half as long as the one before: 6, 3, 1.5 and 0.75 ms. An instant is 1e-9 of the time asked for, here 1 ms, so
+/// that the fourth landing is the last, and the fifth is said to come at once. A flight lasts for 2 v/g.
+#[test]
+fn a_ball_chatters_once_a_flight_is_shorter_than_an_instant() {
+    let impact = 0.006 * G;
+    let ball = Ball { rebound: 0.5, ..Ball::default() };
+    let mut start = declared_start(&ball);
+    start.positions = [0.1 + impact * impact / (2.0 * G)];
+    let run = run(ball, &start, &Settings::new(1e6)).unwrap();
+    let landings = times(&run, "landing");
+    assert_eq!(landings.len(), 4, "{landings:?}");
+    for (n, flight) in landings.windows(2).map(|pair| pair[1] - pair[0]).enumerate() {
+        assert!((flight - 0.006 * 0.5f64.powi(n as i32)).abs() < 1e-9, "{n}: {flight}");
+    }
+    let failure = run.trajectory.failure.unwrap();
+    assert!(matches!(failure.what, What::Accumulating { event: "landing", count: 5 }), "{failure}");
+}
+
 /// A ball that starts on the floor upwards has not landed; one that starts downwards has.
 #[test]
 fn what_holds_at_the_start_happens_if_it_goes_on() {

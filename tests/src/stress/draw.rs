@@ -74,7 +74,8 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
         } else if kind < 0.9 || !linkage.forms[form].is_driven() {
             Task::Run(equal(&pace, random))
         } else {
-            let from = parameters.iter().find(|(name, _)| name == "th_0").map_or(0.0, |(_, value)| *value);
+            let from =
+                parameters.iter().find(|(name, _)| name == "th_0" || name == "t_0").map_or(0.0, |(_, value)| *value);
             let turns = log_between(random, 0.05, 300.0);
             let rows = log_between(random, 1.0, 1000.0) as usize;
             Task::Sweep([from, from + turns * TAU, speed], rows)

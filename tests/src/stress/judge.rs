@@ -108,46 +108,47 @@ impl Draw {
             (0, Method::Dop853, 1e-12, Stabilisation::Partitioning),
             (1, Method::Dopri5, 1e-12, Stabilisation::Partitioning),
         ];
-        let mut found: Vec<Found> = Vec::new();
-        let mut refusals = Vec::new();
+        let mut found: Vec<(usize, Task, Found)> = Vec::new();
+        let mut doubts = Vec::new();
         for (form, method, relative, stabilisation) in ways {
             let task = self.task.exactly(stride, method, relative, stabilisation);
             let another = match self.result(forms[form], &self.parameters, &task) {
                 Ok(another) => another,
                 Err(refusal) => {
-                    refusals.push(format!("{refusal:?}"));
+                    doubts.push(format!("{} refused: {refusal:?}", forms[form].name()));
                     continue;
                 }
             };
-            for first in &found {
-                let nudged = self.nudged();
-                let moved = match self.result(forms[0], &nudged, &self.nudged_task(&task)) {
-                    Ok(nudged) => first
-                        .columns
-                        .iter()
-                        .zip(&nudged.columns)
-                        .enumerate()
-                        .map(|(i, (a, b))| a.iter().zip(b).map(|(a, b)| first.apart(i, *a, *b)).fold(0.0, f64::max))
-                        .collect(),
-                    Err(refusal) => {
-                        refusals.push(format!("{refusal:?}"));
-                        continue;
-                    }
-                };
-                let reference = Reference { ranges: self.ranges(first), moved, stride: 1, found: first.clone() };
-                match self.off(&another, &reference, CONFIRMED, 1.0) {
-                    None => return Ok(Reference { stride, ..reference }),
-                    Some(words) => refusals.push(words),
+            for (form, task, first) in &found {
+                match self.confirmed(*form, task, first, &another) {
+                    Ok(reference) => return Ok(Reference { stride, ..reference }),
+                    Err(doubt) => doubts.push(doubt),
                 }
             }
-            found.push(another);
+            found.push((form, task, another));
         }
-        Err(refusals.join("; "))
+        Err(doubts.join("; "))
+    }
+
+    /// The reference that one result is, if another agrees with it.
+    fn confirmed(&self, form: usize, task: &Task, first: &Found, another: &Found) -> Result<Reference, String> {
+        let nudged = self.result(self.linkage.forms[form], &self.nudged(), &self.nudged_task(task));
+        let nudged = nudged.map_err(|refusal| format!("nudged: {refusal:?}"))?;
+        let moved = |i: usize| {
+            let pairs = first.columns[i].iter().zip(&nudged.columns[i]);
+            pairs.map(|(a, b)| first.apart(i, *a, *b)).fold(0.0, f64::max)
+        };
+        let moved = (0..first.columns.len()).map(moved).collect();
+        let reference = Reference { ranges: self.ranges(first), moved, stride: 1, found: first.clone() };
+        match self.off(another, &reference, CONFIRMED, 1.0) {
+            None => Ok(reference),
+            Some(words) => Err(words),
+        }
     }
 
     fn nudged(&self) -> Parameters {
         let nudge = |(name, value): &(String, f64)| {
-            let is_start = ["th_0", "w", "w1", "w2", "w3"].contains(&name.as_str());
+            let is_start = ["th_0", "t_0", "w", "w1", "w2", "w3"].contains(&name.as_str());
             (name.clone(), if is_start { value * (1.0 + NUDGE) } else { *value })
         };
         self.parameters.iter().map(nudge).collect()

@@ -68,6 +68,9 @@ pub(crate) fn main() -> ExitCode {
                     if number >= asked.draws.end {
                         return;
                     }
+                    if number > 0 && number.is_multiple_of(1000) {
+                        eprintln!("{number} draws");
+                    }
                     let Some(draw) = draw::draw(asked.seed, number, asked.of.as_deref()) else { continue };
                     let verdict = judge::judge(&draw);
                     if is_one {

@@ -2,7 +2,7 @@
 
 use super::draw::{Parameters, happens, log_between};
 use super::geometry::{Pose, pose};
-use super::spatial;
+use super::spatial::{self, Vector};
 use super::topology::{Body, Planar, Spatial};
 use tests::Random;
 
@@ -110,29 +110,47 @@ pub(crate) fn spatial(linkage: &Spatial, random: &mut Random) -> (Parameters, [f
     let pose = spatial::pose(linkage, random);
     let scales = Scales::new(random);
     let mut values = Parameters::new();
-    for (j, [n, m]) in pose.axes.iter().enumerate() {
-        set_vector(&mut values, ["x", "y", "z"], j, pose.places[j], scales.size);
-        set_vector(&mut values, ["nx", "ny", "nz"], j, *n, 1.0);
-        set_vector(&mut values, ["mx", "my", "mz"], j, *m, 1.0);
-    }
-    for b in 0..linkage.bodies() {
+    for (b, [length, twist]) in pose.bars.iter().enumerate() {
         let mass = scales.some_mass(random);
-        let slender = mass * (scales.size * pose.lengths[b]).powi(2) / 12.0;
+        let slender = mass * (scales.size * length).powi(2) / 12.0;
         // Each moment is less than the sum of the others.
-        let moments = std::array::from_fn(|_| slender * random.between(0.5, 1.0));
-        set_vector(&mut values, ["X", "Y", "Z"], b, pose.centres[b], scales.size);
+        let moments: Vector = std::array::from_fn(|_| slender * random.between(0.5, 1.0));
+        let aside: Vector = std::array::from_fn(|_| random.between(-0.1, 0.1));
+        let centre = [length / 2.0 + aside[0], aside[1], aside[2]];
+        let (attitude, place) = pose.frames[b];
+        let way = attitude.turned(centre);
+        set_vector(&mut values, ["X", "Y", "Z"], b, std::array::from_fn(|i| place[i] + way[i]), scales.size);
+        set_vector(&mut values, ["cx", "cy", "cz"], b, centre, scales.size);
         set_vector(&mut values, ["J1", "J2", "J3"], b, moments, 1.0);
-        values.push((format!("m_{b}"), mass));
+        let mut set = |name: String, value: f64| values.push((name, value));
+        set(format!("m_{b}"), mass);
+        set(format!("l_{b}"), scales.size * length);
+        set(format!("tw_{b}"), *twist);
+        (0..4).for_each(|i| set(format!("q{i}_{b}"), attitude.0[i]));
     }
+    let mut set = |name: String, value: f64| values.push((name, value));
+    let (ground, twist) = pose.ground;
+    ["lx", "ly", "lz"].iter().zip(ground).for_each(|(name, x)| set((*name).to_owned(), scales.size * x));
+    set("tw".to_owned(), twist);
+    for (j, [first, second]) in pose.turns.iter().enumerate() {
+        set(format!("t_{j}"), *first);
+        set(format!("u_{j}"), *second);
+    }
+    if let [_, (coupler, _), (rocker, _)] = pose.frames[..] {
+        let between = coupler.inverse() * rocker;
+        (0..4).for_each(|i| set(format!("p{i}"), between.0[i]));
+    }
+    let (slope, bearing) = (random.between(-1.5, 1.5), random.between(-3.0, 3.0));
+    set("gx".to_owned(), scales.gravity * slope.cos() * bearing.cos());
+    set("gy".to_owned(), scales.gravity * slope.cos() * bearing.sin());
+    set("gz".to_owned(), scales.gravity * slope.sin());
+    ["w1", "w2", "w3"].iter().for_each(|name| set((*name).to_owned(), scales.speed * random.between(-0.6, 0.6)));
     scales.set_loads(&mut values, random);
-    for name in ["w1", "w2", "w3"] {
-        values.push((name.to_owned(), scales.speed * random.between(-0.6, 0.6)));
-    }
     let natural = scales.natural(&values);
     (values, natural)
 }
 
 /// Sets the three components of a vector, times a factor.
-fn set_vector(values: &mut Parameters, names: [&str; 3], k: usize, vector: spatial::Vector, factor: f64) {
+fn set_vector(values: &mut Parameters, names: [&str; 3], k: usize, vector: Vector, factor: f64) {
     (0..3).for_each(|i| values.push((format!("{}_{k}", names[i]), factor * vector[i])));
 }

@@ -1,129 +1,140 @@
-//! Where the joints and axes of a spatial linkage are at its start.
+//! A spatial linkage at its start, in the frames of Denavit and Hartenberg.
 
 use super::topology::Spatial;
+use std::f64::consts::FRAC_PI_2;
 use tests::Random;
 
 pub(crate) type Vector = [f64; 3];
 
-/// A spatial linkage of size 1 at its start, turned at random.
+/// A spatial linkage of size 1 at its start.
 pub(crate) struct SpatialPose {
-    /// Where each joint is.
-    pub(crate) places: Vec<Vector>,
-    /// Its axis, and at right angles to that the second one of a universal joint.
-    pub(crate) axes: Vec<[Vector; 2]>,
-    /// The centre of mass of each body.
-    pub(crate) centres: Vec<Vector>,
-    /// The length of each body.
-    pub(crate) lengths: Vec<f64>,
+    /// Length and twist of each body, from joint to joint.
+    pub(crate) bars: Vec<[f64; 2]>,
+    /// Where the ground has the last joint, and its twist.
+    pub(crate) ground: (Vector, f64),
+    /// The turn at each joint, and the second turn of a universal joint.
+    pub(crate) turns: Vec<[f64; 2]>,
+    /// The attitude of each body, and where its first joint is.
+    pub(crate) frames: Vec<(Quaternion, Vector)>,
 }
 
 pub(crate) fn pose(linkage: &Spatial, random: &mut Random) -> SpatialPose {
-    let (places, axes) = match linkage.name {
+    match linkage.name {
         "Bennett" => bennett(random),
         "Bricard" => bricard(),
-        _ => anywhere(linkage, random),
-    };
-    let rows = random_rotation(random);
-    let turn = |v: &Vector| rows.map(|row| inner(&row, v));
-    let places: Vec<Vector> = places.iter().map(turn).collect();
-    let second = |axis: Vector| {
-        // Any direction that is not along the axis.
-        let across = if axis[0].abs() < 0.7 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        unit(cross(&axis, &across))
-    };
-    let axes = axes.iter().map(turn).map(unit).map(|axis| [axis, second(axis)]).collect();
-    let is_top = linkage.joints.len() == 1;
-    let end = |b: usize| if is_top { std::array::from_fn(|i| places[0][i] + 0.6 * rows[0][i]) } else { places[b + 1] };
-    let ends: Vec<[Vector; 2]> = (0..linkage.bodies()).map(|b| [places[b], end(b)]).collect();
-    SpatialPose {
-        axes,
-        centres: ends.iter().map(|[p, q]| std::array::from_fn(|i| (p[i] + q[i]) / 2.0)).collect(),
-        lengths: ends.iter().map(|[p, q]| length(&std::array::from_fn(|i| q[i] - p[i]))).collect(),
-        places,
+        "Top" => SpatialPose {
+            bars: vec![[1.0, 0.0]],
+            ground: ([1.0, 0.0, 0.0], 0.0),
+            turns: vec![[0.0; 2]],
+            frames: vec![(Quaternion([1.0, 0.0, 0.0, 0.0]), [0.0; 3])],
+        },
+        _ => four_bar(random),
     }
 }
 
-fn anywhere(linkage: &Spatial, random: &mut Random) -> (Vec<Vector>, Vec<Vector>) {
-    let count = linkage.joints.len();
+/// A crank, a coupler on a universal joint, a ball, and a rocker, anywhere.
+fn four_bar(random: &mut Random) -> SpatialPose {
     loop {
-        let mut vector = || std::array::from_fn::<f64, 3, _>(|_| random.between(-1.0, 1.0));
-        let places: Vec<Vector> = (0..count).map(|_| vector()).collect();
-        let axes: Vec<Vector> = (0..count).map(|_| vector()).collect();
-        let apart = |i: usize, j: usize| length(&std::array::from_fn(|k| places[i][k] - places[j][k]));
-        let is_spread = (0..count).all(|i| (0..i).all(|j| apart(i, j) > 0.4));
-        if is_spread && axes.iter().all(|axis| length(axis) > 0.3) {
-            return (places, axes);
+        let mut some = |low: f64, high: f64| random.between(low, high);
+        let ground = ([some(-1.0, 1.0), some(-1.0, 1.0), some(-1.0, 1.0)], some(-1.5, 1.5));
+        let (crank, rocker) = ([some(0.2, 0.6), some(-1.5, 1.5)], [some(0.4, 1.0), some(-1.5, 1.5)]);
+        let (first, last) = (some(-3.0, 3.0), some(-3.0, 3.0));
+        let start = Quaternion::about(2, first);
+        let end = Quaternion::about(0, -ground.1) * Quaternion::about(2, -last) * Quaternion::about(0, -rocker[1]);
+        let pin = start.turned([crank[0], 0.0, 0.0]);
+        let reach = end.turned([rocker[0], 0.0, 0.0]);
+        let ball: Vector = std::array::from_fn(|i| ground.0[i] - reach[i]);
+        let way: Vector = std::array::from_fn(|i| ball[i] - pin[i]);
+        let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let bearing = start * Quaternion::about(0, crank[1]);
+        let [x, y, z] = bearing.inverse().turned(way).map(|x| x / length);
+        // Neither a short coupler nor one beside the universal joint's lock.
+        if length < 0.4 || z.abs() > 0.8 {
+            continue;
         }
+        let (about_z, about_y) = (y.atan2(x), -z.asin());
+        let middle = bearing * Quaternion::about(2, about_z) * Quaternion::about(1, about_y);
+        return SpatialPose {
+            bars: vec![crank, [length, 0.0], rocker],
+            ground,
+            turns: vec![[first, 0.0], [about_z, about_y], [0.0; 2], [last, 0.0]],
+            frames: vec![(start, [0.0; 3]), (middle, pin), (end, ball)],
+        };
     }
 }
 
-/// Bennett's loop: bars a, b, a, b with twists alpha and beta, b sin(alpha) = a sin(beta), by its closed form (Hunt,
-/// Kinematic Geometry of Mechanisms, 1978, section 10.3).
-fn bennett(random: &mut Random) -> (Vec<Vector>, Vec<Vector>) {
-    let (a, b) = (random.between(0.5, 1.0), random.between(0.5, 1.0));
-    let (shorter, longer) = (a.min(b), a.max(b));
+/// Bars a, b, a, b with twists alpha, beta, and a sin(beta) = b sin(alpha) (Hunt, Kinematic Geometry of Mechanisms, 1978,
+/// section 10.3).
+fn bennett(random: &mut Random) -> SpatialPose {
+    let b = random.between(0.4, 0.8);
+    let a = b * random.between(1.1, 1.8);
     let alpha: f64 = random.between(0.3, 1.2);
-    // The longer pair has the larger twist.
-    let (alpha, beta) = if a > b {
-        (alpha, (shorter * alpha.sin() / longer).asin())
-    } else {
-        ((shorter * alpha.sin() / longer).asin(), alpha)
-    };
+    let beta = (b * alpha.sin() / a).asin();
     let theta1: f64 = random.between(0.6, 2.4);
     let product = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
     let theta2 = 2.0 * (product / (theta1 / 2.0).tan()).atan();
-    let r1 = about_z(theta1);
-    let r1_twisted = times(&r1, &about_x(alpha));
-    let r2 = times(&r1_twisted, &about_z(theta2));
-    let p2 = r1.map(|row| a * row[0]);
-    let p3 = std::array::from_fn(|i| p2[i] + b * r2[i][0]);
-    let third = times(&r2, &about_x(beta));
-    let axis = |r: &[Vector; 3]| r.map(|row| row[2]);
-    let places = vec![[0.0; 3], p2, p3, [-b, 0.0, 0.0]];
-    (places, vec![[0.0, 0.0, 1.0], axis(&r1_twisted), axis(&third), [0.0, beta.sin(), beta.cos()]])
+    let bars = vec![[a, alpha], [b, beta], [a, alpha]];
+    chain(bars, ([-b, 0.0, 0.0], beta), &[theta1, theta2, -theta1, -theta2])
 }
 
-/// Bricard's loop of six equal bars at right angles (problem A05 of the IFToMM benchmark library).
-fn bricard() -> (Vec<Vector>, Vec<Vector>) {
-    let places =
-        vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, -1.0, 0.0], [1.0, -1.0, 1.0], [0.0, -1.0, 1.0], [0.0, 0.0, 1.0]];
-    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    (places, vec![y, z, x, y, z, x])
+/// Bricard's loop of six equal bars at right angles (problem A05 of the IFToMM benchmark library), along edges of a cube.
+fn bricard() -> SpatialPose {
+    let quarters = |counts: [f64; 6]| counts.map(|count| count * FRAC_PI_2);
+    let twists = quarters(BRICARD_TWISTS);
+    let bars = twists[..5].iter().map(|twist| [1.0, *twist]).collect();
+    chain(bars, ([-1.0, 0.0, 0.0], twists[5]), &quarters(BRICARD_TURNS))
 }
 
-fn about_x(angle: f64) -> [Vector; 3] {
-    let (s, c) = angle.sin_cos();
-    [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]]
+/// In right angles.
+const BRICARD_TWISTS: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+const BRICARD_TURNS: [f64; 6] = [-1.0; 6];
+
+/// A loop of hinges from its turns.
+fn chain(bars: Vec<[f64; 2]>, ground: (Vector, f64), turns: &[f64]) -> SpatialPose {
+    let (mut frames, mut frame, mut place) = (Vec::new(), Quaternion([1.0, 0.0, 0.0, 0.0]), [0.0; 3]);
+    for ([length, twist], turn) in bars.iter().zip(turns) {
+        frame = frame * Quaternion::about(2, *turn);
+        frames.push((frame, place));
+        let way = frame.turned([*length, 0.0, 0.0]);
+        place = std::array::from_fn(|i| place[i] + way[i]);
+        frame = frame * Quaternion::about(0, *twist);
+    }
+    SpatialPose { bars, ground, turns: turns.iter().map(|turn| [*turn, 0.0]).collect(), frames }
 }
 
-fn about_z(angle: f64) -> [Vector; 3] {
-    let (s, c) = angle.sin_cos();
-    [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
+/// A rotation, scalar part first.
+#[derive(Clone, Copy)]
+pub(crate) struct Quaternion(pub(crate) [f64; 4]);
+
+impl Quaternion {
+    /// About one of the axes x, y, z.
+    fn about(axis: usize, angle: f64) -> Quaternion {
+        let mut parts = [(angle / 2.0).cos(), 0.0, 0.0, 0.0];
+        parts[axis + 1] = (angle / 2.0).sin();
+        Quaternion(parts)
+    }
+
+    pub(crate) fn inverse(self) -> Quaternion {
+        let [a, b, c, d] = self.0;
+        Quaternion([a, -b, -c, -d])
+    }
+
+    pub(crate) fn turned(self, [x, y, z]: Vector) -> Vector {
+        let [_, x, y, z] = (self * Quaternion([0.0, x, y, z]) * self.inverse()).0;
+        [x, y, z]
+    }
 }
 
-fn times(a: &[Vector; 3], b: &[Vector; 3]) -> [Vector; 3] {
-    a.map(|row| std::array::from_fn(|j| (0..3).map(|k| row[k] * b[k][j]).sum()))
-}
+impl std::ops::Mul for Quaternion {
+    type Output = Quaternion;
 
-fn random_rotation(random: &mut Random) -> [Vector; 3] {
-    let u = unit(std::array::from_fn(|_| random.between(-1.0, 1.0)));
-    let v = unit(cross(&u, &std::array::from_fn(|_| random.between(-1.0, 1.0))));
-    [u, v, cross(&u, &v)]
-}
-
-fn inner(a: &Vector, b: &Vector) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn length(a: &Vector) -> f64 {
-    inner(a, a).sqrt()
-}
-
-fn unit(a: Vector) -> Vector {
-    let length = length(&a);
-    a.map(|a| a / length)
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    fn mul(self, other: Quaternion) -> Quaternion {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+        Quaternion([
+            a * e - b * f - c * g - d * h,
+            a * f + b * e + c * h - d * g,
+            a * g - b * h + c * e + d * f,
+            a * h + b * g - c * f + d * e,
+        ])
+    }
 }

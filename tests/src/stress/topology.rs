@@ -144,7 +144,10 @@ impl Planar {
 }
 
 /// A chain of bodies in space between two places of the ground, or one body on one joint. Joint j is between body j - 1 and
-/// body j; all bodies have the world's axes at the start.
+/// body j.
+///
+/// Frames are those of Denavit and Hartenberg: a hinge is the z axis of the body after it; in the body before, whose x axis
+/// goes from joint to joint, it is turned about x by a twist. The ground comes before the first body and after the last.
 pub(crate) struct Spatial {
     pub(crate) name: &'static str,
     pub(crate) joints: &'static [Held],
@@ -158,13 +161,14 @@ pub(crate) struct Spatial {
 pub(crate) enum Held {
     Hinge,
     Ball,
+    /// Its second axis is y of the body after it.
     Universal,
 }
 
 /// How a linkage of space is written down.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum SpatialForm {
-    /// Rotations about axes as coordinates, the last joint as constraint.
+    /// Rotations about axes as coordinates, one joint as constraint.
     Turns,
     /// Joints as coordinates, another one as constraint.
     Joints,
@@ -174,14 +178,41 @@ pub(crate) enum SpatialForm {
     Attitude,
 }
 
-pub(crate) const SPATIAL: &[Spatial] = &[Spatial {
-    name: "Top",
-    joints: &[Held::Ball],
-    cut: 0,
-    forms: &[SpatialForm::Joints, SpatialForm::Attitude, SpatialForm::Free],
-}];
+use Held::{Ball, Hinge, Universal};
+
+pub(crate) const SPATIAL: &[Spatial] = &[
+    // An RSSR linkage whose coupler cannot turn about itself.
+    Spatial {
+        name: "SpatialFourBar",
+        joints: &[Hinge, Universal, Ball, Hinge],
+        cut: 1,
+        forms: &[SpatialForm::Turns, SpatialForm::Joints, SpatialForm::Free],
+    },
+    Spatial {
+        name: "Bennett",
+        joints: &[Hinge; 4],
+        cut: 2,
+        forms: &[SpatialForm::Turns, SpatialForm::Joints, SpatialForm::Free],
+    },
+    Spatial {
+        name: "Bricard",
+        joints: &[Hinge; 6],
+        cut: 3,
+        forms: &[SpatialForm::Turns, SpatialForm::Joints, SpatialForm::Free],
+    },
+    Spatial {
+        name: "Top",
+        joints: &[Ball],
+        cut: 0,
+        forms: &[SpatialForm::Joints, SpatialForm::Attitude, SpatialForm::Free],
+    },
+];
 
 impl Spatial {
+    pub(crate) fn is_top(&self) -> bool {
+        self.joints.len() == 1
+    }
+
     /// A top has one body on one joint; loops have a body less than joints.
     pub(crate) fn bodies(&self) -> usize {
         (self.joints.len() - 1).max(1)
@@ -190,5 +221,14 @@ impl Spatial {
     /// The bodies that a joint joins; `None` is the ground.
     pub(crate) fn joined(&self, joint: usize) -> [Option<usize>; 2] {
         [joint.checked_sub(1), (joint < self.bodies()).then_some(joint)]
+    }
+
+    /// The bodies in the order in which turns place them, each with the joint that it hangs on. A ball is no turn: what
+    /// follows it is placed from the other end.
+    pub(crate) fn placed(&self) -> Vec<[usize; 2]> {
+        let count = self.bodies();
+        let ball = self.joints.iter().position(|held| *held == Ball).unwrap_or(count).min(count);
+        let ahead = (0..ball).map(|b| [b, b]);
+        ahead.chain((ball..count).rev().map(|b| [b, b + 1])).collect()
     }
 }

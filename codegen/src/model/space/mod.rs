@@ -20,6 +20,6 @@ pub(super) use basis::Bases;
 pub(super) use frames::{Frames, Turn};
 pub use inertia::impossible_inertia;
 pub(super) use inertia::resolve_inertia;
-pub use parts::{Attitude, Fall, Norm, Push, Rates, Tensor};
+pub use parts::{Attitude, Fall, Norm, Push, Pushed, Rates, Tensor};
 pub(super) use quaternion::{Quaternion, check_norms, norm_square};
 pub(super) use vector::Spatial;

@@ -1,5 +1,6 @@
 //! What turns and is pushed in space, in symbols.
 
+use crate::model::Point;
 use crate::symbolic::Expr;
 
 /// Three speeds that are linear in q', as components of a velocity or an angular velocity in some frame, with the
@@ -65,6 +66,26 @@ pub struct Push {
     pub effort: [Expr; 3],
     /// What it works along, in the same frame.
     pub along: Rates,
+    /// The same without frames and velocities.
+    pub in_world: Pushed,
+}
+
+/// What pushes, in the world's frame.
+pub enum Pushed {
+    /// A force at a point.
+    Force {
+        /// The force.
+        force: Point,
+        /// Where it acts.
+        at: Point,
+    },
+    /// A torque on a body with an attitude.
+    Torque {
+        /// The moment.
+        moment: Point,
+        /// The body, by index.
+        body: usize,
+    },
 }
 
 /// A quaternion of coordinates. It has an inertia along its norm, which no constrained motion notices, for there the

@@ -1,0 +1,186 @@
+//! Dead points that a run passes, from dense output.
+
+use crate::failure::Failure;
+use crate::integrate::Step;
+use crate::mobility::Mobility;
+use crate::root::find_root;
+use crate::run::Run;
+use crate::trajectory::State;
+use sim_kernel::{Array, Mechanism, Start};
+
+/// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on
+/// upon another branch: a knee that was bent to one side is bent to the other.
+#[derive(Clone, Debug)]
+pub struct DeadPoint<M: Mechanism> {
+    /// The independent coordinates.
+    pub of: Vec<&'static str>,
+    /// When and where, from dense output.
+    pub state: State<M>,
+}
+
+/// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
+/// degrees of freedom: where det C_qd changes its sign, with C_qd the columns of the constraint Jacobian of all other
+/// coordinates. None where the declaration gives fewer, where constraints hold between speeds, keep the norm of a
+/// quaternion, one component of which may change its sign at any time, or are switched by events, nor where C_q itself loses
+/// rank: such a position is singular, and the motion passes it on its own branch. With several degrees of freedom they are
+/// looked for among at most 12 constraints.
+pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
+    run.dead_points.clone()
+}
+
+/// A determinant or pivot this small, beside the rows that it is made of, is zero.
+const SINGULAR: f64 = 1e-10;
+/// With more rows a determinant at every step would cost as much as the step.
+const MOST_ROWS: usize = 12;
+
+/// Looks for dead points, step by step.
+pub(super) struct DeadPoints<M: Mechanism> {
+    pub(super) found: Vec<DeadPoint<M>>,
+    names: Vec<&'static str>,
+    independent: Vec<usize>,
+    /// The independent rows of C_q, and the columns of all other coordinates.
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    /// What makes columns comparable: moving any coordinate at its unit of speed takes equal energy.
+    scales: M::Q,
+    /// Whether one speed tells: with one degree of freedom and constraints that do not move by themselves, it is a multiple of
+    /// the determinant, by Cramer's rule.
+    is_told_by_speed: bool,
+    /// The determinant where it was last known.
+    last: Option<f64>,
+    /// Whether it has not been known since.
+    is_unknown: bool,
+    /// The places of pivots.
+    order: [Vec<usize>; 2],
+}
+
+impl<M: Mechanism> DeadPoints<M> {
+    /// Of a motion that starts there; `None` where there are none to be found.
+    pub(super) fn new(mechanism: &M, start: &State<M>, mobility: &Mobility) -> Option<DeadPoints<M>> {
+        let description = const { &M::DESCRIPTION };
+        let is_plain = description.conditionals.is_empty()
+            && description.norm_constraints.is_empty()
+            && description.speed_constraints.is_empty();
+        let (n, freedoms) = (M::Q::LEN, mobility.degrees_of_freedom);
+        let given = (0..n).filter(|j| description.coordinates[*j].start == Start::Given);
+        let independent: Vec<usize> = given.take(freedoms).collect();
+        let constraints = description.constraints.iter().enumerate();
+        let rows = constraints.filter(|(_, c)| !mobility.dependent.contains(&c.name)).map(|(row, _)| row);
+        let (rows, columns): (Vec<usize>, Vec<usize>) =
+            (rows.collect(), (0..n).filter(|j| !independent.contains(j)).collect());
+        // Constraints may stand still for an instant, but not at two.
+        let stands =
+            |time: f64| mechanism.constraint_time_derivative(time, &start.positions).iter().all(|rate| *rate == 0.0);
+        let is_told_by_speed = freedoms == 1 && stands(start.time + 0.37) && stands(start.time + 0.83);
+        let is_sought =
+            !rows.is_empty() && independent.len() == freedoms && freedoms > 0 && rows.len() == columns.len();
+        if !is_plain || !is_sought || !(is_told_by_speed || rows.len() <= MOST_ROWS) {
+            return None;
+        }
+        let mass = mechanism.mass_matrix(start.time, &start.positions);
+        let scales = M::Q::from_fn(|j| if mass[j][j] > 0.0 { mass[j][j].sqrt().recip() } else { 1.0 });
+        let names = independent.iter().map(|j| description.coordinates[*j].position.name).collect();
+        let order = [rows.clone(), columns.clone()];
+        let (found, last, is_unknown) = (Vec::new(), None, true);
+        Some(DeadPoints { found, names, independent, rows, columns, scales, is_told_by_speed, last, is_unknown, order })
+    }
+
+    /// Begins anew where an event has changed the motion.
+    pub(super) fn restart(&mut self) {
+        (self.last, self.is_unknown) = (None, true);
+    }
+
+    /// Looks at a step until a time.
+    ///
+    /// # Errors
+    /// As dense output.
+    pub(super) fn watch(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
+        if self.is_told_by_speed && !self.is_unknown {
+            let speed = |state: &State<M>| state.speeds[self.independent[0]];
+            // In the same direction at both ends.
+            if speed(&step.from.state) * speed(&step.to.state) > 0.0 {
+                return Ok(());
+            }
+        }
+        let mechanism = step.motion.mechanism();
+        if self.last.is_none() || self.is_told_by_speed {
+            self.note(mechanism, &step.from.state);
+        }
+        let end = if until < step.to.state.time { step.at(until)? } else { step.to.state };
+        let (before, was_unknown) = (self.last, self.is_unknown);
+        self.note(mechanism, &end);
+        let (Some(before), Some(after), false) = (before, self.last, self.is_unknown) else { return Ok(()) };
+        if before * after > 0.0 {
+            return Ok(());
+        }
+        let (from, length) = (step.from.state.time, end.time - step.from.state.time);
+        let state = match was_unknown {
+            true => step.from.state,
+            false => {
+                let tolerance = crate::events::tolerance(end.time) / length;
+                let mut value = |fraction: f64| {
+                    let state = step.at(from + fraction * length)?;
+                    Ok::<f64, Failure>(self.determinant(mechanism, &state))
+                };
+                let fraction = find_root(before, after, tolerance, &mut value)?;
+                step.at(from + fraction * length)?
+            }
+        };
+        if self.has_full_rank(mechanism, &state) {
+            self.found.push(DeadPoint { of: self.names.clone(), state });
+        }
+        Ok(())
+    }
+
+    /// Takes note of the determinant at a state, if it is not nearly zero: then it has no sign.
+    fn note(&mut self, mechanism: &M, state: &State<M>) {
+        let value = self.determinant(mechanism, state);
+        self.is_unknown = !(value.abs() > SINGULAR);
+        self.last = if self.is_unknown { self.last } else { Some(value) };
+    }
+
+    /// det C_qd beside the lengths of the rows of C_q.
+    fn determinant(&mut self, mechanism: &M, state: &State<M>) -> f64 {
+        self.order[1].clone_from(&self.columns);
+        self.pivots(mechanism, state).0
+    }
+
+    /// Whether the rows of C_q do not depend on each other.
+    fn has_full_rank(&mut self, mechanism: &M, state: &State<M>) -> bool {
+        self.order[1] = (0..M::Q::LEN).collect();
+        self.pivots(mechanism, state).1 > SINGULAR.sqrt()
+    }
+
+    /// The product of all pivots of these columns, with the sign of their order, and the least of them; by complete pivoting, of
+    /// rows of length 1.
+    fn pivots(&mut self, mechanism: &M, state: &State<M>) -> (f64, f64) {
+        self.order[0].clone_from(&self.rows);
+        let [rows, columns] = &mut self.order;
+        let mut c = mechanism.constraint_jacobian(state.time, &state.positions);
+        for row in rows.iter() {
+            (0..M::Q::LEN).for_each(|j| c[*row][j] *= self.scales[j]);
+            let length = c[*row].iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+            (0..M::Q::LEN).for_each(|j| c[*row][j] /= length);
+        }
+        let (mut product, mut least) = (1.0, f64::INFINITY);
+        for k in 0..rows.len() {
+            let places = (k..rows.len()).flat_map(|i| (k..columns.len()).map(move |j| (i, j)));
+            let size = |(i, j): &(usize, usize)| c[rows[*i]][columns[*j]].abs();
+            let Some((i, j)) = places.max_by(|a, b| size(a).total_cmp(&size(b))) else { return (0.0, 0.0) };
+            let is_even = (i == k) == (j == k);
+            rows.swap(i, k);
+            columns.swap(j, k);
+            let pivot = c[rows[k]][columns[k]];
+            product *= if is_even { pivot } else { -pivot };
+            least = f64::min(least, pivot.abs());
+            for row in &rows[k + 1..] {
+                let factor = c[*row][columns[k]] / pivot;
+                for column in &columns[k + 1..] {
+                    let change = factor * c[rows[k]][*column];
+                    c[*row][*column] -= change;
+                }
+            }
+        }
+        (product, least)
+    }
+}

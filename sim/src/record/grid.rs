@@ -1,0 +1,153 @@
+//! Rows at equal intervals, of a run that may end at any time.
+//!
+//! The intervals asked for divide the whole time, and a run that ends early would have few rows, or one. So rows lie closer at
+//! first, by a power of two, and every second one is dropped when more than twice as many are held as were asked for. Rows
+//! beyond those asked for are one in four steps at most, so that they cost little where steps are few.
+
+use crate::trajectory::{Phase, Sample};
+use sim_kernel::Mechanism;
+use std::cmp::Ordering;
+
+/// So many steps are made for each row beyond those asked for.
+const STEPS_A_ROW: usize = 4;
+/// Numbers of places are exact to this power of two.
+const MOST_PLACES: f64 = 4_503_599_627_370_496.0;
+
+/// Where rows lie: at place i of N 2^level intervals.
+pub(super) struct Grid {
+    begin: f64,
+    end: f64,
+    /// N, the intervals asked for.
+    asked: usize,
+    level: u32,
+    /// The place of the next row.
+    next: u64,
+    /// The place of each row that is held, while the level is above 0.
+    places: Vec<Option<u64>>,
+    /// How many of them have one.
+    held: usize,
+    /// The steps until now.
+    steps: usize,
+    /// How many steps a finer row costs: none where equal steps end at its place.
+    steps_a_row: usize,
+}
+
+impl Grid {
+    pub(super) fn new(begin: f64, end: f64, asked: usize, equal_steps: Option<usize>) -> Grid {
+        // Where an equal number of them makes an interval, steps end at finer places too, and rows there cost nothing.
+        let divided = equal_steps.filter(|steps| steps.is_multiple_of(asked));
+        let level = divided.map_or(0, |steps| (steps / asked).trailing_zeros());
+        let steps_a_row = if equal_steps.is_some() { 0 } else { STEPS_A_ROW };
+        Grid { begin, end, asked, level, next: 1, places: Vec::new(), held: 0, steps: 0, steps_a_row }
+    }
+
+    /// The intervals asked for.
+    pub(super) fn asked(&self) -> usize {
+        self.asked
+    }
+
+    /// How many rows may come to be held.
+    pub(super) fn most(&self) -> Option<usize> {
+        self.asked.checked_mul(2)?.checked_add(3)
+    }
+
+    pub(super) fn make_room(&mut self, rows: usize) -> bool {
+        self.places.try_reserve_exact(rows).is_ok()
+    }
+
+    /// The time of the next row, if there is one.
+    pub(super) fn next_time(&self) -> Option<f64> {
+        let places = self.asked as f64 * f64::from(self.level).exp2();
+        match (self.next as f64).partial_cmp(&places)? {
+            Ordering::Less => Some(self.begin + (self.end - self.begin) * (self.next as f64 / places)),
+            Ordering::Equal => Some(self.end),
+            Ordering::Greater => None,
+        }
+    }
+
+    /// Takes note of a row at the next place.
+    pub(super) fn advance(&mut self) {
+        if self.level > 0 {
+            self.places.push(Some(self.next));
+            self.held += 1;
+        }
+        self.next += 1;
+    }
+
+    /// Takes note of a row that lies on no grid, and stays.
+    pub(super) fn add_other(&mut self) {
+        if self.level > 0 {
+            self.places.push(None);
+        }
+    }
+
+    /// That the last row stays, wherever it lies.
+    pub(super) fn keep_last(&mut self) {
+        if let Some(last) = self.places.last_mut() {
+            self.held -= usize::from(last.take().is_some());
+        }
+    }
+
+    /// Before a step is recorded: rows are placed about as closely as the first one is long, and drawn apart for those that
+    /// the step will add.
+    pub(super) fn prepare<M: Mechanism>(
+        &mut self,
+        [from, until]: [f64; 2],
+        samples: &mut Vec<Sample<M>>,
+        phases: &mut [Phase<M>],
+    ) {
+        if self.steps == 0 && self.steps_a_row > 0 {
+            self.refine(until - from, samples.len());
+        }
+        self.steps += 1;
+        let budget = self.steps.checked_div(self.steps_a_row).map_or(usize::MAX, |rows| rows + STEPS_A_ROW);
+        while self.level > 0 && self.held.saturating_add(self.added_by(until)) > budget.min(2 * self.asked) {
+            self.coarsen(samples, phases);
+        }
+    }
+
+    /// Before the first step: the finest grid whose intervals are no shorter.
+    fn refine(&mut self, step: f64, rows: usize) {
+        let interval = (self.end - self.begin) / self.asked as f64;
+        let finest = (interval / step).min(MOST_PLACES / self.asked as f64).log2().floor();
+        // Not a number, or below 0, is 0.
+        self.level = finest.max(0.0) as u32;
+        self.places.resize(if self.level > 0 { rows } else { 0 }, None);
+    }
+
+    /// How many rows lie in a step that ends then.
+    fn added_by(&self, until: f64) -> usize {
+        let places = self.asked as f64 * f64::from(self.level).exp2();
+        let last = (until - self.begin) / (self.end - self.begin) * places;
+        (last as u64 + 1).saturating_sub(self.next) as usize
+    }
+
+    /// Draws rows apart to those that were asked for.
+    pub(super) fn finish<M: Mechanism>(&mut self, samples: &mut Vec<Sample<M>>, phases: &mut [Phase<M>]) {
+        while self.level > 0 {
+            self.coarsen(samples, phases);
+        }
+    }
+
+    /// Doubles the interval.
+    fn coarsen<M: Mechanism>(&mut self, samples: &mut Vec<Sample<M>>, phases: &mut [Phase<M>]) {
+        let stays = |place: &Option<u64>| place.is_none_or(|place| place.is_multiple_of(2));
+        let (mut phases, mut dropped) = (phases.iter_mut().peekable(), 0);
+        for (row, place) in self.places.iter().enumerate() {
+            while let Some(phase) = phases.next_if(|phase| phase.first == row) {
+                phase.first -= dropped;
+            }
+            dropped += usize::from(!stays(place));
+        }
+        let mut places = self.places.iter();
+        samples.retain(|_| places.next().is_none_or(stays));
+        self.places.retain(stays);
+        self.places.iter_mut().flatten().for_each(|place| *place /= 2);
+        self.held = self.places.iter().flatten().count();
+        self.next = self.next.div_ceil(2);
+        self.level -= 1;
+        if self.level == 0 {
+            self.places.clear();
+        }
+    }
+}

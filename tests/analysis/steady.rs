@@ -1,0 +1,151 @@
+//! Small motions about steady ones, by closed forms.
+
+use models::{Pendulum, Top};
+use sim::{Control, Linearization, Mechanism, assemble, declared_start, linearize, mechanism};
+
+mechanism! {
+    /// A top that stands upright and spins, in angles of which the last is its spin.
+    Sleeping;
+    coordinates { a [rad]; b [rad]; phi [rad]; }
+    parameters { m [kg] = 1; g [m/s^2] = 9.81; l [m] = 0.5; I1 [kg*m^2] = 0.3; I3 [kg*m^2] = 0.02; w [rad/s] = 100; }
+    let A = I1 - m*l^2;
+    let R = euler(xyz, a, b, phi);
+    bodies { top: mass m at R*[0, 0, l], inertia [A, A, I3], attitude R; }
+    loads { gravity [0, 0, -g]; }
+    initial { a = 0; b = 0; phi = 0; dot(a) = 0; dot(b) = 0; dot(phi) = w; }
+}
+
+mechanism! {
+    /// The same on a ball joint, whose quaternion spins.
+    SleepingBall;
+    parameters { m [kg] = 1; g [m/s^2] = 9.81; l [m] = 0.5; I1 [kg*m^2] = 0.3; I3 [kg*m^2] = 0.02; w [rad/s] = 100; }
+    let A = I1 - m*l^2;
+    bodies { top: mass m, inertia [A, A, I3]; }
+    loads { gravity [0, 0, -g]; }
+    joints { foot: ball ground at [0, 0, 0] to top at [0, 0, -l]; }
+    initial {
+        foot_q0 = 1; foot_q1 = 0; foot_q2 = 0; foot_q3 = 0;
+        dot(foot_q0) = 0; dot(foot_q1) = 0; dot(foot_q2) = 0; dot(foot_q3) = w/2;
+    }
+}
+
+mechanism! {
+    /// A thin disc that rolls upright, straight ahead.
+    Disc;
+    coordinates { x [m]; y [m]; z [m]; yaw [rad]; lean [rad]; spin [rad]; }
+    parameters { m [kg] = 2; r [m] = 0.25; g [m/s^2] = 9.81; w [rad/s] = 9; }
+    bodies {
+        disc: mass m at [x, y, z], inertia [m*r^2/4, m*r^2/2, m*r^2/4], attitude euler(zxy, yaw, lean, spin);
+    }
+    loads { gravity [0, 0, -g]; }
+    joints { floor: roll disc radius r axis [0, 1, 0] on [0, 0, 0] normal [0, 0, 1]; }
+    initial {
+        x = 0; y = 0; guess z = r; yaw = 0; lean = 0; spin = 0;
+        dot(yaw) = 0; dot(lean) = 0; dot(spin) = w;
+    }
+}
+
+fn about_start<M: Mechanism>(mechanism: &M) -> Linearization<M> {
+    let state = assemble(mechanism, &declared_start(mechanism)).unwrap();
+    let inputs: [Control; 0] = [];
+    let found = linearize(mechanism, &state, &inputs).unwrap();
+    let entries = found.modes.iter().flat_map(|mode| &mode.shape);
+    assert!(entries.clone().all(|entry| entry.re.is_finite() && entry.im.is_finite()), "{:?}", found.modes);
+    found
+}
+
+/// I1 (a'' + i b'') - i I3 w (a' + i b') = m g l (a + i b), and a spin that nothing changes. Slow ones fall, fast ones nod.
+#[test]
+fn a_sleeping_top_wobbles_as_its_equation_says() {
+    for size in [1e-3, 1.0, 100.0f64] {
+        for w in [0.0, 100.0, 121.3, 150.0, 1e4] {
+            let base: Sleeping = Sleeping::default();
+            let of_mass = |inertia: f64| inertia * size * size;
+            // Lengths and gravity by the same factor: the same motion.
+            let top =
+                Sleeping { l: base.l * size, g: base.g * size, I1: of_mass(base.I1), I3: of_mass(base.I3), w, ..base };
+            let found = about_start(&top);
+            assert!(found.unsteady.is_empty(), "{:?}", found.unsteady);
+            assert_eq!(found.eigenvalues.iter().filter(|value| value.norm() == 0.0).count(), 2);
+            let half = base.I3 * w / (2.0 * base.I1);
+            let square = base.m * base.g * base.l / base.I1 - half * half;
+            let expected: Vec<[f64; 2]> = match square > 0.0 {
+                true => vec![[square.sqrt(), half], [-square.sqrt(), half]],
+                false => vec![[0.0, half - (-square).sqrt()], [0.0, half + (-square).sqrt()]],
+            };
+            for [re, im] in expected {
+                let off = |value: &nalgebra::Complex<f64>| (value.re - re).hypot(value.im.abs() - im);
+                let nearest =
+                    found.eigenvalues.iter().filter(|v| v.norm() > 0.0).map(off).fold(f64::INFINITY, f64::min);
+                // Some roundings of the largest, over the distance of the pair.
+                let bound = 1e-13 * (half + square.abs().sqrt()).powi(2) / square.abs().sqrt();
+                println!("{size} {w}: {nearest:.1e} {bound:.1e}");
+                assert!(nearest < bound, "{re} {im}: {:?}", found.eigenvalues);
+            }
+        }
+    }
+}
+
+/// The quaternion of a top that spins does not stay, and is named.
+#[test]
+fn a_quaternion_that_spins_is_not_steady() {
+    let found = about_start(&SleepingBall::default());
+    let names: Vec<&str> =
+        found.unsteady.iter().map(|j| SleepingBall::<f64>::DESCRIPTION.coordinates[*j].position.name).collect();
+    assert_eq!(names, ["foot_q0", "foot_q3"]);
+    // At rest it hangs over: no motion, nothing that changes.
+    assert!(about_start(&SleepingBall { w: 0.0, ..Default::default() }).unsteady.is_empty());
+    // On its way a pendulum is not steady, and at rest it is.
+    let pendulum = Pendulum::default();
+    let at = |phi: f64, speed: f64| sim::State { time: 0.0, positions: [phi], speeds: [speed], work: 0.0 };
+    for (phi, speed, expected) in [(0.0, 0.0, vec![]), (0.5, 0.0, vec![0]), (0.5, 1.0, vec![0])] {
+        assert_eq!(linearize(&pendulum, &at(phi, speed), &[]).unwrap().unsteady, expected, "{phi} {speed}");
+    }
+}
+
+/// For a thin disc at the spin w: lean'' = -(12/5 w^2 - 4 g/(5 r)) lean, from (I + m r^2) lean'' + (2 I + m r^2) w yaw' = m g r lean
+/// and I yaw'' = 2 I w lean' with I = m r^2/4; everything else stays.
+#[test]
+fn a_rolling_disc_leans_as_its_equation_says() {
+    for size in [1e-3, 1.0, 100.0f64] {
+        for w in [9.0, 1.5] {
+            let base: Disc = Disc::default();
+            let disc = Disc { r: base.r * size, g: base.g * size, w, ..base };
+            let found = about_start(&disc);
+            assert!(found.unsteady.is_empty(), "{:?}", found.unsteady);
+            let square = 2.4 * w * w - 0.8 * base.g / base.r;
+            let fastest = found.eigenvalues.iter().fold(0.0, |most: f64, value| most.max(value.norm()));
+            println!("{size} {w}: {:e}", fastest / square.abs().sqrt() - 1.0);
+            // Five zero modes beside it take no digit.
+            assert!((fastest / square.abs().sqrt() - 1.0).abs() < 1e-13, "{:?}", found.eigenvalues);
+            let pair = found.eigenvalues.iter().filter(|value| value.norm() > 0.5 * fastest);
+            assert!(pair.clone().count() == 2 && pair.clone().all(|value| (value.re == 0.0) == (square > 0.0)));
+            // The others are those of defective zeros: the square root of rounding.
+            let others = found.eigenvalues.iter().filter(|value| value.norm() <= 0.5 * fastest);
+            assert!(others.clone().all(|value| value.norm() < 1e-6 * fastest), "{:?}", found.eigenvalues);
+        }
+    }
+}
+
+/// About steady precession a top nods at w^2 = V''/I1, with V = (p_psi - p_phi cos theta)^2/(2 I1 sin^2 theta) + m g l cos theta.
+#[test]
+fn a_precessing_top_nods_as_its_effective_potential_says() {
+    let top: Top = Top { nod: 0.0, ..Default::default() };
+    let found = about_start(&top);
+    assert!(found.unsteady.is_empty(), "{:?}", found.unsteady);
+    let [psi, _, _] = found.state.speeds;
+    let (inertia, theta) = (top.A + top.m * top.l * top.l, top.theta0);
+    let along = top.C * top.spin;
+    let about = inertia * theta.sin().powi(2) * psi + along * theta.cos();
+    let (s, c) = theta.sin_cos();
+    // With u = p_psi - p_phi c: V'' of u^2/(2 I1 s^2) + m g l c, where u' = p_phi s.
+    let u = about - along * c;
+    let second = (along * along + u * along * c / (s * s) - 4.0 * u * along * c / (s * s)) / inertia
+        + u * u * (1.0 / (s * s) + 3.0 * c * c / s.powi(4)) / inertia
+        - top.m * 9.81 * top.l * c;
+    let expected = (second / inertia).sqrt();
+    let nods = found.modes.iter().map(|mode| mode.eigenvalue.im).fold(0.0, f64::max);
+    println!("{nods} {expected}");
+    // Some roundings of terms ten times as large.
+    assert!((nods / expected - 1.0).abs() < 1e-12, "{nods} {expected}");
+}
