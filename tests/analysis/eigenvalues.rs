@@ -7,7 +7,7 @@ use tests::spectra::Exact;
 /// A share of those that `figures numbers` takes.
 #[test]
 fn exact_spectra_are_found_to_what_they_are_worth() {
-    for (what, value, bound) in tests::spectra::lines(200) {
+    for (what, value, bound) in tests::spectra::lines(60) {
         println!("{what}: {value:.1e}");
         assert!(value <= bound, "{what}: {value:e}");
     }
