@@ -14,7 +14,11 @@ fn brackets_nest_so_deep_and_no_deeper() {
     let brackets = format!("{}1{}", "[".repeat(100_000), "]".repeat(100_000));
     let in_fragment = format!("fragment Part(a) {{ let b = {brackets}; }} use Part(l) as left; let P = l*");
     check("let P = l*", &in_fragment, &["4:91 brackets are nested too deeply; name inner parts with `let`"]);
-    check("initial {", &format!("{brackets} initial {{"), &["7:65 brackets are nested too deeply; name inner parts with `let`"]);
+    check(
+        "initial {",
+        &format!("{brackets} initial {{"),
+        &["7:65 brackets are nested too deeply; name inner parts with `let`"],
+    );
 }
 
 #[test]
@@ -35,7 +39,11 @@ fn sums_may_have_as_many_terms_as_words_allow() {
     check("let P = l*", "let a = sum(i in 1..=200, l/i^2); let P = l*", &[]);
     check("let P = l*", "let a = sum(i in 1..=2000, 1/i); let P = l*", &[]);
     let long = vec!["l"; 800].join("+");
-    check("let P = l*", &format!("let a = {long}; let P = l*"), &["4:1506 this line is too long; name parts of it with `let`"]);
+    check(
+        "let P = l*",
+        &format!("let a = {long}; let P = l*"),
+        &["4:1506 this line is too long; name parts of it with `let`"],
+    );
 }
 
 #[test]

@@ -40,7 +40,11 @@ fn what_is_generated_has_names_of_its_own() {
         check("pub Pendulum;", &format!("pub {name};"), &[&expected]);
     }
     for name in ["self", "Self", "super", "crate", "_"] {
-        check("pub Pendulum;", &format!("pub {name};"), &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
+        check(
+            "pub Pendulum;",
+            &format!("pub {name};"),
+            &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"],
+        );
     }
     // These are compiled in `tests/language/pass/names_of_mechanisms.rs`.
     for name in ["T", "U", "Mechanism", "Option", "f64"] {

@@ -20,19 +20,8 @@ const FILES: [(&str, &str); 6] = [
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// Names that Cargo refuses, or that the crate's own dependencies have.
-const TAKEN: [&str; 11] = [
-    "sim",
-    "sim-kernel",
-    "mechanism-macros",
-    "codegen",
-    "test",
-    "core",
-    "std",
-    "alloc",
-    "proc-macro",
-    "build",
-    "deps",
-];
+const TAKEN: [&str; 11] =
+    ["sim", "sim-kernel", "mechanism-macros", "codegen", "test", "core", "std", "alloc", "proc-macro", "build", "deps"];
 
 /// Makes a crate with a mechanism of one's own.
 pub(super) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
