@@ -148,7 +148,7 @@ const SHORTEST: f64 = 0.01;
 ///
 /// How far its points move for a change of its angles: by the constraints, the median of rows in which both lengths and
 /// angles stand; else by its inertia; else the largest length that it starts at, or that is a parameter of it; else 1 m.
-fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
+pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let sources: [&dyn Fn() -> f64; 3] = [

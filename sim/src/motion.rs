@@ -183,6 +183,13 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
     }
 
+    /// Makes ready for states near this one: chooses independent coordinates by it.
+    pub fn start(&self, state: &State<M>) {
+        if self.stabilisation == Stabilisation::Partitioning {
+            self.partition.borrow_mut().choose(self.mechanism, &self.measures, state.time, &state.positions);
+        }
+    }
+
     /// Makes ready for a step from a sample to a time: chooses the independent coordinates for it.
     #[inline]
     pub fn prepare(&self, from: &Sample<M>, time: f64) {

@@ -12,6 +12,7 @@ use sim_kernel::{Array, Mechanism};
 
 /// Newton steps after which the dependent coordinates are given up.
 const MOST_STEPS: usize = 20;
+
 /// The dependent coordinates and the dependent speeds. They differ where constraints hold between speeds alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partition {
@@ -30,10 +31,12 @@ impl Partition {
     pub(crate) fn renew<M: Mechanism>(&mut self, mechanism: &M, measures: &Measures<M>, from: &Sample<M>, time: f64) {
         let (state, h) = (&from.state, (time - from.state.time) / 2.0);
         let moved = |i: usize| state.positions[i] + h * (state.speeds[i] + h / 2.0 * from.accelerations[i]);
-        self.choose(measures, &mechanism.constraint_jacobian(state.time + h, &M::Q::from_fn(moved)));
+        self.choose(mechanism, measures, state.time + h, &M::Q::from_fn(moved));
     }
 
-    fn choose<M: Mechanism>(&mut self, measures: &Measures<M>, jacobian: &M::LQ) {
+    /// Chooses by a position.
+    pub(crate) fn choose<M: Mechanism>(&mut self, mechanism: &M, measures: &Measures<M>, time: f64, q: &M::Q) {
+        let jacobian = &mechanism.constraint_jacobian(time, q);
         self.positions.choose(measures, between_positions::<M>(jacobian), measures.rank_of_positions());
         if has_speed_rows::<M>() {
             self.speeds.choose(measures, *jacobian, measures.rank());
@@ -142,9 +145,10 @@ impl Choice {
             Failure::at::<M>(What::Singular { unknown }, time, q)
         };
         let (_, mut solution) = self.reduced(measures, &jacobian, &residual).ok_or_else(fail)?;
-        for (k, i) in self.dependent.iter().enumerate() {
-            solution[k] *= measures.coordinates()[*i];
-        }
+        let mut change = M::Q::filled(0.0);
+        self.dependent.iter().enumerate().for_each(|(k, i)| change[*i] = solution[k]);
+        change = measures.change(change);
+        self.dependent.iter().enumerate().for_each(|(k, i)| solution[k] = change[*i]);
         Ok(solution)
     }
 }

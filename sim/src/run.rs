@@ -149,6 +149,7 @@ fn run_phases<M: Mechanism>(
         })?;
         let span = settings.until(control.holds_until(settings.end), begin);
         let motion = Motion::new(&mechanism, settings.stabilisation, measures);
+        motion.start(&state);
         let ended = motion.sample(state).and_then(|sample| {
             if is_phase {
                 recorder.start(&motion, sample)?;

@@ -32,7 +32,7 @@ fn third_derivative(theta: f64) -> f64 {
     let (r, l, e) = (0.15, 0.45, 0.03);
     let (sin, cos) = theta.sin_cos();
     let [u, u1, u2, u3] = [r * sin - e, r * cos, -r * sin, -r * cos];
-    let w = (l * l - u * u as f64).sqrt();
+    let w = (l * l - u * u).sqrt();
     let w1 = -u * u1 / w;
     let w2 = (-u1 * u1 - u * u2 - w1 * w1) / w;
     let w3 = (-3.0 * u1 * u2 - u * u3 - 3.0 * w1 * w2) / w;

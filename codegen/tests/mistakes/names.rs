@@ -54,7 +54,7 @@ fn what_is_generated_has_names_of_its_own() {
 
 #[test]
 fn uses_of_a_reserved_name_are_no_mistakes_too() {
-    let expected = ["3:15 `e` is Euler's number in the language; choose another name"];
+    let expected = ["3:14 `e` is Euler's number in the language; choose another name"];
     check("l [m] = 1;", "e [m] = 0.1; l [m] = 1;", &expected);
     let used = ["4:5 `e` is Euler's number in the language; choose another name"];
     check("let P = l*[sin(phi), -cos(phi)];", "let e = 0.1*l; let P = e*[sin(phi), -cos(phi)] + [e, l + e];", &used);

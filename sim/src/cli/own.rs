@@ -13,7 +13,7 @@ const THEIR_OWN: [&str; 8] = ["O2A", "alpha", "x6", "phi", "--input", "--event",
 
 /// The command line of a program with these mechanisms.
 pub(super) fn command(mechanisms: &[Entry], program: &str) -> Command {
-    let command = Arguments::command().name(program.to_owned()).bin_name(program.to_owned());
+    let command = Arguments::command().name("sim").bin_name(program.to_owned()).display_name(program.to_owned());
     let has = |name: &str| mechanisms.iter().any(|entry| entry.description.name == name);
     if THEIRS.into_iter().all(has) {
         return command;

@@ -237,7 +237,7 @@ fn adaptive_steps<M: Mechanism>(
     let (mut from, mut to) = (&mut { start }, &mut { start });
     let mut controller = Controller::new(order);
     let mut crossing = Crossing::new();
-    motion.prepare(from, from.state.time);
+    motion.start(&from.state);
     let mut h = initial_step(motion, from, course.end - from.state.time, order, tolerance)?;
     let (first, mut headway) = (h, Headway::from(from.state.time));
     while from.state.time < course.end {

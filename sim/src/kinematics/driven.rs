@@ -40,7 +40,7 @@ impl Driven {
     pub fn force_unit(self, description: &'static Description) -> &'static str {
         match self.quantity(description).unit {
             unit if is_angle(unit) => "N*m",
-            unit if has_length(unit) => "N",
+            unit if is_one_of(unit, "m", &["inch", "ft"]) => "N",
             _ => "J",
         }
     }
@@ -106,11 +106,6 @@ impl Driven {
 /// Whether a unit is one of angles.
 pub(super) fn is_angle(unit: &str) -> bool {
     is_one_of(unit, "rad", &["deg", "rev"])
-}
-
-/// Whether a unit is one of lengths.
-pub(super) fn has_length(unit: &str) -> bool {
-    is_one_of(unit, "m", &["inch", "ft"])
 }
 
 /// Whether a unit is a base, with a prefix or without, or one of others.

@@ -1,9 +1,11 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
+mod algebra;
 mod crossing;
 mod driven;
 mod extremes;
 mod inverse;
+mod locate;
 mod motion;
 mod path;
 mod search;

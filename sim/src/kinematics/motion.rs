@@ -1,9 +1,13 @@
-//! The motion at a place of the curve.
+//! Positions and motion at a place of the curve.
 
+use super::algebra::{in_regular_directions, is_rounding, least_squares};
 use super::inverse::{AnyPrescribed, Factors, prescribed};
-use super::path::{Path, Piece};
+use super::path::{MOST_CORRECTIONS, Path, Piece};
 use super::series::{NODES, Series, nodes};
 use crate::failure::{Failure, What};
+use crate::root::find_root;
+use nalgebra::DVector;
+use std::convert::Infallible;
 
 /// How near to a crossing, in half steps, the motion is that of the nodes around it: nearer than all of them.
 const BESIDE: f64 = 0.1;
@@ -11,10 +15,60 @@ const BESIDE: f64 = 0.1;
 const AT: f64 = 1e-9;
 /// The last coefficients of what goes through a crossing, beside its largest; a pole has coefficients that do not fall.
 const SMOOTH: f64 = 1e-6;
+/// How far from a position of the curve the same may be found for a value of p.
+const SAME: f64 = 1e-6;
 /// What may be left of a constraint, of its terms.
 const CLOSED: f64 = 1e-12;
 
 impl Path<'_> {
+    /// Where in a step p has a value.
+    pub(super) fn locate(&self, piece: &Piece, p: f64) -> f64 {
+        let (n, last) = (piece.curve.len() - 1, piece.limit.unwrap_or(1.0));
+        let place = |s: f64| s * (1.0 + last) - 1.0;
+        let mut short = |s: f64| Ok::<f64, Infallible>(piece.curve[n].at(place(s)) - p / self.sizes.parameter);
+        let Ok([first, end]) = short(0.0).and_then(|first| Ok([first, short(1.0)?]));
+        match () {
+            _ if first >= 0.0 => -1.0,
+            _ if end <= 0.0 => last,
+            _ => find_root(first, end, 1e-15, &mut short).map_or(last, place),
+        }
+    }
+
+    /// The position at a value of p that a step has at x; `None` where that does not determine it, or if it is elsewhere.
+    pub(super) fn solve(&self, piece: &Piece, x: f64, p: f64) -> Option<Vec<f64>> {
+        let n = piece.curve.len() - 1;
+        let mut z = piece.z(x);
+        let guess = z.clone();
+        z[n] = p / self.sizes.parameter;
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST_CORRECTIONS {
+            let (values, jacobian) = self.linear(&z);
+            let change = match piece.crossing {
+                None => least_squares(jacobian.remove_column(n), values)?,
+                Some(_) => in_regular_directions(jacobian.remove_column(n), &values)?,
+            };
+            z.rows_mut(0, n).axpy(-1.0, &change, 1.0);
+            let size = change.norm();
+            if is_rounding(size, last, &z) {
+                let same = (&z - &guess).norm() <= SAME * (1.0 + guess.amax());
+                let mut q = DVector::from_vec(self.place(&z).0);
+                self.system.prescribe(|k| self.system.laws[k].at(p), &mut q);
+                return same.then(|| q.as_slice().to_vec());
+            }
+            if !(size < last) {
+                return None;
+            }
+            last = size;
+        }
+        None
+    }
+
+    /// A value of p within the sweep; one that is an end of it but for rounding is that.
+    pub(super) fn within(&self, p: f64) -> f64 {
+        let ends = [0.0, self.end];
+        ends.into_iter().find(|end| (p - end).abs() <= 1e-13 * self.end).unwrap_or(p)
+    }
+
     /// The motion at a place of a step, where p has this value.
     ///
     /// # Errors

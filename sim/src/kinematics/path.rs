@@ -5,6 +5,7 @@
 //! know nothing of what is recorded. One is made when the curve over it is a polynomial to rounding, with every node on the
 //! curve: what was stepped over cannot be another branch then.
 
+use super::algebra::{bordered, is_rounding, least_squares, singular_values};
 use super::crossing::find_dip;
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
@@ -17,9 +18,7 @@ use std::cell::OnceCell;
 use std::convert::Infallible;
 
 /// Newton steps of a correction.
-const MOST_CORRECTIONS: usize = 12;
-/// A correction this small that no longer shrinks is rounding.
-const ROUNDING: f64 = 1e-9;
+pub(super) const MOST_CORRECTIONS: usize = 12;
 /// The first correction of a step, as a part of it, beyond which the step is refused: it might lead to another branch.
 const LARGEST_CORRECTION: f64 = 0.1;
 /// The least cosine between the tangents at both ends of a step.
@@ -41,15 +40,8 @@ const CENTRED: f64 = 0.02;
 /// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew.
 const AROUND: f64 = 0.2;
 const MOST_LAYINGS: usize = 4;
-/// Directions in which F_q is this small, beside its largest part, are left as the curve has them.
-const REGULAR: f64 = 1e-4;
 /// Where rounding is amplified so much, another branch may cross nearby.
 const NEAR: f64 = 1e3;
-/// After so many sweeps a decomposition is given up; it takes a few for each singular value.
-const MOST_SWEEPS: usize = 10_000;
-/// How far from a position of the curve the same may be found for a value of p.
-const SAME: f64 = 1e-6;
-
 /// A point of the curve: z = (q, p), each in its size, and its unit tangent.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
@@ -67,7 +59,7 @@ pub(super) struct Piece {
     pub(super) to: Point,
     length: f64,
     /// z(x).
-    curve: Vec<Series>,
+    pub(super) curve: Vec<Series>,
     /// Where another branch crosses.
     pub(super) crossing: Option<f64>,
     /// Where the drive turns back.
@@ -81,17 +73,17 @@ pub(super) struct Path<'s> {
     pub(super) system: &'s System<'s>,
     pub(super) sizes: Sizes,
     /// Where it ends, as p.
-    end: f64,
+    pub(super) end: f64,
 }
 
 impl<'s> Path<'s> {
     /// The curve of a system from a position, for p from 0 to `end`.
     pub(super) fn new(system: &'s System<'s>, q: &[f64], end: f64) -> Path<'s> {
-        Path { system, sizes: Sizes::new(system, q, end), end }
+        Path { system, sizes: Sizes::new(system, q), end }
     }
 
     /// A position and its p.
-    fn place(&self, z: &DVector<f64>) -> (Vec<f64>, f64) {
+    pub(super) fn place(&self, z: &DVector<f64>) -> (Vec<f64>, f64) {
         let n = z.len() - 1;
         (self.sizes.coordinates.iter().zip(z).map(|(size, z)| size * z).collect(), z[n] * self.sizes.parameter)
     }
@@ -250,7 +242,7 @@ impl<'s> Path<'s> {
     }
 
     /// F and F_z, without units.
-    fn linear(&self, z: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+    pub(super) fn linear(&self, z: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
         let (q, p) = self.place(z);
         let (n, sizes, linear) = (q.len(), &self.sizes, self.system.linear(&q, p));
         let jacobian = DMatrix::from_fn(linear.values.len(), n + 1, |i, j| match j < n {
@@ -307,54 +299,6 @@ impl<'s> Path<'s> {
         find_root(before, after, 1e-13, &mut |s| Ok::<f64, Infallible>(along(place(s)))).map_or(near, place)
     }
 
-    /// Where in a step p has a value.
-    pub(super) fn locate(&self, piece: &Piece, p: f64) -> f64 {
-        let (n, last) = (piece.from.z.len() - 1, piece.limit.unwrap_or(1.0));
-        let place = |s: f64| s * (1.0 + last) - 1.0;
-        let mut short = |s: f64| Ok::<f64, Infallible>(piece.curve[n].at(place(s)) - p / self.sizes.parameter);
-        let Ok([first, end]) = short(0.0).and_then(|first| Ok([first, short(1.0)?]));
-        match () {
-            _ if first >= 0.0 => -1.0,
-            _ if end <= 0.0 => last,
-            _ => find_root(first, end, 1e-15, &mut short).map_or(last, place),
-        }
-    }
-
-    /// The position at a value of p that a step has at x; `None` where that does not determine it, or if it is elsewhere.
-    pub(super) fn solve(&self, piece: &Piece, x: f64, p: f64) -> Option<Vec<f64>> {
-        let n = piece.from.z.len() - 1;
-        let mut z = piece.z(x);
-        let guess = z.clone();
-        z[n] = p / self.sizes.parameter;
-        let mut last = f64::INFINITY;
-        for _ in 0..MOST_CORRECTIONS {
-            let (values, jacobian) = self.linear(&z);
-            let change = match piece.crossing {
-                None => least_squares(jacobian.remove_column(n), values)?,
-                Some(_) => in_regular_directions(jacobian.remove_column(n), &values)?,
-            };
-            z.rows_mut(0, n).axpy(-1.0, &change, 1.0);
-            let size = change.norm();
-            if is_rounding(size, last, &z) {
-                let same = (&z - &guess).norm() <= SAME * (1.0 + guess.amax());
-                let mut q = DVector::from_vec(self.place(&z).0);
-                self.system.prescribe(|k| self.system.laws[k].at(p), &mut q);
-                return same.then(|| q.as_slice().to_vec());
-            }
-            if !(size < last) {
-                return None;
-            }
-            last = size;
-        }
-        None
-    }
-
-    /// A value of p within the sweep; one that is an end of it but for rounding is that.
-    pub(super) fn within(&self, p: f64) -> f64 {
-        let ends = [0.0, self.end];
-        ends.into_iter().find(|end| (p - end).abs() <= 1e-13 * self.end).unwrap_or(p)
-    }
-
     /// A point of the curve some way before another, if branches may cross near that: what is known of the motion beside a
     /// crossing is known from both sides of it.
     pub(super) fn before(&self, point: Point) -> Point {
@@ -372,47 +316,7 @@ impl Piece {
         self.from.condition.max(self.to.condition)
     }
 
-    fn z(&self, x: f64) -> DVector<f64> {
+    pub(super) fn z(&self, x: f64) -> DVector<f64> {
         DVector::from_fn(self.curve.len(), |j, _| self.curve[j].at(x))
     }
-}
-
-/// Corrections end when they are rounding, or no longer shrink.
-fn is_rounding(size: f64, last: f64, z: &DVector<f64>) -> bool {
-    let floor = 4.0 * f64::EPSILON * (1.0 + z.norm());
-    size <= floor || (size <= ROUNDING && size >= 0.25 * last)
-}
-
-/// A matrix with a row below it.
-fn bordered(matrix: DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64> {
-    let m = matrix.nrows();
-    let mut bordered = matrix.insert_row(m, 0.0);
-    bordered.row_mut(m).copy_from(&row.transpose());
-    bordered
-}
-
-/// The x with A x nearest to the right-hand side.
-fn least_squares(matrix: DMatrix<f64>, rhs: DVector<f64>) -> Option<DVector<f64>> {
-    if matrix.is_square() {
-        return matrix.lu().solve(&rhs);
-    }
-    let factors = matrix.qr();
-    factors.r().solve_upper_triangular(&factors.q().tr_mul(&rhs))
-}
-
-/// The singular values, the largest first, if the matrix is finite.
-fn singular_values(matrix: &DMatrix<f64>) -> Option<DVector<f64>> {
-    let decomposed = || matrix.clone().try_svd(false, false, 5.0 * f64::EPSILON, MOST_SWEEPS);
-    matrix.iter().all(|entry| entry.is_finite()).then(decomposed)?.map(|found| found.singular_values)
-}
-
-/// The shortest change that closes the equations in those directions in which the curve's own position is not known better:
-/// beside a crossing rounding is amplified in the others.
-fn in_regular_directions(matrix: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
-    if matrix.iter().any(|entry| !entry.is_finite()) {
-        return None;
-    }
-    let factors = matrix.try_svd(true, true, 5.0 * f64::EPSILON, MOST_SWEEPS)?;
-    let least = REGULAR * factors.singular_values[0];
-    factors.solve(rhs, least).ok()
 }

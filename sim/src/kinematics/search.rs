@@ -3,12 +3,11 @@
 //! Over each step every quantity is a polynomial to a small part of its range, or the step is halved for it. Candidates are
 //! where polynomials turn; the best of each quantity is located again at the end, to rounding.
 
-use super::extremes::{Extreme, Range};
+use super::extremes::Range;
 use super::inverse::AnyPrescribed;
 use super::path::{Path, Piece};
 use super::series::{NODES, Series, nodes};
 use crate::failure::Failure;
-use crate::root::{find_minimum, find_root};
 use std::ops::Range as Indices;
 use std::rc::Rc;
 
@@ -22,8 +21,6 @@ const NOISE: f64 = 16.0;
 const MOST_HALVINGS: usize = 8;
 /// By how much of its range a value is better than an earlier one.
 const BETTER: f64 = 1e-11;
-/// By how much of itself a value may be worse than its polynomial.
-const CORNER: f64 = 1e-12;
 /// Distances from a singular place, in half steps, over which a quantity without bound grows by this factor each time.
 const TOWARDS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const GROWS: f64 = 2.5;
@@ -55,8 +52,8 @@ pub(super) struct Found {
 
 /// A search along a curve.
 pub(super) struct Search<'s> {
-    path: &'s Path<'s>,
-    layout: Layout,
+    pub(super) path: &'s Path<'s>,
+    pub(super) layout: Layout,
     /// Which column each of the last quantities is.
     columns: Vec<usize>,
     tracked: Vec<Tracked>,
@@ -72,20 +69,21 @@ struct Tracked {
     noise: f64,
 }
 
+/// A value that may be the least or the greatest.
 #[derive(Clone)]
-struct Candidate {
-    value: f64,
-    piece: Rc<Piece>,
+pub(super) struct Candidate {
+    pub(super) value: f64,
+    pub(super) piece: Rc<Piece>,
     /// The part of the step that belongs to the sweep.
-    within: [f64; 2],
-    x: f64,
+    pub(super) within: [f64; 2],
+    pub(super) x: f64,
     /// How far around it the quantity is known to be as it is there.
-    reach: f64,
-    kind: Kind,
+    pub(super) reach: f64,
+    pub(super) kind: Kind,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     /// The polynomial turns there.
     Turn,
     /// The value of a node, where there is no polynomial.
@@ -118,7 +116,7 @@ impl<'s> Search<'s> {
     }
 
     /// Every quantity of a motion.
-    fn values(&self, motion: &AnyPrescribed) -> Vec<f64> {
+    pub(super) fn values(&self, motion: &AnyPrescribed) -> Vec<f64> {
         let system = self.path.system;
         let mut values = system.mechanism.outputs(motion.at());
         values.extend(&motion.multipliers);
@@ -129,7 +127,7 @@ impl<'s> Search<'s> {
         values
     }
 
-    fn values_at(&self, piece: &Piece, x: f64) -> Result<Vec<f64>, Failure> {
+    pub(super) fn values_at(&self, piece: &Piece, x: f64) -> Result<Vec<f64>, Failure> {
         Ok(self.values(&self.path.motion_at(piece, x)?))
     }
 
@@ -284,55 +282,5 @@ impl<'s> Search<'s> {
             Some(Range { least: self.located(k, least, 1.0)?, greatest: self.located(k, greatest, -1.0)? })
         };
         Found { ranges: (0..self.tracked.len()).map(range).collect(), layout: self.layout.clone(), places: self.places }
-    }
-
-    /// A candidate at its place, the least of `sign` times the quantity.
-    fn located(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<Extreme> {
-        let turn = || self.root_of_rate(k, candidate).or_else(|| self.turn_around(k, candidate));
-        let x = if candidate.kind == Kind::Turn { turn()? } else { candidate.x };
-        let found = self.extreme_at(k, &candidate.piece, x)?;
-        // What is worse than its polynomial has a corner there.
-        let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
-        let better = (is_worse || candidate.kind == Kind::Rough).then(|| self.corner(k, candidate, sign)).flatten();
-        Some(better.filter(|better| sign * better.value < sign * found.value).unwrap_or(found))
-    }
-
-    fn extreme_at(&self, k: usize, piece: &Piece, x: f64) -> Option<Extreme> {
-        let p = self.path.within(self.path.at(piece, x).1);
-        let value = self.values(&self.path.motion(piece, x, p).ok()?)[k];
-        value.is_finite().then(|| Extreme { value, at: self.path.system.laws[0].at(p) })
-    }
-
-    /// The extreme near a candidate by comparison alone.
-    fn corner(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<Extreme> {
-        let Candidate { piece, within, x, reach, .. } = candidate;
-        let [from, to] = [(x - 0.3 * reach).max(within[0]), (x + 0.3 * reach).min(within[1])];
-        let place = |s: f64| from + s * (to - from);
-        let found = find_minimum(&mut |s| Ok::<f64, Failure>(sign * self.values_at(piece, place(s))?[k]));
-        self.extreme_at(k, piece, place(found.ok()?.0))
-    }
-
-    /// Where the rate of an output that has one is zero, next to a candidate.
-    fn root_of_rate(&self, k: usize, candidate: &Candidate) -> Option<f64> {
-        let rated = self.path.system.mechanism.description().rated_outputs.iter().position(|output| *output == k)?;
-        let (width, ratio) = (0.01 * candidate.reach, self.layout.ratios.start + rated);
-        let place = |s: f64| (candidate.x + width * (2.0 * s - 1.0)).clamp(-1.0, 1.0);
-        let rate = |s: f64| Ok::<f64, Failure>(self.values_at(&candidate.piece, place(s))?[ratio]);
-        let (before, after) = (rate(0.0).ok()?, rate(1.0).ok()?);
-        (before * after < 0.0).then(|| find_root(before, after, 1e-15, &mut { rate }).ok().map(place))?
-    }
-
-    /// Where a polynomial through nodes close around a candidate turns.
-    fn turn_around(&self, k: usize, candidate: &Candidate) -> Option<f64> {
-        let last = candidate.piece.limit.unwrap_or(1.0);
-        let width = 0.5 * candidate.reach;
-        let (from, to) = ((candidate.x - width).max(-1.0), (candidate.x + width).min(last));
-        let place = |x: f64| from + (to - from) * (1.0 + x) / 2.0;
-        let at = |node: f64| Some(self.values_at(&candidate.piece, place(node)).ok()?[k]);
-        let values: Vec<f64> = nodes().into_iter().map(at).collect::<Option<_>>()?;
-        let turns = Series::through(std::array::from_fn(|node| values[node])).turns();
-        let off = |x: &f64| (place(*x) - candidate.x).abs();
-        let nearest = turns.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        Some(nearest.map_or(candidate.x, place))
     }
 }

@@ -1,0 +1,50 @@
+//! Small linear systems of the curve.
+
+use nalgebra::{DMatrix, DVector};
+
+/// A correction this small that no longer shrinks is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Directions in which F_q is this small, beside its largest part, are left as the curve has them.
+const REGULAR: f64 = 1e-4;
+/// After so many sweeps a decomposition is given up; it takes a few for each singular value.
+const MOST_SWEEPS: usize = 10_000;
+
+/// Corrections end when they are rounding, or no longer shrink.
+pub(super) fn is_rounding(size: f64, last: f64, z: &DVector<f64>) -> bool {
+    let floor = 4.0 * f64::EPSILON * (1.0 + z.norm());
+    size <= floor || (size <= ROUNDING && size >= 0.25 * last)
+}
+
+/// A matrix with a row below it.
+pub(super) fn bordered(matrix: DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64> {
+    let m = matrix.nrows();
+    let mut bordered = matrix.insert_row(m, 0.0);
+    bordered.row_mut(m).copy_from(&row.transpose());
+    bordered
+}
+
+/// The x with A x nearest to the right-hand side.
+pub(super) fn least_squares(matrix: DMatrix<f64>, rhs: DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.is_square() {
+        return matrix.lu().solve(&rhs);
+    }
+    let factors = matrix.qr();
+    factors.r().solve_upper_triangular(&factors.q().tr_mul(&rhs))
+}
+
+/// The singular values, the largest first, if the matrix is finite.
+pub(super) fn singular_values(matrix: &DMatrix<f64>) -> Option<DVector<f64>> {
+    let decomposed = || matrix.clone().try_svd(false, false, 5.0 * f64::EPSILON, MOST_SWEEPS);
+    matrix.iter().all(|entry| entry.is_finite()).then(decomposed)?.map(|found| found.singular_values)
+}
+
+/// The shortest change that closes the equations in those directions in which the curve's own position is not known better:
+/// beside a crossing rounding is amplified in the others.
+pub(super) fn in_regular_directions(matrix: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
+    let factors = matrix.try_svd(true, true, 5.0 * f64::EPSILON, MOST_SWEEPS)?;
+    let least = REGULAR * factors.singular_values[0];
+    factors.solve(rhs, least).ok()
+}
