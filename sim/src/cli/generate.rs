@@ -3,18 +3,35 @@
 use super::arguments::{GenerateArguments, Generated};
 use super::run_file::SCHEMA;
 use super::{Entry, Stop, own, print, program};
+use clap::Command;
+use clap_complete::Shell;
 
 /// Prints completions, the man page or the schema.
 pub(super) fn generate(arguments: &GenerateArguments, mechanisms: &[Entry]) -> Result<(), Stop> {
     let mut text = Vec::new();
     match arguments.what {
         Generated::Completions { shell } => {
-            clap_complete::generate(shell, &mut own::with_names(mechanisms, &program()), program(), &mut text);
+            let mut command = own::with_names(mechanisms, &program());
+            clap_complete::generate(shell, &mut command, program(), &mut text);
+            if shell == Shell::Fish {
+                text.extend(fish_names(&command, mechanisms, &program()).bytes());
+            }
         }
         Generated::Man => man(mechanisms, &mut text)?,
         Generated::Schema => text.extend(SCHEMA.bytes()),
     }
     print(&String::from_utf8_lossy(&text))
+}
+
+/// The names of mechanisms for fish, for which clap_complete offers no values of positional arguments.
+fn fish_names(command: &Command, mechanisms: &[Entry], program: &str) -> String {
+    let names: Vec<&str> = mechanisms.iter().map(|entry| entry.description.name).collect();
+    let takes_one = |sub: &&Command| sub.get_arguments().any(|argument| argument.get_id() == "model");
+    let function = format!("__fish_{}_using_subcommand", program.replace('-', "_"));
+    let line = |sub: &Command| {
+        format!("complete -c {program} -n \"{function} {}\" -f -a \"{}\"\n", sub.get_name(), names.join(" "))
+    };
+    command.get_subcommands().filter(takes_one).map(line).collect()
 }
 
 /// One page with all commands.

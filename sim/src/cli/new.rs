@@ -46,8 +46,13 @@ pub(super) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
     if let Some(workspace) = workspace {
         let manifest = workspace.join("Cargo.toml");
         let alias = ["run", "-q", "--release", "--manifest-path", &manifest.to_string_lossy(), "-p", "codegen", "--"];
+        // As words, where none has a blank in it: cargo joins lists with those of folders above, and lets words replace them.
+        let alias = match alias.iter().any(|word| word.contains(char::is_whitespace)) {
+            true => format!("{alias:?}"),
+            false => format!("{:?}", alias.join(" ")),
+        };
         let text = format!(
-            "[alias]\n# Prints what is made of a declaration: `cargo kernels src/lib.rs`.\nkernels = {alias:?}\n"
+            "[alias]\n# Prints what is made of a declaration: `cargo kernels src/lib.rs`.\nkernels = {alias}\n"
         );
         write(&path.join(".cargo/config.toml"), &text)?;
         // The versions that the workspace was built with are on this machine already.
