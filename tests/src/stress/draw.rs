@@ -130,24 +130,30 @@ struct Pace {
     times: Vec<f64>,
     /// The highest angular speed until then.
     highest: Vec<f64>,
-    /// Likewise the square root of the highest angular acceleration.
+    /// Likewise the square root of the highest angular acceleration, or the cube root of its rate if that is more.
     sharpest: Vec<f64>,
 }
 
 impl Pace {
     fn of(found: &Found, end: f64) -> Pace {
         let rows = found.columns.first().map_or(0, Vec::len);
-        let so_far = |prefix: &str| {
-            let columns: Vec<&Vec<f64>> = found.starting_with(prefix).collect();
+        let step = end / (rows - 1) as f64;
+        let largest = |prefix: &'static str, of: &dyn Fn(&[f64], usize) -> f64| -> Vec<f64> {
             let mut most = 0.0f64;
             let mut until = |i: usize| {
-                most = columns.iter().fold(most, |most, column| most.max(column[i].abs()));
+                most = found.starting_with(prefix).fold(most, |most, column| most.max(of(column, i)));
                 most
             };
-            (0..rows).map(&mut until).collect::<Vec<f64>>()
+            (0..rows).map(&mut until).collect()
         };
-        let times = (0..rows).map(|i| end * i as f64 / (rows - 1) as f64).collect();
-        Pace { times, highest: so_far("w"), sharpest: so_far("e").iter().map(|e| e.sqrt()).collect() }
+        Pace {
+            times: (0..rows).map(|i| step * i as f64).collect(),
+            highest: largest("w", &|column, i| column[i].abs()),
+            sharpest: largest("e", &|column, i| {
+                let jerk = (column[i] - column[i.saturating_sub(1)]).abs() / step;
+                column[i].abs().sqrt().max(jerk.cbrt())
+            }),
+        }
     }
 
     fn fastest(&self) -> f64 {
