@@ -29,6 +29,7 @@ mod least_norm;
 mod level;
 mod linearize;
 mod measures;
+mod met;
 mod mobility;
 mod motion;
 mod nearby;

@@ -6,7 +6,7 @@
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::{between_positions, has_speed_rows};
 use crate::measures::Measures;
-use crate::project::is_met;
+use crate::met::is_met;
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 

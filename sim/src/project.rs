@@ -9,6 +9,7 @@ use crate::equations::by_inertia;
 use crate::failure::{Failure, What, constraint_name, largest};
 use crate::level::{between_positions, has_speed_rows};
 use crate::measures::Measures;
+use crate::met::{TOLERANCE, is_met, is_within};
 use crate::reduction::Reduction;
 use crate::solve::Definite;
 use crate::trajectory::State;
@@ -17,10 +18,6 @@ use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
-/// A residual below this part of a constraint's terms is met.
-const TOLERANCE: f64 = 1e-12;
-/// A residual above this part of a constraint's terms is never put down to rounding: a state known no better is lost.
-const LARGEST_ROUNDING: f64 = 1e-6;
 /// A change of positions that is rounding, beside those that count as 1.
 const ROUNDING: f64 = 1e-14;
 /// A change of positions, and rates of constraints beside their terms, below which one factorisation serves both
@@ -313,12 +310,6 @@ fn is_rounding<M: Mechanism>(measures: &Measures<M>, linear: &Linearization<M>, 
     is_within(measures, &linear.values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
 }
 
-/// Whether all of these residuals are at most this part of what the constraints are measured by.
-#[inline(always)]
-fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
-    (0..M::L::LEN).all(|row| values[row].abs() <= part * measures.constraints()[row])
-}
-
 /// The factors of A A'.
 #[inline(always)]
 fn factorise<M: Mechanism>(columns: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
@@ -378,33 +369,4 @@ fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
     for (value, correction) in from.as_mut().iter_mut().zip(correction.iter()) {
         *value -= correction;
     }
-}
-
-/// Whether every residual is at the level of its own rounding.
-#[inline]
-pub(crate) fn is_met<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
-    q: &M::Q,
-    linear: &Linearization<M>,
-) -> bool {
-    is_within(measures, &linear.values, TOLERANCE) || is_met_by_rounding(mechanism, measures, time, q, linear)
-}
-
-#[cold]
-fn is_met_by_rounding<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
-    q: &M::Q,
-    linear: &Linearization<M>,
-) -> bool {
-    let magnitudes = mechanism.constraint_magnitudes(time, q);
-    (0..M::L::LEN).all(|i| {
-        let moved: f64 = linear.jacobian[i].iter().zip(q.iter()).map(|(c, q)| (c * q).abs()).sum();
-        let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
-        let size = measures.constraints()[i];
-        linear.values[i].abs() <= (rounding + TOLERANCE * size).min(LARGEST_ROUNDING * size)
-    })
 }

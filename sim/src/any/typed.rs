@@ -5,7 +5,8 @@ use crate::equations::accelerate;
 use crate::failure::Failure;
 use crate::linearize::Control;
 use crate::measures::Measures;
-use crate::project::{is_met, project_positions};
+use crate::met::is_met;
+use crate::project::project_positions;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Description, Dual, Input, Mechanism, Scalar};
 

@@ -5,11 +5,13 @@ mod crossing;
 mod dop853;
 mod dop853_tableau;
 mod explicit;
+mod headway;
 mod lu;
 mod method;
 #[cfg(test)]
 mod order_conditions;
 mod radau;
+mod step;
 mod tableau;
 
 pub use dop853::Dop853;
@@ -17,6 +19,7 @@ pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
 pub use method::{Advance, Attempt};
 pub use radau::Radau5;
+pub use step::Step;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::failure::{Failure, What};
@@ -27,99 +30,11 @@ use crate::singular::{Singularity, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use control::{Controller, initial_step};
 use crossing::{Crossing, Way};
+use headway::Headway;
 use sim_kernel::{Array, Mechanism};
 use std::mem::swap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// A step that was made.
-pub struct Step<'s, M: Mechanism> {
-    /// The motion.
-    pub motion: &'s Motion<'s, M>,
-    /// Its start.
-    pub from: &'s Sample<M>,
-    /// Its end, on the constraints.
-    pub to: &'s Sample<M>,
-    method: &'s mut dyn Advance<M>,
-}
-
-impl<M: Mechanism> Step<'_, M> {
-    /// Its length in seconds.
-    pub fn length(&self) -> f64 {
-        self.to.state.time - self.from.state.time
-    }
-
-    /// The state at a time inside it, on the constraints; at a singular position as the method interpolates it.
-    ///
-    /// # Errors
-    /// As the projection and the right-hand side.
-    pub fn at(&mut self, time: f64) -> Result<State<M>, Failure> {
-        self.find(time).map(|(state, _)| state)
-    }
-
-    /// The state at a time inside it with what follows from it. At a singular position the equations of motion do not
-    /// determine that: there accelerations are interpolated between regular positions of the step, and reactions, which have a
-    /// pole, and power are those of the nearer end.
-    ///
-    /// # Errors
-    /// As the projection and the right-hand side.
-    pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
-        let (state, is_singular) = self.find(time)?;
-        if !is_singular {
-            return self.motion.sample(state);
-        }
-        let fraction = (time - self.from.state.time) / self.length();
-        let accelerations = self.accelerations_across(fraction)?;
-        let nearer = if fraction < 0.5 { self.from } else { self.to };
-        Ok(Sample { state, accelerations, ..*nearer })
-    }
-
-    /// The accelerations at a fraction of this step that is at a singular position, by the polynomial through those at regular
-    /// positions on both sides of it: along the motion they are smooth.
-    ///
-    /// Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46 (2004), (3.3).
-    fn accelerations_across(&mut self, fraction: f64) -> Result<M::Q, Failure> {
-        const INTERVALS: usize = 10;
-        let mut known = [(0.0, self.from.accelerations); INTERVALS + 1];
-        let mut count = 1;
-        for k in 1..=INTERVALS {
-            let node = k as f64 / INTERVALS as f64;
-            let accelerations = match k {
-                INTERVALS => self.to.accelerations,
-                _ => match self.find(self.from.state.time + node * self.length())? {
-                    (_, true) => continue,
-                    (state, false) => self.motion.sample(state)?.accelerations,
-                },
-            };
-            known[count] = (node, accelerations);
-            count += 1;
-        }
-        let known = &known[..count];
-        let weight = |(k, (node, _)): (usize, &(f64, M::Q))| {
-            let others = known.iter().enumerate().filter(|(j, _)| *j != k);
-            1.0 / (fraction - node) / others.map(|(_, (other, _))| node - other).product::<f64>()
-        };
-        let weights: f64 = known.iter().enumerate().map(weight).sum();
-        let part = |i: usize| known.iter().enumerate().map(|(k, known)| weight((k, known)) * known.1[i]).sum::<f64>();
-        Ok(M::Q::from_fn(|i| part(i) / weights))
-    }
-
-    /// The state at a time, and whether it is at a singular position.
-    fn find(&mut self, time: f64) -> Result<(State<M>, bool), Failure> {
-        if time == self.to.state.time {
-            return Ok((self.to.state, false));
-        }
-        let fraction = (time - self.from.state.time) / self.length();
-        let mut state = self.method.inside(self.motion, self.from, self.to, fraction)?;
-        state.time = time;
-        let interpolated = state;
-        match self.motion.keep(&mut state) {
-            Ok(()) if self.motion.is_at_singularity() => Ok((interpolated, true)),
-            Err(Failure { what: What::SingularPosition { .. }, .. }) => Ok((interpolated, true)),
-            kept => kept.map(|()| (state, false)),
-        }
-    }
-}
 
 /// How many steps were made.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -286,41 +201,6 @@ fn adaptive_steps<M: Mechanism>(
         }
     }
     Ok(())
-}
-
-/// How far attempts have come lately.
-struct Headway {
-    since: f64,
-    attempts: u32,
-    /// The longest step so far, in seconds.
-    longest: f64,
-}
-
-impl Headway {
-    /// So many attempts that lead no further than this part of the longest step each will come to no end: where a load jumps
-    /// to and fro, steps stay short enough to be accepted.
-    const ATTEMPTS: u32 = 20_000;
-    const LEAST: f64 = 1e-8;
-
-    fn from(time: f64) -> Headway {
-        Headway { since: time, attempts: 0, longest: 0.0 }
-    }
-
-    /// Takes note of a step.
-    fn comes(&mut self, length: f64) {
-        self.longest = self.longest.max(length);
-    }
-
-    /// Whether the last attempts have led nowhere.
-    fn is_lost(&mut self, now: f64) -> bool {
-        self.attempts += 1;
-        if self.attempts <= Headway::ATTEMPTS {
-            return false;
-        }
-        let come = now - self.since;
-        (self.since, self.attempts) = (now, 0);
-        come < Headway::LEAST * self.longest * f64::from(Headway::ATTEMPTS)
-    }
 }
 
 /// What steps over singular positions are good to between equal steps.

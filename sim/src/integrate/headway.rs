@@ -1,0 +1,36 @@
+//! Steps that lead nowhere.
+
+/// How far attempts have come lately.
+pub(super) struct Headway {
+    since: f64,
+    attempts: u32,
+    /// The longest step so far, in seconds.
+    longest: f64,
+}
+
+impl Headway {
+    /// So many attempts that lead no further than this part of the longest step each will come to no end: where a load jumps
+    /// to and fro, steps stay short enough to be accepted.
+    const ATTEMPTS: u32 = 20_000;
+    const LEAST: f64 = 1e-8;
+
+    pub(super) fn from(time: f64) -> Headway {
+        Headway { since: time, attempts: 0, longest: 0.0 }
+    }
+
+    /// Takes note of a step.
+    pub(super) fn comes(&mut self, length: f64) {
+        self.longest = self.longest.max(length);
+    }
+
+    /// Whether the last attempts have led nowhere.
+    pub(super) fn is_lost(&mut self, now: f64) -> bool {
+        self.attempts += 1;
+        if self.attempts <= Headway::ATTEMPTS {
+            return false;
+        }
+        let come = now - self.since;
+        (self.since, self.attempts) = (now, 0);
+        come < Headway::LEAST * self.longest * f64::from(Headway::ATTEMPTS)
+    }
+}
