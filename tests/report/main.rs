@@ -36,9 +36,9 @@ fn models() -> Vec<(String, &'static str)> {
     names.map(|name| if name == "andrews" { (name, "30ms") } else { (name, "2s") }).collect()
 }
 
-/// A run of a model, with report, figures and what `info` says.
-fn made(model: &str, t_end: &str) -> PathBuf {
-    let directory = scratch("reports").join(model);
+/// A run of a model, with report, figures and what `info` says. Tests run side by side, each in a folder of its own.
+fn made(test: &str, model: &str, t_end: &str) -> PathBuf {
+    let directory = scratch("reports").join(test).join(model);
     let _ = fs::remove_dir_all(&directory);
     sim(&["run", model, "--t-end", t_end, "--out", directory.to_str().unwrap(), "--quiet"]);
     assert!(sim(&["info", model]).contains("Operations of each kernel"));
@@ -80,7 +80,7 @@ const CURSOR: &str = "[document.querySelector('.now').style.transform,
 fn every_report_moves_in_a_browser() {
     let mut browser = Browser::start(&scratch("chromium"));
     for (model, t_end) in models() {
-        let report = made(&model, t_end);
+        let report = made("every", &model, t_end);
         let bytes = fs::metadata(&report).unwrap().len();
         assert!(bytes < 2_000_000, "{model}: {bytes} bytes");
         browser.window(1400, 1000, 1.0, false);
@@ -124,7 +124,7 @@ fn every_report_moves_in_a_browser() {
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn what_a_reader_does_has_its_effect() {
-    let report = made("quick-return", "2s");
+    let report = made("plane", "quick-return", "2s");
     let mut browser = Browser::start(&scratch("chromium-controls"));
     browser.window(1400, 1000, 1.0, false);
     browser.open(&report, "#t=0.25");
@@ -206,7 +206,7 @@ fn what_a_reader_does_has_its_effect() {
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn what_stands_in_space_is_turned_by_the_mouse_and_comes_nearer_by_the_wheel() {
-    let report = made("top", "2s");
+    let report = made("space", "top", "2s");
     let mut browser = Browser::start(&scratch("chromium-space"));
     browser.window(1400, 1000, 1.0, false);
     browser.open(&report, "#t=0.5");
