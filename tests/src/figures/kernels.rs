@@ -1,8 +1,10 @@
 //! What kernels cost. Times are taken by benchmarks, which print them beside what they are compared with.
 
-use super::Table;
+use super::{Subject, Table};
 
-pub(super) fn measure(table: &mut Table) {
+pub(super) const SUBJECTS: &[Subject] = &[("benchmarks", measure)];
+
+fn measure(table: &mut Table) {
     let bench = |name: &str| format!("cargo bench -p tests --bench {name}");
     let scale = |name: &str| format!("cargo bench -p tests --features scale --bench {name}");
     table.elsewhere("right-hand side of quick-return beside one derived by hand", &bench("dynamics"));

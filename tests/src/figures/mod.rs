@@ -1,6 +1,7 @@
 //! Tables of figures: each line says what is measured, its value, its bound, and whether it is met.
 //!
-//! An area is a function that measures its lines one after the other; a line is printed as soon as its value is known.
+//! An area has subjects, each a function that measures its lines one after the other; a line is printed as soon as its
+//! value is known.
 
 mod kernels;
 mod numbers;
@@ -11,13 +12,16 @@ use std::fmt::Display;
 pub(crate) struct Area {
     pub(crate) name: &'static str,
     pub(crate) about: &'static str,
-    /// Measures its lines, if any are measured yet.
-    pub(crate) measure: Option<fn(&mut Table)>,
+    /// By name, what measures the lines of each.
+    pub(crate) subjects: &'static [Subject],
 }
+
+/// A name, and what measures its lines.
+pub(crate) type Subject = (&'static str, fn(&mut Table));
 
 /// The areas, in order.
 pub(crate) const AREAS: &[Area] = &[
-    measured("numbers", "no wrong number with exit status 0", numbers::measure),
+    measured("numbers", "no wrong number with exit status 0", numbers::SUBJECTS),
     open("rooms"),
     open("files"),
     open("size"),
@@ -27,15 +31,15 @@ pub(crate) const AREAS: &[Area] = &[
     open("languages"),
     open("friction"),
     open("taylor"),
-    measured("kernels", "what kernels cost", kernels::measure),
+    measured("kernels", "what kernels cost", kernels::SUBJECTS),
 ];
 
-const fn measured(name: &'static str, about: &'static str, measure: fn(&mut Table)) -> Area {
-    Area { name, about, measure: Some(measure) }
+const fn measured(name: &'static str, about: &'static str, subjects: &'static [Subject]) -> Area {
+    Area { name, about, subjects }
 }
 
 const fn open(name: &'static str) -> Area {
-    Area { name, about: "no figure of this area is measured yet", measure: None }
+    Area { name, about: "no figure of this area is measured yet", subjects: &[] }
 }
 
 /// What has been printed of a table.

@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
 use typed::{Linkage, Typed};
 
 include!(concat!(env!("OUT_DIR"), "/stress.rs"));
@@ -58,7 +59,7 @@ pub(crate) fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|_| {}));
     let is_one = asked.draws.end - asked.draws.start == 1;
     let next = AtomicU64::new(asked.draws.start);
-    let tally = Mutex::new(Tally::default());
+    let tally = Mutex::new(Tally::starting_at(asked.draws.start));
     let threads = std::thread::available_parallelism().map_or(2, usize::from);
     std::thread::scope(|scope| {
         for _ in 0..threads {
@@ -68,16 +69,16 @@ pub(crate) fn main() -> ExitCode {
                     if number >= asked.draws.end {
                         return;
                     }
-                    if number > 0 && number.is_multiple_of(1000) {
-                        eprintln!("{number} draws");
-                    }
-                    let Some(draw) = draw::draw(asked.seed, number, asked.of.as_deref()) else { continue };
-                    let verdict = judge::judge(&draw);
-                    if is_one {
+                    let begun = Instant::now();
+                    let judged = draw::draw(asked.seed, number, asked.of.as_deref()).map(|draw| {
+                        let verdict = judge::judge(&draw);
+                        (draw, verdict)
+                    });
+                    if let (true, Some((draw, verdict))) = (is_one, &judged) {
                         println!("{}\n{:?}\n{verdict:?}", draw.command(), draw.task);
                     }
                     if let Ok(mut tally) = tally.lock() {
-                        tally.add(asked.seed, number, &draw, verdict);
+                        tally.add(asked.seed, number, judged, begun.elapsed());
                     }
                 }
             });
@@ -90,7 +91,6 @@ pub(crate) fn main() -> ExitCode {
 }
 
 /// How many of each verdict.
-#[derive(Default)]
 struct Tally {
     tried: usize,
     right: usize,
@@ -99,33 +99,73 @@ struct Tally {
     refused: BTreeMap<String, usize>,
     /// By form and way.
     wrong: BTreeMap<String, usize>,
-    stories: BTreeMap<u64, String>,
+    /// What has been judged, but not told, as a draw before it has not been judged.
+    untold: BTreeMap<u64, Option<String>>,
+    /// The first draw that has not been told.
+    next: u64,
+    slowest: (Duration, u64),
 }
 
 impl Tally {
-    fn add(&mut self, seed: u64, number: u64, draw: &draw::Draw, verdict: Verdict) {
+    fn starting_at(next: u64) -> Tally {
+        Tally {
+            tried: 0,
+            right: 0,
+            undecided: 0,
+            unanswered: 0,
+            refused: BTreeMap::new(),
+            wrong: BTreeMap::new(),
+            untold: BTreeMap::new(),
+            next,
+            slowest: (Duration::ZERO, next),
+        }
+    }
+
+    /// Counts a draw, and tells what is worth a word, in the order of the draws.
+    fn add(&mut self, seed: u64, number: u64, judged: Option<(draw::Draw, Verdict)>, took: Duration) {
+        self.slowest = self.slowest.max((took, number));
+        let story = judged.and_then(|(draw, verdict)| {
+            let what = self.count(&draw, verdict)?;
+            Some(format!("{what}: {}\n    stress --seed {seed} --draw {number}", draw.summary()))
+        });
+        self.untold.insert(number, story);
+        while let Some(story) = self.untold.remove(&self.next) {
+            story.iter().for_each(|story| println!("{story}"));
+            self.next += 1;
+            if self.next.is_multiple_of(1000) {
+                eprintln!("{} draws", self.next);
+            }
+        }
+    }
+
+    /// What there is to say of a draw that is not right.
+    fn count(&mut self, draw: &draw::Draw, verdict: Verdict) -> Option<String> {
         self.tried += 1;
-        let story = |what: &str| format!("{what}: {}\n    stress --seed {seed} --draw {number}", draw.summary());
         match verdict {
-            Verdict::Right => self.right += 1,
-            Verdict::Unanswered => self.unanswered += 1,
+            Verdict::Right => {
+                self.right += 1;
+                None
+            }
+            Verdict::Unanswered => {
+                self.unanswered += 1;
+                None
+            }
             Verdict::Undecided(why) => {
                 self.undecided += 1;
-                self.stories.insert(number, story(&format!("undecided, {why}")));
+                Some(format!("undecided, {why}"))
             }
             Verdict::Refused(name, words) => {
                 *self.refused.entry(name).or_default() += 1;
-                self.stories.insert(number, story(&format!("refused, {words}")));
+                Some(format!("refused, {words}"))
             }
             Verdict::Wrong(words) => {
                 *self.wrong.entry(draw.class()).or_default() += 1;
-                self.stories.insert(number, story(&format!("WRONG, {words}")));
+                Some(format!("WRONG, {words}"))
             }
         }
     }
 
     fn conclude(self) -> ExitCode {
-        self.stories.values().for_each(|story| println!("{story}"));
         let (refused, wrong): (usize, usize) = (self.refused.values().sum(), self.wrong.values().sum());
         self.refused.iter().for_each(|(name, count)| println!("refused {count:>6}  {name}"));
         self.wrong.iter().for_each(|(class, count)| println!("wrong   {count:>6}  {class}"));
@@ -133,6 +173,7 @@ impl Tally {
             "tried {}, right {}, refused {refused} though there is an answer and {} without one, undecided {}, wrong {wrong}",
             self.tried, self.right, self.unanswered, self.undecided
         );
+        eprintln!("the slowest draw is {}: {:.1} s", self.slowest.1, self.slowest.0.as_secs_f64());
         if wrong == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
 }

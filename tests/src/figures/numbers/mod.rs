@@ -10,16 +10,16 @@ mod speed;
 mod stress;
 mod verify;
 
-use super::Table;
+use super::Subject;
 
-pub(super) fn measure(table: &mut Table) {
-    known::measure(table);
-    stress::measure(table);
-    bennett::measure(table);
-    extremes::measure(table);
-    eigenvalues::measure(table);
-    verify::measure(table);
-    faults::measure(table);
-    coupling::measure(table);
-    speed::measure(table);
-}
+pub(super) const SUBJECTS: &[Subject] = &[
+    ("known", known::measure),
+    ("stress", stress::measure),
+    ("bennett", bennett::measure),
+    ("extremes", extremes::measure),
+    ("eigenvalues", eigenvalues::measure),
+    ("verify", verify::measure),
+    ("faults", faults::measure),
+    ("coupling", coupling::measure),
+    ("speed", speed::measure),
+];
