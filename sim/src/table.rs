@@ -23,7 +23,8 @@ impl Column {
     }
 }
 
-/// The columns of a trajectory: time, coordinates, speeds, accelerations, multipliers, outputs; in their units.
+/// The columns of a trajectory: time, coordinates, speeds, accelerations, multipliers, the work of loads and drives, outputs;
+/// in their units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// The columns, time first.
@@ -37,23 +38,23 @@ impl Table {
     pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
         let mut rows = trajectory.with_mechanisms(mechanism).map(|(mechanism, sample)| {
             let at = At::sample(sample);
-            (at, Any(&mechanism).outputs(at))
+            (at, sample.state.work, Any(&mechanism).outputs(at))
         });
         Table::from_rows(const { &M::DESCRIPTION }, trajectory.samples.len(), &mut rows)
     }
 
-    /// The table of so many samples with their outputs. Millions of rows are never held twice.
+    /// The table of so many samples with work and outputs. Millions of rows are never held twice.
     fn from_rows<'a>(
         description: &'static Description,
         count: usize,
-        rows: &mut dyn Iterator<Item = (At<'a, f64>, Vec<f64>)>,
+        rows: &mut dyn Iterator<Item = (At<'a, f64>, f64, Vec<f64>)>,
     ) -> Table {
         let mut table = Table::empty(description, count);
         let factors: Vec<f64> = factors(description).collect();
-        for (at, outputs) in rows {
+        for (at, work, outputs) in rows {
             let At { time, positions, speeds, accelerations, multipliers } = at;
-            let time = [time];
-            let values = [&time, positions, speeds, accelerations, multipliers, &outputs].into_iter().flatten();
+            let (time, work) = ([time], [work]);
+            let values = [&time, positions, speeds, accelerations, multipliers, &work, &outputs].into_iter().flatten();
             for ((column, value), factor) in table.columns.iter_mut().zip(values).zip(&factors) {
                 column.values.push(value / factor);
             }
@@ -75,6 +76,7 @@ impl Table {
         columns.extend(coordinates.iter().map(|c| of(&c.speed)));
         columns.extend(coordinates.iter().map(|c| of(&c.acceleration)));
         columns.extend(description.constraints.iter().map(|c| column(format!("lambda_{}", c.name).into(), c.unit)));
+        columns.push(column(work_name(description).into(), "J"));
         let first_output = columns.len();
         columns.extend(description.outputs.iter().map(of));
         Table { columns, first_output }
@@ -115,6 +117,13 @@ impl Table {
     }
 }
 
+/// What the column of work is called. Declared names have no hyphen.
+fn work_name(description: &Description) -> &'static str {
+    let coordinates = description.coordinates.iter().map(|coordinate| coordinate.position.name);
+    let mut declared = coordinates.chain(description.outputs.iter().map(|output| output.name));
+    if declared.any(|name| name == "work") { "work-done" } else { "work" }
+}
+
 /// What each column's unit is in SI units.
 fn factors(description: &Description) -> impl Iterator<Item = f64> {
     let coordinates = description.coordinates.iter();
@@ -123,5 +132,6 @@ fn factors(description: &Description) -> impl Iterator<Item = f64> {
     let accelerations = coordinates.map(|c| c.acceleration.factor);
     let multipliers = description.constraints.iter().map(|c| c.factor);
     let outputs = description.outputs.iter().map(|o| o.factor);
-    [1.0].into_iter().chain(positions).chain(speeds).chain(accelerations).chain(multipliers).chain(outputs)
+    let states = [1.0].into_iter().chain(positions).chain(speeds).chain(accelerations);
+    states.chain(multipliers).chain([1.0]).chain(outputs)
 }

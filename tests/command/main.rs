@@ -99,8 +99,8 @@ fn run_writes_motion_summary_and_figures() {
             "gamma_ddot [rad/s^2]"
         ]
     );
-    assert_eq!(headers[10..12], ["lambda_guide [N]", "lambda_slot [N]"]);
-    assert_eq!(headers.len(), 12 + 10);
+    assert_eq!(headers[10..13], ["lambda_guide [N]", "lambda_slot [N]", "work [J]"]);
+    assert_eq!(headers.len(), 13 + 10);
     assert_eq!(reader.records().count(), 1025);
 
     let summary = summary(&directory);
@@ -338,7 +338,7 @@ print(len(rows[0]), 'columns of', len(rows) - 1)
     let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".into());
     let output = Command::new(python).args(["-c", script]).current_dir(&directory).output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));
-    assert!(stdout(&output).contains("22 columns"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("23 columns"), "{}", stdout(&output));
 }
 
 /// A full disk is an error that names the file, not a short file.

@@ -32,4 +32,5 @@ mod statics;
 mod stiff;
 mod units;
 mod verification;
+mod work;
 mod yokes;

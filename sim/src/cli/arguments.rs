@@ -199,7 +199,7 @@ impl std::fmt::Display for Size {
     args_override_self = true,
     after_help = "Files written to DIR:\n  \
     report.html      the mechanism in motion, plots, tables and equations; opens in any browser, without network\n  \
-    trajectory.csv   time, coordinates, speeds, accelerations, multipliers and outputs; header cells `name [unit]`\n  \
+    trajectory.csv   time, coordinates, speeds, accelerations, multipliers, work done and outputs; headers `name [unit]`\n  \
     run.json         the run file, which makes this run again: `sim run DIR/run.json`\n  \
     summary.json     model, parameters, method, events, period, residuals, energy balance\n  \
     timing.json      wall times; all other files are the same bytes run after run\n  \

@@ -29,8 +29,10 @@ pub(super) fn data(run: &dyn Recorded, outcome: &Outcome, table: &Table) -> Valu
     let mut columns = labelled(description, table);
     let figures = declared(description, table);
     let mut more = states(description);
-    more.push(Group { title: "Energy".into(), columns: vec![columns.len(), columns.len() + 1] });
-    more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 2] });
+    let work = columns.len() - description.outputs.len() - 1;
+    columns[work].label = "work of loads and drives since the start".into();
+    more.push(Group { title: "Energy".into(), columns: vec![columns.len(), work] });
+    more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 1] });
     columns.extend(energy(run, outcome.samples));
     let width = drawing_width(description);
     let all: Vec<&Column> = columns.iter().map(|labelled| &labelled.column).collect();
@@ -141,24 +143,20 @@ fn of_one_unit(title: &str, indices: Vec<usize>, unit: impl Fn(usize) -> &'stati
     groups.into_iter().map(|(unit, columns)| Group { title: titled(unit), columns }).collect()
 }
 
-/// Kinetic energy, work, and the change of their difference.
-fn energy(run: &dyn Recorded, samples: usize) -> [Labelled; 3] {
-    let (mut kinetic, mut work, mut change) = (Vec::new(), Vec::new(), Vec::new());
+/// Kinetic energy, and the change of its difference from work.
+fn energy(run: &dyn Recorded, samples: usize) -> [Labelled; 2] {
+    let (mut kinetic, mut change, mut start) = (Vec::new(), Vec::new(), None);
     for index in 0..samples {
         let row = run.row(index);
+        let balance = row.kinetic_energy - row.work + row.energy_taken;
         kinetic.push(row.kinetic_energy);
-        work.push(row.work);
-        change.push(row.kinetic_energy - row.work + row.energy_taken - (kinetic[0] - work[0]));
+        change.push(balance - *start.get_or_insert(balance));
     }
     let column = |name: &str, label: &str, values| {
         let column = Column { name: name.into(), unit: "J".into(), values };
         Labelled { column, label: label.into() }
     };
-    [
-        column("kinetic_energy", "kinetic energy", kinetic),
-        column("work", "work of loads and drives since the start", work),
-        column("energy_change", "change", change),
-    ]
+    [column("kinetic_energy", "kinetic energy", kinetic), column("energy_change", "change", change)]
 }
 
 fn drawing_width(description: &Description) -> usize {

@@ -1,0 +1,96 @@
+//! The column of the work that loads and drives have done.
+
+use models::BouncingBall;
+use sim::{Column, Mechanism, Method, Run, Settings, Table, mechanism};
+use tests::run_with;
+
+mechanism! {
+    /// A sledge on a spring, pushed by a constant force, with a mass on it that a motor drags to and fro across.
+    pub Sledge;
+    coordinates { x [mm]; }
+    parameters { m [kg] = 2; F [N] = 3; k [N/m] = 50; b [m] = 0.1; }
+    bodies {
+        sledge: mass m at [x, 0];
+        dragged: mass m at [b*sin(t/(1 [s])), x];
+    }
+    loads { force [0, F - k*x] at [0, x]; }
+    initial { dot(x) = 400; }
+}
+
+mechanism! {
+    /// A sledge with an output that is called as the column is.
+    pub WithOutput;
+    coordinates { x [m]; }
+    parameters { m [kg] = 2; F [N] = 3; }
+    bodies { sledge: mass m at [x, 0]; }
+    loads { force [F, 0] at [x, 0]; }
+    outputs { work [kJ] = F*x; }
+}
+
+mechanism! {
+    /// A sledge whose place is called so.
+    pub WithCoordinate;
+    coordinates { work [m]; }
+    parameters { m [kg] = 2; F [N] = 3; }
+    bodies { sledge: mass m at [work, 0]; }
+    loads { force [F, 0] at [work, 0]; }
+}
+
+fn run<M: Mechanism>(end: f64) -> (Run<M>, Table) {
+    let settings = Settings::adaptive(Method::Dop853, end, 1e-10);
+    let run = run_with(M::defaults(), &settings).unwrap();
+    let table = Table::of(&run.mechanism, &run.trajectory);
+    (run, table)
+}
+
+fn names(table: &Table) -> Vec<String> {
+    table.columns.iter().map(Column::header).collect()
+}
+
+/// Forces do F x - k x^2/2, and a motor that makes a mass move by b sin t the change of m (b cos t)^2/2.
+#[test]
+fn the_column_is_the_work_of_loads_and_drives() {
+    let (_, table) = run::<Sledge>(3.0);
+    assert_eq!(names(&table), ["t [s]", "x [mm]", "x_dot [mm/s]", "x_ddot [mm/s^2]", "work [J]"]);
+    let [x, work] = ["x", "work"].map(|name| &table.column(name).unwrap().values);
+    assert!(work.len() > 100 && work[0] == 0.0);
+    for ((t, x), work) in table.times().iter().zip(x).zip(work) {
+        let x = x / 1000.0;
+        let expected = 3.0 * x - 25.0 * x * x + 0.1f64.powi(2) * (t.cos().powi(2) - 1.0);
+        // Of 1 J, by a tolerance of 1e-10.
+        assert!((work - expected).abs() < 1e-9, "{t}: {work} {expected}");
+    }
+}
+
+/// Kinetic energy changes by the work less what impacts take.
+#[test]
+fn impacts_do_no_work() {
+    let (run, table) = run::<BouncingBall>(2.0);
+    let work = &table.column("work").unwrap().values;
+    let kinetic = |row: usize| {
+        let state = &run.trajectory.samples[row].state;
+        run.mechanism.kinetic_energy(state.time, &state.positions, &state.speeds)
+    };
+    let change = kinetic(work.len() - 1) - kinetic(0);
+    let size = work.iter().fold(0.0f64, |size, work| size.max(work.abs()));
+    assert!(run.energy_taken > 0.1 * size, "{} {size}", run.energy_taken);
+    // By a tolerance of 1e-10.
+    assert!((work[work.len() - 1] - run.energy_taken - change).abs() < 1e-8 * size, "{change}");
+}
+
+/// What a declaration calls `work` keeps its name and its numbers.
+#[test]
+fn the_column_has_a_name_of_its_own() {
+    let apart = |table: &Table, declared: &str, force: f64| {
+        let [own, declared] = ["work-done", declared].map(|name| &table.column(name).unwrap().values);
+        own.iter().zip(declared).fold(0.0f64, |apart, (own, x)| apart.max((own - force * x).abs()))
+    };
+    let (_, table) = run::<WithOutput>(1.0);
+    assert_eq!(names(&table), ["t [s]", "x [m]", "x_dot [m/s]", "x_ddot [m/s^2]", "work-done [J]", "work [kJ]"]);
+    assert_eq!(table.outputs().iter().map(|column| column.name.as_str()).collect::<Vec<_>>(), ["work"]);
+    // Of 2 J, by a tolerance of 1e-10.
+    assert!(apart(&table, "work", 1000.0) < 1e-9);
+    let (_, table) = run::<WithCoordinate>(1.0);
+    assert_eq!(names(&table)[1..], ["work [m]", "work_dot [m/s]", "work_ddot [m/s^2]", "work-done [J]"]);
+    assert!(apart(&table, "work", 3.0) < 1e-9);
+}
