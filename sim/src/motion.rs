@@ -17,7 +17,7 @@ pub struct Motion<'m, M: Mechanism> {
     mechanism: &'m M,
     prepared: M::Prepared,
     stabilisation: Stabilisation,
-    partition: RefCell<Partition>,
+    partition: RefCell<Partition<M>>,
     measures: Measures<M>,
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
@@ -35,7 +35,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             mechanism,
             prepared: mechanism.prepare(),
             stabilisation,
-            partition: RefCell::new(Partition::default()),
+            partition: RefCell::new(Partition::new()),
             measures,
             evaluations: Cell::new(0),
             longest: Cell::new(M::L::filled(0.0)),
@@ -59,7 +59,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.evaluations.get()
     }
 
-    /// The right-hand side at a state inside a step. Where only independent coordinates are integrated, the others
+    /// The right-hand side at a state inside a step. Where only the parts of the coordinates along the constraints are integrated, the others
     /// are first made to follow.
     ///
     /// # Errors
@@ -183,14 +183,14 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
     }
 
-    /// Makes ready for states near this one: chooses independent coordinates by it.
+    /// Makes ready for states near this one: chooses what is independent by it.
     pub fn start(&self, state: &State<M>) {
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow_mut().choose(self.mechanism, &self.measures, state.time, &state.positions);
         }
     }
 
-    /// Makes ready for a step from a sample to a time: chooses the independent coordinates for it.
+    /// Makes ready for a step from a sample to a time: chooses what is independent in it.
     #[inline]
     pub fn prepare(&self, from: &Sample<M>, time: f64) {
         if self.stabilisation == Stabilisation::Partitioning {

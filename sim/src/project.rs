@@ -365,7 +365,7 @@ pub(crate) fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
 }
 
 #[inline]
-fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
+pub(crate) fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
     for (value, correction) in from.as_mut().iter_mut().zip(correction.iter()) {
         *value -= correction;
     }

@@ -68,7 +68,7 @@ fn inverse(length: f64) -> f64 {
 }
 
 /// An orthonormal basis of the space of the rows, of this dimension: the row with the largest rest first.
-fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
+pub(crate) fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
     for k in 0..rank.min(M::L::LEN) {
         let length = |i: &usize| inner(&rows[*i], &rows[*i]);
         let Some(longest) = (k..M::L::LEN).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };

@@ -107,7 +107,8 @@ pub enum Stabilisation {
     Projection,
     /// Every step is projected, by the smallest change in the metric of the mass matrix.
     MassProjection,
-    /// Only the independent coordinates are integrated; the others follow from the constraints at every evaluation.
+    /// Only the parts of the coordinates along the constraints are integrated; those across follow from the constraints at every
+    /// evaluation.
     Partitioning,
     /// Baumgarte's method: C'' + 2 a C' + a^2 C = 0, with this a in 1/s. Constraints drift; for comparison.
     Baumgarte(f64),

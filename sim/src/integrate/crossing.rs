@@ -18,6 +18,9 @@ const MOST_HALVINGS: i32 = 4;
 /// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
 const TOLERANCE: f64 = 1e-11;
 
+/// Sines that are not looked after fall by no more than this factor in a step.
+const FALLS: f64 = 0.5;
+
 /// How to go on.
 pub(super) enum Way {
     /// As if there were no singular position.
@@ -49,6 +52,14 @@ impl<M: Mechanism> Crossing<M> {
     /// Whether a singular position may lie within the next steps.
     pub(super) fn may_be_ahead(&self) -> bool {
         may_be_ahead(self.sines)
+    }
+
+    /// Whether the step that has just been made came near a singular position that nothing had foretold: it may have ended
+    /// beside it, or beyond one that its stages lay beside.
+    pub(super) fn is_surprised(&self, motion: &Motion<M>) -> bool {
+        !self.may_be_ahead()
+            && motion.least_sine() < FALLS * self.sines[1]
+            && may_be_ahead([self.sines[1], motion.least_sine()])
     }
 
     /// Makes a step over the singular position ahead, or says how to go on. No step is longer than `longest` but one that has

@@ -177,6 +177,10 @@ fn adaptive_steps<M: Mechanism>(
         }
         let time = if let Way::UpTo(time) = way { wanted.min(time) } else { wanted };
         match attempt(motion, method, from, time, Some(tolerance), to) {
+            Ok(error) if error <= 1.0 && crossing.is_surprised(motion) => {
+                steps.rejected += 1;
+                h = (time - now) / 2.0;
+            }
             Ok(error) if error <= 1.0 => {
                 crossing.ended(motion);
                 steps.accepted += 1;
@@ -225,6 +229,8 @@ fn explained<M: Mechanism>(motion: &Motion<M>, at: &State<M>, failure: Failure) 
 
 /// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.
 const MOST_MOVED: f64 = 1000.0;
+/// The same in a singular position, where rounding moves it.
+const MOST_MOVED_THERE: f64 = 1.0;
 
 /// The differences of positions and speeds.
 fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
@@ -250,7 +256,8 @@ fn attempt<M: Mechanism>(
     motion.keep(&mut end)?;
     *to = motion.sample_in_place(end)?;
     let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
-    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / MOST_MOVED)))
+    let most_moved = if motion.is_at_singularity() { MOST_MOVED_THERE } else { MOST_MOVED };
+    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / most_moved)))
 }
 
 fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {

@@ -9,8 +9,8 @@ use crate::root::find_root;
 use nalgebra::DVector;
 use std::convert::Infallible;
 
-/// How near to a crossing, in half steps, the motion is that of the nodes around it: nearer than all of them.
-const BESIDE: f64 = 0.1;
+/// How near to a crossing, in half steps, the motion is that of the nodes around it.
+const BESIDE: f64 = 0.5;
 /// How near the drive itself leaves reactions open.
 const AT: f64 = 1e-9;
 /// The last coefficients of what goes through a crossing, beside its largest; a pole has coefficients that do not fall.
@@ -19,6 +19,12 @@ const SMOOTH: f64 = 1e-6;
 const SAME: f64 = 1e-6;
 /// What may be left of a constraint, of its terms.
 const CLOSED: f64 = 1e-12;
+
+impl Piece {
+    fn is_beside_crossing(&self, x: f64) -> bool {
+        self.crossing.is_some_and(|crossing| (x - crossing).abs() < BESIDE)
+    }
+}
 
 impl Path<'_> {
     /// Where in a step p has a value.
@@ -37,15 +43,16 @@ impl Path<'_> {
     /// The position at a value of p that a step has at x; `None` where that does not determine it, or if it is elsewhere.
     pub(super) fn solve(&self, piece: &Piece, x: f64, p: f64) -> Option<Vec<f64>> {
         let n = piece.curve.len() - 1;
+        let is_beside = piece.is_beside_crossing(x);
         let mut z = piece.z(x);
         let guess = z.clone();
         z[n] = p / self.sizes.parameter;
         let mut last = f64::INFINITY;
         for _ in 0..MOST_CORRECTIONS {
             let (values, jacobian) = self.linear(&z);
-            let change = match piece.crossing {
-                None => least_squares(jacobian.remove_column(n), values)?,
-                Some(_) => in_regular_directions(jacobian.remove_column(n), &values)?,
+            let change = match is_beside {
+                false => least_squares(jacobian.remove_column(n), values)?,
+                true => in_regular_directions(jacobian.remove_column(n), &values)?,
             };
             z.rows_mut(0, n).axpy(-1.0, &change, 1.0);
             let size = change.norm();
@@ -76,7 +83,7 @@ impl Path<'_> {
     pub(super) fn motion(&self, piece: &Piece, x: f64, p: f64) -> Result<AnyPrescribed, Failure> {
         let Some(q) = self.solve(piece, x, p) else { return Err(self.system.singular(&self.at(piece, x).0, p)) };
         self.check(&q, p)?;
-        match piece.crossing.filter(|crossing| (x - crossing).abs() < BESIDE) {
+        match piece.crossing.filter(|_| piece.is_beside_crossing(x)) {
             None => prescribed(self.system, &self.sizes, (&q, p), &[]),
             Some(crossing) => self.beside(piece, x, (q, p), (x - crossing).abs()),
         }

@@ -19,10 +19,8 @@ use std::convert::Infallible;
 
 /// Newton steps of a correction.
 pub(super) const MOST_CORRECTIONS: usize = 12;
-/// The first correction of a step, as a part of it, beyond which the step is refused: it might lead to another branch.
-const LARGEST_CORRECTION: f64 = 0.1;
-/// The least cosine between the tangents at both ends of a step.
-const STRAIGHT: f64 = 0.98;
+/// What steps may be off at first and turn; longer ones might lead to another branch.
+const ALONG: Limits = Limits { correction: 0.1, cosine: 0.98 };
 /// The longest step: about so much of a turn that a step of a crank is a fiftieth of it or less.
 const LONGEST_STEP: f64 = 0.25;
 /// A step this small is given up.
@@ -37,9 +35,12 @@ const SHORTEST: f64 = 1e-6;
 const CORNER: f64 = 0.01;
 /// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away.
 const CENTRED: f64 = 0.02;
-/// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew.
-const AROUND: f64 = 0.2;
+/// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew. It is as long as may be:
+/// rounding is amplified by the square of the distance, and the motion is known from the ends of the step.
+const AROUND: f64 = 0.8;
 const MOST_LAYINGS: usize = 4;
+/// What such a step may turn, and be off at first: it is checked at every node.
+const ACROSS: Limits = Limits { correction: 0.3, cosine: 0.88 };
 /// Where rounding is amplified so much, another branch may cross nearby.
 const NEAR: f64 = 1e3;
 /// A point of the curve: z = (q, p), each in its size, and its unit tangent.
@@ -66,6 +67,15 @@ pub(super) struct Piece {
     pub(super) limit: Option<f64>,
     /// What is computed once of a step in which another branch crosses.
     pub(super) beside: OnceCell<Option<Vec<Series>>>,
+}
+
+/// When a step is refused.
+#[derive(Clone, Copy)]
+struct Limits {
+    /// The largest first correction, as a part of the step.
+    correction: f64,
+    /// The least cosine between the tangents at both ends.
+    cosine: f64,
 }
 
 /// A curve.
@@ -117,7 +127,7 @@ impl<'s> Path<'s> {
     pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<Piece, Failure> {
         let mut tried = length.min(LONGEST_STEP).min(self.to_the_end(from));
         while tried > SMALLEST_STEP {
-            let Some(piece) = self.step(from, tried) else {
+            let Some(piece) = self.step(from, tried, ALONG) else {
                 tried /= 2.0;
                 continue;
             };
@@ -143,12 +153,13 @@ impl<'s> Path<'s> {
         let mut half = AROUND;
         while half > SMALLEST_STEP {
             if half < 0.9 * ahead {
-                return self.step(from, ahead - half);
+                return self.step(from, ahead - half, ALONG);
             }
             // What a step foretold is a little off: the middle is met in a few trials.
             for _ in 0..MOST_LAYINGS {
                 let around = half.max(ahead);
-                let Some(mut piece) = self.behind(from, around - ahead).and_then(|base| self.step(&base, 2.0 * around))
+                let Some(mut piece) =
+                    self.behind(from, around - ahead).and_then(|base| self.step(&base, 2.0 * around, ACROSS))
                 else {
                     break;
                 };
@@ -175,7 +186,7 @@ impl<'s> Path<'s> {
             return Some(point.clone());
         }
         let back = Point { tangent: -&point.tangent, ..point.clone() };
-        let found = self.step(&back, distance)?.to;
+        let found = self.step(&back, distance, ACROSS)?.to;
         Some(Point { tangent: -found.tangent, ..found })
     }
 
@@ -187,28 +198,28 @@ impl<'s> Path<'s> {
     }
 
     /// A step of this length, if it is short enough.
-    fn step(&self, from: &Point, length: f64) -> Option<Piece> {
+    fn step(&self, from: &Point, length: f64, limits: Limits) -> Option<Piece> {
         let (z, first) = self.correct(from, &from.z + length * &from.tangent, length)?;
-        if first > LARGEST_CORRECTION * length {
+        if first > limits.correction * length {
             return None;
         }
         let to = self.tangent(z, &from.tangent)?;
-        if !(to.tangent.dot(&from.tangent) > STRAIGHT) {
+        if !(to.tangent.dot(&from.tangent) > limits.cosine) {
             return None;
         }
-        let curve = self.curve(from, &to, length)?;
+        let curve = self.curve(from, &to, length, limits)?;
         Some(Piece { from: from.clone(), to, length, curve, crossing: None, limit: None, beside: OnceCell::new() })
     }
 
     /// The curve between two points, if it is a polynomial to rounding.
-    fn curve(&self, from: &Point, to: &Point, length: f64) -> Option<Vec<Series>> {
+    fn curve(&self, from: &Point, to: &Point, length: f64, limits: Limits) -> Option<Vec<Series>> {
         let slope = |point: &Point, j: usize| length * point.tangent[j] / from.tangent.dot(&point.tangent);
         let between = |j: usize, s: f64| cubic([from.z[j], to.z[j]], [slope(from, j), slope(to, j)], s);
         let node = |x: f64| {
             let s = (1.0 + x) / 2.0;
             let guess = DVector::from_fn(from.z.len(), |j, _| between(j, s));
             let (z, _) = self.correct(from, guess.clone(), s * length)?;
-            ((&z - guess).norm() <= LARGEST_CORRECTION * length).then_some(z)
+            ((&z - guess).norm() <= limits.correction * length).then_some(z)
         };
         let places: Vec<DVector<f64>> = nodes().into_iter().map(node).collect::<Option<_>>()?;
         let series = |j: usize| Series::through(std::array::from_fn(|k: usize| places[k][j]));

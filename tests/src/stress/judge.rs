@@ -43,7 +43,10 @@ pub(crate) fn judge(draw: &Draw) -> Verdict {
     match (result, reference) {
         (Ok(found), Ok(reference)) => match draw.worst(&found, &reference) {
             None => Verdict::Right,
-            Some(words) => Verdict::Wrong(words),
+            Some((share, words)) if draw.is_coarse(share, &reference) => {
+                Verdict::Undecided(format!("the method itself is so far off with these steps: {words}"))
+            }
+            Some((_, words)) => Verdict::Wrong(words),
         },
         (Err(Refusal::Named(name, words)), Ok(_)) => Verdict::Refused(name, words),
         (Err(Refusal::Named(..)), Err(_)) => Verdict::Unanswered,
@@ -142,7 +145,7 @@ impl Draw {
         let reference = Reference { ranges: self.ranges(first), moved, stride: 1, found: first.clone() };
         match self.off(another, &reference, CONFIRMED, 1.0) {
             None => Ok(reference),
-            Some(words) => Err(words),
+            Some((_, words)) => Err(words),
         }
     }
 
@@ -163,7 +166,10 @@ impl Draw {
         }
     }
 
-    /// From the least to the greatest value of each column, and at least a thousandth of its natural size.
+    /// What the bound of each column is a part of: from its least to its greatest value, and at least a hundredth of its
+    /// natural size. Speeds, accelerations and forces count from zero, as errors are parts of their values even where these
+    /// are constant; and columns of a sweep have at least their natural size, as rounding is amplified beside the crossings
+    /// of parallel cranks.
     fn ranges(&self, found: &Found) -> Vec<f64> {
         let [size, mass, speed] = self.scales;
         let natural = |name: &str| match name.trim_start_matches("extreme_").split('_').next().unwrap_or_default() {
@@ -176,21 +182,39 @@ impl Draw {
             // Forces.
             _ => mass * size * speed * speed,
         };
+        let is_sweep = matches!(self.task, Task::Sweep(..));
         let range = |(name, column): (&String, &Vec<f64>)| {
-            let least = column.iter().fold(f64::INFINITY, |a, b| a.min(*b));
-            let greatest = column.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
-            (greatest - least).max(1e-3 * natural(name))
+            let is_position =
+                ["x", "y", "z", "angle", "dx", "dy", "dz"].iter().any(|kind| name.starts_with(&format!("{kind}_")));
+            let zero = (!is_position).then_some(0.0);
+            let values = || column.iter().copied().chain(zero);
+            let range = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+            range.max(if is_sweep { 1.0 } else { 1e-2 } * natural(name))
         };
         found.names.iter().zip(&found.columns).map(range).collect()
     }
 
-    fn worst(&self, found: &Found, reference: &Reference) -> Option<String> {
+    fn worst(&self, found: &Found, reference: &Reference) -> Option<(f64, String)> {
         self.off(found, reference, self.task.bound(), 100.0)
     }
 
-    /// The number that is furthest beyond its bound, if one is.
-    fn off(&self, found: &Found, reference: &Reference, bound: f64, moves: f64) -> Option<String> {
-        let mut worst = (1.0, None);
+    /// Whether equal steps are as far off in another form, kept on the constraints in another way.
+    fn is_coarse(&self, share: f64, reference: &Reference) -> bool {
+        let Task::Run(settings) = &self.task else { return false };
+        let stabilisation = match settings.stabilisation {
+            Stabilisation::Projection => Stabilisation::Partitioning,
+            _ => Stabilisation::Projection,
+        };
+        let another = Task::Run(Settings { stabilisation, ..settings.clone() });
+        let form = self.linkage.forms[usize::from(self.form == 0)];
+        let found = self.result(form, &self.parameters, &another);
+        let found = found.ok().and_then(|found| self.worst(&found, reference));
+        matches!(settings.stepping, Stepping::Equal(_)) && found.is_some_and(|(other, _)| other > share / 3.0)
+    }
+
+    /// How many times beyond its bound the number is that is furthest beyond, if one is, and which it is.
+    fn off(&self, found: &Found, reference: &Reference, bound: f64, moves: f64) -> Option<(f64, String)> {
+        let mut worst = (1.0, String::new());
         for (i, name) in found.names.iter().enumerate() {
             let Some(k) = reference.found.names.iter().position(|known| known == name) else { continue };
             let room = bound * reference.ranges[k] + moves * reference.moved[k];
@@ -198,16 +222,15 @@ impl Draw {
             let stride = if name.starts_with("extreme") { 1 } else { reference.stride };
             for (row, value) in values.iter().enumerate() {
                 let Some(right) = exact.get(row * stride) else {
-                    return Some(format!("{} rows of {}", values.len(), exact.len() / stride));
+                    return Some((f64::INFINITY, format!("{} rows of {}", values.len(), exact.len() / stride)));
                 };
                 let share = reference.found.apart(k, *value, *right) / room;
                 if !(share <= worst.0) {
-                    worst =
-                        (share, Some(format!("{name}[{row}] = {value:e} for {right:e}, {share:.1e} times the bound")));
+                    worst = (share, format!("{name}[{row}] = {value:e} for {right:e}, {share:.1e} times the bound"));
                 }
             }
         }
-        worst.1
+        (!worst.1.is_empty()).then_some(worst)
     }
 }
 
