@@ -24,12 +24,13 @@ pub(super) fn bordered(matrix: DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64>
 }
 
 /// The x with A x nearest to the right-hand side.
-pub(super) fn least_squares(matrix: DMatrix<f64>, rhs: DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn least_squares(matrix: DMatrix<f64>, mut rhs: DVector<f64>) -> Option<DVector<f64>> {
     if matrix.is_square() {
         return matrix.lu().solve(&rhs);
     }
-    let factors = matrix.qr();
-    factors.r().solve_upper_triangular(&factors.q().tr_mul(&rhs))
+    let (n, factors) = (matrix.ncols(), matrix.qr());
+    factors.q_tr_mul(&mut rhs);
+    factors.r().solve_upper_triangular(&rhs.rows(0, n).into_owned())
 }
 
 /// The singular values, the largest first, if the matrix is finite.

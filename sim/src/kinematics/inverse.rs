@@ -151,8 +151,8 @@ pub(super) struct Factors<'a> {
     sizes: &'a Sizes,
     orthonormal: DMatrix<f64>,
     triangle: DMatrix<f64>,
-    /// An orthonormal basis of what the matrix itself maps to.
-    image: DMatrix<f64>,
+    /// An orthonormal basis of what the matrix itself maps to, where that is not everything.
+    image: Option<DMatrix<f64>>,
     /// The length of each column.
     pub(super) columns: Vec<f64>,
     /// The smallest sine between a column and those before it.
@@ -164,14 +164,19 @@ impl<'a> Factors<'a> {
     pub(super) fn new(matrix: &DMatrix<f64>, sizes: &'a Sizes) -> Factors<'a> {
         let scaled = |i: usize, j: usize| matrix[(i, j)] * sizes.coordinates[j] / sizes.rows[i];
         let scaled = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), scaled);
-        let (factors, own) = (scaled.clone().qr(), matrix.clone().qr());
+        let factors = scaled.clone().qr();
+        let own = (!matrix.is_square()).then(|| matrix.clone().qr());
         let triangle = factors.r();
         let sines = (0..matrix.ncols()).map(|j| triangle[(j, j)].abs() / scaled.column(j).norm());
         // A comparison that NaN fails, and so is no sine.
         let sine = sines.fold(1.0, |least: f64, sine| if sine >= least { least } else { sine });
-        let volume = own.r().diagonal().iter().product::<f64>().abs();
+        let unscaled = || sizes.rows.iter().product::<f64>() / sizes.coordinates.iter().product::<f64>();
+        let volume = match &own {
+            Some(own) => own.r().diagonal().iter().product::<f64>().abs(),
+            None => triangle.diagonal().iter().product::<f64>().abs() * unscaled(),
+        };
         let columns = matrix.column_iter().map(|column| column.norm()).collect();
-        Factors { sizes, orthonormal: factors.q(), triangle, image: own.q(), columns, sine, volume }
+        Factors { sizes, orthonormal: factors.q(), triangle, image: own.map(|own| own.q()), columns, sine, volume }
     }
 
     /// The x with A x nearest to the right-hand side.
@@ -186,8 +191,10 @@ impl<'a> Factors<'a> {
         let rhs = DVector::from_fn(rhs.len(), |j, _| rhs[j] * self.sizes.coordinates[j]);
         let found = &self.orthonormal * self.triangle.tr_solve_upper_triangular(&rhs)?;
         let found = DVector::from_fn(found.len(), |i, _| found[i] / self.sizes.rows[i]);
-        let is_square = self.image.is_square();
-        finite(if is_square { found } else { &self.image * self.image.tr_mul(&found) })
+        finite(match &self.image {
+            None => found,
+            Some(image) => image * image.tr_mul(&found),
+        })
     }
 }
 

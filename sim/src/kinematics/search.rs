@@ -14,7 +14,8 @@ use std::rc::Rc;
 /// What a polynomial may lack of a quantity, as a part of its range; and of rounding, in last digits times the condition.
 const RESOLVED: f64 = 1e-10;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// What does not shrink when an interval is halved is noise, if it is so many times the rounding of what it came of.
+/// What does not shrink when an interval is halved is noise, if it is so many times the rounding of what it came of. Rounding
+/// of accelerations is amplified by the square of the condition.
 const SHRINKS: f64 = 0.7;
 const NOISE: f64 = 16.0;
 /// How often a step is halved. What is not smooth then has a corner, and is searched for by comparison.
@@ -218,7 +219,8 @@ impl<'s> Search<'s> {
             return true;
         }
         let group = rows.iter().flat_map(|row| &row[self.group(k)]).fold(0.0f64, |most, value| most.max(value.abs()));
-        if lacked.is_finite() && series.tail() > SHRINKS * lacked && series.tail() <= NOISE * rounding * group {
+        let noise = NOISE * ROUNDING * (100.0 + piece.condition().powi(2)) * group;
+        if lacked.is_finite() && series.tail() > SHRINKS * lacked && series.tail() <= noise {
             self.tracked[k].noise = series.tail();
             return true;
         }
@@ -228,7 +230,8 @@ impl<'s> Search<'s> {
     /// The quantities that one is computed with.
     fn group(&self, k: usize) -> Indices<usize> {
         let Layout { outputs, multipliers, forces, ratios, columns, .. } = &self.layout;
-        let all = [outputs, multipliers, forces, ratios, columns];
+        let reactions = multipliers.start..forces.end;
+        let all = [outputs, &reactions, ratios, columns];
         all.into_iter().find(|group| group.contains(&k)).cloned().unwrap_or(k..k + 1)
     }
 

@@ -76,7 +76,7 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
         } else {
             let from =
                 parameters.iter().find(|(name, _)| name == "th_0" || name == "t_0").map_or(0.0, |(_, value)| *value);
-            let turns = log_between(random, 0.05, 300.0);
+            let turns = log_between(random, 0.05, MOST_TURNS);
             let rows = log_between(random, 1.0, 1000.0) as usize;
             Task::Sweep([from, from + turns * TAU, speed], rows)
         };
@@ -190,8 +190,9 @@ fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
     }
 }
 
-/// More steps than these are not drawn, to keep the time of a draw small.
+/// More steps than these are not drawn, nor sweeps over more turns, to keep the time of a draw small.
 const MOST_STEPS: f64 = 3000.0;
+const MOST_TURNS: f64 = 50.0;
 
 fn equal(pace: &Pace, random: &mut Random) -> Settings {
     let method = *pick(random, &Method::ALL);
