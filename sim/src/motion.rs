@@ -22,6 +22,8 @@ pub struct Motion<'m, M: Mechanism> {
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
     longest: Cell<M::L>,
+    /// Where constraints are redundant, the largest that the smallest sine has been.
+    widest: Cell<f64>,
     /// 1/s^2 where a state was last kept on the constraints; s is the smallest sine between a row of C_q and those before.
     closeness: Cell<f64>,
     /// Whether states inside a step are brought onto the constraints too.
@@ -39,6 +41,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             measures,
             evaluations: Cell::new(0),
             longest: Cell::new(M::L::filled(0.0)),
+            widest: Cell::new(0.0),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
         }
@@ -144,7 +147,11 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
             Stabilisation::Projection => {
-                self.closeness.set(project_measured(self.mechanism, &self.measures, state, &self.longest)?);
+                let closeness = project_measured(self.mechanism, &self.measures, state, &self.longest)?;
+                self.closeness.set(match self.measures.is_redundant() {
+                    false => closeness,
+                    true => closeness * self.widened(1.0 / closeness.sqrt()).powi(2),
+                });
                 return Ok(());
             }
             Stabilisation::MassProjection => by_mass(self.mechanism, &self.measures, state)?,
@@ -175,6 +182,15 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// The squares of the longest rows of C_q so far.
     pub(crate) fn longest(&self) -> M::L {
         self.longest.get()
+    }
+
+    /// The largest that the smallest sine has been, this one among them: what combinations of redundant constraints are
+    /// beside each other depends on the mechanism, and counts as regular where it is largest.
+    pub(crate) fn widened(&self, sine: f64) -> f64 {
+        if sine.is_finite() {
+            self.widest.set(self.widest.get().max(sine));
+        }
+        self.widest.get()
     }
 
     /// Takes note of the squares of the lengths of rows.

@@ -140,11 +140,14 @@ impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
         self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
     }
 
-    /// The length of the independent part of a row, relative to the longest that the row has been; of a combination relative
-    /// to 1.
+    /// The length of the independent part of a row, relative to the longest that the row has been; of combinations relative
+    /// to the longest that the shortest of these parts has been.
     fn sine(&self, row: usize, parts: &M::LQ) -> f64 {
-        let longest = if self.reduction.is_some() { 1.0 } else { self.motion.longest()[row] };
-        (inner(&parts[row], &parts[row]) / longest).sqrt()
+        let square = inner(&parts[row], &parts[row]);
+        match self.reduction {
+            None => (square / self.motion.longest()[row]).sqrt(),
+            Some(_) => square.sqrt() / self.motion.widened(0.0),
+        }
     }
 
     /// The constraint that a row is, or that has the largest part in it.
@@ -191,6 +194,10 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
     let rows = followed.rows(state.time, &state.positions);
     motion.lengthen(|row| inner(&rows[row], &rows[row]));
     let parts = independent_parts::<M>(&rows);
+    if followed.reduction.is_some() {
+        let lengths = parts.iter().map(|part| inner(part, part).sqrt()).filter(|length| *length > 0.0);
+        motion.widened(lengths.fold(f64::INFINITY, f64::min));
+    }
     let sines = (0..M::L::LEN).map(|row| (row, followed.sine(row, &parts))).filter(|(_, sine)| *sine > 0.0);
     sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (followed.constraint(row), sine))
 }
