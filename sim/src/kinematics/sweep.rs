@@ -140,7 +140,10 @@ impl<'s> Followed<'s> {
         loop {
             let piece = Rc::new(path.next(&from, &mut length)?);
             self.record(&piece)?;
-            search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p)))?;
+            // The curve may begin before the sweep does.
+            if path.reached(&piece) > 0.0 || piece.limit.is_some() {
+                search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p)))?;
+            }
             let crossing = piece.crossing.map(|x| path.at(&piece, x));
             if let Some((positions, p)) = crossing.filter(|(_, p)| (0.0..=end).contains(p)) {
                 self.branches.push(SpecialPosition { value: path.system.laws[0].at(p), positions });
