@@ -148,29 +148,38 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         match self.stabilisation {
             Stabilisation::Projection => {
                 let closeness = project_measured(self.mechanism, &self.measures, state, &self.longest)?;
-                self.closeness.set(match self.measures.is_redundant() {
-                    false => closeness,
-                    true => closeness * self.widened(1.0 / closeness.sqrt()).powi(2),
-                });
+                self.closeness.set(closeness);
+                if self.measures.is_redundant() {
+                    self.widened(1.0 / closeness.sqrt());
+                }
                 return Ok(());
             }
             Stabilisation::MassProjection => by_mass(self.mechanism, &self.measures, state)?,
             Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &self.measures, state)?,
             Stabilisation::Baumgarte(_) | Stabilisation::None => {}
         }
-        self.closeness.set(weakest_constraint(self, state).map_or(0.0, |(_, sine)| sine.powi(-2)));
+        let sine = weakest_constraint(self, state).map_or(f64::INFINITY, |(_, sine)| sine);
+        let unit = if self.measures.is_redundant() { self.widest.get() } else { 1.0 };
+        self.closeness.set((sine * unit).powi(-2));
         Ok(())
     }
 
-    /// The smallest sine between a row of C_q and those before it, where a state was last kept on the constraints.
+    /// The smallest sine between a row of C_q and those before it, where a state was last kept on the constraints; of
+    /// combinations of redundant ones not yet [`relative`](Motion::relative).
     #[inline]
     pub(crate) fn least_sine(&self) -> f64 {
         1.0 / self.closeness.get().sqrt()
     }
 
+    /// A least sine as it counts beside the largest that it has been, where constraints are redundant.
+    #[inline]
+    pub(crate) fn relative(&self, sine: f64) -> f64 {
+        if self.measures.is_redundant() { sine / self.widest.get() } else { sine }
+    }
+
     /// Whether that state was known better before it was kept, so near is a singular position.
     pub(crate) fn is_at_singularity(&self) -> bool {
-        self.closeness.get() > const { 1.0 / (AT * AT) }
+        self.relative(self.least_sine()) < AT
     }
 
     /// Has states inside a step brought onto the constraints too, or no longer.

@@ -50,16 +50,15 @@ impl<M: Mechanism> Crossing<M> {
     }
 
     /// Whether a singular position may lie within the next steps.
-    pub(super) fn may_be_ahead(&self) -> bool {
-        may_be_ahead(self.sines)
+    pub(super) fn may_be_ahead(&self, motion: &Motion<M>) -> bool {
+        may_be_ahead(self.sines.map(|sine| motion.relative(sine)))
     }
 
     /// Whether the step that has just been made came near a singular position that nothing had foretold: it may have ended
     /// beside it, or beyond one that its stages lay beside.
     pub(super) fn is_surprised(&self, motion: &Motion<M>) -> bool {
-        !self.may_be_ahead()
-            && motion.least_sine() < FALLS * self.sines[1]
-            && may_be_ahead([self.sines[1], motion.least_sine()])
+        let [before, now] = [self.sines[1], motion.least_sine()].map(|sine| motion.relative(sine));
+        !self.may_be_ahead(motion) && now < FALLS * before && may_be_ahead([before, now])
     }
 
     /// Makes a step over the singular position ahead, or says how to go on. No step is longer than `longest` but one that has

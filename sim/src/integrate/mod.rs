@@ -109,7 +109,7 @@ fn equal_steps<M: Mechanism>(
         let rest = if step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
         while goal - from.state.time > rest {
             check_interrupt(course, from)?;
-            let is_near = crossing.may_be_ahead();
+            let is_near = crossing.may_be_ahead(motion);
             let way = match is_near {
                 true => crossing.lead(motion, [from, to], [length, course.end], &EXACT, steps)?,
                 false => Way::On,
@@ -163,7 +163,7 @@ fn adaptive_steps<M: Mechanism>(
         }
         // The last step is not followed by a tiny one.
         let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
-        let way = match crossing.may_be_ahead() {
+        let way = match crossing.may_be_ahead(motion) {
             true => crossing.lead(motion, [from, to], [wanted - now, course.end], tolerance, steps)?,
             false => Way::On,
         };
