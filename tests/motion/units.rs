@@ -45,6 +45,7 @@ fn units_change_what_is_reported_and_not_the_motion() {
         ("rate", "rpm", 30.0 / pi),
         ("acceleration", "km/h/s", 3.6),
         ("weight", "kN", 1e-3),
+        ("work", "J", 1.0),
     ];
     assert_eq!(rows.len(), mixed.columns.len());
     for (name, unit, factor) in rows {
