@@ -192,6 +192,8 @@ fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
 
 /// More steps than these are not drawn, nor sweeps over more turns, to keep the time of a draw small.
 const MOST_STEPS: f64 = 3000.0;
+/// The implicit method asks for many right-hand sides in a step.
+const MOST_IMPLICIT_STEPS: f64 = 500.0;
 const MOST_TURNS: f64 = 50.0;
 
 fn equal(pace: &Pace, random: &mut Random) -> Settings {
@@ -199,7 +201,8 @@ fn equal(pace: &Pace, random: &mut Random) -> Settings {
     let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, 400.0, 1600.0));
     // In a turn of the fastest body, and more where it speeds up within a part of a turn.
     let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
-    let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= MOST_STEPS).unwrap_or(1);
+    let most = if method == Method::Radau5 { MOST_IMPLICIT_STEPS } else { MOST_STEPS };
+    let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= most).unwrap_or(1);
     Settings {
         stabilisation: stabilisation(random),
         rows: Rows::Even(log_between(random, 1.0, 1001.0) as usize),
