@@ -206,7 +206,7 @@ impl Draw {
             Stabilisation::Projection => Stabilisation::Partitioning,
             _ => Stabilisation::Projection,
         };
-        let another = Task::Run(Settings { stabilisation, ..settings.clone() });
+        let another = Task::Run(Settings { stabilisation, ..*settings });
         let form = self.linkage.forms[usize::from(self.form == 0)];
         let found = self.result(form, &self.parameters, &another);
         let found = found.ok().and_then(|found| self.worst(&found, reference));
