@@ -377,7 +377,10 @@ fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
 ) -> Result<(), Failure> {
     let left = rates_of::<M, R>(linear, qd);
     // A position within 1e-6 of a singular one leaves that part of the speeds.
-    let bound = |i: usize| 1e-6 * (R::terms(&linear.jacobian, i, qd) + linear.time_derivative[i].abs()) + TOLERANCE * measures.constraints()[i];
+    let bound = |i: usize| {
+        1e-6 * (R::terms(&linear.jacobian, i, qd) + linear.time_derivative[i].abs())
+            + TOLERANCE * measures.constraints()[i]
+    };
     match (0..M::L::LEN).find(|row| !(left[*row].abs() <= bound(*row))) {
         None => Ok(()),
         Some(row) => {

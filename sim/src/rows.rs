@@ -4,9 +4,11 @@
 
 mod dense;
 mod sparse;
+mod turned;
 
 pub(crate) use dense::Dense;
-pub(crate) use sparse::{Sparse, is_sparse};
+pub(crate) use sparse::{Sparse, is_sparse, sparse_rows};
+pub(crate) use turned::may_have_turned;
 
 use crate::measures::Measures;
 use crate::solve::Undefined;

@@ -44,7 +44,8 @@ pub(super) fn entries_of_constraints(
     let first = equations.variables.len();
     let system = system(equations, &equations.declared, lowering);
     let mut reduced = reduce(&mut lowering.values, &system);
-    let places = sparsity.rows.iter().flat_map(|row| row.columns.iter().map(|column| (first + row.constraint, *column)));
+    let places =
+        sparsity.rows.iter().flat_map(|row| row.columns.iter().map(|column| (first + row.constraint, *column)));
     Results::Vector(places.map(|(i, j)| reduced.entry(&mut lowering.values, i, j)).collect())
 }
 

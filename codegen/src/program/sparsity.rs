@@ -26,8 +26,8 @@ pub struct SparseRow {
     pub diagonal: usize,
 }
 
-/// How many operations of dense rows take as long as one of sparse rows, whose places are looked up.
-const LOOK_UP: usize = 4;
+/// How many operations of dense rows, which lie side by side, take as long as one of sparse rows, with what is around it.
+const LOOK_UP: usize = 8;
 
 impl Sparsity {
     /// That of rows with entries in these columns, of so many; nothing where dense rows are as good.
@@ -35,7 +35,8 @@ impl Sparsity {
         let neighbours = neighbours(&columns);
         let declared: Vec<usize> = (0..columns.len()).collect();
         let reordered = reverse_cuthill_mckee(&neighbours);
-        let envelope = |order: &[usize]| firsts(order, &neighbours).iter().enumerate().map(|(k, first)| k - first).sum();
+        let envelope =
+            |order: &[usize]| firsts(order, &neighbours).iter().enumerate().map(|(k, first)| k - first).sum();
         let [by_declaration, by_order]: [usize; 2] = [envelope(&declared), envelope(&reordered)];
         let order = if by_order < by_declaration { reordered } else { declared };
         let firsts = firsts(&order, &neighbours);

@@ -80,7 +80,7 @@ impl<M: Mechanism> Rows<M> for Sparse {
 
     #[inline]
     fn factorise(entries: &M::Entries, factors: &mut Envelope<M>) -> Result<(), Undefined> {
-        products::<M>(entries, &mut factors.lower);
+        products::<M>(entries, entries, &mut factors.lower);
         factors.factorise()
     }
 
@@ -112,20 +112,26 @@ fn inner<E: Array<f64>, Q: Array<f64>>(entries: &E, row: &'static SparseRow, x: 
     entries_of(entries, row).map(|(entry, j)| entry * x[j]).sum()
 }
 
-/// The lower triangle of A A' within its envelope.
+/// The lower triangle of A B' within the envelope.
 #[inline]
-fn products<M: Mechanism>(entries: &M::Entries, products: &mut M::Envelope) {
+pub(super) fn products<M: Mechanism>(a: &M::Entries, b: &M::Entries, products: &mut M::Envelope) {
     let rows = sparse_rows::<M>();
-    // The row that others are multiplied with, by all of its entries; 0 elsewhere.
+    // The row of A that rows of B are multiplied with, by all of its entries; 0 elsewhere.
     let mut spread = M::Q::filled(0.0);
     for (k, row) in rows.iter().enumerate() {
-        entries_of(entries, row).for_each(|(entry, j)| spread[j] = entry);
+        entries_of(a, row).for_each(|(entry, j)| spread[j] = entry);
         let own = &mut products.as_mut()[row.diagonal + row.first - k..=row.diagonal];
         for (other, product) in rows[row.first..=k].iter().zip(own) {
-            *product = inner(entries, other, &spread);
+            *product = inner(b, other, &spread);
         }
         row.columns.iter().for_each(|j| spread[*j] = 0.0);
     }
+}
+
+/// The inner product.
+#[inline(always)]
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// L D L' factors within the envelope.
@@ -173,11 +179,6 @@ impl<M: Mechanism> Envelope<M> {
     fn row_of_l(&self, k: usize, row: &SparseRow) -> &[f64] {
         &self.lower.as_ref()[row.diagonal + row.first - k..row.diagonal]
     }
-}
-
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 impl<M: Mechanism> Factors<M::L> for Envelope<M> {
