@@ -73,17 +73,6 @@ pub fn free_chain(rods: usize) -> String {
     )
 }
 
-/// Free bodies that nothing couples.
-pub fn uncoupled(bodies: usize) -> String {
-    format!(
-        "/// {bodies} free bodies.
-        pub Uncoupled{bodies};
-        parameters {{ m [kg] = 1; J [kg*m^2] = 1; g [m/s^2] = 9.81; }}
-        repeat i in 1..={bodies} {{ bodies {{ b_[i]: free, mass m, inertia J; }} }}
-        loads {{ gravity [0, -g]; }}"
-    )
-}
-
 /// `FourBars5` and the like.
 pub fn four_bars_name(loops: usize) -> String {
     format!("FourBars{loops}")

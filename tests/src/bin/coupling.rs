@@ -6,7 +6,7 @@
 
 use sim::{Array, Measures, Mechanism, State, project};
 use std::hint::black_box;
-use tests::{declarations, interleaved};
+use tests::interleaved;
 
 /// The kernels, whose names are documented where they are declared.
 #[allow(unreachable_pub)]
@@ -16,7 +16,7 @@ mod chains {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     if let Some(bodies) = std::env::args().nth(1) {
-        let code = codegen::generate_text(&declarations::uncoupled(bodies.parse()?), "sim_kernel")?;
+        let code = codegen::generate_text(&uncoupled(bodies.parse()?), "sim_kernel")?;
         println!("{} {}", peak_memory()?, code.len());
         return Ok(());
     }
@@ -26,6 +26,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{}", times::<chains::ChainAbsolute100, chains::ChainFree100>());
     })?;
     measured.join().map_err(|_| "the measurement stopped".into())
+}
+
+/// Free bodies that nothing couples.
+fn uncoupled(bodies: usize) -> String {
+    format!(
+        "/// {bodies} free bodies.
+        pub Uncoupled;
+        parameters {{ m [kg] = 1; J [kg*m^2] = 1; g [m/s^2] = 9.81; }}
+        repeat i in 1..={bodies} {{ bodies {{ b_[i]: free, mass m, inertia J; }} }}
+        loads {{ gravity [0, -g]; }}"
+    )
 }
 
 /// The most memory that this process has had so far, in bytes.
