@@ -72,7 +72,22 @@ fn scale() -> Result<(), Box<dyn std::error::Error>> {
     let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
     std::fs::write(out.join("scale.rs"), text)?;
     std::fs::write(out.join("derivatives.rs"), quick_return_with_derivatives()?)?;
+    std::fs::write(out.join("coupling.rs"), free_chains()?)?;
     Ok(())
+}
+
+/// Chains of free bodies beside the same ones in angles.
+#[cfg(feature = "scale")]
+fn free_chains() -> Result<String, Box<dyn std::error::Error>> {
+    use declarations::{Angles, FREE_CHAIN_SIZES, chain, free_chain};
+    let mut text = String::new();
+    for rods in FREE_CHAIN_SIZES {
+        for declaration in [chain(*rods, Angles::Absolute), free_chain(*rods)] {
+            text += &codegen::generate_text(&declaration, "sim::sim_kernel")?;
+            text.push('\n');
+        }
+    }
+    Ok(text)
 }
 
 /// The shipped quick-return mechanism with all kernels that not everyone needs.

@@ -41,6 +41,7 @@ mod project;
 mod record;
 mod reduction;
 mod root;
+mod rows;
 mod run;
 mod settings;
 pub mod show;

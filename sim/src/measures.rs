@@ -5,7 +5,7 @@ use crate::any::{Any, AnyMechanism, array};
 use crate::conditional::released_rows;
 use crate::mobility::{Mobility, mobility};
 use nalgebra::DMatrix;
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Array, Mechanism};
 
 /// What the coordinates and the constraints of a mechanism are measured by, and the ranks of its constraint Jacobian: found
 /// once, where a motion starts.
@@ -77,7 +77,7 @@ impl<M: Mechanism> Measures<M> {
     /// C_q with its columns times the changes that count as 1, m x n.
     #[inline(always)]
     pub(crate) fn columns(&self, jacobian: &M::LQ) -> M::LQ {
-        match const { mixes_lengths(&M::DESCRIPTION) } {
+        match const { mixes_lengths::<M>() } {
             false => *jacobian,
             true => M::LQ::from_fn(|i| M::Q::from_fn(|j| jacobian[i][j] * self.coordinates[j])),
         }
@@ -86,7 +86,7 @@ impl<M: Mechanism> Measures<M> {
     /// A change of coordinates in SI units from one in the changes that count as 1, n.
     #[inline(always)]
     pub(crate) fn change(&self, change: M::Q) -> M::Q {
-        match const { mixes_lengths(&M::DESCRIPTION) } {
+        match const { mixes_lengths::<M>() } {
             false => change,
             true => M::Q::from_fn(|j| change[j] * self.coordinates[j]),
         }
@@ -100,8 +100,8 @@ impl<M: Mechanism> Measures<M> {
 }
 
 /// Whether there are lengths and others among the coordinates, so that they have to be measured by different numbers.
-const fn mixes_lengths(description: &Description) -> bool {
-    let (coordinates, mut lengths, mut j) = (description.coordinates, 0, 0);
+pub(crate) const fn mixes_lengths<M: Mechanism>() -> bool {
+    let (coordinates, mut lengths, mut j) = (M::DESCRIPTION.coordinates, 0, 0);
     while j < coordinates.len() {
         lengths += coordinates[j].position.is_length as usize;
         j += 1;

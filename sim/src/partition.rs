@@ -11,6 +11,7 @@ use crate::measures::Measures;
 use crate::met::is_met;
 use crate::project::{inner, rates, subtract};
 use crate::reduction::row_space;
+use crate::rows::Dense;
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -71,7 +72,7 @@ impl<M: Mechanism> Partition<M> {
             subtract(q, &self.positions.solve(measures, &by_positions, &linear.values, time, q)?);
             linear = mechanism.constraint_linearization(time, q);
             steps += 1;
-            if is_met(mechanism, measures, time, q, &linear) {
+            if is_met::<M, Dense>(mechanism, measures, time, q, &linear) {
                 break;
             }
             if steps == MOST_STEPS {

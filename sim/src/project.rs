@@ -11,7 +11,7 @@ use crate::level::{between_positions, has_speed_rows};
 use crate::measures::Measures;
 use crate::met::{TOLERANCE, is_met, is_within};
 use crate::reduction::Reduction;
-use crate::solve::Definite;
+use crate::rows::{Dense, Factors, Linear, Rows, Sparse, is_sparse};
 use crate::trajectory::State;
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
 use std::cell::Cell;
@@ -26,7 +26,6 @@ const SMALL_CHANGE: f64 = 1e-8;
 const SMALL_RATE: f64 = 1e-5;
 
 type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mechanism>::LQ>;
-type Factors<M> = Definite<<M as Mechanism>::LL, <M as Mechanism>::L>;
 
 /// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
 ///
@@ -53,26 +52,40 @@ pub(crate) fn project_measured<M: Mechanism>(
     if measures.is_redundant() {
         return project_redundant(mechanism, measures, state);
     }
+    match const { is_sparse::<M>() } {
+        false => project_independent::<M, Dense>(mechanism, measures, state, longest),
+        true => project_independent::<M, Sparse>(mechanism, measures, state, longest),
+    }
+}
+
+/// The same where no constraints are redundant.
+#[inline(always)]
+fn project_independent<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+    longest: &Cell<M::L>,
+) -> Result<f64, Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let found = correct_positions(mechanism, measures, time, q)?;
-    let open = rates::<M>(&found.linear, &state.speeds);
+    let mut found = correct_positions::<M, R>(mechanism, measures, time, q)?;
+    let open = rates_of::<M, R>(&found.linear, &state.speeds);
     let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
     let serves = !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
-    let factors = match serves {
-        true => found.factors,
-        false => factorise_again::<M>(&measures.columns(&found.linear.jacobian), time, q)?,
-    };
-    if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M>(&factors, time, q));
+    let columns = R::columns(&found.linear.jacobian, measures);
+    if !serves {
+        factorise_again::<M, R>(&columns, &mut found.factors, time, q)?;
     }
-    let columns = measures.columns(&found.linear.jacobian);
-    subtract(&mut state.speeds, &least_change(measures, &columns, &factors, open));
+    let factors = &found.factors;
+    if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
+        return Err(singular_position::<M, R>(factors, time, q));
+    }
+    subtract(&mut state.speeds, &least_change::<M, R>(measures, &columns, factors, open));
     if !factors.is_regular() {
-        check_dependent_rates(&found.linear, measures, time, q, &state.speeds)?;
+        check_dependent_rates::<M, R>(&found.linear, measures, time, q, &state.speeds)?;
     }
     let (mut squares, mut closeness) = (longest.get(), 0.0f64);
-    for row in 0..M::L::LEN {
-        let (square, inverse_pivot) = factors.row(row);
+    for k in 0..M::L::LEN {
+        let (row, (square, inverse_pivot)) = (R::constraint(k), factors.row(k));
         squares[row] = squares[row].max(square);
         closeness = closeness.max(squares[row] * inverse_pivot);
     }
@@ -91,16 +104,16 @@ fn project_redundant<M: Mechanism>(
     let linear = correct_redundant_positions(mechanism, measures, time, q)?;
     let (change, factors) = reduced_change(measures, &linear.jacobian, &rates::<M>(&linear, &state.speeds), time, q)?;
     if factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M>(&factors, time, q));
+        return Err(singular_position::<M, Dense>(&factors, time, q));
     }
     subtract(&mut state.speeds, &change);
-    check_dependent_rates(&linear, measures, time, q, &state.speeds)?;
+    check_dependent_rates::<M, Dense>(&linear, measures, time, q, &state.speeds)?;
     Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
 }
 
 #[cold]
-fn singular_position<M: Mechanism>(factors: &Definite<M::LL, M::L>, time: f64, q: &M::Q) -> Failure {
-    let constraint = factors.dependent().last().map_or("?", |row| constraint_name::<M>(row));
+fn singular_position<M: Mechanism, R: Rows<M>>(factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
+    let constraint = factors.dependent().last().map_or("?", |k| constraint_name::<M>(R::constraint(k)));
     Failure::at::<M>(What::SingularPosition { constraint }, time, q)
 }
 
@@ -122,7 +135,7 @@ pub fn project_positions<M: Mechanism>(
     match M::L::LEN {
         0 => Ok(mechanism.constraint_linearization(time, q)),
         _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, time, q),
-        _ => Ok(correct_positions(mechanism, measures, time, q)?.linear),
+        _ => Ok(correct_positions::<M, Dense>(mechanism, measures, time, q)?.linear),
     }
 }
 
@@ -144,21 +157,28 @@ pub fn project_velocities<M: Mechanism>(
     let open = rates::<M>(linear, qd);
     if measures.is_redundant() {
         subtract(qd, &reduced_change(measures, &linear.jacobian, &open, time, q)?.0);
-        return check_dependent_rates(linear, measures, time, q, qd);
+        return check_dependent_rates::<M, Dense>(linear, measures, time, q, qd);
     }
     let columns = measures.columns(&linear.jacobian);
-    let factors = factorise::<M>(&columns, time, q)?;
-    subtract(qd, &least_change(measures, &columns, &factors, open));
+    let mut factors = <Dense as Rows<M>>::Factors::blank();
+    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
+    subtract(qd, &least_change::<M, Dense>(measures, &columns, &factors, open));
     match factors.is_regular() {
         true => Ok(()),
-        false => check_dependent_rates(linear, measures, time, q, qd),
+        false => check_dependent_rates::<M, Dense>(linear, measures, time, q, qd),
     }
 }
 
 /// C_q q' + C_t.
 #[inline]
 pub fn rates<M: Mechanism>(linear: &Linearization<M>, qd: &M::Q) -> M::L {
-    M::L::from_fn(|i| inner(&linear.jacobian[i], qd) + linear.time_derivative[i])
+    rates_of::<M, Dense>(linear, qd)
+}
+
+#[inline(always)]
+fn rates_of<M: Mechanism, R: Rows<M>>(linear: &Linear<M, R>, qd: &M::Q) -> M::L {
+    let along = R::times(&linear.jacobian, qd);
+    M::L::from_fn(|i| along[i] + linear.time_derivative[i])
 }
 
 /// The same projections in the metric of the mass matrix M: q -= M^-1 C_q' (C_q M^-1 C_q')^-1 C, and so for q'.
@@ -171,10 +191,10 @@ pub(crate) fn by_mass<M: Mechanism>(
     state: &mut State<M>,
 ) -> Result<(), Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let (linear, ()) = correct(mechanism, measures, time, q, |linear, q| {
+    let linear = correct::<M, Dense>(mechanism, measures, time, q, |linear, q| {
         let jacobian = between_positions::<M>(&linear.jacobian);
         let rank = measures.rank_of_positions();
-        smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank).map(|change| (change, ()))
+        smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank)
     })?;
     let open = rates::<M>(&linear, &state.speeds);
     let change = smallest_by_inertia(mechanism, measures, time, q, (&linear.jacobian, &open), measures.rank())?;
@@ -199,31 +219,32 @@ pub(crate) fn smallest_by_inertia<M: Mechanism>(
 }
 
 /// Where positions have been corrected to.
-struct Corrected<M: Mechanism> {
+struct Corrected<M: Mechanism, R: Rows<M>> {
     /// The constraints there.
-    linear: Linearization<M>,
+    linear: Linear<M, R>,
     /// The factors that the last correction was made with.
-    factors: Factors<M>,
+    factors: R::Factors,
     /// The largest change of the last correction, beside those that count as 1.
     last_change: f64,
 }
 
 #[inline]
-fn correct_positions<M: Mechanism>(
+fn correct_positions<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
     measures: &Measures<M>,
     time: f64,
     q: &mut M::Q,
-) -> Result<Corrected<M>, Failure> {
-    let (linear, (factors, last_change)) = correct(mechanism, measures, time, q, |linear, q| {
+) -> Result<Corrected<M, R>, Failure> {
+    let (mut factors, mut last_change) = (R::Factors::blank(), 0.0);
+    let linear = correct::<M, R>(mechanism, measures, time, q, |linear, q| {
         let columns = match has_speed_rows::<M>() {
-            false => measures.columns(&linear.jacobian),
-            true => measures.columns(&between_positions::<M>(&linear.jacobian)),
+            false => R::columns(&linear.jacobian, measures),
+            true => R::columns(&R::between_positions(&linear.jacobian), measures),
         };
-        let factors = factorise::<M>(&columns, time, q)?;
-        let change = least_change(measures, &columns, &factors, linear.values);
-        let size = measures.size(&change);
-        Ok((change, (factors, size)))
+        factorise::<M, R>(&columns, &mut factors, time, q)?;
+        let change = least_change::<M, R>(measures, &columns, &factors, linear.values);
+        last_change = measures.size(&change);
+        Ok(change)
     })?;
     Ok(Corrected { linear, factors, last_change })
 }
@@ -234,10 +255,10 @@ fn correct_redundant_positions<M: Mechanism>(
     time: f64,
     q: &mut M::Q,
 ) -> Result<Linearization<M>, Failure> {
-    let (linear, ()) = correct(mechanism, measures, time, q, |linear, q| {
+    let linear = correct::<M, Dense>(mechanism, measures, time, q, |linear, q| {
         let jacobian = between_positions::<M>(&linear.jacobian);
         let reduction = Reduction::new(&jacobian, measures, measures.rank_of_positions());
-        reduction_change(&reduction, measures, &jacobian, &linear.values, time, q).map(|(change, _)| (change, ()))
+        reduction_change(&reduction, measures, &jacobian, &linear.values, time, q).map(|(change, _)| change)
     })?;
     Ok(linear)
 }
@@ -249,7 +270,7 @@ fn reduced_change<M: Mechanism>(
     open: &M::L,
     time: f64,
     q: &M::Q,
-) -> Result<(M::Q, Factors<M>), Failure> {
+) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
     reduction_change(&Reduction::new(jacobian, measures, measures.rank()), measures, jacobian, open, time, q)
 }
 
@@ -260,35 +281,35 @@ fn reduction_change<M: Mechanism>(
     open: &M::L,
     time: f64,
     q: &M::Q,
-) -> Result<(M::Q, Factors<M>), Failure> {
+) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
     let columns = measures.columns(&reduction.rows(jacobian));
-    let factors = factorise::<M>(&columns, time, q)?;
-    Ok((least_change(measures, &columns, &factors, reduction.values(open)), factors))
+    let mut factors = <Dense as Rows<M>>::Factors::blank();
+    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
+    Ok((least_change::<M, Dense>(measures, &columns, &factors, reduction.values(open)), factors))
 }
 
-/// Subtracts corrections from positions until the constraints are met; gives the constraints there, and what came with
-/// the last correction.
+/// Subtracts corrections from positions until the constraints are met; gives the constraints there.
 #[inline]
-fn correct<M: Mechanism, T>(
+fn correct<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
     measures: &Measures<M>,
     time: f64,
     q: &mut M::Q,
-    change: impl Fn(&Linearization<M>, &M::Q) -> Result<(M::Q, T), Failure>,
-) -> Result<(Linearization<M>, T), Failure> {
-    let mut linear = mechanism.constraint_linearization(time, q);
+    mut change: impl FnMut(&Linear<M, R>, &M::Q) -> Result<M::Q, Failure>,
+) -> Result<Linear<M, R>, Failure> {
+    let mut linear = R::linearization(mechanism, time, q);
     for _ in 0..MOST_CORRECTIONS {
         if !linear.values.iter().all(|value| value.is_finite()) {
             return Err(not_finite::<M>(&linear.values, time, q));
         }
-        let (correction, last) = change(&linear, q)?;
+        let correction = change(&linear, q)?;
         subtract(q, &correction);
-        if is_rounding(measures, &linear, &correction) {
-            return Ok((linear, last));
+        if is_rounding(measures, &linear.values, &correction) {
+            return Ok(linear);
         }
-        linear = mechanism.constraint_linearization(time, q);
-        if is_met(mechanism, measures, time, q, &linear) {
-            return Ok((linear, last));
+        linear = R::linearization(mechanism, time, q);
+        if is_met::<M, R>(mechanism, measures, time, q, &linear) {
+            return Ok(linear);
         }
     }
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
@@ -306,50 +327,60 @@ fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
 /// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
 /// what it leaves of C is of its second order.
 #[inline]
-fn is_rounding<M: Mechanism>(measures: &Measures<M>, linear: &Linearization<M>, correction: &M::Q) -> bool {
-    is_within(measures, &linear.values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
+fn is_rounding<M: Mechanism>(measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
+    is_within(measures, values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
 }
 
 /// The factors of A A'.
 #[inline(always)]
-fn factorise<M: Mechanism>(columns: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    let mut gram = M::LL::filled(M::L::filled(0.0));
-    for i in 0..M::L::LEN {
-        for j in 0..=i {
-            gram[i][j] = inner(&columns[i], &columns[j]);
-        }
-    }
-    Definite::new(gram).map_err(|undefined| {
+fn factorise<M: Mechanism, R: Rows<M>>(
+    columns: &R::Jacobian,
+    factors: &mut R::Factors,
+    time: f64,
+    q: &M::Q,
+) -> Result<(), Failure> {
+    R::factorise(columns, factors).map_err(|undefined| {
         let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
         Failure::at::<M>(What::NotFinite { quantity }, time, q)
     })
 }
 
 #[inline(never)]
-fn factorise_again<M: Mechanism>(columns: &M::LQ, time: f64, q: &M::Q) -> Result<Factors<M>, Failure> {
-    factorise::<M>(columns, time, q)
+fn factorise_again<M: Mechanism, R: Rows<M>>(
+    columns: &R::Jacobian,
+    factors: &mut R::Factors,
+    time: f64,
+    q: &M::Q,
+) -> Result<(), Failure> {
+    factorise::<M, R>(columns, factors, time, q)
 }
 
 /// D A' (A A')^-1 r, with A = C_q D.
 #[inline]
-fn least_change<M: Mechanism>(measures: &Measures<M>, columns: &M::LQ, factors: &Factors<M>, residual: M::L) -> M::Q {
-    let weights = factors.solve(residual);
-    measures.change(M::Q::from_fn(|j| (0..M::L::LEN).map(|i| columns[i][j] * weights[i]).sum()))
+fn least_change<M: Mechanism, R: Rows<M>>(
+    measures: &Measures<M>,
+    columns: &R::Jacobian,
+    factors: &R::Factors,
+    residual: M::L,
+) -> M::Q {
+    measures.change(R::transposed_times(columns, &factors.solve(residual)))
 }
 
 /// A constraint that depends on others must not ask for another speed than they do.
 #[cold]
-fn check_dependent_rates<M: Mechanism>(
-    linear: &Linearization<M>,
+fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
+    linear: &Linear<M, R>,
     measures: &Measures<M>,
     time: f64,
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<(), Failure> {
-    let terms = |i: usize| linear.jacobian[i].iter().zip(qd.iter()).map(|(c, v)| (c * v).abs()).sum::<f64>();
-    let left = rates::<M>(linear, qd);
+    let left = rates_of::<M, R>(linear, qd);
     // A position within 1e-6 of a singular one leaves that part of the speeds.
-    let bound = |i: usize| 1e-6 * (terms(i) + linear.time_derivative[i].abs()) + TOLERANCE * measures.constraints()[i];
+    let bound = |i: usize| {
+        1e-6 * (R::terms(&linear.jacobian, i, qd) + linear.time_derivative[i].abs())
+            + TOLERANCE * measures.constraints()[i]
+    };
     match (0..M::L::LEN).find(|row| !(left[*row].abs() <= bound(*row))) {
         None => Ok(()),
         Some(row) => {

@@ -12,6 +12,7 @@ use crate::motion::Motion;
 use crate::project::inner;
 use crate::reduction::Reduction;
 use crate::root::find_root;
+use crate::rows::{Rows, Sparse, is_sparse, may_have_turned, sparse_rows};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -131,7 +132,28 @@ impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
     /// The part of each row at a position that is orthogonal to those before it.
     #[inline]
     pub(crate) fn parts(&self, time: f64, q: &M::Q) -> M::LQ {
-        independent_parts::<M>(&self.rows(time, q))
+        self.independent(&self.rows(time, q))
+    }
+
+    /// Whether a row may have turned round between two positions. Where rows are sparse that is told in a time that grows with
+    /// their number alone.
+    pub(crate) fn may_have_passed(&self, [from, to]: [&State<M>; 2]) -> bool {
+        if !const { is_sparse::<M>() } || self.reduction.is_some() {
+            return true;
+        }
+        let columns = |state: &State<M>| {
+            let linear = Sparse::linearization(self.motion.mechanism(), state.time, &state.positions);
+            Sparse::columns(&linear.jacobian, self.motion.measures())
+        };
+        may_have_turned::<M>(&columns(from), &columns(to))
+    }
+
+    /// The part of each of these rows that is orthogonal to those before it.
+    fn independent(&self, rows: &M::LQ) -> M::LQ {
+        match const { is_sparse::<M>() } && self.reduction.is_none() {
+            false => independent_parts::<M>(rows, |k| (k, 0)),
+            true => independent_parts::<M>(rows, |k| (sparse_rows::<M>()[k].constraint, sparse_rows::<M>()[k].first)),
+        }
     }
 
     fn rows(&self, time: f64, q: &M::Q) -> M::LQ {
@@ -193,7 +215,7 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
     let followed = Followed::at(motion, state);
     let rows = followed.rows(state.time, &state.positions);
     motion.lengthen(|row| inner(&rows[row], &rows[row]));
-    let parts = independent_parts::<M>(&rows);
+    let parts = followed.independent(&rows);
     if followed.reduction.is_some() {
         let lengths = parts.iter().map(|part| inner(part, part).sqrt()).filter(|length| *length > 0.0);
         motion.widened(lengths.fold(f64::INFINITY, f64::min));
@@ -202,13 +224,15 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
     sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (followed.constraint(row), sine))
 }
 
-/// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere.
-fn independent_parts<M: Mechanism>(jacobian: &M::LQ) -> M::LQ {
+/// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th row is
+/// given with the first that it need not be orthogonal to.
+fn independent_parts<M: Mechanism>(jacobian: &M::LQ, row: impl Fn(usize) -> (usize, usize)) -> M::LQ {
     let mut parts = *jacobian;
-    for i in 0..M::L::LEN {
+    for k in 0..M::L::LEN {
+        let (i, first) = row(k);
         let mut part = parts[i];
         // Twice, so that rounding leaves nothing of what was taken.
-        for j in (0..i).chain(0..i) {
+        for (j, _) in (first..k).chain(first..k).map(&row) {
             let square = inner(&parts[j], &parts[j]);
             if square > 0.0 {
                 let share = inner(&parts[j], &part) / square;

@@ -1,5 +1,6 @@
 //! Small dense linear systems of fixed size, without allocation.
 
+use crate::rows::Factors;
 use sim_kernel::Array;
 
 /// A pivot this much smaller than the largest is taken for zero. Rows and columns are first brought to
@@ -8,7 +9,7 @@ const SMALLEST_PIVOT: f64 = 1e-13;
 
 /// The squared sine of the angle between a row and those before it, below which it is taken to depend on them: a
 /// correction would multiply rounding by its inverse root.
-const LEAST_INDEPENDENCE: f64 = 1e-8;
+pub(crate) const LEAST_INDEPENDENCE: f64 = 1e-8;
 
 /// What is left of the equations without a pivot, relative to the right-hand side, when they agree with the others.
 const CONSISTENT: f64 = 1e-6;
@@ -160,27 +161,21 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
         }
         Ok(Definite { lower, inverse_pivots })
     }
+}
 
-    /// The diagonal entry of a row, and the inverse of its pivot: zero if the row depends on those before it.
+impl<A: Array<R>, R: Array<f64>> Factors<R> for Definite<A, R> {
+    #[inline(always)]
+    fn blank() -> Definite<A, R> {
+        Definite { lower: A::filled(R::filled(0.0)), inverse_pivots: R::filled(0.0) }
+    }
+
     #[inline]
-    pub(crate) fn row(&self, k: usize) -> (f64, f64) {
+    fn row(&self, k: usize) -> (f64, f64) {
         (self.lower[k][k], self.inverse_pivots[k])
     }
 
-    /// Whether no row depends on others.
     #[inline]
-    pub(crate) fn is_regular(&self) -> bool {
-        self.inverse_pivots.iter().all(|inverse| *inverse != 0.0)
-    }
-
-    /// The rows that depend on those before them.
-    pub(crate) fn dependent(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..R::LEN).filter(|k| self.inverse_pivots[*k] == 0.0)
-    }
-
-    /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
-    #[inline]
-    pub(crate) fn solve(&self, mut rhs: R) -> R {
+    fn solve(&self, mut rhs: R) -> R {
         let (n, lower) = (R::LEN, &self.lower);
         for k in 0..n {
             let known: f64 = (0..k).map(|j| lower[k][j] * rhs[j]).sum();

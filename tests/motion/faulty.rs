@@ -66,6 +66,8 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     type LQ = M::LQ;
     type LL = M::LL;
     type ZZ = M::ZZ;
+    type Entries = M::Entries;
+    type Envelope = M::Envelope;
     type Parameters = M::Parameters;
     type Outputs = M::Outputs;
     type OutputRates = M::OutputRates;

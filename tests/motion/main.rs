@@ -28,6 +28,7 @@ mod scaled;
 mod singular;
 mod singular_start;
 mod six_bar;
+mod sparse;
 mod statics;
 mod stiff;
 mod units;

@@ -47,6 +47,32 @@ pub fn chain(rods: usize, angles: Angles) -> String {
     )
 }
 
+/// Rods of the chains of free bodies that are measured beside those in angles.
+pub const FREE_CHAIN_SIZES: &[usize] = &[20, 100];
+
+/// `ChainFree5` and the like.
+pub fn free_chain_name(rods: usize) -> String {
+    format!("ChainFree{rods}")
+}
+
+/// The same chain with absolute angles, each rod a free body.
+pub fn free_chain(rods: usize) -> String {
+    let name = free_chain_name(rods);
+    format!(
+        "/// A chain of {rods} uniform rods, each a free body.
+        pub {name};
+        const n = {rods};
+        {PARAMETERS}
+        let P_[0] = [0, 0];
+        repeat i in 1..=n {{
+            bodies {{ rod_[i]: free, mass m, inertia m*l^2/12; }}
+            let P_[i] = on(rod_[i], [l/2, 0]);
+            joints {{ pin_[i]: pin P_[i-1] to on(rod_[i], [-l/2, 0]); }}
+        }}
+        loads {{ gravity [0, -g]; }}"
+    )
+}
+
 /// `FourBars5` and the like.
 pub fn four_bars_name(loops: usize) -> String {
     format!("FourBars{loops}")

@@ -4,10 +4,16 @@ use super::{kebab_case, size};
 use crate::dsl::Mark;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
+use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path: &TokenStream) -> TokenStream {
+pub(super) fn description(
+    equations: &EquationsOfMotion,
+    program: &Program,
+    declaration: &str,
+    path: &TokenStream,
+) -> TokenStream {
     let model = &equations.model;
     let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
@@ -32,6 +38,13 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
     let norm_constraints = model.norm_constraints.iter().copied().map(size);
+    let sparsity = program.sparsity.iter().flat_map(|sparsity| &sparsity.rows).map(|row| {
+        let columns = row.columns.iter().copied().map(size);
+        let [constraint, first, entries, diagonal] = [row.constraint, row.first, row.entries, row.diagonal].map(size);
+        quote! {
+            #path::SparseRow { constraint: #constraint, columns: &[#(#columns),*], entries: #entries, first: #first, diagonal: #diagonal }
+        }
+    });
     let speed_constraints = between_speeds.map(|(i, _)| size(i));
     let conditionals = model.conditionals.iter().map(|c| {
         let (name, first, len, active) = (&c.name, size(c.rows.start), size(c.rows.len()), c.initially_active);
@@ -76,6 +89,7 @@ pub(super) fn description(equations: &EquationsOfMotion, declaration: &str, path
             constraints: &[#(#constraints),*],
             speed_constraints: &[#(#speed_constraints),*],
             norm_constraints: &[#(#norm_constraints),*],
+            sparsity: &[#(#sparsity),*],
             conditionals: &[#(#conditionals),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],

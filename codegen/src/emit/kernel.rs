@@ -250,9 +250,18 @@ pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream)
             let (columns, rows) = (size(*columns), size(rows.len()));
             quote! { [[S; #columns]; #rows] }
         }
-        Results::Record(record, _) => match record {
+        Results::Record(record, fields) => match record {
             Record::Initial => quote! { #path::Initial<[S; #n]> },
-            Record::ConstraintLinearization => quote! { #path::ConstraintLinearization<[S; #m], [[S; #n]; #m]> },
+            Record::ConstraintLinearization => {
+                let jacobian = match fields.iter().find(|(name, _)| name == "jacobian") {
+                    Some((_, Results::Vector(entries))) => {
+                        let len = size(entries.len());
+                        quote! { [S; #len] }
+                    }
+                    _ => quote! { [[S; #n]; #m] },
+                };
+                quote! { #path::ConstraintLinearization<[S; #m], #jacobian> }
+            }
             Record::Dynamics => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
             Record::DynamicsJacobian => quote! { #path::DynamicsJacobian<S, [[S; #n]; #n], [[S; #n]; #m]> },
             Record::DynamicsSensitivity => quote! { #path::DynamicsSensitivity<S, [[S; #p]; #n], [[S; #p]; #m]> },

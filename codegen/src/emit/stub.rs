@@ -53,6 +53,8 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             type LQ = [[S; 0]; 0];
             type LL = [[S; 0]; 0];
             type ZZ = [[S; 0]; 0];
+            type Entries = [S; 0];
+            type Envelope = [S; 0];
             type Parameters = [S; 0];
             type Outputs = [S; 0];
             type OutputRates = [S; 0];
@@ -68,7 +70,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
-                speed_constraints: &[], norm_constraints: &[],
+                speed_constraints: &[], norm_constraints: &[], sparsity: &[],
                 conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
             };
 

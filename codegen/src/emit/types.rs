@@ -9,7 +9,7 @@ use super::{ident, size};
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Unit};
-use crate::program::{Kernel, Program, Receiver, Record, Results};
+use crate::program::{Kernel, Program, Receiver, Record, Results, Sparsity};
 use crate::symbolic::{Expr, evaluate};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -166,7 +166,8 @@ pub(super) fn mechanism_impl(
     let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
     let [events, rates, drawing] =
         [model.events.len(), equations.outputs.rated().len(), kernel_len(program, "drawing")].map(size);
-    let description = description(equations, declaration, path);
+    let description = description(equations, program, declaration, path);
+    let [entries, envelope] = program.sparsity.as_ref().map_or([0; 2], Sparsity::sizes).map(size);
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
     let (activities, starts): (Vec<_>, Vec<_>) = model
@@ -202,6 +203,8 @@ pub(super) fn mechanism_impl(
             type LQ = [[S; #n]; #m];
             type LL = [[S; #m]; #m];
             type ZZ = [[S; #z]; #z];
+            type Entries = [S; #entries];
+            type Envelope = [S; #envelope];
             type Parameters = [S; #p];
             type Outputs = [S; #outputs];
             type OutputRates = [S; #rates];

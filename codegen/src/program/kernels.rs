@@ -5,6 +5,7 @@ use super::planner::Planner;
 use super::prepared::prepared_kernels;
 use super::reduced;
 use super::results::{Record, Results};
+use super::sparsity::Sparsity;
 use super::values::Value;
 use super::{Arguments, Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
@@ -25,10 +26,13 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let planner = Planner::new(equations, &alternatives);
     let mut kernels = prepared_kernels(&planner);
     kernels.extend(separate_kernels(&planner, zero));
+    let columns = reduced::columns_of_constraints(planner.equations, &mut planner.lowering());
+    let sparsity = Sparsity::of(columns, planner.equations.model.coordinates.len());
+    kernels.extend(sparsity.as_ref().map(|sparsity| sparse_linearization_kernel(&planner, sparsity)));
     kernels.extend(generalized_speeds_kernel(&planner));
     kernels.extend(event_values_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
-    Program { kernels }
+    Program { kernels, sparsity }
 }
 
 /// Expressions with products of sums multiplied out, where that lets terms cancel; the power by forces along coordinates.
@@ -51,6 +55,26 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
     let exprs: Vec<Expr> = exprs.filter(|expr| *expr != zero).collect();
     let expanded = exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?)));
     expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()
+}
+
+/// The constraints linearised, with C_q by its entries.
+fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel {
+    let e = planner.equations;
+    let (m, entries) = (e.model.constraints.len(), sparsity.rows.iter().map(|row| row.columns.len()).sum::<usize>());
+    let docs = format!(
+        "`C` ({m}), the {entries} entries of `C_q` that need not be 0, row after row in the order of elimination, and `C_t` \
+         ({m}) together, in SI units, for projection."
+    );
+    planner.kernel("sparse_linearization", Arguments::Positions, docs, |lowering| {
+        Results::record(
+            Record::ConstraintLinearization,
+            [
+                ("values", Results::Vector(lowering.lower_all(&e.constraints.values))),
+                ("jacobian", reduced::entries_of_constraints(e, lowering, sparsity)),
+                ("time_derivative", reduced::constraint_time_derivative(e, lowering)),
+            ],
+        )
+    })
 }
 
 /// The generalised speeds at a state, if there are any.

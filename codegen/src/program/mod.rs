@@ -20,6 +20,7 @@ mod reduced;
 mod results;
 mod schedule;
 mod shared_products;
+mod sparsity;
 mod speeds;
 mod turns;
 mod values;
@@ -29,6 +30,7 @@ pub use kernels::plan;
 pub use operations::Operations;
 pub use pieces::Piece;
 pub use results::{Record, Results};
+pub use sparsity::{SparseRow, Sparsity};
 
 use crate::symbolic::TableId;
 use std::rc::Rc;
@@ -37,6 +39,8 @@ use std::rc::Rc;
 pub struct Program {
     /// The kernels, in the order in which they are printed.
     pub kernels: Vec<Kernel>,
+    /// The sparsity of C_q, if it is worth using.
+    pub sparsity: Option<Sparsity>,
 }
 
 /// A straight-line program.

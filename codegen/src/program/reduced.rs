@@ -4,9 +4,11 @@ use super::eliminate::reduce;
 use super::lower::Lowering;
 use super::motion::{definition, system};
 use super::results::Results;
+use super::sparsity::Sparsity;
 use super::values::Value;
 use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::Expr;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// A matrix of more entries than this is written by those that are not 0, if fewer than one in so many are.
@@ -22,6 +24,29 @@ pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering
 pub(super) fn constraint_jacobian(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let first = equations.variables.len();
     matrix(equations, lowering, first..first + equations.model.constraints.len())
+}
+
+/// For each row of C_q the columns of its entries that need not be 0.
+pub(super) fn columns_of_constraints(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<BTreeSet<usize>> {
+    let (n, first) = (equations.model.coordinates.len(), equations.variables.len());
+    let system = system(equations, &equations.declared, lowering);
+    let reduced = reduce(&mut lowering.values, &system);
+    let columns = |row: usize| (0..n).filter(|j| reduced.holds(first + row, *j)).collect();
+    (0..equations.model.constraints.len()).map(columns).collect()
+}
+
+/// The entries of C_q, row after row in the order of elimination.
+pub(super) fn entries_of_constraints(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    sparsity: &Sparsity,
+) -> Results<Value> {
+    let first = equations.variables.len();
+    let system = system(equations, &equations.declared, lowering);
+    let mut reduced = reduce(&mut lowering.values, &system);
+    let places =
+        sparsity.rows.iter().flat_map(|row| row.columns.iter().map(|column| (first + row.constraint, *column)));
+    Results::Vector(places.map(|(i, j)| reduced.entry(&mut lowering.values, i, j)).collect())
 }
 
 /// T_q' F, n.

@@ -25,6 +25,9 @@ pub struct Description {
     pub speed_constraints: &'static [usize],
     /// Those, by index, that keep the norm of a quaternion.
     pub norm_constraints: &'static [usize],
+    /// The rows of C_q in the order in which they are eliminated, if so few of its entries may differ from 0 that this is
+    /// worth using; none otherwise.
+    pub sparsity: &'static [SparseRow],
     /// Constraints that events switch.
     pub conditionals: &'static [Conditional],
     /// Events.
@@ -42,6 +45,23 @@ pub struct Description {
     pub dimension: usize,
     /// What to draw, in the order of the numbers of [`crate::Mechanism::drawing`].
     pub drawing: &'static [Shape],
+}
+
+/// A row of C_q by its entries that need not be 0, and where it stands in C_q C_q': in the lower triangle nothing is filled
+/// outside the envelope, which begins in each row where C_q C_q' does (George and Liu, Computer Solution of Large Sparse
+/// Positive Definite Systems, 1981, chapter 4).
+#[derive(Clone, Copy, Debug)]
+pub struct SparseRow {
+    /// The constraint.
+    pub constraint: usize,
+    /// The columns of its entries.
+    pub columns: &'static [usize],
+    /// The place of its first entry in [`Mechanism::Entries`](crate::Mechanism::Entries).
+    pub entries: usize,
+    /// The first row, in the order of elimination, with which it has a column in common.
+    pub first: usize,
+    /// The place of its diagonal entry in [`Mechanism::Envelope`](crate::Mechanism::Envelope).
+    pub diagonal: usize,
 }
 
 /// A named quantity.

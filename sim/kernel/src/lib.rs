@@ -19,7 +19,7 @@ mod table;
 mod wave;
 
 pub use array::{Array, Element};
-pub use description::{Coordinate, Description, Figure, Quantity, Shape, Start};
+pub use description::{Coordinate, Description, Figure, Quantity, Shape, SparseRow, Start};
 pub use dual::Dual;
 pub use input::Input;
 pub use lanes::{LaneMask, Lanes};

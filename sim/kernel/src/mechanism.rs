@@ -24,6 +24,10 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type LL: Array<Self::L>;
     /// (n + m) x (n + m).
     type ZZ: Array<Self::Z>;
+    /// The entries of C_q that need not be 0, row after row as [`Description::sparsity`] has them; none if it has none.
+    type Entries: Array<S>;
+    /// The lower triangle of C_q C_q' within its envelope, row after row; likewise.
+    type Envelope: Array<S>;
     /// Parameters.
     type Parameters: Array<S>;
     /// Inputs, each following its declared course or held.
@@ -101,6 +105,17 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn constraint_convective(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::L;
     /// C, C_q and C_t together.
     fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ>;
+    /// The same with C_q by its entries.
+    fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::Entries> {
+        let dense = self.constraint_linearization(t, q);
+        let mut entries = Self::Entries::filled(S::from_f64(0.0));
+        for row in Self::DESCRIPTION.sparsity {
+            for (k, j) in row.columns.iter().enumerate() {
+                entries[row.entries + k] = dense.jacobian[row.constraint][*j];
+            }
+        }
+        ConstraintLinearization { values: dense.values, jacobian: entries, time_derivative: dense.time_derivative }
+    }
     /// v' M v / 2, in joules.
     fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S;
     /// What the equations of motion need of the parameters, computed once for a set of parameters.
@@ -151,11 +166,11 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
 
 /// C(q + dq) = `values` + `jacobian` dq, and the velocities obey `jacobian` q' + `time_derivative` = 0.
 #[derive(Clone, Copy, Debug)]
-pub struct ConstraintLinearization<L, LQ> {
+pub struct ConstraintLinearization<L, J> {
     /// C, m.
     pub values: L,
-    /// C_q, m x n.
-    pub jacobian: LQ,
+    /// C_q, m x n or by its entries.
+    pub jacobian: J,
     /// C_t, m.
     pub time_derivative: L,
 }

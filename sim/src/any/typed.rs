@@ -7,6 +7,7 @@ use crate::linearize::Control;
 use crate::measures::Measures;
 use crate::met::is_met;
 use crate::project::project_positions;
+use crate::rows::Dense;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Description, Dual, Input, Mechanism, Scalar};
 
@@ -81,7 +82,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn is_met(&self, time: f64, q: &[f64]) -> bool {
         let q = array(q);
         let measures = Measures::of_independent(self.0, time, &q);
-        is_met(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
+        is_met::<M, Dense>(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
     }
     fn project_positions(&self, time: f64, q: &mut [f64]) -> Result<(), Failure> {
         let mut projected = array(q);

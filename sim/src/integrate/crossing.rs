@@ -126,6 +126,9 @@ impl Steps {
         [from, to]: [&Sample<M>; 2],
     ) -> Result<(), Failure> {
         let followed = Followed::at(motion, &from.state);
+        if !followed.may_have_passed([&from.state, &to.state]) {
+            return Ok(());
+        }
         let parts = [from, to].map(|sample| followed.parts(sample.state.time, &sample.state.positions));
         let mut inside = |fraction| method.inside(motion, from, to, fraction);
         self.singularities.extend(followed.passed([&from.state, &to.state], parts.each_ref(), &mut inside)?);

@@ -3018,6 +3018,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
     type LQ = [[S; 7]; 6];
     type LL = [[S; 6]; 6];
     type ZZ = [[S; 13]; 13];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 42];
     type Outputs = [S; 8];
     type OutputRates = [S; 7];
@@ -3555,6 +3557,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Andrews<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -2139,6 +2139,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
     type LQ = [[S; 3]; 5];
     type LL = [[S; 5]; 5];
     type ZZ = [[S; 8]; 8];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 7];
     type Outputs = [S; 2];
     type OutputRates = [S; 1];
@@ -2324,6 +2326,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Bennett<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

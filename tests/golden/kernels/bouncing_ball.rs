@@ -468,6 +468,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 6];
     type Outputs = [S; 3];
     type OutputRates = [S; 3];
@@ -593,6 +595,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[
             sim_kernel::event::Conditional {
                 name: "floor",

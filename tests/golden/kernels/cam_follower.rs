@@ -1747,6 +1747,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
     type LQ = [[S; 2]; 2];
     type LL = [[S; 2]; 2];
     type ZZ = [[S; 4]; 4];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 8];
     type Outputs = [S; 4];
     type OutputRates = [S; 1];
@@ -1893,6 +1895,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CamFollower<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -627,6 +627,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 6];
     type Outputs = [S; 2];
     type OutputRates = [S; 1];
@@ -752,6 +754,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Cardan<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

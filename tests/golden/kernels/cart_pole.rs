@@ -458,6 +458,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
     type LQ = [[S; 2]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 2]; 2];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 3];
     type OutputRates = [S; 2];
@@ -576,6 +578,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for CartPole<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -825,6 +825,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
     type LQ = [[S; 5]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 5]; 5];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 3];
     type Outputs = [S; 2];
     type OutputRates = [S; 2];
@@ -996,6 +998,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Chain<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

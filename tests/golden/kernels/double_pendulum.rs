@@ -596,6 +596,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
     type LQ = [[S; 2]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 2]; 2];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
@@ -706,6 +708,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for DoublePendulum<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -1083,6 +1083,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
     type LQ = [[S; 3]; 2];
     type LL = [[S; 2]; 2];
     type ZZ = [[S; 5]; 5];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 9];
     type Outputs = [S; 12];
     type OutputRates = [S; 4];
@@ -1261,6 +1263,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBar<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

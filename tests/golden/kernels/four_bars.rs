@@ -2807,6 +2807,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
     type LQ = [[S; 7]; 6];
     type LL = [[S; 6]; 6];
     type ZZ = [[S; 13]; 13];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 4];
     type Outputs = [S; 4];
     type OutputRates = [S; 2];
@@ -3078,6 +3080,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for FourBars<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -848,6 +848,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Gyroscope<S> {
     type LQ = [[S; 3]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 12];
     type Outputs = [S; 5];
     type OutputRates = [S; 4];
@@ -1032,6 +1034,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Gyroscope<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

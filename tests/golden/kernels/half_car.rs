@@ -909,6 +909,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
     type LQ = [[S; 2]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 2]; 2];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 13];
     type Outputs = [S; 6];
     type OutputRates = [S; 5];
@@ -1075,6 +1077,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HalfCar<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -937,6 +937,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
     type LQ = [[S; 5]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 5]; 5];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 4];
     type Outputs = [S; 7];
     type OutputRates = [S; 7];
@@ -1115,6 +1117,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for HangingChain<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -412,6 +412,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type LQ = [[S; 1]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 1]; 1];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 4];
     type Outputs = [S; 3];
     type OutputRates = [S; 3];
@@ -490,6 +492,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -1071,6 +1071,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type LQ = [[S; 3]; 2];
     type LL = [[S; 2]; 2];
     type ZZ = [[S; 5]; 5];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 17];
     type Outputs = [S; 10];
     type OutputRates = [S; 7];
@@ -1305,6 +1307,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

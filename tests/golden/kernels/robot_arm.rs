@@ -2351,6 +2351,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
     type LQ = [[S; 6]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 6]; 6];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 13];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
@@ -2660,6 +2662,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RobotArm<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

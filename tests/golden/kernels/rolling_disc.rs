@@ -1615,6 +1615,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
     type LQ = [[S; 6]; 3];
     type LL = [[S; 3]; 3];
     type ZZ = [[S; 9]; 9];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 6];
     type Outputs = [S; 3];
     type OutputRates = [S; 2];
@@ -1854,6 +1856,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for RollingDisc<S> {
         ],
         speed_constraints: &[1, 2],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

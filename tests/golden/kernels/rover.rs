@@ -1056,6 +1056,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rover<S> {
     type LQ = [[S; 5]; 3];
     type LL = [[S; 3]; 3];
     type ZZ = [[S; 8]; 8];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 7];
     type Outputs = [S; 3];
     type OutputRates = [S; 2];
@@ -1292,6 +1294,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rover<S> {
         ],
         speed_constraints: &[0, 1, 2],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -794,6 +794,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 8];
     type Outputs = [S; 2];
     type OutputRates = [S; 1];
@@ -933,6 +935,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Rssr<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

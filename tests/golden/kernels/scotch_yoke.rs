@@ -502,6 +502,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for ScotchYoke<S> {
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 3];
     type OutputRates = [S; 2];
@@ -620,6 +622,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for ScotchYoke<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

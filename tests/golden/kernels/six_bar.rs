@@ -2191,6 +2191,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
     type LQ = [[S; 5]; 5];
     type LL = [[S; 5]; 5];
     type ZZ = [[S; 10]; 10];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 18];
     type Outputs = [S; 7];
     type OutputRates = [S; 4];
@@ -2503,6 +2505,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SixBar<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -607,6 +607,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type LQ = [[S; 3]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 4]; 4];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 2];
     type OutputRates = [S; 1];
@@ -750,6 +752,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
         ],
         speed_constraints: &[0],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

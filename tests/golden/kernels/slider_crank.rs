@@ -768,6 +768,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 8];
     type Outputs = [S; 6];
     type OutputRates = [S; 4];
@@ -907,6 +909,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -576,6 +576,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SphericalPendulum<S> {
     type LQ = [[S; 2]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 2]; 2];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
@@ -686,6 +688,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SphericalPendulum<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -517,6 +517,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
     type LQ = [[S; 1]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 1]; 1];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 8];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
@@ -623,6 +625,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SpringFollower<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

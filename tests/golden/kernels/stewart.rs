@@ -5495,6 +5495,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Stewart<S> {
     type LQ = [[S; 7]; 7];
     type LL = [[S; 7]; 7];
     type ZZ = [[S; 14]; 14];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 12];
     type Outputs = [S; 4];
     type OutputRates = [S; 2];
@@ -5829,6 +5831,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Stewart<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[0],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -683,6 +683,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type LQ = [[S; 3]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 8];
     type Outputs = [S; 4];
     type OutputRates = [S; 4];
@@ -839,6 +841,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

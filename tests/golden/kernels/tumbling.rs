@@ -848,6 +848,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Tumbling<S> {
     type LQ = [[S; 3]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 3]; 3];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 5];
     type Outputs = [S; 7];
     type OutputRates = [S; 7];
@@ -983,6 +985,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Tumbling<S> {
         constraints: &[],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

@@ -1956,6 +1956,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for TumblingQuaternion<S> {
     type LQ = [[S; 7]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 8]; 8];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 6];
     type Outputs = [S; 8];
     type OutputRates = [S; 7];
@@ -2206,6 +2208,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for TumblingQuaternion<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[0],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[

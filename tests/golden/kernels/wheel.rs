@@ -1279,6 +1279,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Wheel<S> {
     type LQ = [[S; 5]; 2];
     type LL = [[S; 2]; 2];
     type ZZ = [[S; 7]; 7];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 3];
     type Outputs = [S; 0];
     type OutputRates = [S; 0];
@@ -1465,6 +1467,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Wheel<S> {
         ],
         speed_constraints: &[0, 1],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[],
         outputs: &[],

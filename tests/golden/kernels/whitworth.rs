@@ -987,6 +987,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
     type LQ = [[S; 3]; 3];
     type LL = [[S; 3]; 3];
     type ZZ = [[S; 6]; 6];
+    type Entries = [S; 0];
+    type Envelope = [S; 0];
     type Parameters = [S; 10];
     type Outputs = [S; 5];
     type OutputRates = [S; 4];
@@ -1179,6 +1181,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Whitworth<S> {
         ],
         speed_constraints: &[],
         norm_constraints: &[],
+        sparsity: &[],
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

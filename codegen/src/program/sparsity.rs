@@ -1,0 +1,160 @@
+//! Where C_q may have entries that are not 0, and an order of its rows in which C_q C_q' is factorised with little fill.
+//!
+//! Rows that have a coordinate in common are neighbours. They are ordered by the reverse of Cuthill and McKee's algorithm (George
+//! and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4), unless the declared order has as
+//! small an envelope: all that the factors of C_q C_q' fill lies in it.
+
+use std::collections::BTreeSet;
+
+/// The sparsity of C_q.
+pub struct Sparsity {
+    /// Its rows in the order in which they are eliminated.
+    pub rows: Vec<SparseRow>,
+}
+
+/// A row of C_q.
+pub struct SparseRow {
+    /// The constraint.
+    pub constraint: usize,
+    /// The columns of its entries that need not be 0.
+    pub columns: Vec<usize>,
+    /// The place of its first entry among those of all rows.
+    pub entries: usize,
+    /// The place in the order of the first row with which it has a column in common.
+    pub first: usize,
+    /// The place of its diagonal entry in the envelope of C_q C_q', row after row.
+    pub diagonal: usize,
+}
+
+/// How many operations of dense rows, which lie side by side, take as long as one of sparse rows, with what is around it.
+const LOOK_UP: usize = 8;
+
+impl Sparsity {
+    /// That of rows with entries in these columns, of so many; nothing where dense rows are as good.
+    pub(super) fn of(columns: Vec<BTreeSet<usize>>, coordinates: usize) -> Option<Sparsity> {
+        let neighbours = neighbours(&columns);
+        let declared: Vec<usize> = (0..columns.len()).collect();
+        let reordered = reverse_cuthill_mckee(&neighbours);
+        let envelope =
+            |order: &[usize]| firsts(order, &neighbours).iter().enumerate().map(|(k, first)| k - first).sum();
+        let [by_declaration, by_order]: [usize; 2] = [envelope(&declared), envelope(&reordered)];
+        let order = if by_order < by_declaration { reordered } else { declared };
+        let firsts = firsts(&order, &neighbours);
+        let mut sparsity = Sparsity { rows: Vec::new() };
+        for (k, (constraint, first)) in order.into_iter().zip(firsts).enumerate() {
+            let [entries, envelope] = sparsity.sizes();
+            let columns = columns[constraint].iter().copied().collect();
+            sparsity.rows.push(SparseRow { constraint, columns, entries, first, diagonal: envelope + k - first });
+        }
+        (LOOK_UP * sparsity.operations() < dense_operations(columns.len(), coordinates)).then_some(sparsity)
+    }
+
+    /// How many entries its rows and the envelope have.
+    pub(crate) fn sizes(&self) -> [usize; 2] {
+        self.rows.last().map_or([0; 2], |row| [row.entries + row.columns.len(), row.diagonal + 1])
+    }
+
+    /// Multiplications of C_q C_q' and its factorisation.
+    fn operations(&self) -> usize {
+        let of_row = |(k, row): (usize, &SparseRow)| {
+            let inner: usize = self.rows[row.first..=k].iter().map(|other| other.columns.len()).sum();
+            inner + (k - row.first) * (k - row.first + 1) / 2
+        };
+        self.rows.iter().enumerate().map(of_row).sum()
+    }
+}
+
+/// The same of m dense rows of n entries.
+fn dense_operations(m: usize, n: usize) -> usize {
+    m * (m + 1) / 2 * n + m * m * m / 6
+}
+
+/// For each row the others that have a column in common with it.
+fn neighbours(rows: &[BTreeSet<usize>]) -> Vec<BTreeSet<usize>> {
+    let others = |i: usize| {
+        let is_neighbour = |j: &usize| *j != i && !rows[i].is_disjoint(&rows[*j]);
+        (0..rows.len()).filter(is_neighbour).collect()
+    };
+    (0..rows.len()).map(others).collect()
+}
+
+/// For each row of an order the place of the first of its neighbours or of itself.
+fn firsts(order: &[usize], neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
+    let mut place = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(k, row)| place[*row] = k);
+    let first = |(k, row): (usize, &usize)| neighbours[*row].iter().map(|other| place[*other]).fold(k, usize::min);
+    order.iter().enumerate().map(first).collect()
+}
+
+/// Each connected part from a row at its rim, level by level; all of it reversed.
+fn reverse_cuthill_mckee(neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
+    let mut order: Vec<usize> = Vec::new();
+    let mut is_placed = vec![false; neighbours.len()];
+    while let Some(row) = (0..neighbours.len()).filter(|i| !is_placed[*i]).min_by_key(|i| neighbours[*i].len()) {
+        let (mut part, mut levels) = by_levels(neighbours, row);
+        // From the last row again, until none is farther away.
+        while let Some(last) = part.last() {
+            let (other, more) = by_levels(neighbours, *last);
+            if more <= levels {
+                break;
+            }
+            (part, levels) = (other, more);
+        }
+        part.iter().for_each(|row| is_placed[*row] = true);
+        order.extend(part);
+    }
+    order.reverse();
+    order
+}
+
+/// The rows that a row is connected with, the nearest first and of those the ones with fewer neighbours, and how many steps away
+/// the last is.
+fn by_levels(neighbours: &[BTreeSet<usize>], row: usize) -> (Vec<usize>, usize) {
+    let mut level = vec![None; neighbours.len()];
+    level[row] = Some(0);
+    let (mut order, mut k) = (vec![row], 0);
+    while let Some(row) = order.get(k).copied() {
+        let mut next: Vec<usize> = neighbours[row].iter().copied().filter(|other| level[*other].is_none()).collect();
+        next.sort_by_key(|other| neighbours[*other].len());
+        next.iter().for_each(|other| level[*other] = level[row].map(|level: usize| level + 1));
+        order.extend(next);
+        k += 1;
+    }
+    let levels = order.last().and_then(|last| level[*last]).unwrap_or(0);
+    (order, levels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows that share a coordinate with the next one, declared in this order.
+    fn chain(order: &[usize]) -> Vec<BTreeSet<usize>> {
+        order.iter().map(|k| BTreeSet::from([*k, k + 1])).collect()
+    }
+
+    #[test]
+    fn a_chain_has_a_band_however_it_is_declared() {
+        let shuffled: Vec<usize> = (0..60).map(|k| 7 * k % 60).collect();
+        for order in [(0..60).collect(), shuffled] {
+            let sparsity = Sparsity::of(chain(&order), 61).expect("sparse");
+            let widths = sparsity.rows.iter().enumerate().map(|(k, row)| k - row.first);
+            assert_eq!(widths.max(), Some(1));
+            let constraints: BTreeSet<usize> = sparsity.rows.iter().map(|row| row.constraint).collect();
+            assert_eq!(constraints.len(), 60);
+        }
+    }
+
+    #[test]
+    fn the_declared_order_stays_where_it_is_as_good() {
+        let sparsity = Sparsity::of(chain(&(0..60).collect::<Vec<_>>()), 61).expect("sparse");
+        assert!(sparsity.rows.iter().enumerate().all(|(k, row)| row.constraint == k));
+    }
+
+    #[test]
+    fn few_rows_and_full_rows_stay_dense() {
+        assert!(Sparsity::of(chain(&[0, 1, 2, 3]), 5).is_none());
+        assert!(Sparsity::of(vec![(0..61).collect(); 60], 61).is_none());
+        assert!(Sparsity::of(vec![], 5).is_none());
+    }
+}
