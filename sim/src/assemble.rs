@@ -148,26 +148,33 @@ fn not_assembled(mechanism: &dyn AnyMechanism, q: &[f64]) -> Failure {
     mechanism.failure(What::NotAssembled { constraint: name(row), residual, others }, 0.0, q)
 }
 
+/// How often speeds that leave a constraint open are corrected.
+const MOST_REFINEMENTS: usize = 4;
+
 fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Result<Vec<f64>, Failure> {
     let Linear { jacobian, time_derivative, .. } = mechanism.constraint_linearization(0.0, q);
     let given = start.speeds.iter().zip(start.speed_given);
     let given = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
-    let open = &jacobian * &given + &time_derivative;
-    let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
-        let quantity = "a derivative of the constraints".into();
-        return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
-    };
-    let speeds = given - step;
-    let open = &jacobian * &speeds + time_derivative;
-    let scale = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
-    // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-    match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * scale(*i) + 1e-12)) {
-        None => Ok(speeds.as_slice().to_vec()),
-        Some(row) => {
-            let constraint = mechanism.constraint_name(row);
-            Err(mechanism.failure(What::SpeedsContradict { constraint, residual: open[row] }, 0.0, q))
+    let mut speeds = given;
+    let mut contradicted = 0;
+    // Once is enough but where lengths are far from 1 m, and the decomposition of J loses digits.
+    for _ in 0..MOST_REFINEMENTS {
+        let open = &jacobian * &speeds + &time_derivative;
+        let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
+            let quantity = "a derivative of the constraints".into();
+            return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
+        };
+        speeds -= step;
+        let open = &jacobian * &speeds + &time_derivative;
+        let scale = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
+        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * scale(*i) + 1e-12)) {
+            None => return Ok(speeds.as_slice().to_vec()),
+            Some(row) => contradicted = row,
         }
     }
+    let (constraint, open) = (mechanism.constraint_name(contradicted), &jacobian * &speeds + time_derivative);
+    Err(mechanism.failure(What::SpeedsContradict { constraint, residual: open[contradicted] }, 0.0, q))
 }
 
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
