@@ -150,7 +150,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
                 let closeness = project_measured(self.mechanism, &self.measures, state, &self.longest)?;
                 self.closeness.set(closeness);
                 if self.measures.is_redundant() {
-                    self.widened(1.0 / closeness.sqrt());
+                    self.widen(1.0 / closeness.sqrt());
                 }
                 return Ok(());
             }
@@ -193,13 +193,12 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.longest.get()
     }
 
-    /// The largest that the smallest sine has been, this one among them: what combinations of redundant constraints are
-    /// beside each other depends on the mechanism, and counts as regular where it is largest.
-    pub(crate) fn widened(&self, sine: f64) -> f64 {
+    /// Takes note of a smallest sine: what combinations of redundant constraints are beside each other depends on the
+    /// mechanism, and counts as regular where it is largest.
+    pub(crate) fn widen(&self, sine: f64) {
         if sine.is_finite() {
             self.widest.set(self.widest.get().max(sine));
         }
-        self.widest.get()
     }
 
     /// Takes note of the squares of the lengths of rows.

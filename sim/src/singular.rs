@@ -168,7 +168,7 @@ impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
         let square = inner(&parts[row], &parts[row]);
         match self.reduction {
             None => (square / self.motion.longest()[row]).sqrt(),
-            Some(_) => square.sqrt() / self.motion.widened(0.0),
+            Some(_) => self.motion.relative(square.sqrt()),
         }
     }
 
@@ -218,7 +218,7 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
     let parts = followed.independent(&rows);
     if followed.reduction.is_some() {
         let lengths = parts.iter().map(|part| inner(part, part).sqrt()).filter(|length| *length > 0.0);
-        motion.widened(lengths.fold(f64::INFINITY, f64::min));
+        motion.widen(lengths.fold(f64::INFINITY, f64::min));
     }
     let sines = (0..M::L::LEN).map(|row| (row, followed.sine(row, &parts))).filter(|(_, sine)| *sine > 0.0);
     sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (followed.constraint(row), sine))

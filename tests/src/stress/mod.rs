@@ -59,7 +59,7 @@ pub(crate) fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|_| {}));
     let is_one = asked.draws.end - asked.draws.start == 1;
     let next = AtomicU64::new(asked.draws.start);
-    let tally = Mutex::new(Tally::starting_at(asked.draws.start));
+    let tally = Mutex::new(Tally { next: asked.draws.start, ..Tally::default() });
     let threads = std::thread::available_parallelism().map_or(2, usize::from);
     std::thread::scope(|scope| {
         for _ in 0..threads {
@@ -91,6 +91,7 @@ pub(crate) fn main() -> ExitCode {
 }
 
 /// How many of each verdict.
+#[derive(Default)]
 struct Tally {
     tried: usize,
     right: usize,
@@ -107,20 +108,6 @@ struct Tally {
 }
 
 impl Tally {
-    fn starting_at(next: u64) -> Tally {
-        Tally {
-            tried: 0,
-            right: 0,
-            undecided: 0,
-            unanswered: 0,
-            refused: BTreeMap::new(),
-            wrong: BTreeMap::new(),
-            untold: BTreeMap::new(),
-            next,
-            slowest: (Duration::ZERO, next),
-        }
-    }
-
     /// Counts a draw, and tells what is worth a word, in the order of the draws.
     fn add(&mut self, seed: u64, number: u64, judged: Option<(draw::Draw, Verdict)>, took: Duration) {
         self.slowest = self.slowest.max((took, number));
