@@ -1,6 +1,7 @@
 //! What is drawn: a linkage with its sizes, masses, loads and start, and how it is run.
 
 use super::LINKAGES;
+use super::ranges::Range;
 use super::sizes;
 use super::topology::{PLANAR, SPATIAL};
 use super::typed::{Found, Linkage};
@@ -65,7 +66,7 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
         // Twelve turns at the speed of the start, as far as it gets.
         let ahead = Settings { rows: Rows::Even(600), ..Settings::adaptive(Method::Dop853, 12.0 * TAU / speed, 1e-9) };
         let Ok(found) = linkage.forms[0].run(&parameters, &ahead) else { continue };
-        let pace = Pace::of(&found, ahead.end);
+        let pace = Pace::of(&found, ahead.end, [size, mass, speed]);
         if !pace.starts_well(speed) {
             continue;
         }
@@ -121,35 +122,38 @@ impl Draw {
     }
 }
 
-/// How fast the bodies of a linkage turn.
+/// How fast a linkage moves.
 struct Pace {
     times: Vec<f64>,
     /// The highest angular speed until then.
     highest: Vec<f64>,
-    /// Likewise the square root of the highest angular acceleration, or the cube root of its rate if that is more.
+    /// The highest pace of all columns until then, where a column's is twice its steepest slope beside its range: the angular
+    /// speed of a sine, and more where it changes within a part of a turn.
     sharpest: Vec<f64>,
 }
 
 impl Pace {
-    fn of(found: &Found, end: f64) -> Pace {
+    fn of(found: &Found, end: f64, scales: [f64; 3]) -> Pace {
         let rows = found.columns.first().map_or(0, Vec::len);
         let step = end / (rows - 1) as f64;
-        let largest = |prefix: &'static str, of: &dyn Fn(&[f64], usize) -> f64| -> Vec<f64> {
-            let mut most = 0.0f64;
-            let mut until = |i: usize| {
-                most = found.starting_with(prefix).fold(most, |most, column| most.max(of(column, i)));
-                most
-            };
-            (0..rows).map(&mut until).collect()
-        };
-        Pace {
+        let mut pace = Pace {
             times: (0..rows).map(|i| step * i as f64).collect(),
-            highest: largest("w", &|column, i| column[i].abs()),
-            sharpest: largest("e", &|column, i| {
-                let jerk = (column[i] - column[i.saturating_sub(1)]).abs() / step;
-                column[i].abs().sqrt().max(jerk.cbrt())
-            }),
+            highest: vec![0.0; rows],
+            sharpest: vec![0.0; rows],
+        };
+        for (name, column) in found.names.iter().zip(&found.columns) {
+            let (mut range, mut steepest, mut fastest) = (Range::new(name, scales), 0.0f64, 0.0f64);
+            for i in 0..rows {
+                range.take(column[i]);
+                steepest = steepest.max((column[i] - column[i.saturating_sub(1)]).abs() / step);
+                pace.sharpest[i] = pace.sharpest[i].max(2.0 * steepest / range.size(1e-3));
+                if name.starts_with('w') {
+                    fastest = fastest.max(column[i].abs());
+                    pace.highest[i] = pace.highest[i].max(fastest);
+                }
+            }
         }
+        pace
     }
 
     fn fastest(&self) -> f64 {
@@ -199,7 +203,7 @@ const MOST_TURNS: f64 = 50.0;
 fn equal(pace: &Pace, random: &mut Random) -> Settings {
     let method = *pick(random, &Method::ALL);
     let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, 400.0, 1600.0));
-    // In a turn of the fastest body, and more where it speeds up within a part of a turn.
+    // In a turn of the fastest body, or of what changes fastest.
     let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
     let most = if method == Method::Radau5 { MOST_IMPLICIT_STEPS } else { MOST_STEPS };
     let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= most).unwrap_or(1);

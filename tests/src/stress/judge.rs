@@ -1,6 +1,7 @@
 //! Whether what a draw gives is right: a reference, a second way to it, and bounds.
 
 use super::draw::{Draw, Parameters, Task};
+use super::ranges::Range;
 use super::typed::{Form, Found, Refusal};
 use sim::{Method, Rows, Settings, Stabilisation, Stepping};
 use std::f64::consts::{PI, TAU};
@@ -166,23 +167,14 @@ impl Draw {
         }
     }
 
-    /// From the least to the greatest value of each column, and at least a thousandth of its natural size.
+    /// What the bound of each column is a part of: its range, and at least a thousandth of its natural size; in sweeps that
+    /// size, which rounding beside their crossings is a part of even where a column is zero throughout.
     fn ranges(&self, found: &Found) -> Vec<f64> {
-        let [size, mass, speed] = self.scales;
-        let natural = |name: &str| match name.trim_start_matches("extreme_").split('_').next().unwrap_or_default() {
-            "x" | "y" | "z" => size,
-            "vx" | "vy" | "vz" => size * speed,
-            "ax" | "ay" | "az" => size * speed * speed,
-            "angle" | "dx" | "dy" | "dz" => 1.0,
-            "w" | "wx" | "wy" | "wz" => speed,
-            "e" | "ex" | "ey" | "ez" => speed * speed,
-            // Forces.
-            _ => mass * size * speed * speed,
-        };
+        let part = if matches!(self.task, Task::Sweep(..)) { 1.0 } else { 1e-3 };
         let range = |(name, column): (&String, &Vec<f64>)| {
-            let least = column.iter().fold(f64::INFINITY, |a, b| a.min(*b));
-            let greatest = column.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
-            (greatest - least).max(1e-3 * natural(name))
+            let mut range = Range::new(name, self.scales);
+            column.iter().for_each(|value| range.take(*value));
+            range.size(part)
         };
         found.names.iter().zip(&found.columns).map(range).collect()
     }

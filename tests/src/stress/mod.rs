@@ -3,6 +3,7 @@
 mod draw;
 mod geometry;
 mod judge;
+mod ranges;
 mod sizes;
 mod spatial;
 #[allow(dead_code)]

@@ -18,13 +18,6 @@ pub(crate) struct Found {
     pub(crate) columns: Vec<Vec<f64>>,
 }
 
-impl Found {
-    /// The columns whose name starts so.
-    pub(crate) fn starting_with<'f>(&'f self, prefix: &'f str) -> impl Iterator<Item = &'f Vec<f64>> {
-        self.names.iter().zip(&self.columns).filter(move |(name, _)| name.starts_with(prefix)).map(|(_, column)| column)
-    }
-}
-
 /// Why there is no result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Refusal {
