@@ -154,27 +154,28 @@ const MOST_REFINEMENTS: usize = 4;
 fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Result<Vec<f64>, Failure> {
     let Linear { jacobian, time_derivative, .. } = mechanism.constraint_linearization(0.0, q);
     let given = start.speeds.iter().zip(start.speed_given);
-    let given = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
-    let mut speeds = given;
-    let mut contradicted = 0;
+    let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
+    let mut open = &jacobian * &speeds + &time_derivative;
+    // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
+    let contradicted = |speeds: &DVector<f64>, open: &DVector<f64>| {
+        let terms = |i: usize| jacobian.row(i).iter().zip(speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12))
+    };
     // Once is enough but where lengths are far from 1 m, and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
-        let open = &jacobian * &speeds + &time_derivative;
         let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
             let quantity = "a derivative of the constraints".into();
             return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
         };
         speeds -= step;
-        let open = &jacobian * &speeds + &time_derivative;
-        let scale = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
-        // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * scale(*i) + 1e-12)) {
-            None => return Ok(speeds.as_slice().to_vec()),
-            Some(row) => contradicted = row,
+        open = &jacobian * &speeds + &time_derivative;
+        if contradicted(&speeds, &open).is_none() {
+            return Ok(speeds.as_slice().to_vec());
         }
     }
-    let (constraint, open) = (mechanism.constraint_name(contradicted), &jacobian * &speeds + time_derivative);
-    Err(mechanism.failure(What::SpeedsContradict { constraint, residual: open[contradicted] }, 0.0, q))
+    let row = contradicted(&speeds, &open).unwrap_or(0);
+    let (constraint, residual) = (mechanism.constraint_name(row), open[row]);
+    Err(mechanism.failure(What::SpeedsContradict { constraint, residual }, 0.0, q))
 }
 
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
