@@ -109,6 +109,12 @@ pub enum What {
         /// The unknown that no equation determines: an acceleration or a reaction.
         unknown: String,
     },
+    /// Generalised speeds do not determine the rates of the coordinates here.
+    #[error(
+        "the generalised speeds do not determine the speeds of the coordinates here. Declare others, or leave them out: \
+             coordinates and their speeds are then what is integrated"
+    )]
+    SpeedsUndetermined,
     /// The angles of an attitude do not determine its motion here.
     #[error(
         "gimbal lock: {angles} turn about the same axis here, and together they turn nothing, so their accelerations are not \

@@ -50,6 +50,7 @@ mod solve;
 mod table;
 mod trajectory;
 mod vector;
+mod velocity_variables;
 #[cfg(feature = "analysis")]
 pub mod verify;
 mod whole;

@@ -1,13 +1,14 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
 use crate::equations::{accelerate_redundant, solve_equations};
-use crate::failure::Failure;
+use crate::failure::{Failure, What};
 use crate::measures::Measures;
 use crate::partition::Partition;
 use crate::project::{by_mass, project, project_measured, rates, smallest_by_inertia};
 use crate::settings::Stabilisation;
 use crate::singular::{AT, weakest_constraint};
 use crate::trajectory::{Sample, State};
+use crate::velocity_variables::{determine_speeds, has_generalized_speeds};
 use sim_kernel::{Array, Mechanism};
 use std::cell::{Cell, RefCell};
 
@@ -28,6 +29,10 @@ pub struct Motion<'m, M: Mechanism> {
     closeness: Cell<f64>,
     /// Whether states inside a step are brought onto the constraints too.
     keeps_stages: Cell<bool>,
+    /// Whether the step is made in generalised speeds.
+    is_in_speeds: Cell<bool>,
+    /// The squares of the longest distances so far between rows of what determines the speeds then.
+    farthest_of_speeds: Cell<M::Q>,
 }
 
 impl<'m, M: Mechanism> Motion<'m, M> {
@@ -44,6 +49,8 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             widest: Cell::new(0.0),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
+            is_in_speeds: Cell::new(false),
+            farthest_of_speeds: Cell::new(M::Q::filled(0.0)),
         }
     }
 
@@ -55,6 +62,12 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// The mechanism.
     pub fn mechanism(&self) -> &'m M {
         self.mechanism
+    }
+
+    /// What its equations of motion need of the parameters.
+    #[inline(always)]
+    pub(crate) fn prepared(&self) -> &M::Prepared {
+        &self.prepared
     }
 
     /// How many right-hand sides have been evaluated.
@@ -93,11 +106,13 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// By value, so that the state of every other stage stays in registers.
     #[cold]
     fn brought_to_constraints(&self, mut state: State<M>) -> Result<State<M>, Failure> {
-        match self.stabilisation {
-            Stabilisation::Partitioning => {
-                self.partition.borrow().follow(self.mechanism, &self.measures, &mut state)?
-            }
-            _ => project(self.mechanism, &self.measures, &mut state)?,
+        let bring = |state: &mut State<M>| match self.stabilisation {
+            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &self.measures, state),
+            _ => project(self.mechanism, &self.measures, state),
+        };
+        match self.is_in_generalized_speeds() {
+            false => bring(&mut state)?,
+            true => self.with_velocity_variables_kept(&mut state, bring)?,
         }
         Ok(state)
     }
@@ -145,6 +160,14 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// As the projection.
     #[inline]
     pub fn keep(&self, state: &mut State<M>) -> Result<(), Failure> {
+        match self.is_in_generalized_speeds() {
+            false => self.bring(state),
+            true => self.with_velocity_variables_kept(state, |state| self.bring(state)),
+        }
+    }
+
+    #[inline]
+    fn bring(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
             Stabilisation::Projection => {
                 let closeness = project_measured(self.mechanism, &self.measures, state, &self.longest)?;
@@ -207,11 +230,28 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
     }
 
+    /// Whether the step is made in generalised speeds.
+    #[inline(always)]
+    pub(crate) fn is_in_generalized_speeds(&self) -> bool {
+        has_generalized_speeds::<M>() && self.is_in_speeds.get()
+    }
+
+    /// Has the step made in the speeds themselves if it fails because generalised speeds do not determine them.
+    pub(crate) fn falls_back(&self, failure: &Failure) -> bool {
+        failure.what == What::SpeedsUndetermined && self.is_in_speeds.replace(false)
+    }
+
     /// Makes ready for states near this one: chooses what is independent by it.
     pub fn start(&self, state: &State<M>) {
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow_mut().choose(self.mechanism, &self.measures, state.time, &state.positions);
         }
+    }
+
+    /// Chooses whether the step from a sample to a time is made in generalised speeds, if its method can.
+    pub(crate) fn choose_velocity_variables(&self, from: &Sample<M>, time: f64, may_be_in_speeds: bool) {
+        let determine = || determine_speeds(self.mechanism, &self.measures, (from, time), &self.farthest_of_speeds);
+        self.is_in_speeds.set(may_be_in_speeds && determine());
     }
 
     /// Makes ready for a step from a sample to a time: chooses what is independent in it.

@@ -16,6 +16,7 @@ mod cardan;
 mod common;
 mod elliptic;
 mod gyroscope;
+mod integrated_speeds;
 mod joints_by_hand;
 mod linkages;
 mod rolling;

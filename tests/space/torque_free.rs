@@ -10,7 +10,7 @@ use tests::run_with;
 const PERIODS: f64 = 100.0;
 
 /// The closed form for moments of inertia A < B < C, for angular momentum H along z and nutation below the separatrix.
-struct Closed {
+pub(crate) struct Closed {
     inertia: [f64; 3],
     momentum: f64,
     amplitudes: [f64; 3],
@@ -21,7 +21,7 @@ struct Closed {
 }
 
 impl Closed {
-    fn new([a, b, c]: [f64; 3], h: f64, theta: f64) -> Closed {
+    pub(crate) fn new([a, b, c]: [f64; 3], h: f64, theta: f64) -> Closed {
         let twice_energy = h * h * (theta.sin().powi(2) / a + theta.cos().powi(2) / c);
         let (low, high) = (twice_energy * c - h * h, h * h - twice_energy * a);
         assert!(h * h > twice_energy * b, "beyond the separatrix");
@@ -37,7 +37,7 @@ impl Closed {
         4.0 * quarter(self.modulus) / self.rate
     }
 
-    fn spin(&self, t: f64) -> [f64; 3] {
+    pub(crate) fn spin(&self, t: f64) -> [f64; 3] {
         let [sn, cn, dn] = jacobi(self.rate * t, self.modulus);
         let [a, b, c] = self.amplitudes;
         // The start is at phi = 90 degrees, where w1 is largest; w2 falls from there as A < B < C are right-handed.
@@ -71,7 +71,7 @@ impl Closed {
     }
 
     /// R, row by row: precession, nutation and spin of the body.
-    fn attitude(&self, t: f64) -> [f64; 9] {
+    pub(crate) fn attitude(&self, t: f64) -> [f64; 9] {
         let whole = (t / self.period()).floor();
         let rest = t - whole * self.period();
         let psi = (whole * self.advance).rem_euclid(TAU) + self.precession_within(rest, 0.0);
@@ -92,11 +92,15 @@ fn about_x(angle: f64) -> [f64; 9] {
     [1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c]
 }
 
-fn product(a: [f64; 9], b: [f64; 9]) -> [f64; 9] {
+pub(crate) fn product(a: [f64; 9], b: [f64; 9]) -> [f64; 9] {
     std::array::from_fn(|k| (0..3).map(|i| a[3 * (k / 3) + i] * b[3 * i + k % 3]).sum())
 }
 
-fn of_quaternion([a, b, c, d]: [f64; 4]) -> [f64; 9] {
+pub(crate) fn transposed(a: [f64; 9]) -> [f64; 9] {
+    std::array::from_fn(|k| a[3 * (k % 3) + k / 3])
+}
+
+pub(crate) fn of_quaternion([a, b, c, d]: [f64; 4]) -> [f64; 9] {
     [
         1.0 - 2.0 * (c * c + d * d),
         2.0 * (b * c - a * d),

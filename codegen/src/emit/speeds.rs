@@ -15,6 +15,32 @@ pub(super) fn is_of_speeds(kernel: &Kernel) -> bool {
     ["generalized_speeds", "kinematics", "speed_dynamics"].contains(&kernel.name)
 }
 
+/// What the runtime's trait says of them; nothing where there are none.
+pub(super) fn velocity_variables(equations: &EquationsOfMotion, path: &TokenStream) -> Option<TokenStream> {
+    let n = size(equations.model.coordinates.len());
+    equations.speeds.as_ref().map(|_| {
+        quote! {
+            const ROWS_LEFT: ::core::option::Option<&'static [::core::primitive::usize]> =
+                ::core::option::Option::Some(<Self as #path::GeneralizedSpeeds<S>>::ROWS);
+
+            #[inline(always)]
+            fn velocity_variables(&self, t: S, q: &[S; #n], qd: &[S; #n]) -> [S; #n] {
+                #path::speeds::velocity_variables(self, t, q, qd)
+            }
+
+            #[inline(always)]
+            fn prepared_velocities(
+                prepared: &Self::Prepared,
+                t: S,
+                q: &[S; #n],
+                v: &[S; #n],
+            ) -> #path::Kinematics<S, [S; #n]> {
+                #path::speeds::prepared_velocities::<S, Self>(prepared, t, q, v)
+            }
+        }
+    })
+}
+
 /// Nothing where there are none.
 pub(super) fn speeds(
     head: &Head,

@@ -185,6 +185,7 @@ pub(super) fn mechanism_impl(
         })
         .unzip();
     let switched = switched(model);
+    let velocity_variables = speeds::velocity_variables(equations, path);
     let (conditionals, values) = (size(activities.len()), size(kernel_len(program, "event_values")));
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
@@ -249,6 +250,8 @@ pub(super) fn mechanism_impl(
             }
 
             #switched
+
+            #velocity_variables
 
             #(#forwards)*
         }

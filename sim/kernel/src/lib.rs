@@ -14,7 +14,7 @@ mod input;
 mod lanes;
 mod mechanism;
 mod scalar;
-mod speeds;
+pub mod speeds;
 mod table;
 mod wave;
 

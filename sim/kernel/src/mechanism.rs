@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 
 use crate::differentiate::{jacobian, sensitivity};
-use crate::{Array, Description, Input, Scalar};
+use crate::{Array, Description, Input, Kinematics, Scalar};
 
 /// A mechanism with the values of its parameters, as `mechanism!` generates it.
 ///
@@ -55,6 +55,9 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
 
     /// Names, units, documentation.
     const DESCRIPTION: Description;
+    /// Where generalised speeds are declared, the constraints that they leave, as
+    /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
+    const ROWS_LEFT: Option<&'static [usize]> = None;
 
     /// The mechanism with its declared defaults.
     fn defaults() -> Self;
@@ -145,6 +148,19 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// d(q'', lambda)/d(parameters), likewise.
     fn dynamics_sensitivity(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsSensitivity<S, Self::QP, Self::LP> {
         sensitivity(self, t, q, qd)
+    }
+    /// The velocity variables, n, which are integrated beside q: generalised speeds, and zeros after them, where some are
+    /// declared, and q' elsewhere.
+    #[inline(always)]
+    fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
+        let _ = (t, q);
+        *qd
+    }
+    /// q' of velocity variables.
+    #[inline(always)]
+    fn prepared_velocities(prepared: &Self::Prepared, t: S, q: &Self::Q, v: &Self::Q) -> Kinematics<S, Self::Q> {
+        let _ = (prepared, t, q);
+        Kinematics { rates: *v, refused: S::ZERO.greater(S::ZERO) }
     }
     /// The power of loads and drives, in watts; `dynamics` gives it too.
     fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S;

@@ -40,6 +40,24 @@ pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
     }
 }
 
+/// [`Mechanism::velocity_variables`] where generalised speeds are declared.
+#[inline(always)]
+pub fn velocity_variables<S: Scalar, M: GeneralizedSpeeds<S>>(mechanism: &M, t: S, q: &M::Q, qd: &M::Q) -> M::Q {
+    let speeds = mechanism.generalized_speeds(t, q, qd);
+    M::Q::from_fn(|i| if i < M::U::LEN { speeds[i] } else { S::ZERO })
+}
+
+/// [`Mechanism::prepared_velocities`] where generalised speeds are declared.
+#[inline(always)]
+pub fn prepared_velocities<S: Scalar, M: GeneralizedSpeeds<S>>(
+    prepared: &M::Prepared,
+    t: S,
+    q: &M::Q,
+    v: &M::Q,
+) -> Kinematics<S, M::Q> {
+    M::prepared_kinematics(prepared, t, q, &M::U::from_fn(|i| v[i]))
+}
+
 /// The speeds that belong to generalised speeds.
 #[derive(Clone, Copy, Debug)]
 pub struct Kinematics<S: Scalar, Q> {

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::motion::Motion;
 use crate::settings::Tolerance;
 use crate::trajectory::{Rates, Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// The method, with the interpolant of its last step once it has been asked for.
 ///
@@ -32,9 +32,11 @@ impl<M: Mechanism> Dop853<M> {
             return Ok(interpolant);
         }
         let h = to.state.time - from.state.time;
-        self.method.stages[12] = to.rates();
+        let [start, end] = [from, to].map(|sample| motion.integrated(&sample.state));
+        let rates = [from, to].map(|sample| motion.rates(sample));
+        self.method.stages[12] = rates[1];
         for (k, (weights, node)) in DENSE_A.iter().zip(DENSE_C).enumerate() {
-            self.method.evaluate(motion, &from.state, h, 13 + k, (weights, node))?;
+            self.method.evaluate(motion, &start, h, 13 + k, (weights, node))?;
         }
         let sum = |parts: [(f64, &Rates<M>); 3]| {
             let mut sum = Rates::zero();
@@ -42,9 +44,9 @@ impl<M: Mechanism> Dop853<M> {
             sum
         };
         let none = Rates::zero();
-        let difference = change(&from.state, &to.state);
-        let second = sum([(h, &from.rates()), (-1.0, &difference), (0.0, &none)]);
-        let third = sum([(1.0, &difference), (-h, &to.rates()), (-1.0, &second)]);
+        let difference = end.change_from(&start);
+        let second = sum([(h, &rates[0]), (-1.0, &difference), (0.0, &none)]);
+        let third = sum([(1.0, &difference), (-h, &rates[1]), (-1.0, &second)]);
         let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
         let [a, b, c, d] = higher;
         Ok(*self.interpolant.insert([difference, second, third, a, b, c, d]))
@@ -95,15 +97,6 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
             sum = scaled;
         }
         let time = from.state.time + fraction * (to.state.time - from.state.time);
-        Ok(from.state.changed(time, 1.0, &sum))
-    }
-}
-
-/// The difference of two states.
-fn change<M: Mechanism>(from: &State<M>, to: &State<M>) -> Rates<M> {
-    Rates {
-        positions: M::Q::from_fn(|i| to.positions[i] - from.positions[i]),
-        speeds: M::Q::from_fn(|i| to.speeds[i] - from.speeds[i]),
-        work: to.work - from.work,
+        motion.state(motion.integrated(&from.state).changed(time, 1.0, &sum))
     }
 }

@@ -6,6 +6,7 @@ use crate::failure::{Failure, What};
 use crate::motion::Motion;
 use crate::settings::Tolerance;
 use crate::trajectory::{Rates, Sample, State};
+use crate::velocity_variables::Integrated;
 use sim_kernel::Mechanism;
 
 /// The method of a tableau, with the stages of its last step.
@@ -27,13 +28,13 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
     pub(super) fn evaluate(
         &mut self,
         motion: &Motion<M>,
-        start: &State<M>,
+        start: &Integrated<M>,
         h: f64,
         stage: usize,
         (weights, node): (&[Weight], f64),
     ) -> Result<(), Failure> {
-        let inner = start.changed(start.time + node * h, h, &self.combined(weights));
-        self.stages[stage] = motion.sample_in_place(inner)?.rates();
+        let inner = start.changed(start.time() + node * h, h, &self.combined(weights));
+        self.stages[stage] = motion.rates(&motion.sample_in_place(motion.state(inner)?)?);
         Ok(())
     }
 
@@ -52,7 +53,7 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         tableau: &Tableau,
         stage: usize,
         motion: &Motion<M>,
-        start: &State<M>,
+        start: &Integrated<M>,
         h: f64,
     ) -> Result<(), Failure> {
         self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))
@@ -64,32 +65,38 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         &self,
         tableau: &Tableau,
         motion: &Motion<M>,
-        start: &State<M>,
+        (from, start): (&State<M>, &Integrated<M>),
         time: f64,
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
-        let h = time - start.time;
-        let end = start.changed(time, h, &self.combined(tableau.b));
+        let h = time - from.time;
+        let end = motion.end(start.changed(time, h, &self.combined(tableau.b)))?;
         if !end.is_finite() {
-            return Err(not_finite(start));
+            return Err(not_finite(from));
         }
-        let error = tolerance.map_or(0.0, |tolerance| self.error(motion, [start, &end], h, tolerance));
+        let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, [from, &end], h, tolerance))?;
         Ok(Attempt { end, error })
     }
 
     /// The estimated error of a step in units of the tolerance.
-    fn error(&self, motion: &Motion<M>, [from, to]: [&State<M>; 2], h: f64, tolerance: &Tolerance) -> f64 {
+    fn error(
+        &self,
+        motion: &Motion<M>,
+        [from, to]: [&State<M>; 2],
+        h: f64,
+        tolerance: &Tolerance,
+    ) -> Result<f64, Failure> {
         let size = |weights: &[Weight]| {
-            let difference = self.combined(weights);
-            h.abs() * tolerance.norm(motion.measures(), from, to, &(difference.positions, difference.speeds))
+            let difference = motion.in_speeds(from, &self.combined(weights))?;
+            Ok(h.abs() * tolerance.norm(motion.measures(), from, to, &difference))
         };
         match self.tableau.error {
-            ErrorEstimate::None => 0.0,
+            ErrorEstimate::None => Ok(0.0),
             ErrorEstimate::Embedded(weights) => size(weights),
             ErrorEstimate::Embedded53(fifth, third) => {
-                let (e5, e3) = (size(fifth), size(third));
+                let (e5, e3) = (size(fifth)?, size(third)?);
                 // (II.10.17); both are zero in equilibrium.
-                if e5 == 0.0 { 0.0 } else { e5 * e5 / (e5 * e5 + 0.01 * e3 * e3).sqrt() }
+                Ok(if e5 == 0.0 { 0.0 } else { e5 * e5 / (e5 * e5 + 0.01 * e3 * e3).sqrt() })
             }
         }
     }
@@ -112,22 +119,22 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         time: f64,
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
-        let (tableau, start) = (self.tableau, &from.state);
-        let h = time - start.time;
-        self.stages[0] = from.rates();
+        let (tableau, start) = (self.tableau, &motion.integrated(&from.state));
+        let h = time - from.state.time;
+        self.stages[0] = motion.rates(from);
         if self.is_rk4 && tolerance.is_none() {
             // Written out with constant weights: straight-line code, which saves a twentieth of a run.
             self.stage(&RK4, 1, motion, start, h)?;
             self.stage(&RK4, 2, motion, start, h)?;
             self.stage(&RK4, 3, motion, start, h)?;
-            return self.finish(&RK4, motion, start, time, None);
+            return self.finish(&RK4, motion, (&from.state, start), time, None);
         }
         // The last stage of an embedded pair serves its estimate alone.
         let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
         for stage in 1..needed {
             self.stage(tableau, stage, motion, start, h)?;
         }
-        self.finish(tableau, motion, start, time, tolerance)
+        self.finish(tableau, motion, (&from.state, start), time, tolerance)
     }
 }
 

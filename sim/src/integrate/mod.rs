@@ -28,6 +28,7 @@ use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::singular::{Singularity, weakest_constraint};
 use crate::trajectory::{Sample, State};
+use crate::velocity_variables::has_generalized_speeds;
 use control::{Controller, initial_step};
 use crossing::{Crossing, Way};
 use headway::Headway;
@@ -248,7 +249,13 @@ fn attempt<M: Mechanism>(
     to: &mut Sample<M>,
 ) -> Result<f64, Failure> {
     motion.prepare(from, time);
-    let Attempt { mut end, error } = method.step(motion, from, time, tolerance)?;
+    if has_generalized_speeds::<M>() {
+        motion.choose_velocity_variables(from, time, method.is_explicit());
+    }
+    let Attempt { mut end, error } = match method.step(motion, from, time, tolerance) {
+        Err(failure) if motion.falls_back(&failure) => method.step(motion, from, time, tolerance)?,
+        made => made?,
+    };
     if !(error <= 1.0) {
         return Ok(error);
     }

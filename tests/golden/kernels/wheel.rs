@@ -1512,6 +1512,22 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Wheel<S> {
         Self { ..*self }
     }
     fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    const ROWS_LEFT: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(
+        <Self as sim_kernel::GeneralizedSpeeds<S>>::ROWS,
+    );
+    #[inline(always)]
+    fn velocity_variables(&self, t: S, q: &[S; 5], qd: &[S; 5]) -> [S; 5] {
+        sim_kernel::speeds::velocity_variables(self, t, q, qd)
+    }
+    #[inline(always)]
+    fn prepared_velocities(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 5],
+        v: &[S; 5],
+    ) -> sim_kernel::Kinematics<S, [S; 5]> {
+        sim_kernel::speeds::prepared_velocities::<S, Self>(prepared, t, q, v)
+    }
     #[inline(always)]
     fn prepare(&self) -> WheelPrepared<S> {
         self.prepare()
