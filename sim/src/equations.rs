@@ -144,22 +144,20 @@ fn accelerate_by_pivoting<M: Mechanism>(
         };
         return Err(fail(What::NotFinite { quantity }));
     }
-    let reduction = redundant.map(|measures| Reduction::new(&jacobian, measures, measures.rank()));
+    let reduction = redundant.map(|measures| (Reduction::new(&jacobian, measures, measures.rank()), measures));
     let (matrix, rhs) = match &reduction {
-        Some(reduction) => system(&reduction.rows(&jacobian), &reduction.values(&constraint_convective)),
+        Some((reduction, _)) => system(&reduction.rows(&jacobian), &reduction.values(&constraint_convective)),
         None => (matrix, rhs),
     };
     let solved = solve_motion::<M>(matrix, rhs, time, q);
     let solved = solved.map_err(|failure| gimbal::explained(failure, mechanism, time, q))?;
     let accelerations = M::Q::from_fn(|i| solved.solution[i]);
-    let mut multipliers = M::L::from_fn(|i| solved.solution[n + i]);
-    if let Some(reduction) = reduction {
-        multipliers = reduction.multipliers(&multipliers);
-    }
-    let undetermined = solved.undetermined().count();
-    if undetermined > 0 {
-        multipliers = least_norm::<M>(jacobian, &multipliers, m - undetermined);
-    }
+    let found = M::L::from_fn(|i| solved.solution[n + i]);
+    let multipliers = match (reduction, solved.undetermined().count()) {
+        (Some((reduction, measures)), _) => reduction.multipliers(measures, &found),
+        (None, 0) => found,
+        (None, undetermined) => least_norm::<M>(jacobian, &found, m - undetermined),
+    };
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
     if !power.is_finite() {
         return Err(fail(What::NotFinite { quantity: "the power of the loads".into() }));

@@ -29,9 +29,11 @@ const OFFSET: f64 = 4e-12;
 const ROUNDING: f64 = 1e-14;
 
 impl<M: Mechanism> Onset<M> {
-    /// By differences over 1e-5 of the span of the run.
+    /// By differences over 1e-5 of the time in which the motion goes a long way, or of the span of the run: third derivatives
+    /// then make less of a rate than rounding.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
-        let d = 1e-5 * span;
+        let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.measures().size(change));
+        let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
         let values = conditions(motion, &sample.state)?;
         let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
         let terms = terms(motion, &sample.state, &values)?;

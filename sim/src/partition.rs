@@ -125,12 +125,13 @@ impl<M: Mechanism> Across<M> {
             if !(pivot.abs() > 0.0) {
                 return None;
             }
-            for i in k + 1..M::L::LEN {
-                let factor = across[i][k] / pivot;
-                for j in k..self.rank {
-                    across[i][j] -= factor * across[k][j];
-                }
-                residual[i] -= factor * residual[k];
+            let (above, below) = across.as_mut().split_at_mut(k + 1);
+            let pivot_row = &above[k].as_ref()[k..self.rank];
+            for (i, row) in below.iter_mut().enumerate() {
+                let row = &mut row.as_mut()[k..self.rank];
+                let factor = row[0] / pivot;
+                row.iter_mut().zip(pivot_row).for_each(|(entry, pivot)| *entry -= factor * pivot);
+                residual[k + 1 + i] -= factor * residual[k];
             }
         }
         let mut shares = M::L::filled(0.0);

@@ -5,7 +5,6 @@
 //! the largest singular values: what is solved for then meets all rows in least squares, and depends smoothly on the state.
 
 use crate::measures::Measures;
-use crate::project::inner;
 use sim_kernel::{Array, Mechanism};
 
 /// K, of which each row makes one row of the reduced constraints of those declared; the last rows are zero.
@@ -30,7 +29,7 @@ impl<M: Mechanism> Reduction<M> {
         let mut combinations = M::LL::filled(M::L::filled(0.0));
         for k in 0..rank.min(M::L::LEN) {
             combinations[k] = M::L::from_fn(|i| inner(&scaled[i], &space[k]));
-            orthonormalise(combinations.as_mut(), k);
+            orthonormalise(combinations.as_mut(), k, 2);
         }
         for row in combinations.as_mut() {
             row.as_mut().iter_mut().zip(inverse_lengths.iter()).for_each(|(entry, inverse)| *entry *= inverse);
@@ -57,9 +56,19 @@ impl<M: Mechanism> Reduction<M> {
         (0..M::L::LEN).max_by(|a, b| part(a).total_cmp(&part(b))).unwrap_or(row)
     }
 
-    /// K' mu: multipliers of the constraints as declared, from those of the reduced ones.
-    pub(crate) fn multipliers(&self, reduced: &M::L) -> M::L {
-        M::L::from_fn(|i| (0..M::L::LEN).map(|k| self.combinations[k][i] * reduced[k]).sum())
+    /// Multipliers of the constraints as declared, from those mu of the reduced ones: the shortest, sum of lambda_i^2 in SI
+    /// units, with the forces of K' mu, which is its part in the space of the columns of C_q.
+    pub(crate) fn multipliers(&self, measures: &Measures<M>, reduced: &M::L) -> M::L {
+        let sizes = measures.constraints();
+        let mut columns = M::LL::from_fn(|k| M::L::from_fn(|i| self.combinations[k][i] * sizes[i] * sizes[i]));
+        let any = M::L::from_fn(|i| (0..M::L::LEN).map(|k| self.combinations[k][i] * reduced[k]).sum());
+        let mut shortest = M::L::filled(0.0);
+        for k in 0..M::L::LEN {
+            orthonormalise(columns.as_mut(), k, 2);
+            let share = inner(&columns[k], &any);
+            shortest.as_mut().iter_mut().zip(columns[k].iter()).for_each(|(part, along)| *part += share * along);
+        }
+        shortest
     }
 }
 
@@ -73,7 +82,8 @@ pub(crate) fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
         let length = |i: &usize| inner(&rows[*i], &rows[*i]);
         let Some(longest) = (k..M::L::LEN).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };
         rows.as_mut().swap(k, longest);
-        orthonormalise(rows.as_mut(), k);
+        // They have been taken from it once, below.
+        orthonormalise(rows.as_mut(), k, 1);
         let direction = rows[k];
         for i in k + 1..M::L::LEN {
             remove(&mut rows[i], &direction);
@@ -82,13 +92,31 @@ pub(crate) fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
     rows
 }
 
-/// Takes from row k its parts along those before it, twice, so that rounding leaves nothing of them, and brings it to length 1.
-fn orthonormalise<A: Array<f64>>(rows: &mut [A], k: usize) {
-    let mut row = rows[k];
-    (0..k).chain(0..k).for_each(|before| remove(&mut row, &rows[before]));
-    let length = inner(&row, &row).sqrt();
-    row.as_mut().iter_mut().for_each(|entry| *entry *= inverse(length));
-    rows[k] = row;
+/// Takes from row k its parts along those before it, so often, and brings it to length 1. Rounding leaves nothing of them
+/// after two times.
+fn orthonormalise<A: Array<f64>>(rows: &mut [A], k: usize, times: usize) {
+    let (before, row) = rows.split_at_mut(k);
+    let Some(row) = row.first_mut() else { return };
+    for _ in 0..times {
+        before.iter().for_each(|direction| remove(row, direction));
+    }
+    let factor = inverse(inner(row, row).sqrt());
+    row.as_mut().iter_mut().for_each(|entry| *entry *= factor);
+}
+
+/// The inner product, added up in lanes: most of the time of a mechanism with redundant constraints is spent here.
+#[inline]
+fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
+    const LANES: usize = 8;
+    let ((a, rest_of_a), (b, rest_of_b)) = (a.as_ref().as_chunks::<LANES>(), b.as_ref().as_chunks::<LANES>());
+    let mut lanes = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for ((lane, a), b) in lanes.iter_mut().zip(a).zip(b) {
+            *lane += a * b;
+        }
+    }
+    let rest: f64 = rest_of_a.iter().zip(rest_of_b).map(|(a, b)| a * b).sum();
+    lanes.into_iter().sum::<f64>() + rest
 }
 
 /// Takes from a row its part along a direction of length 1.

@@ -71,13 +71,14 @@ pub(crate) fn solve<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> So
 
 /// Takes multiples of row k from those below it.
 fn eliminate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R, k: usize) {
-    for i in k + 1..R::LEN {
-        let factor = matrix[i][k] / matrix[k][k];
+    let (above, below) = matrix.as_mut().split_at_mut(k + 1);
+    let pivot_row = &above[k].as_ref()[k..];
+    for (i, row) in below.iter_mut().enumerate() {
+        let row = &mut row.as_mut()[k..];
+        let factor = row[0] / pivot_row[0];
         if factor != 0.0 {
-            for j in k + 1..R::LEN {
-                matrix[i][j] -= factor * matrix[k][j];
-            }
-            rhs[i] -= factor * rhs[k];
+            row.iter_mut().zip(pivot_row).skip(1).for_each(|(entry, pivot)| *entry -= factor * pivot);
+            rhs[k + 1 + i] -= factor * rhs[k];
         }
     }
 }
@@ -106,17 +107,32 @@ fn power_of_two(size: f64) -> f64 {
     if size > 0.0 && size.is_finite() { (-size.log2().round()).clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }
 
+/// Row, column and size of the first of the largest entries from this row and column on.
 fn largest_entry<A: Array<R>, R: Array<f64>>(matrix: &A, from: usize) -> (usize, usize, f64) {
-    let mut found = (from, from, 0.0);
+    let (mut row, mut size) = (from, 0.0);
     for i in from..R::LEN {
-        for j in from..R::LEN {
-            let size = matrix[i][j].abs();
-            if size > found.2 {
-                found = (i, j, size);
-            }
+        let largest = largest_size(&matrix[i].as_ref()[from..]);
+        if largest > size {
+            (row, size) = (i, largest);
         }
     }
-    found
+    let column = (from..R::LEN).find(|j| matrix[row][*j].abs() == size).unwrap_or(from);
+    (row, column, size)
+}
+
+/// The largest magnitude, found in lanes.
+fn largest_size(values: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let (chunks, rest) = values.as_chunks::<LANES>();
+    let mut lanes = [0.0; LANES];
+    for chunk in chunks {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane = larger(*lane, value.abs());
+        }
+    }
+    let among_rest = rest.iter().fold(0.0, |size, value| larger(size, value.abs()));
+    lanes.into_iter().fold(among_rest, larger)
 }
 
 /// L D L' factors of a symmetric matrix that is positive definite, or semidefinite because rows depend on each other.

@@ -9,8 +9,9 @@ use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// The constraints of every sample, in positions and velocities: each relative to the largest that its own terms are in
-/// any sample. Of velocities these are at least what speeds as fast as the fastest coordinate's make of a row of C_q: the
-/// row of a coordinate that stands still is rounding of the others.
+/// any sample. Of positions these are at least a [`LEAST_PART`] of the largest of any whose reaction has its unit: the height that a
+/// slider is kept at may be zero, and is rounding of the others then. Of velocities they are at least what speeds as fast as
+/// the fastest coordinate's make of a row of C_q: the row of a coordinate that stands still is rounding of the others.
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     let samples = &run.trajectory.samples;
     let open: Vec<[Vec<Open>; 2]> = {
@@ -21,12 +22,19 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
         with.map(|((mechanism, _), at)| residuals(&Any(&mechanism), at, &scales, speed)).collect()
     };
     let mut worst = Worst::<(&str, &str, f64)>::default();
+    let constraints = M::DESCRIPTION.constraints;
+    let largest_in = |level: usize, row: usize| largest(open.iter().map(|open| open[level][row].size));
+    let of_unit = |unit: &str| {
+        let rows = (0..M::L::LEN).filter(|row| constraints[*row].unit == unit);
+        largest(rows.map(|row| largest_in(0, row)))
+    };
     for (level, name) in ["|C|", "|C_q q' + C_t|"].into_iter().enumerate() {
         for row in 0..M::L::LEN {
-            let size = largest(open.iter().map(|open| open[level][row].size));
+            let least = if level == 0 { LEAST_PART * of_unit(constraints[row].unit) } else { 0.0 };
+            let size = largest_in(level, row).max(least);
             for (open, sample) in open.iter().zip(samples) {
                 let figure = relative(open[level][row].open.abs(), size);
-                worst.enter(figure, (name, M::DESCRIPTION.constraints[row].name, sample.state.time));
+                worst.enter(figure, (name, constraints[row].name, sample.state.time));
             }
         }
     }
@@ -36,6 +44,9 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     };
     Check::new("constraints along the run", worst.figure, 1e-9, meaning)
 }
+
+/// Rounding of the largest terms is 1e-16 of them, and 1e-13 of such a part, where 1e-9 is the bound.
+const LEAST_PART: f64 = 1e-3;
 
 /// By how much a constraint is open, and the magnitude of its terms.
 struct Open {

@@ -200,6 +200,33 @@ fn a_knee_at_its_stop_obeys_the_impulsive_equations() {
 }
 
 mechanism! {
+    /// Two rods in line that swing against a wall, which gravity pulls them away from.
+    Beside;
+    coordinates { a [rad]; b [rad]; }
+    parameters { l [m] = 0.6; m [kg] = 0.06; g [m/s^2] = 9.81; w [rad/s] = 6; }
+    let P = l*[cos(a), sin(a)];
+    let T = P + l*[cos(b), sin(b)];
+    bodies { upper: mass m at P/2, inertia m*l^2/12, angle a; lower: mass m at (P + T)/2, inertia m*l^2/12, angle b; }
+    loads { gravity [g, 0]; }
+    constraints { wall: T.x = 0 initially released; }
+    initial { a = pi/2; b = pi/2; dot(a) = w; dot(b) = w; }
+    events { hit: T.x = 0 falling { impact wall restitution 0; } }
+}
+
+/// The impact leaves the gap's rate at zero but for rounding, and the rods turning: what they turn in a part of the time asked
+/// for must not be taken for a rate. The elbow swings on through the line of the wall; when the tip comes back, it presses
+/// against the wall, and one impact follows another.
+#[test]
+fn rods_leave_a_wall_however_long_the_run_is() {
+    let run = |end: f64| run_with(Beside::default(), &Settings::adaptive(Method::Dop853, end, 1e-10)).unwrap();
+    let short = run(1e-3);
+    assert!(short.trajectory.failure.is_none() && times(&short, "hit") == [0.0]);
+    let ends: Vec<f64> = [0.2, 2.0, 20.0].map(|end| run(end).trajectory.failure.unwrap().time).to_vec();
+    // What is at once grows with the time asked for.
+    assert!(ends.iter().all(|time| *time > 0.01 && (time - ends[0]).abs() < 1e-7), "{ends:?}");
+}
+
+mechanism! {
     /// A wheel of spokes without a rim that rolls down a slope: a foot is pinned, the next one lands, and takes its place.
     Rimless;
     coordinates { x [m]; y [m]; phi [rad]; }

@@ -63,8 +63,9 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
             Some(planar) => sizes::planar(planar, random),
             None => sizes::spatial(&SPATIAL[index - PLANAR.len()], random),
         };
-        // Twelve turns at the speed of the start, as far as it gets.
-        let ahead = Settings { rows: Rows::Even(600), ..Settings::adaptive(Method::Dop853, 12.0 * TAU / speed, 1e-9) };
+        // As many turns at the speed of the start, as far as it gets.
+        let end = MOST_TURNS_RUN * TAU / speed;
+        let ahead = Settings { rows: Rows::Even(600), ..Settings::adaptive(Method::Dop853, end, 1e-9) };
         let Ok(found) = linkage.forms[0].run(&parameters, &ahead) else { continue };
         let pace = Pace::of(&found, ahead.end, [size, mass, speed]);
         if !pace.starts_well(speed) {
@@ -73,11 +74,12 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
         let task = if kind < 0.45 {
             Task::Run(adaptive(&pace, random))
         } else if kind < 0.9 || !linkage.forms[form].is_driven() {
-            Task::Run(equal(&pace, random))
+            let Some(settings) = equal(&pace, random) else { continue };
+            Task::Run(settings)
         } else {
             let from =
                 parameters.iter().find(|(name, _)| name == "th_0" || name == "t_0").map_or(0.0, |(_, value)| *value);
-            let turns = log_between(random, 0.05, MOST_TURNS);
+            let turns = log_between(random, 0.05, MOST_TURNS_SWEPT);
             let rows = log_between(random, 1.0, 1000.0) as usize;
             Task::Sweep([from, from + turns * TAU, speed], rows)
         };
@@ -128,7 +130,8 @@ struct Pace {
     /// The highest angular speed until then.
     highest: Vec<f64>,
     /// The highest pace of all columns until then, where a column's is twice its steepest slope beside its range: the angular
-    /// speed of a sine, and more where it changes within a part of a turn.
+    /// speed of a sine, and more where it changes within a part of a turn. Infinite from where these times are too far apart
+    /// to tell.
     sharpest: Vec<f64>,
 }
 
@@ -142,10 +145,12 @@ impl Pace {
             sharpest: vec![0.0; rows],
         };
         for (name, column) in found.names.iter().zip(&found.columns) {
-            let (mut range, mut steepest, mut fastest) = (Range::new(name, scales), 0.0f64, 0.0f64);
+            let all = Range::of(name, scales, column).size(1e-3);
+            let (mut range, mut steepest, mut fastest) = (Range::of(name, scales, &[]), 0.0f64, 0.0f64);
             for i in 0..rows {
                 range.take(column[i]);
-                steepest = steepest.max((column[i] - column[i.saturating_sub(1)]).abs() / step);
+                let change = (column[i] - column[i.saturating_sub(1)]).abs();
+                steepest = steepest.max(if change > JUMP * all { f64::INFINITY } else { change / step });
                 pace.sharpest[i] = pace.sharpest[i].max(2.0 * steepest / range.size(1e-3));
                 if name.starts_with('w') {
                     fastest = fastest.max(column[i].abs());
@@ -182,7 +187,7 @@ fn stabilisation(random: &mut Random) -> Stabilisation {
 }
 
 fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
-    let last = pace.until(log_between(random, 0.1, 12.0));
+    let last = pace.until(log_between(random, 0.1, MOST_TURNS_RUN));
     let method = *pick(random, &[Method::Dopri5, Method::Dop853, Method::Radau5]);
     let tightest = if method == Method::Radau5 { 1e-10 } else { 1e-12 };
     let relative = log_between(random, tightest, 1e-5);
@@ -194,22 +199,26 @@ fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
     }
 }
 
-/// More steps than these are not drawn, nor sweeps over more turns, to keep the time of a draw small.
+/// More steps than these are not drawn, to keep the time of a draw small.
 const MOST_STEPS: f64 = 3000.0;
 /// The implicit method asks for many right-hand sides in a step.
 const MOST_IMPLICIT_STEPS: f64 = 500.0;
-const MOST_TURNS: f64 = 50.0;
+/// A column that changes by this part of its range from one row to the next has more between them.
+const JUMP: f64 = 0.25;
+/// The longest runs, and sweeps.
+const MOST_TURNS_RUN: f64 = 4.0;
+const MOST_TURNS_SWEPT: f64 = 50.0;
 
-fn equal(pace: &Pace, random: &mut Random) -> Settings {
+fn equal(pace: &Pace, random: &mut Random) -> Option<Settings> {
     let method = *pick(random, &Method::ALL);
     let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, 400.0, 1600.0));
     // In a turn of the fastest body, or of what changes fastest.
     let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
     let most = if method == Method::Radau5 { MOST_IMPLICIT_STEPS } else { MOST_STEPS };
-    let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= most).unwrap_or(1);
-    Settings {
+    let last = (1..=pace.until(turns)).rev().find(|i| steps(*i) <= most)?;
+    Some(Settings {
         stabilisation: stabilisation(random),
         rows: Rows::Even(log_between(random, 1.0, 1001.0) as usize),
         ..Settings::equal_steps(method, pace.times[last], steps(last) as usize)
-    }
+    })
 }

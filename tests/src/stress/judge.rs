@@ -83,7 +83,8 @@ impl Task {
     /// What may be off, as a part of a column's range.
     fn bound(&self) -> f64 {
         match self {
-            Task::Sweep(..) => CONFIRMED,
+            // Rounding beside crossings is amplified, in references too.
+            Task::Sweep(..) => 10.0 * CONFIRMED,
             Task::Run(Settings { stepping: Stepping::Adaptive(tolerance), .. }) => 1e4 * tolerance.relative,
             // Methods of higher order than RK4 take as many stages or more, and are held to what it is held to.
             Task::Run(Settings { method, .. }) => match method {
@@ -171,11 +172,7 @@ impl Draw {
     /// size, which rounding beside their crossings is a part of even where a column is zero throughout.
     fn ranges(&self, found: &Found) -> Vec<f64> {
         let part = if matches!(self.task, Task::Sweep(..)) { 1.0 } else { 1e-3 };
-        let range = |(name, column): (&String, &Vec<f64>)| {
-            let mut range = Range::new(name, self.scales);
-            column.iter().for_each(|value| range.take(*value));
-            range.size(part)
-        };
+        let range = |(name, column): (&String, &Vec<f64>)| Range::of(name, self.scales, column).size(part);
         found.names.iter().zip(&found.columns).map(range).collect()
     }
 

@@ -9,8 +9,14 @@ pub(crate) struct Range {
 }
 
 impl Range {
-    /// That of a column of this name without values, for a linkage of this size, mass and speed.
-    pub(crate) fn new(name: &str, [size, mass, speed]: [f64; 3]) -> Range {
+    /// That of a column of this name with these values, for a linkage of this size, mass and speed.
+    pub(crate) fn of(name: &str, scales: [f64; 3], column: &[f64]) -> Range {
+        let mut range = Range::empty(name, scales);
+        column.iter().for_each(|value| range.take(*value));
+        range
+    }
+
+    fn empty(name: &str, [size, mass, speed]: [f64; 3]) -> Range {
         let zero = |natural: f64| Range { natural, least: 0.0, greatest: 0.0 };
         let open = |natural: f64| Range { natural, least: f64::INFINITY, greatest: f64::NEG_INFINITY };
         match name.trim_start_matches("extreme_").split('_').next().unwrap_or_default() {

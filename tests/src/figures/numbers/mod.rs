@@ -6,6 +6,7 @@ mod eigenvalues;
 mod extremes;
 mod faults;
 mod known;
+mod programs;
 mod speed;
 mod stress;
 mod verify;
