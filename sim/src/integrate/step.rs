@@ -3,6 +3,7 @@
 use super::method::Advance;
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
+use crate::singular::weakest_constraint;
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -31,67 +32,74 @@ impl<M: Mechanism> Step<'_, M> {
         self.find(time).map(|found| if found.is_singular { found.interpolated } else { found.kept })
     }
 
-    /// The state at a time inside it with what follows from it. At a singular position the equations of motion do not
-    /// determine that: there accelerations are interpolated between regular positions of the step, unless that is known no
-    /// better, and reactions, which have a pole, and power are those of the nearer end.
+    /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
+    /// that badly, and in it not at all: there accelerations are those that regular positions of the step make likely, unless
+    /// that is known no better. In it reactions, which have a pole, and power are those of the nearer end.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         let found = self.find(time)?;
-        if !found.is_singular {
+        if !found.is_beside {
             return self.motion.sample(found.kept);
         }
         let fraction = (time - self.from.state.time) / self.length();
         let (accelerations, known_to) = self.accelerations_across(fraction)?;
-        let size = |a: &M::Q, b: &M::Q| self.motion.measures().size(&M::Q::from_fn(|i| a[i] - b[i]));
-        let direct = self.motion.sample(found.kept).ok();
-        if let Some(direct) = direct.filter(|direct| size(&direct.accelerations, &accelerations) <= known_to) {
-            return Ok(direct);
+        let off = |direct: &Sample<M>| {
+            let off = |i: usize| direct.accelerations[i] - accelerations[i];
+            self.motion.measures().size(&M::Q::from_fn(off))
+        };
+        match self.motion.sample(found.kept) {
+            Ok(direct) if off(&direct) <= known_to => return Ok(direct),
+            Ok(direct) if !found.is_singular => return Ok(Sample { accelerations, ..direct }),
+            Err(failure) if !found.is_singular => return Err(failure),
+            _ => {}
         }
         let nearer = if fraction < 0.5 { self.from } else { self.to };
         Ok(Sample { state: found.interpolated, accelerations, ..*nearer })
     }
 
-    /// The accelerations at a fraction of this step that is at a singular position, by the polynomial through those at regular
-    /// positions on both sides of it: along the motion they are smooth. With it about how well that knows them: what the
-    /// nearest of these positions changes.
+    /// The accelerations at a fraction of this step that is at a singular position, by the polynomial nearest to those at
+    /// regular positions on both sides of it: along the motion they are smooth, and known the better the farther away. With it
+    /// about how well that knows them.
     fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
         const INTERVALS: usize = 10;
-        let mut known = [(0.0, self.from.accelerations); INTERVALS + 1];
-        let mut count = 1;
-        for k in 1..=INTERVALS {
-            let node = k as f64 / INTERVALS as f64;
-            let accelerations = match k {
-                INTERVALS => self.to.accelerations,
-                _ => match self.find(self.from.state.time + node * self.length())? {
+        let mut known = [Known { fraction: 0.0, weight: 0.0, accelerations: self.from.accelerations }; INTERVALS + 1];
+        let mut count = 0;
+        for k in 0..=INTERVALS {
+            let fraction = k as f64 / INTERVALS as f64;
+            let (state, accelerations) = match k {
+                0 => (self.from.state, self.from.accelerations),
+                INTERVALS => (self.to.state, self.to.accelerations),
+                _ => match self.find(self.from.state.time + fraction * self.length())? {
                     found if found.is_singular => continue,
-                    found => self.motion.sample(found.kept)?.accelerations,
+                    found => (found.kept, self.motion.sample(found.kept)?.accelerations),
                 },
             };
-            known[count] = (node, accelerations);
+            let sine = weakest_constraint(self.motion, &state).map_or(1.0, |(_, sine)| sine);
+            known[count] = Known { fraction, weight: sine.powi(4), accelerations };
             count += 1;
         }
-        let known = &mut known[..count];
-        let all = through::<M>(known, fraction);
-        let away = |known: &(f64, M::Q)| -(known.0 - fraction).abs();
-        known.sort_by(|a, b| away(a).total_cmp(&away(b)));
-        let fewer = through::<M>(&known[..count - 1], fraction);
-        Ok((all, self.motion.measures().size(&M::Q::from_fn(|i| all[i] - fewer[i]))))
+        let size = |change: &M::Q| self.motion.measures().size(change);
+        Ok(nearest_polynomial::<M>(&known[..count], fraction, size))
     }
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
-            return Ok(Inside { kept: self.to.state, interpolated: self.to.state, is_singular: false });
+            let end = self.to.state;
+            return Ok(Inside { kept: end, interpolated: end, is_singular: false, is_beside: false });
         }
         let fraction = (time - self.from.state.time) / self.length();
         let mut kept = self.method.inside(self.motion, self.from, self.to, fraction)?;
         kept.time = time;
         let interpolated = kept;
         match self.motion.keep(&mut kept) {
-            Ok(()) => Ok(Inside { kept, interpolated, is_singular: self.motion.is_at_singularity() }),
+            Ok(()) => {
+                let (is_singular, is_beside) = (self.motion.is_at_singularity(), self.motion.is_beside_singularity());
+                Ok(Inside { kept, interpolated, is_singular, is_beside })
+            }
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
-                Ok(Inside { kept: interpolated, interpolated, is_singular: true })
+                Ok(Inside { kept: interpolated, interpolated, is_singular: true, is_beside: true })
             }
             Err(failure) => Err(failure),
         }
@@ -106,17 +114,48 @@ struct Inside<M: Mechanism> {
     interpolated: State<M>,
     /// Whether that is known better than what is on the constraints.
     is_singular: bool,
+    /// Whether accelerations may be known better by those along the motion.
+    is_beside: bool,
 }
 
-/// The polynomial through accelerations at some fractions of a step, at another one.
+/// Accelerations at a fraction of a step, with the inverse of their variance: rounding is amplified by the inverse square of
+/// the sine between constraints.
+#[derive(Clone, Copy)]
+struct Known<M: Mechanism> {
+    fraction: f64,
+    weight: f64,
+    accelerations: M::Q,
+}
+
+/// What the polynomial that is nearest to the known accelerations has at another fraction, with the size of its last terms: as
+/// many terms as fall, and no more than half of what is known.
 ///
-/// Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46 (2004), (3.3).
-fn through<M: Mechanism>(known: &[(f64, M::Q)], fraction: f64) -> M::Q {
-    let weight = |(k, (node, _)): (usize, &(f64, M::Q))| {
-        let others = known.iter().enumerate().filter(|(j, _)| *j != k);
-        1.0 / (fraction - node) / others.map(|(_, (other, _))| node - other).product::<f64>()
-    };
-    let weights: f64 = known.iter().enumerate().map(weight).sum();
-    let part = |i: usize| known.iter().enumerate().map(|(k, known)| weight((k, known)) * known.1[i]).sum::<f64>();
-    M::Q::from_fn(|i| part(i) / weights)
+/// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
+/// over the fractions, by recurrence.
+fn nearest_polynomial<M: Mechanism>(known: &[Known<M>], at: f64, size: impl Fn(&M::Q) -> f64) -> (M::Q, f64) {
+    const MOST: usize = 16;
+    let (mut before, mut here) = ([0.0; MOST], [1.0; MOST]);
+    let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
+    let (mut value, mut last) = (M::Q::filled(0.0), [f64::INFINITY; 2]);
+    for _ in 0..known.len().min(MOST) {
+        let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
+            known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
+        };
+        let norm = weighed(&|k| here[k]);
+        let term = M::Q::from_fn(|i| weighed(&|k| known[k].accelerations[i]) / norm * here_at);
+        let found = size(&term);
+        if !(found.max(last[1]) < last[0].max(last[1])) && last[0].is_finite() {
+            break;
+        }
+        value = M::Q::from_fn(|i| value[i] + term[i]);
+        last = [last[1], found];
+        let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);
+        let next = std::array::from_fn(|k| match known.get(k) {
+            Some(known) => (known.fraction - middle) * here[k] - share * before[k],
+            None => 0.0,
+        });
+        let next_at = (at - middle) * here_at - share * before_at;
+        (before, here, before_at, here_at, norm_before) = (here, next, here_at, next_at, norm);
+    }
+    (value, last[0].max(last[1]))
 }

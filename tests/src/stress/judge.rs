@@ -168,10 +168,11 @@ impl Draw {
         }
     }
 
-    /// What the bound of each column is a part of: its range, and at least a thousandth of its natural size; in sweeps that
-    /// size, which rounding beside their crossings is a part of even where a column is zero throughout.
+    /// What the bound of each column is a part of: its range, and at least a hundredth of its natural size, which tolerances
+    /// and rounding are a part of even where a column is zero throughout. In sweeps that size itself: beside crossings rounding
+    /// is amplified.
     fn ranges(&self, found: &Found) -> Vec<f64> {
-        let part = if matches!(self.task, Task::Sweep(..)) { 1.0 } else { 1e-3 };
+        let part = if matches!(self.task, Task::Sweep(..)) { 1.0 } else { 1e-2 };
         let range = |(name, column): (&String, &Vec<f64>)| Range::of(name, self.scales, column).size(part);
         found.names.iter().zip(&found.columns).map(range).collect()
     }
