@@ -1,7 +1,8 @@
 //! Inputs: declared courses, values that are held, and controllers, against closed forms.
 
 use sim::{
-    Controller, Input, Mechanism, Method, Rows, Run, Sample, Settings, declared_start, mechanism, run_controlled,
+    Controller, Input, Mechanism, Method, Rows, Run, Sample, Settings, Stepping, declared_start, mechanism,
+    run_controlled,
 };
 use tests::run_with;
 
@@ -80,6 +81,10 @@ fn a_controller_is_a_zero_order_hold() {
         let last = run.trajectory.samples.last().unwrap();
         assert!((last.inputs[0].held().unwrap() + k * factor.powf(29.0)).abs() < TOLERANCE);
         assert!(run.energy_balance < TOLERANCE);
+        // Three in each period: as many as without a controller.
+        if let Stepping::Equal(count) = settings.stepping {
+            assert_eq!(run.steps.accepted, count as u64);
+        }
     }
     assert!(Controller::<Motor>::new(0.0, law).is_none() && Controller::<Motor>::new(f64::NAN, law).is_none());
 }

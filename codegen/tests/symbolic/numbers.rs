@@ -111,3 +111,16 @@ fn decimal_literals_round_as_those_of_the_platform() {
         Ok(Verdict::Holds)
     });
 }
+
+/// A power of ten is what it is, whether its zeros are written or counted, up to as many as are read.
+#[test]
+fn zeros_of_decimal_literals_may_be_written_or_counted() {
+    for (exponent, zeros) in [(700, 0), (700, 399), (699, 398), (400, 399), (12, 12)] {
+        let written = format!("1{}e-{exponent}", "0".repeat(zeros));
+        let counted = format!("1e{}", zeros as i32 - exponent);
+        let expected = Number::from(10).pow(i64::from(zeros as i32 - exponent));
+        let is_in_range = counted.parse::<f64>().expect("a literal") > 0.0;
+        assert_eq!(Number::parse_decimal(&written), expected.filter(|_| is_in_range), "{written}");
+        assert_eq!(Number::parse_decimal(&written), Number::parse_decimal(&counted), "{written}");
+    }
+}

@@ -53,4 +53,13 @@ mod tests {
         let (order, blocks) = block_triangular(&a);
         assert_eq!((order, blocks), (vec![0, 1, 2, 3], vec![0..1, 1..3, 3..4]));
     }
+    /// They reach as many as each other, but not each other.
+    #[test]
+    fn cycles_of_one_length_stay_apart() {
+        // 0 <-> 2 and 1 <-> 3.
+        let mut a = DMatrix::zeros(4, 4);
+        [(0, 2), (2, 0), (1, 3), (3, 1)].into_iter().for_each(|at| a[at] = 1.0);
+        let (order, blocks) = block_triangular(&a);
+        assert_eq!((order, blocks), (vec![0, 2, 1, 3], vec![0..2, 2..4]));
+    }
 }

@@ -313,4 +313,13 @@ mod tests {
             assert!((weight - 1.0 / f64::from(k + 1)).abs() < 1e-15);
         }
     }
+    /// The estimate takes the slope of the polynomial through the stages from that at the start, so what is left is of order 3.
+    #[test]
+    fn the_estimate_compares_slopes_at_the_start() {
+        for k in 1..4 {
+            let found: f64 = (0..3).map(|j| ESTIMATE[j] * C[j].powi(k)).sum();
+            let slope = if k == 1 { 1.0 } else { 0.0 };
+            assert!((found + slope).abs() < 1e-14, "s^{k}: {found}");
+        }
+    }
 }

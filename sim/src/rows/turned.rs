@@ -41,3 +41,61 @@ pub(crate) fn may_have_turned<M: Mechanism>(before: &M::Entries, after: &M::Entr
     }
     false
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+
+    sim_kernel::mechanism! {
+        /// Eight rods that hang from each other, each a free body.
+        Chain;
+        const n = 8;
+        parameters { m [kg] = 1; l [m] = 1; }
+        let P_[0] = [0, 0];
+        repeat i in 1..=n {
+            bodies { rod_[i]: free, mass m, inertia m*l^2/12; }
+            let P_[i] = on(rod_[i], [l/2, 0]);
+            joints { pin_[i]: pin P_[i-1] to on(rod_[i], [-l/2, 0]); }
+        }
+    }
+
+    /// The ratios of successive leading minors of A B', by determinants, beside the products of the rows.
+    fn pivots<M: Mechanism>([a, b]: [&M::LQ; 2]) -> Vec<f64> {
+        let rows = sparse_rows::<M>();
+        let whole = |all: &M::LQ| DMatrix::from_fn(M::L::LEN, M::Q::LEN, |k, j| all[rows[k].constraint][j]);
+        let products = whole(a) * whole(b).transpose();
+        let minors: Vec<f64> =
+            (0..=M::L::LEN).map(|k| products.view((0, 0), (k, k)).into_owned().determinant()).collect();
+        (0..M::L::LEN).map(|k| minors[k + 1] / minors[k] / products[(k, k)].abs()).collect()
+    }
+
+    /// Rows have turned where a leading minor has changed its sign, and nothing is looked at where none has.
+    #[test]
+    fn rows_have_turned_where_a_leading_minor_is_negative() {
+        type Q = <Chain<f64> as Mechanism>::Q;
+        let mechanism = Chain::<f64>::default();
+        let (mut turned, mut unturned) = (0, 0);
+        for k in 0..400 {
+            // Angles, of which alone C_q depends, that differ by up to 0.01 to 4 rad.
+            let spread = 0.01 * 400f64.powf(f64::from(k) / 399.0);
+            let at = |i: usize, part: f64| (f64::from(k) * 1.7 + i as f64 * 2.3).sin() * 3.0 + part;
+            let from = Q::from_fn(|i| at(i, 0.0));
+            let to = Q::from_fn(|i| at(i, spread * (f64::from(k) * 3.1 + i as f64 * 1.9).sin()));
+            let entries = [&from, &to].map(|q| mechanism.sparse_linearization(0.0, q).jacobian);
+            let jacobians = [&from, &to].map(|q| mechanism.constraint_jacobian(0.0, q));
+            let pivots = pivots::<Chain<f64>>(jacobians.each_ref());
+            let least = pivots.iter().copied().fold(f64::INFINITY, f64::min);
+            let found = may_have_turned::<Chain<f64>>(&entries[0], &entries[1]);
+            // Between, digits that are lost may count as a turn.
+            if least < 0.0 {
+                assert!(found, "{k}: {least}");
+                turned += 1;
+            } else if least > 10.0 * LEAST {
+                assert!(!found, "{k}: {least}");
+                unturned += 1;
+            }
+        }
+        assert!(turned > 20 && unturned > 200, "{turned} {unturned}");
+    }
+}
