@@ -18,6 +18,9 @@ pub struct Step<'s, M: Mechanism> {
     pub(super) method: &'s mut dyn Advance<M>,
 }
 
+/// Accelerations beside a singular position are known by those at the ends of so many parts of a step.
+const INTERVALS: usize = 10;
+
 impl<M: Mechanism> Step<'_, M> {
     /// Its length in seconds.
     pub fn length(&self) -> f64 {
@@ -63,7 +66,6 @@ impl<M: Mechanism> Step<'_, M> {
     /// regular positions on both sides of it: along the motion they are smooth, and known the better the farther away. With it
     /// about how well that knows them.
     fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
-        const INTERVALS: usize = 10;
         let mut known = [Known { fraction: 0.0, weight: 0.0, accelerations: self.from.accelerations }; INTERVALS + 1];
         let mut count = 0;
         for k in 0..=INTERVALS {
@@ -127,35 +129,34 @@ struct Known<M: Mechanism> {
     accelerations: M::Q,
 }
 
-/// What the polynomial that is nearest to the known accelerations has at another fraction, with the size of its last terms: as
-/// many terms as fall, and no more than half of what is known.
+/// What the polynomial that is nearest to the known accelerations has at another fraction, with about how far that may be off:
+/// it has as many terms as leave the smallest on both sides of where they end.
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
 fn nearest_polynomial<M: Mechanism>(known: &[Known<M>], at: f64, size: impl Fn(&M::Q) -> f64) -> (M::Q, f64) {
-    const MOST: usize = 16;
-    let (mut before, mut here) = ([0.0; MOST], [1.0; MOST]);
+    // The last terms foretell the first that is left out, but for a factor.
+    const DOUBT: f64 = 10.0;
+    let (mut before, mut here) = ([0.0; INTERVALS + 1], [1.0; INTERVALS + 1]);
     let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
-    let (mut value, mut last) = (M::Q::filled(0.0), [f64::INFINITY; 2]);
-    for _ in 0..known.len().min(MOST) {
+    let (mut sum, mut last) = (M::Q::filled(0.0), f64::INFINITY);
+    let mut best = (sum, f64::INFINITY);
+    for _ in known {
         let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
             known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
         };
         let norm = weighed(&|k| here[k]);
         let term = M::Q::from_fn(|i| weighed(&|k| known[k].accelerations[i]) / norm * here_at);
         let found = size(&term);
-        if !(found.max(last[1]) < last[0].max(last[1])) && last[0].is_finite() {
-            break;
+        if found.max(last) < best.1 {
+            best = (sum, found.max(last));
         }
-        value = M::Q::from_fn(|i| value[i] + term[i]);
-        last = [last[1], found];
+        (sum, last) = (M::Q::from_fn(|i| sum[i] + term[i]), found);
         let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);
-        let next = std::array::from_fn(|k| match known.get(k) {
-            Some(known) => (known.fraction - middle) * here[k] - share * before[k],
-            None => 0.0,
-        });
-        let next_at = (at - middle) * here_at - share * before_at;
+        let step = |x: f64, here: f64, before: f64| (x - middle) * here - share * before;
+        let next = std::array::from_fn(|k| known.get(k).map_or(0.0, |known| step(known.fraction, here[k], before[k])));
+        let next_at = step(at, here_at, before_at);
         (before, here, before_at, here_at, norm_before) = (here, next, here_at, next_at, norm);
     }
-    (value, last[0].max(last[1]))
+    (best.0, DOUBT * best.1)
 }
