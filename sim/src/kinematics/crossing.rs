@@ -7,9 +7,11 @@ use super::path::{Path, Piece};
 use crate::root::find_minimum;
 use std::convert::Infallible;
 
-/// Where the rank is looked at, as places of a step: also beyond its end, so that none ends just before a crossing.
-const LOOKS: [f64; 6] = [-1.0, -0.33, 0.33, 1.0, 1.3, 1.6];
-/// What is worth a search, as a part of the largest there.
+/// At how many places the rank is looked at, so far apart in half steps: also beyond the end of a step, so that none ends just
+/// before a crossing.
+const LOOKS: usize = 14;
+const APART: f64 = 0.2;
+/// What is worth a search, as a part of what is beside it.
 const LOW: f64 = 0.5;
 /// A singular value this small beside its largest in the step is zero.
 const ZERO: f64 = 1e-6;
@@ -27,27 +29,40 @@ pub(super) struct Dip {
     pub(super) is_closed: bool,
 }
 
-/// The first dip of a step, if it has one.
+/// The first crossing in a step or beyond its end, or the first dip where the equations do not hold.
 pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
-    let at = |x: f64| match x {
-        -1.0 => piece.from.regularity,
-        1.0 => piece.to.regularity,
-        _ => path.regularity(piece, x),
-    };
-    let values = LOOKS.map(at);
-    let largest = values[..4].iter().copied().fold(0.0, f64::max);
-    let is_low = |i: &usize| values[*i] <= LOW * largest && values[*i] < values[*i - 1] && values[*i] <= values[*i + 1];
-    let low = (1..LOOKS.len() - 1).find(is_low)?;
-    let [from, to] = [LOOKS[low - 1], LOOKS[low + 1]];
-    // Twice, as the first search ends at the root of rounding.
-    let (x, _) = least(path, piece, [from, to]);
-    let (x, value) = least(path, piece, [x - 1e-7, x + 1e-7]);
-    Some(Dip { x, is_crossing: value <= ZERO * largest, is_closed: path.open(piece, x) <= OPEN })
+    dips(path, piece).find(|dip| dip.is_crossing || !dip.is_closed)
 }
 
-fn least(path: &Path, piece: &Piece, [from, to]: [f64; 2]) -> (f64, f64) {
+/// Whether there are several crossings in a step.
+pub(super) fn has_several_crossings(path: &Path, piece: &Piece) -> bool {
+    dips(path, piece).filter(|dip| dip.is_crossing && dip.x <= 1.0).nth(1).is_some()
+}
+
+/// The dips of a step, in order. Where they are, is told by the product of all singular values: beside another branch that only
+/// comes near, the smallest of them is small throughout.
+fn dips<'p>(path: &'p Path, piece: &'p Piece) -> impl Iterator<Item = Dip> + 'p {
+    let place = |i: usize| -1.0 + APART * i as f64;
+    let logarithms: [f64; LOOKS] = std::array::from_fn(|i| path.volume(piece, place(i)));
+    let largest = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let values = logarithms.map(|volume| (volume - largest).exp());
+    let is_low = move |i: &usize| {
+        let [before, here, after] = [values[i - 1], values[*i], values[i + 1]];
+        here < before && here <= after && here <= LOW * before.max(after)
+    };
+    let dip = move |i: usize| {
+        let volume = |x: f64| (path.volume(piece, x) - largest).exp();
+        let (x, _) = least([place(i - 1), place(i + 1)], &volume);
+        // Twice, as the first search ends at the root of rounding.
+        let (x, value) = least([x - 1e-7, x + 1e-7], &|x| path.regularity(piece, x));
+        let regular = piece.from.regularity.max(piece.to.regularity);
+        Dip { x, is_crossing: value <= ZERO * regular, is_closed: path.open(piece, x) <= OPEN }
+    };
+    (1..LOOKS - 1).filter(is_low).map(dip)
+}
+
+fn least([from, to]: [f64; 2], of: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let place = |s: f64| from + s * (to - from);
-    let found = find_minimum(&mut |s| Ok::<f64, Infallible>(path.regularity(piece, place(s))));
-    let Ok((s, value)) = found;
+    let Ok((s, value)) = find_minimum(&mut |s| Ok::<f64, Infallible>(of(place(s))));
     (place(s), value)
 }

@@ -6,7 +6,7 @@
 //! curve: what was stepped over cannot be another branch then.
 
 use super::algebra::{bordered, is_rounding, least_squares, singular_values};
-use super::crossing::find_dip;
+use super::crossing::{find_dip, has_several_crossings};
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
 use super::system::System;
@@ -166,7 +166,7 @@ impl<'s> Path<'s> {
                 let Some(dip) = find_dip(self, &piece).filter(|dip| dip.is_crossing) else { break };
                 let is_centred = dip.x.abs() <= CENTRED;
                 let is_earlier_crossing = from.tangent.dot(&(&piece.to.z - &from.z)) < half / 2.0;
-                if is_centred && !is_earlier_crossing {
+                if is_centred && !is_earlier_crossing && !has_several_crossings(self, &piece) {
                     piece.crossing = Some(dip.x);
                     return dip.is_closed.then_some(piece);
                 }
@@ -278,6 +278,13 @@ impl<'s> Path<'s> {
     pub(super) fn regularity(&self, piece: &Piece, x: f64) -> f64 {
         let z = piece.z(x);
         singular_values(&self.linear(&z).1).map_or(0.0, |values| values[z.len() - 2])
+    }
+
+    /// The logarithm of the product of the singular values of F_z at a place of a step, without units.
+    pub(super) fn volume(&self, piece: &Piece, x: f64) -> f64 {
+        let z = piece.z(x);
+        let logarithm = |values: DVector<f64>| values.iter().take(z.len() - 1).map(|value| value.ln()).sum();
+        singular_values(&self.linear(&z).1).map_or(f64::NEG_INFINITY, logarithm)
     }
 
     /// How far the equations are open at a place of a step, without units.

@@ -9,7 +9,7 @@ use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// The constraints of every sample, in positions and velocities: each relative to the largest that its own terms are in
-/// any sample. Of positions these are at least a [`LEAST_PART`] of the largest of any whose reaction has its unit: the height that a
+/// any sample. Of positions these are at least a thousandth of the largest of any whose reaction has its unit: the height that a
 /// slider is kept at may be zero, and is rounding of the others then. Of velocities they are at least what speeds as fast as
 /// the fastest coordinate's make of a row of C_q: the row of a coordinate that stands still is rounding of the others.
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
