@@ -22,6 +22,27 @@ mechanism! {
 }
 
 mechanism! {
+    /// The same with a third crank in the middle of its coupler, which makes one closure redundant in every position.
+    ThreeCranks;
+    coordinates { crank [rad]; coupler [rad]; rocker [rad]; middle [rad]; }
+    parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
+    let A = a*[cos(crank), sin(crank)];
+    let u = [cos(coupler), sin(coupler)];
+    bodies {
+        one: inertia 0.1 [kg*m^2], angle crank;
+        two: mass m at A + b/2*u, inertia m*b^2/12, angle coupler;
+        three: inertia 0.15 [kg*m^2], angle rocker;
+        four: inertia 0.05 [kg*m^2], angle middle;
+    }
+    loads { gravity [0, -g]; }
+    constraints {
+        closure: A + b*u = [b, 0] + a*[cos(rocker), sin(rocker)];
+        closure_in_the_middle: A + b/2*u = [b/2, 0] + a*[cos(middle), sin(middle)];
+    }
+    initial { crank = start; dot(crank) = w; guess coupler = 0; guess rocker = start; guess middle = start; }
+}
+
+mechanism! {
     /// Its coupler does not turn.
     ParallelogramAlone;
     coordinates { crank [rad]; }
@@ -174,6 +195,20 @@ fn check<M: Mechanism, N: Mechanism>(mechanism: M, alone: N, constraint: &str, a
 #[test]
 fn a_parallelogram_passes_its_flat_positions() {
     check(Parallelogram::default(), ParallelogramAlone::default(), "closure", |i| PI * (i + 1) as f64);
+}
+
+/// With a redundant closure a position counts as singular beside the most regular one, as sines of combinations have no size.
+#[test]
+fn three_cranks_pass_their_flat_positions() {
+    let even = |method, rtol| Settings { rows: Rows::Even(300), ..Settings::adaptive(method, 3.0, rtol) };
+    let exact = run_with(ParallelogramAlone::default(), &even(Method::Dop853, 1e-13)).unwrap();
+    let turns = exact.trajectory.samples.last().unwrap().state.positions[0] / PI;
+    for (method, rtol, bound) in [(Method::Dop853, 1e-10, 1e-8), (Method::Radau5, 1e-8, 1e-6)] {
+        let run = run_with(ThreeCranks::default(), &even(method, rtol)).unwrap();
+        let (found, passed) = (difference(&run, &exact), run.steps.singularities.len());
+        println!("{:<7} {found:.1e}, {passed} singular positions", method.name());
+        assert!(found < bound && passed == turns.floor() as usize, "{found:e} {passed}");
+    }
 }
 
 #[test]
