@@ -156,11 +156,7 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     let given = start.speeds.iter().zip(start.speed_given);
     let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
     let mut open = &jacobian * &speeds + &time_derivative;
-    // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
-    let contradicted = |speeds: &DVector<f64>, open: &DVector<f64>| {
-        let terms = |i: usize| jacobian.row(i).iter().zip(speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
-        (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12))
-    };
+    let mut contradicted = 0;
     // Once is enough but where lengths are far from 1 m, and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
         let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
@@ -169,12 +165,14 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
         };
         speeds -= step;
         open = &jacobian * &speeds + &time_derivative;
-        if contradicted(&speeds, &open).is_none() {
-            return Ok(speeds.as_slice().to_vec());
+        let terms = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
+        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12)) {
+            None => return Ok(speeds.as_slice().to_vec()),
+            Some(row) => contradicted = row,
         }
     }
-    let row = contradicted(&speeds, &open).unwrap_or(0);
-    let (constraint, residual) = (mechanism.constraint_name(row), open[row]);
+    let (constraint, residual) = (mechanism.constraint_name(contradicted), open[contradicted]);
     Err(mechanism.failure(What::SpeedsContradict { constraint, residual }, 0.0, q))
 }
 
