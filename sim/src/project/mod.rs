@@ -3,7 +3,9 @@
 //! Both corrections are the smallest, lengths counted in the mechanism's own length: with D the diagonal matrix of what the
 //! coordinates are measured by, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t); or on
 //! request they are the smallest in the metric of the mass matrix. Where constraints are redundant, C_q and what is left of
-//! the constraints are first reduced to the rank of C_q ([`Reduction`]).
+//! the constraints are first reduced to the rank of C_q (`redundant`).
+
+mod redundant;
 
 use crate::equations::by_inertia;
 use crate::failure::{Failure, What, constraint_name, largest};
@@ -13,6 +15,7 @@ use crate::met::{TOLERANCE, is_met, is_within};
 use crate::reduction::Reduction;
 use crate::rows::{Dense, Factors, Linear, Rows, Sparse, is_sparse};
 use crate::trajectory::State;
+use redundant::{correct_redundant_positions, project_redundant, reduced_change};
 use sim_kernel::{Array, ConstraintLinearization, Mechanism};
 use std::cell::Cell;
 
@@ -93,24 +96,6 @@ fn project_independent<M: Mechanism, R: Rows<M>>(
     Ok(closeness)
 }
 
-/// The same where constraints are redundant; rows of the reduced C_q count relative to 1.
-#[cold]
-fn project_redundant<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    state: &mut State<M>,
-) -> Result<f64, Failure> {
-    let (time, q) = (state.time, &mut state.positions);
-    let linear = correct_redundant_positions(mechanism, measures, time, q)?;
-    let (change, factors) = reduced_change(measures, &linear.jacobian, &rates::<M>(&linear, &state.speeds), time, q)?;
-    if factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M, Dense>(&factors, time, q));
-    }
-    subtract(&mut state.speeds, &change);
-    check_dependent_rates::<M, Dense>(&linear, measures, time, q, &state.speeds)?;
-    Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
-}
-
 #[cold]
 fn singular_position<M: Mechanism, R: Rows<M>>(factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
     let constraint = factors.dependent().last().map_or("?", |k| constraint_name::<M>(R::constraint(k)));
@@ -156,7 +141,7 @@ pub fn project_velocities<M: Mechanism>(
     }
     let open = rates::<M>(linear, qd);
     if measures.is_redundant() {
-        subtract(qd, &reduced_change(measures, &linear.jacobian, &open, time, q)?.0);
+        subtract(qd, &reduced_change(measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
         return check_dependent_rates::<M, Dense>(linear, measures, time, q, qd);
     }
     let columns = measures.columns(&linear.jacobian);
@@ -247,45 +232,6 @@ fn correct_positions<M: Mechanism, R: Rows<M>>(
         Ok(change)
     })?;
     Ok(Corrected { linear, factors, last_change })
-}
-
-fn correct_redundant_positions<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
-    q: &mut M::Q,
-) -> Result<Linearization<M>, Failure> {
-    let linear = correct::<M, Dense>(mechanism, measures, time, q, |linear, q| {
-        let jacobian = between_positions::<M>(&linear.jacobian);
-        let reduction = Reduction::new(&jacobian, measures, measures.rank_of_positions());
-        reduction_change(&reduction, measures, &jacobian, &linear.values, time, q).map(|(change, _)| change)
-    })?;
-    Ok(linear)
-}
-
-/// The smallest change of speeds that closes the rates of redundant constraints, with the factors of the reduced rows.
-fn reduced_change<M: Mechanism>(
-    measures: &Measures<M>,
-    jacobian: &M::LQ,
-    open: &M::L,
-    time: f64,
-    q: &M::Q,
-) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
-    reduction_change(&Reduction::new(jacobian, measures, measures.rank()), measures, jacobian, open, time, q)
-}
-
-fn reduction_change<M: Mechanism>(
-    reduction: &Reduction<M>,
-    measures: &Measures<M>,
-    jacobian: &M::LQ,
-    open: &M::L,
-    time: f64,
-    q: &M::Q,
-) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
-    let columns = measures.columns(&reduction.rows(jacobian));
-    let mut factors = <Dense as Rows<M>>::Factors::blank();
-    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
-    Ok((least_change::<M, Dense>(measures, &columns, &factors, reduction.values(open)), factors))
 }
 
 /// Subtracts corrections from positions until the constraints are met; gives the constraints there.
