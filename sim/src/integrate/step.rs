@@ -1,6 +1,7 @@
 //! A step that was made, and what is inside it.
 
 use super::method::Advance;
+use super::nearest::{Known, MOST_KNOWN, nearest_polynomial};
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
 use crate::singular::weakest_constraint;
@@ -17,9 +18,6 @@ pub struct Step<'s, M: Mechanism> {
     pub to: &'s Sample<M>,
     pub(super) method: &'s mut dyn Advance<M>,
 }
-
-/// Accelerations beside a singular position are known by those at the ends of so many parts of a step.
-const INTERVALS: usize = 10;
 
 impl<M: Mechanism> Step<'_, M> {
     /// Its length in seconds.
@@ -66,24 +64,26 @@ impl<M: Mechanism> Step<'_, M> {
     /// regular positions on both sides of it: along the motion they are smooth, and known the better the farther away. With it
     /// about how well that knows them.
     fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
-        let mut known = [Known { fraction: 0.0, weight: 0.0, accelerations: self.from.accelerations }; INTERVALS + 1];
+        const LAST: usize = MOST_KNOWN - 1;
+        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.from.accelerations }; MOST_KNOWN];
         let mut count = 0;
-        for k in 0..=INTERVALS {
-            let fraction = k as f64 / INTERVALS as f64;
+        for k in 0..=LAST {
+            let fraction = k as f64 / LAST as f64;
             let (state, accelerations) = match k {
                 0 => (self.from.state, self.from.accelerations),
-                INTERVALS => (self.to.state, self.to.accelerations),
+                LAST => (self.to.state, self.to.accelerations),
                 _ => match self.find(self.from.state.time + fraction * self.length())? {
                     found if found.is_singular => continue,
                     found => (found.kept, self.motion.sample(found.kept)?.accelerations),
                 },
             };
             let sine = weakest_constraint(self.motion, &state).map_or(1.0, |(_, sine)| sine);
-            known[count] = Known { fraction, weight: sine.powi(4), accelerations };
+            // Rounding is amplified by the inverse square of the sine.
+            known[count] = Known { fraction, weight: sine.powi(4), values: accelerations };
             count += 1;
         }
         let size = |change: &M::Q| self.motion.measures().size(change);
-        Ok(nearest_polynomial::<M>(&known[..count], fraction, size))
+        Ok(nearest_polynomial(&known[..count], fraction, size))
     }
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
@@ -118,45 +118,4 @@ struct Inside<M: Mechanism> {
     is_singular: bool,
     /// Whether accelerations may be known better by those along the motion.
     is_beside: bool,
-}
-
-/// Accelerations at a fraction of a step, with the inverse of their variance: rounding is amplified by the inverse square of
-/// the sine between constraints.
-#[derive(Clone, Copy)]
-struct Known<M: Mechanism> {
-    fraction: f64,
-    weight: f64,
-    accelerations: M::Q,
-}
-
-/// What the polynomial that is nearest to the known accelerations has at another fraction, with about how far that may be off:
-/// it has as many terms as leave the smallest on both sides of where they end.
-///
-/// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
-/// over the fractions, by recurrence.
-fn nearest_polynomial<M: Mechanism>(known: &[Known<M>], at: f64, size: impl Fn(&M::Q) -> f64) -> (M::Q, f64) {
-    // The last terms foretell the first that is left out, but for a factor.
-    const DOUBT: f64 = 10.0;
-    let (mut before, mut here) = ([0.0; INTERVALS + 1], [1.0; INTERVALS + 1]);
-    let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
-    let (mut sum, mut last) = (M::Q::filled(0.0), f64::INFINITY);
-    let mut best = (sum, f64::INFINITY);
-    for _ in known {
-        let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
-            known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
-        };
-        let norm = weighed(&|k| here[k]);
-        let term = M::Q::from_fn(|i| weighed(&|k| known[k].accelerations[i]) / norm * here_at);
-        let found = size(&term);
-        if found.max(last) < best.1 {
-            best = (sum, found.max(last));
-        }
-        (sum, last) = (M::Q::from_fn(|i| sum[i] + term[i]), found);
-        let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);
-        let step = |x: f64, here: f64, before: f64| (x - middle) * here - share * before;
-        let next = std::array::from_fn(|k| known.get(k).map_or(0.0, |known| step(known.fraction, here[k], before[k])));
-        let next_at = step(at, here_at, before_at);
-        (before, here, before_at, here_at, norm_before) = (here, next, here_at, next_at, norm);
-    }
-    (best.0, DOUBT * best.1)
 }

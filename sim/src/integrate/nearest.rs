@@ -1,0 +1,86 @@
+//! Smooth functions from values that are known unequally well.
+
+use sim_kernel::Array;
+
+/// So many values are looked at, at most.
+pub(super) const MOST_KNOWN: usize = 11;
+
+/// Values at a fraction of a step, with the inverse of their variance.
+#[derive(Clone, Copy)]
+pub(super) struct Known<A> {
+    pub(super) fraction: f64,
+    pub(super) weight: f64,
+    pub(super) values: A,
+}
+
+/// What the polynomial that is nearest to known values has at another fraction, with about how far that may be off:
+/// it has as many terms as leave the smallest on both sides of where they end.
+///
+/// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
+/// over the fractions, by recurrence.
+pub(super) fn nearest_polynomial<A: Array<f64>>(known: &[Known<A>], at: f64, size: impl Fn(&A) -> f64) -> (A, f64) {
+    // The last terms foretell the first that is left out, but for a factor.
+    const DOUBT: f64 = 10.0;
+    let (mut before, mut here) = ([0.0; MOST_KNOWN], [1.0; MOST_KNOWN]);
+    let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
+    let (mut sum, mut last) = (A::filled(0.0), f64::INFINITY);
+    let mut best = (sum, f64::INFINITY);
+    for _ in known {
+        let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
+            known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
+        };
+        let norm = weighed(&|k| here[k]);
+        let term = A::from_fn(|i| weighed(&|k| known[k].values[i]) / norm * here_at);
+        let found = size(&term);
+        if found.max(last) < best.1 {
+            best = (sum, found.max(last));
+        }
+        (sum, last) = (A::from_fn(|i| sum[i] + term[i]), found);
+        let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);
+        let step = |x: f64, here: f64, before: f64| (x - middle) * here - share * before;
+        let next = std::array::from_fn(|k| known.get(k).map_or(0.0, |known| step(known.fraction, here[k], before[k])));
+        let next_at = step(at, here_at, before_at);
+        (before, here, before_at, here_at, norm_before) = (here, next, here_at, next_at, norm);
+    }
+    (best.0, DOUBT * best.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known(values: impl Fn(f64) -> [f64; 2], weight: impl Fn(f64) -> f64) -> Vec<Known<[f64; 2]>> {
+        let fractions = (0..MOST_KNOWN).map(|k| k as f64 / (MOST_KNOWN - 1) as f64);
+        fractions.map(|fraction| Known { fraction, weight: weight(fraction), values: values(fraction) }).collect()
+    }
+
+    fn size(values: &[f64; 2]) -> f64 {
+        values[0].abs().max(values[1].abs())
+    }
+
+    #[test]
+    fn polynomials_are_found_and_what_is_left_over_is_foretold() {
+        let cubic = |x: f64| [3.0 - x + 5.0 * x.powi(3), x * x];
+        let (found, off) = nearest_polynomial(&known(cubic, |x| 1.0 + x), 0.43, size);
+        let exact = cubic(0.43);
+        assert!(size(&[found[0] - exact[0], found[1] - exact[1]]) < 1e-13 && off < 1e-12, "{found:?} {off:e}");
+        // A sine is no polynomial: what is lacking is no more than is said.
+        let sine = |x: f64| [(3.0 * x).sin(), (3.0 * x).cos()];
+        let (found, off) = nearest_polynomial(&known(sine, |_| 1.0), 0.43, size);
+        let lacking = size(&[found[0] - sine(0.43)[0], found[1] - sine(0.43)[1]]);
+        assert!(lacking < off && off < 1e-4, "{lacking:e} {off:e}");
+    }
+
+    /// Values in the middle are off by 1e-3, and count for as little as that is squared.
+    #[test]
+    fn what_is_known_badly_counts_for_little() {
+        let is_bad = |x: f64| (x - 0.5).abs() < 0.15;
+        let noisy = |x: f64| {
+            let noise = if is_bad(x) { 1e-3 * (40.0 * x).sin() } else { 0.0 };
+            [1.0 + x * x + noise, 0.0]
+        };
+        let weight = |x: f64| if is_bad(x) { 1e-16 } else { 1.0 };
+        let (found, off) = nearest_polynomial(&known(noisy, weight), 0.5, size);
+        assert!((found[0] - 1.25).abs() < 1e-9 && off < 1e-6, "{found:?} {off:e}");
+    }
+}
