@@ -15,6 +15,8 @@ const APART: f64 = 0.2;
 const LOW: f64 = 0.5;
 /// A singular value this small beside its largest in the step is zero.
 const ZERO: f64 = 1e-6;
+/// Crossings nearer to each other than this, in half steps, are one.
+const SAME: f64 = 1e-6;
 /// How far equations without units may be open where the branch goes straight through a crossing. Where links differ by a part
 /// of 1e-11 the curve bends away instead.
 const OPEN: f64 = 1e-11;
@@ -31,19 +33,20 @@ pub(super) struct Dip {
 
 /// The first crossing in a step or beyond its end, or the first dip where the equations do not hold.
 pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
-    dips(path, piece).find(|dip| dip.is_crossing || !dip.is_closed)
+    dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.is_crossing || !dip.is_closed)
 }
 
-/// Whether there are several crossings in a step.
-pub(super) fn has_several_crossings(path: &Path, piece: &Piece) -> bool {
-    dips(path, piece).filter(|dip| dip.is_crossing && dip.x <= 1.0).nth(1).is_some()
+/// Whether there is another crossing in a step than that at `known`, however near to it.
+pub(super) fn has_another_crossing(path: &Path, piece: &Piece, known: f64) -> bool {
+    let without = |x: f64| path.volume(piece, x) - (x - known).abs().max(SAME).ln();
+    dips(path, piece, &without).any(|dip| dip.is_crossing && dip.x <= 1.0 && (dip.x - known).abs() > SAME)
 }
 
-/// The dips of a step, in order. Where they are, is told by the product of all singular values: beside another branch that only
-/// comes near, the smallest of them is small throughout.
-fn dips<'p>(path: &'p Path, piece: &'p Piece) -> impl Iterator<Item = Dip> + 'p {
+/// The dips of a step, in order. Where they are, is told by the logarithm of the product of all singular values: beside another
+/// branch that only comes near, the smallest of them is small throughout.
+fn dips<'p>(path: &'p Path, piece: &'p Piece, volume: &'p dyn Fn(f64) -> f64) -> impl Iterator<Item = Dip> + 'p {
     let place = |i: usize| -1.0 + APART * i as f64;
-    let logarithms: [f64; LOOKS] = std::array::from_fn(|i| path.volume(piece, place(i)));
+    let logarithms: [f64; LOOKS] = std::array::from_fn(|i| volume(place(i)));
     let largest = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let values = logarithms.map(|volume| (volume - largest).exp());
     let is_low = move |i: &usize| {
@@ -51,8 +54,7 @@ fn dips<'p>(path: &'p Path, piece: &'p Piece) -> impl Iterator<Item = Dip> + 'p 
         here < before && here <= after && here <= LOW * before.max(after)
     };
     let dip = move |i: usize| {
-        let volume = |x: f64| (path.volume(piece, x) - largest).exp();
-        let (x, _) = least([place(i - 1), place(i + 1)], &volume);
+        let (x, _) = least([place(i - 1), place(i + 1)], &|x| (volume(x) - largest).exp());
         // Twice, as the first search ends at the root of rounding.
         let (x, value) = least([x - 1e-7, x + 1e-7], &|x| path.regularity(piece, x));
         let regular = piece.from.regularity.max(piece.to.regularity);

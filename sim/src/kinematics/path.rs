@@ -6,7 +6,7 @@
 //! curve: what was stepped over cannot be another branch then.
 
 use super::algebra::{bordered, is_rounding, least_squares, singular_values};
-use super::crossing::{find_dip, has_several_crossings};
+use super::crossing::{find_dip, has_another_crossing};
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
 use super::system::System;
@@ -166,7 +166,7 @@ impl<'s> Path<'s> {
                 let Some(dip) = find_dip(self, &piece).filter(|dip| dip.is_crossing) else { break };
                 let is_centred = dip.x.abs() <= CENTRED;
                 let is_earlier_crossing = from.tangent.dot(&(&piece.to.z - &from.z)) < half / 2.0;
-                if is_centred && !is_earlier_crossing && !has_several_crossings(self, &piece) {
+                if is_centred && !is_earlier_crossing && !has_another_crossing(self, &piece, dip.x) {
                     piece.crossing = Some(dip.x);
                     return dip.is_closed.then_some(piece);
                 }
