@@ -83,8 +83,7 @@ impl Task {
     /// What may be off, as a part of a column's range.
     fn bound(&self) -> f64 {
         match self {
-            // Rounding beside crossings is amplified, in references too.
-            Task::Sweep(..) => 10.0 * CONFIRMED,
+            Task::Sweep(..) => CONFIRMED,
             Task::Run(Settings { stepping: Stepping::Adaptive(tolerance), .. }) => 1e4 * tolerance.relative,
             // Methods of higher order than RK4 take as many stages or more, and are held to what it is held to.
             Task::Run(Settings { method, .. }) => match method {
