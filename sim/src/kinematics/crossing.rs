@@ -7,9 +7,10 @@ use super::path::{Path, Piece};
 use crate::root::find_minimum;
 use std::convert::Infallible;
 
-/// At how many places the rank is looked at, so far apart in half steps: also beyond the end of a step, so that none ends just
-/// before a crossing.
-const LOOKS: usize = 14;
+/// At how many places the rank is looked at, from where on, and how far apart in half steps: beyond the end of a step, so that
+/// none ends just before a crossing, and before its beginning, so that one just after it has neighbours.
+const LOOKS: usize = 16;
+const FIRST: f64 = -1.4;
 const APART: f64 = 0.2;
 /// What is worth a search, as a part of what is beside it.
 const LOW: f64 = 0.5;
@@ -33,19 +34,19 @@ pub(super) struct Dip {
 
 /// The first crossing in a step or beyond its end, or the first dip where the equations do not hold.
 pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
-    dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.is_crossing || !dip.is_closed)
+    dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.x >= -1.0 && (dip.is_crossing || !dip.is_closed))
 }
 
 /// Whether there is another crossing in a step than that at `known`, however near to it.
 pub(super) fn has_another_crossing(path: &Path, piece: &Piece, known: f64) -> bool {
     let without = |x: f64| path.volume(piece, x) - (x - known).abs().max(SAME).ln();
-    dips(path, piece, &without).any(|dip| dip.is_crossing && dip.x <= 1.0 && (dip.x - known).abs() > SAME)
+    dips(path, piece, &without).any(|dip| dip.is_crossing && dip.x.abs() <= 1.0 && (dip.x - known).abs() > SAME)
 }
 
 /// The dips of a step, in order. Where they are, is told by the logarithm of the product of all singular values: beside another
 /// branch that only comes near, the smallest of them is small throughout.
 fn dips<'p>(path: &'p Path, piece: &'p Piece, volume: &'p dyn Fn(f64) -> f64) -> impl Iterator<Item = Dip> + 'p {
-    let place = |i: usize| -1.0 + APART * i as f64;
+    let place = |i: usize| FIRST + APART * i as f64;
     let logarithms: [f64; LOOKS] = std::array::from_fn(|i| volume(place(i)));
     let largest = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let values = logarithms.map(|volume| (volume - largest).exp());
