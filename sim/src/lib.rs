@@ -33,6 +33,7 @@ mod met;
 mod mobility;
 mod motion;
 mod nearby;
+mod nearest;
 mod onset;
 mod outcome;
 mod partition;

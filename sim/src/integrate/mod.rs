@@ -8,7 +8,6 @@ mod explicit;
 mod headway;
 mod lu;
 mod method;
-mod nearest;
 #[cfg(test)]
 mod order_conditions;
 mod radau;

@@ -1,9 +1,9 @@
 //! A step that was made, and what is inside it.
 
 use super::method::Advance;
-use super::nearest::{Known, MOST_KNOWN, nearest_polynomial};
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
+use crate::nearest::{Known, nearest_polynomial};
 use crate::singular::weakest_constraint;
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
@@ -64,8 +64,8 @@ impl<M: Mechanism> Step<'_, M> {
     /// regular positions on both sides of it: along the motion they are smooth, and known the better the farther away. With it
     /// about how well that knows them.
     fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
-        const LAST: usize = MOST_KNOWN - 1;
-        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.from.accelerations }; MOST_KNOWN];
+        const LAST: usize = 10;
+        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.from.accelerations }; LAST + 1];
         let mut count = 0;
         for k in 0..=LAST {
             let fraction = k as f64 / LAST as f64;

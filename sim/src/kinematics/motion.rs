@@ -5,6 +5,7 @@ use super::inverse::{AnyPrescribed, Factors, prescribed};
 use super::path::{MOST_CORRECTIONS, Path, Piece};
 use super::series::{NODES, Series, nodes};
 use crate::failure::{Failure, What};
+use crate::nearest::{Known, nearest_polynomial};
 use crate::root::find_root;
 use nalgebra::DVector;
 use std::convert::Infallible;
@@ -19,6 +20,31 @@ const SMOOTH: f64 = 1e-6;
 const SAME: f64 = 1e-6;
 /// What may be left of a constraint, of its terms.
 const CLOSED: f64 = 1e-12;
+
+/// A quantity at the nodes of a step with a crossing.
+pub(super) struct Beside {
+    known: [Known<[f64; 1]>; NODES],
+    has_pole: bool,
+}
+
+impl Beside {
+    /// That which has these values, where rounding is amplified by the inverse square of the distance to the crossing.
+    fn new(values: [f64; NODES], crossing: f64) -> Beside {
+        let nodes = nodes();
+        let weight = |x: f64| (x - crossing).powi(4);
+        let known = std::array::from_fn(|node| Known {
+            fraction: nodes[node],
+            weight: weight(nodes[node]),
+            values: [values[node]],
+        });
+        let series = Series::through(values);
+        Beside { known, has_pole: series.tail() > SMOOTH * series.largest() }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        nearest_polynomial(&self.known, x, |value| value[0].abs()).0[0]
+    }
+}
 
 impl Piece {
     fn is_beside_crossing(&self, x: f64) -> bool {
@@ -118,15 +144,15 @@ impl Path<'_> {
     /// equations give, and infinite in it.
     fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64), distance: f64) -> Result<AnyPrescribed, Failure> {
         let singular = || self.system.singular(&q, p);
-        let smooth = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
+        let beside = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
         let direct = if distance > AT { prescribed(self.system, &self.sizes, (&q, p), &[]).ok() } else { None };
         let direct = direct.map(|found| numbers(&found));
         let (n, m) = (q.len(), self.system.mechanism.description().constraints.len());
-        let value = |(k, series): (usize, &Series)| match k < 2 * n || series.tail() <= SMOOTH * series.largest() {
-            true => series.at(x),
-            false => direct.as_ref().map_or(f64::INFINITY, |direct| direct[k]),
+        let value = |(k, beside): (usize, &Beside)| match k >= 2 * n && beside.has_pole {
+            false => beside.at(x),
+            true => direct.as_ref().map_or(f64::INFINITY, |direct| direct[k]),
         };
-        let values: Vec<f64> = smooth.iter().enumerate().map(value).collect();
+        let values: Vec<f64> = beside.iter().enumerate().map(value).collect();
         let factors = Factors::new(&self.system.linear(&q, p).jacobian, &self.sizes);
         let found = AnyPrescribed {
             time: self.system.time(p),
@@ -143,15 +169,15 @@ impl Path<'_> {
     }
 
     /// Speeds, accelerations, multipliers and forces through the nodes of a step.
-    fn nodes(&self, piece: &Piece) -> Option<Vec<Series>> {
+    fn nodes(&self, piece: &Piece) -> Option<Vec<Beside>> {
         let at = |x: f64| {
             let (_, p) = self.at(piece, x);
             let q = self.solve(piece, x, p)?;
             Some(numbers(&prescribed(self.system, &self.sizes, (&q, p), &[]).ok()?))
         };
         let values: Vec<Vec<f64>> = nodes().into_iter().map(at).collect::<Option<_>>()?;
-        let series = |k: usize| Series::through(std::array::from_fn::<f64, NODES, _>(|node| values[node][k]));
-        Some((0..values[0].len()).map(series).collect())
+        let beside = |k: usize| Beside::new(std::array::from_fn(|node| values[node][k]), piece.crossing.unwrap_or(0.0));
+        Some((0..values[0].len()).map(beside).collect())
     }
 }
 

@@ -7,6 +7,7 @@
 
 use super::algebra::{bordered, is_rounding, least_squares, singular_values};
 use super::crossing::{find_dip, has_another_crossing};
+use super::motion::Beside;
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
 use super::system::System;
@@ -66,7 +67,7 @@ pub(super) struct Piece {
     /// Where the drive turns back.
     pub(super) limit: Option<f64>,
     /// What is computed once of a step in which another branch crosses.
-    pub(super) beside: OnceCell<Option<Vec<Series>>>,
+    pub(super) beside: OnceCell<Option<Vec<Beside>>>,
 }
 
 /// When a step is refused.

@@ -3,14 +3,14 @@
 use sim_kernel::Array;
 
 /// So many values are looked at, at most.
-pub(super) const MOST_KNOWN: usize = 11;
+pub(crate) const MOST_KNOWN: usize = 12;
 
 /// Values at a fraction of a step, with the inverse of their variance.
-#[derive(Clone, Copy)]
-pub(super) struct Known<A> {
-    pub(super) fraction: f64,
-    pub(super) weight: f64,
-    pub(super) values: A,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Known<A> {
+    pub(crate) fraction: f64,
+    pub(crate) weight: f64,
+    pub(crate) values: A,
 }
 
 /// What the polynomial that is nearest to known values has at another fraction, with about how far that may be off:
@@ -18,7 +18,7 @@ pub(super) struct Known<A> {
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
-pub(super) fn nearest_polynomial<A: Array<f64>>(known: &[Known<A>], at: f64, size: impl Fn(&A) -> f64) -> (A, f64) {
+pub(crate) fn nearest_polynomial<A: Array<f64>>(known: &[Known<A>], at: f64, size: impl Fn(&A) -> f64) -> (A, f64) {
     // The last terms foretell the first that is left out, but for a factor.
     const DOUBT: f64 = 10.0;
     let (mut before, mut here) = ([0.0; MOST_KNOWN], [1.0; MOST_KNOWN]);
