@@ -35,13 +35,15 @@ pub(super) enum Way {
 /// them, with stages that are brought onto the constraints.
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
+    /// Where the last step over a singular position has gone to.
+    reached: Option<Sample<M>>,
     /// The smallest sines at the ends of the last two steps.
     sines: [f64; 2],
 }
 
 impl<M: Mechanism> Crossing<M> {
     pub(super) fn new() -> Crossing<M> {
-        Crossing { method: Dop853::new(), sines: [0.0; 2] }
+        Crossing { method: Dop853::new(), reached: None, sines: [0.0; 2] }
     }
 
     /// Takes note that a step has ended here.
@@ -62,7 +64,8 @@ impl<M: Mechanism> Crossing<M> {
     }
 
     /// Makes a step over the singular position ahead, or says how to go on. No step is longer than `longest` but one that has
-    /// to be for its ends to be far enough, and none leads beyond `end`.
+    /// to be for its ends to be far enough. A step that leads beyond `end` is made all the same, and counts as far as that: what
+    /// is beside a singular position is known from both sides of it.
     pub(super) fn lead(
         &mut self,
         motion: &Motion<M>,
@@ -77,15 +80,15 @@ impl<M: Mechanism> Crossing<M> {
             let absolute = tolerance.absolute.max(possible) * rate(motion, from).max(1.0);
             let relaxed = Tolerance { relative: tolerance.relative.max(possible), absolute };
             let time = match look_ahead(motion, from, &lie) {
-                Ahead::Over(time) if time <= end => time,
+                Ahead::Over(time) => time,
                 Ahead::UpTo(time) => return Ok(Way::UpTo(time)),
-                _ => return Ok(Way::On),
+                Ahead::Nothing => return Ok(Way::On),
             };
             motion.keep_stages(true);
             let attempted = attempt(motion, &mut self.method, from, time, Some(&relaxed), to);
             motion.keep_stages(false);
             match attempted {
-                Ok(error) if error <= 1.0 => return self.check(motion, [from, to], steps),
+                Ok(error) if error <= 1.0 => return self.check(motion, (from, to), end, steps),
                 _ => steps.rejected += 1,
             }
         }
@@ -93,21 +96,31 @@ impl<M: Mechanism> Crossing<M> {
     }
 
     /// The step has been worth it if it has passed a singular position.
-    fn check(&mut self, motion: &Motion<M>, [from, to]: [&Sample<M>; 2], steps: &mut Steps) -> Result<Way, Failure> {
+    fn check(
+        &mut self,
+        motion: &Motion<M>,
+        (from, to): (&Sample<M>, &mut Sample<M>),
+        end: f64,
+        steps: &mut Steps,
+    ) -> Result<Way, Failure> {
         let passed = steps.singularities.len();
         steps.note(motion, &mut self.method, [from, to])?;
-        match steps.singularities.len() > passed {
-            true => {
-                steps.accepted += 1;
-                Ok(Way::Crossed)
-            }
-            false => Ok(Way::On),
+        if steps.singularities.len() == passed {
+            return Ok(Way::On);
         }
+        steps.accepted += 1;
+        self.reached = Some(*to);
+        if to.state.time > end {
+            steps.singularities.retain(|singularity| singularity.time <= end);
+            let end = self.step(motion, [from, to]).sample(end)?;
+            *to = end;
+        }
+        Ok(Way::Crossed)
     }
 
     /// The step over a singular position that has been made.
     pub(super) fn step<'s>(&'s mut self, motion: &'s Motion<M>, [from, to]: [&'s Sample<M>; 2]) -> Step<'s, M> {
-        Step { motion, method: &mut self.method, from, to }
+        Step { motion, method: &mut self.method, from, to, reached: self.reached.as_ref().unwrap_or(to) }
     }
 }
 

@@ -129,7 +129,7 @@ fn equal_steps<M: Mechanism>(
                     if is_near {
                         steps.note(motion, method, [from, to])?;
                     }
-                    watch(&mut Step { motion, method, from, to })?
+                    watch(&mut Step { motion, method, from, to, reached: to })?
                 }
             };
             if ended.is_break() {
@@ -187,7 +187,7 @@ fn adaptive_steps<M: Mechanism>(
                 steps.accepted += 1;
                 // These steps may be so long that nothing foretells what they pass.
                 steps.note(motion, method, [from, to])?;
-                if watch(&mut Step { motion, method, from, to })?.is_break() {
+                if watch(&mut Step { motion, method, from, to, reached: to })?.is_break() {
                     return Ok(());
                 }
                 headway.comes(time - now);

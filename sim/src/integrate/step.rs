@@ -16,6 +16,8 @@ pub struct Step<'s, M: Mechanism> {
     pub from: &'s Sample<M>,
     /// Its end, on the constraints.
     pub to: &'s Sample<M>,
+    /// Where the method has gone to: beyond the end where that lies beside a singular position.
+    pub(super) reached: &'s Sample<M>,
     pub(super) method: &'s mut dyn Advance<M>,
 }
 
@@ -44,7 +46,7 @@ impl<M: Mechanism> Step<'_, M> {
         if !found.is_beside {
             return self.motion.sample(found.kept);
         }
-        let fraction = (time - self.from.state.time) / self.length();
+        let fraction = self.fraction(time);
         let (accelerations, known_to) = self.accelerations_across(fraction)?;
         let off = |direct: &Sample<M>| {
             let off = |i: usize| direct.accelerations[i] - accelerations[i];
@@ -56,7 +58,7 @@ impl<M: Mechanism> Step<'_, M> {
             Err(failure) if !found.is_singular => return Err(failure),
             _ => {}
         }
-        let nearer = if fraction < 0.5 { self.from } else { self.to };
+        let nearer = if fraction < 0.5 { self.from } else { self.reached };
         Ok(Sample { state: found.interpolated, accelerations, ..*nearer })
     }
 
@@ -71,8 +73,8 @@ impl<M: Mechanism> Step<'_, M> {
             let fraction = k as f64 / LAST as f64;
             let (state, accelerations) = match k {
                 0 => (self.from.state, self.from.accelerations),
-                LAST => (self.to.state, self.to.accelerations),
-                _ => match self.find(self.from.state.time + fraction * self.length())? {
+                LAST => (self.reached.state, self.reached.accelerations),
+                _ => match self.find(self.from.state.time + fraction * self.made())? {
                     found if found.is_singular => continue,
                     found => (found.kept, self.motion.sample(found.kept)?.accelerations),
                 },
@@ -86,13 +88,21 @@ impl<M: Mechanism> Step<'_, M> {
         Ok(nearest_polynomial(&known[..count], fraction, size))
     }
 
+    /// How long a step the method has made, in seconds.
+    fn made(&self) -> f64 {
+        self.reached.state.time - self.from.state.time
+    }
+
+    fn fraction(&self, time: f64) -> f64 {
+        (time - self.from.state.time) / self.made()
+    }
+
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
             let end = self.to.state;
             return Ok(Inside { kept: end, interpolated: end, is_singular: false, is_beside: false });
         }
-        let fraction = (time - self.from.state.time) / self.length();
-        let mut kept = self.method.inside(self.motion, self.from, self.to, fraction)?;
+        let mut kept = self.method.inside(self.motion, self.from, self.reached, self.fraction(time))?;
         kept.time = time;
         let interpolated = kept;
         match self.motion.keep(&mut kept) {
