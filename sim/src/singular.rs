@@ -49,10 +49,11 @@ const LOOK: f64 = 0.15;
 /// the next step: a sine that falls to zero does so evenly at last.
 const UNEVEN: f64 = 2.0;
 
-/// Whether a singular position may lie within the next steps, after two that ended at these sines.
+/// Whether a singular position may lie within the next steps, after two that ended at these sines. Where there have not been two,
+/// it may.
 #[inline]
 pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
-    now - FORESIGHT * (before - now) < LOOK
+    before.is_infinite() || now - FORESIGHT * (before - now) < LOOK
 }
 
 /// How steps over singular positions are laid.

@@ -37,13 +37,13 @@ pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
     /// Where the last step over a singular position has gone to.
     reached: Option<Sample<M>>,
-    /// The smallest sines at the ends of the last two steps.
+    /// The smallest sines at the ends of the last two steps, infinite before there are two.
     sines: [f64; 2],
 }
 
 impl<M: Mechanism> Crossing<M> {
     pub(super) fn new() -> Crossing<M> {
-        Crossing { method: Dop853::new(), reached: None, sines: [0.0; 2] }
+        Crossing { method: Dop853::new(), reached: None, sines: [f64::INFINITY; 2] }
     }
 
     /// Takes note that a step has ended here.
