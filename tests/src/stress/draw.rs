@@ -211,7 +211,9 @@ const MOST_TURNS_SWEPT: f64 = 50.0;
 
 fn equal(pace: &Pace, random: &mut Random) -> Option<Settings> {
     let method = *pick(random, &Method::ALL);
-    let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, 400.0, 1600.0));
+    // Of fewer steps a fifth of a range may be the error of Euler's method itself.
+    let fewest = if method == Method::Euler { 600.0 } else { 400.0 };
+    let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, fewest, 1600.0));
     // In a turn of the fastest body, or of what changes fastest.
     let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
     let most = if method == Method::Radau5 { MOST_IMPLICIT_STEPS } else { MOST_STEPS };
