@@ -20,6 +20,7 @@ pub(super) fn resolve_outputs(
         coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}_dot", c.name), format!("{}_ddot", c.name)]),
     );
     columns.extend(constraints.iter().map(|c| format!("lambda_{}", c.name)));
+    let of_sweeps = columns_of_sweeps(declaration, coordinates);
     let mut names = Names::new("output");
     let mut figures = Vec::new();
     let (mut outputs, mut groups) = (Vec::new(), Vec::new());
@@ -40,6 +41,12 @@ pub(super) fn resolve_outputs(
                         .error(format!("`{name}` is recorded already, under this name; choose another")),
                 );
             }
+            if of_sweeps.contains(&name) {
+                i.mistakes.add(
+                    Region::from(&output.name)
+                        .error(format!("a sweep records what drives do as `{name}`; choose another name")),
+                );
+            }
             let unit = resolve_unit(&output.unit, i);
             let value = output_value(output, &name, unit.as_ref(), i);
             if let (Some(value), Some(unit)) = (value, unit) {
@@ -53,6 +60,15 @@ pub(super) fn resolve_outputs(
         }
     }
     (outputs, groups)
+}
+
+/// What sweeps record beside the columns of runs.
+fn columns_of_sweeps(declaration: &Declaration, coordinates: &[Coordinate]) -> Vec<String> {
+    let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs).map(|output| plain(&output.name));
+    let outputs: Vec<String> = outputs.collect();
+    let driven = coordinates.iter().map(|c| &c.name).chain(&outputs).map(|name| format!("drive_{name}"));
+    let ratios = outputs.iter().flat_map(|name| [format!("ratio_{name}"), format!("advantage_{name}")]);
+    driven.chain(ratios).chain(["transmission_index".to_owned()]).collect()
 }
 
 /// Figures are files, and some file systems do not tell letter case apart.

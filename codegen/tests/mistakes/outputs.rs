@@ -31,6 +31,16 @@ fn outputs() {
     check("height [m] = P.y", "phi [rad] = phi", &["8:11 `phi` is recorded already, under this name; choose another"]);
     check(
         "height [m] = P.y",
+        "h [m] = P.y; ratio_h [m] = P.x",
+        &["8:24 a sweep records what drives do as `ratio_h`; choose another name"],
+    );
+    for (name, taken) in [("drive_phi", true), ("transmission_index", true), ("ratio_of_h", false)] {
+        let mistake = format!("8:11 a sweep records what drives do as `{name}`; choose another name");
+        let mistakes = if taken { vec![mistake.as_str()] } else { vec![] };
+        check("height [m] = P.y", &format!("{name} [rad] = phi"), &mistakes);
+    }
+    check(
+        "height [m] = P.y",
         "third = dot(ddot(phi))",
         &["8:23 a third derivative is not computed; `ddot` of positions is the highest"],
     );
