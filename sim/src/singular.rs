@@ -181,23 +181,23 @@ impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
         constraint_name::<M>(self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)))
     }
 
-    /// The singular position that a step from these rows has passed, if any: the part of a row that is independent of those
-    /// before it has turned round. `inside` gives the state at a fraction of the step.
+    /// The singular position between two times, if there is one: the part of a row that is independent of those before it turns
+    /// round. `at` gives the state at a time.
     pub(crate) fn passed(
         &self,
-        [from, to]: [&State<M>; 2],
+        [from, to]: [f64; 2],
         [before, after]: [&M::LQ; 2],
-        inside: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
+        at: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
     ) -> Result<Option<Singularity>, Failure> {
-        let mut parts = |fraction: f64| inside(fraction).map(|state| self.parts(state.time, &state.positions));
+        let time = |fraction: f64| from + fraction * (to - from);
+        let mut parts = |fraction: f64| at(time(fraction)).map(|state| self.parts(state.time, &state.positions));
         for row in 0..M::L::LEN {
             let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
             let found = root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts(s)?)))?;
             let Some(fraction) = found else { continue };
             let sine = self.sine(row, &parts(fraction)?);
             if sine < FOUND {
-                let time = from.time + fraction * (to.time - from.time);
-                return Ok(Some(Singularity { constraint: self.constraint(row), time, sine }));
+                return Ok(Some(Singularity { constraint: self.constraint(row), time: time(fraction), sine }));
             }
         }
         Ok(None)

@@ -16,7 +16,15 @@ pub(crate) fn driven<M: Mechanism>(
 }
 
 pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
-    Sweep { driven: Driven::find(&M::DESCRIPTION, name).unwrap(), from, to, speed, steps, held: Vec::new() }
+    Sweep {
+        driven: Driven::find(&M::DESCRIPTION, name).unwrap(),
+        from,
+        to,
+        speed,
+        steps,
+        held: Vec::new(),
+        interrupt: None,
+    }
 }
 
 /// The place of an output.

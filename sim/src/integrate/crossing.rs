@@ -18,6 +18,10 @@ const MOST_HALVINGS: i32 = 4;
 /// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
 const TOLERANCE: f64 = 1e-11;
 
+/// In so many parts of such a step singular positions are looked for: of two that lie near each other the second turns back
+/// what the first has turned round.
+const LOOKS: usize = 16;
+
 /// Sines that are not looked after fall by no more than this factor in a step.
 const FALLS: f64 = 0.5;
 
@@ -104,7 +108,7 @@ impl<M: Mechanism> Crossing<M> {
         steps: &mut Steps,
     ) -> Result<Way, Failure> {
         let passed = steps.singularities.len();
-        steps.note(motion, &mut self.method, [from, to])?;
+        steps.note(motion, &mut self.method, [from, to], LOOKS)?;
         if steps.singularities.len() == passed {
             return Ok(Way::On);
         }
@@ -131,20 +135,30 @@ fn rate<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>) -> f64 {
 }
 
 impl Steps {
-    /// Notes the singular position that a step has passed, if any.
+    /// Notes the singular positions that a step has passed, each of so many parts of it at most one.
     pub(super) fn note<M: Mechanism>(
         &mut self,
         motion: &Motion<M>,
         method: &mut dyn Advance<M>,
         [from, to]: [&Sample<M>; 2],
+        looks: usize,
     ) -> Result<(), Failure> {
         let followed = Followed::at(motion, &from.state);
-        if !followed.may_have_passed([&from.state, &to.state]) {
+        if looks == 1 && !followed.may_have_passed([&from.state, &to.state]) {
             return Ok(());
         }
-        let parts = [from, to].map(|sample| followed.parts(sample.state.time, &sample.state.positions));
-        let mut inside = |fraction| method.inside(motion, from, to, fraction);
-        self.singularities.extend(followed.passed([&from.state, &to.state], parts.each_ref(), &mut inside)?);
+        let [begin, end] = [from, to].map(|sample| sample.state.time);
+        let mut at = |time: f64| match time == end {
+            true => Ok(to.state),
+            false => method.inside(motion, from, to, (time - begin) / (end - begin)),
+        };
+        let (mut time, mut before) = (begin, followed.parts(begin, &from.state.positions));
+        for look in 1..=looks {
+            let next = if look == looks { end } else { begin + (end - begin) * look as f64 / looks as f64 };
+            let after = followed.parts(next, &at(next)?.positions);
+            self.singularities.extend(followed.passed([time, next], [&before, &after], &mut at)?);
+            (time, before) = (next, after);
+        }
         Ok(())
     }
 }

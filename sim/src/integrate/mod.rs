@@ -127,7 +127,7 @@ fn equal_steps<M: Mechanism>(
                     crossing.ended(motion);
                     steps.accepted += 1;
                     if is_near {
-                        steps.note(motion, method, [from, to])?;
+                        steps.note(motion, method, [from, to], 1)?;
                     }
                     watch(&mut Step { motion, method, from, to, reached: to })?
                 }
@@ -186,7 +186,7 @@ fn adaptive_steps<M: Mechanism>(
                 crossing.ended(motion);
                 steps.accepted += 1;
                 // These steps may be so long that nothing foretells what they pass.
-                steps.note(motion, method, [from, to])?;
+                steps.note(motion, method, [from, to], 1)?;
                 if watch(&mut Step { motion, method, from, to, reached: to })?.is_break() {
                     return Ok(());
                 }
