@@ -44,7 +44,7 @@ const APPROACH: f64 = 0.9;
 /// How far the sines at the ends of steps are foretold, in steps as long as the last.
 const FORESIGHT: f64 = 3.0;
 /// Below this sine, foretold, the way ahead is looked at.
-const LOOK: f64 = 0.15;
+const LOOK: f64 = 0.3;
 /// By how much the time to a singular position may differ from what the sine and its rate here make it, where that is beyond
 /// the next step: a sine that falls to zero does so evenly at last.
 const UNEVEN: f64 = 2.0;

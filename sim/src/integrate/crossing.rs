@@ -13,10 +13,10 @@ use sim_kernel::Mechanism;
 
 /// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and ends
 /// at. Where such a step is not good enough it is halved, at most so often.
-const LEAST_SINE: f64 = 0.05;
-const MOST_HALVINGS: i32 = 4;
+const LEAST_SINE: f64 = 0.1;
+const MOST_HALVINGS: i32 = 5;
 /// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1.25e-12;
 
 /// In so many parts of such a step singular positions are looked for: of two that lie near each other the second turns back
 /// what the first has turned round.
